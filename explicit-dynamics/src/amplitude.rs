@@ -1,0 +1,68 @@
+//! How a load varies in time.
+
+/// A factor of time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Amplitude {
+    /// One at all times.
+    Constant,
+    /// Linear from nought at time 0 to one at the given time \[T\], one after.
+    Ramp(f64),
+    /// `s³(10 − 15s + 6s²)`, `s = t/T`: the quintic with no velocity and no acceleration at its ends.
+    Smooth(f64),
+    /// Straight lines between `(time, factor)`, times ascending; constant before and after.
+    Table(Vec<(f64, f64)>),
+    /// `sin(2πt/T)` with period T \[T\].
+    Sine(f64),
+}
+
+impl Amplitude {
+    /// The factor at a time \[T\].
+    pub fn value(&self, time: f64) -> f64 {
+        match self {
+            Self::Constant => 1.0,
+            Self::Ramp(duration) => (time / duration).clamp(0.0, 1.0),
+            Self::Smooth(duration) => smooth(time / duration),
+            Self::Sine(period) => libm::sin(std::f64::consts::TAU * time / period),
+            Self::Table(points) => table(points, time),
+        }
+    }
+}
+
+/// The quintic `s³(10 − 15s + 6s²)` on \[0, 1\].
+pub(crate) fn smooth(s: f64) -> f64 {
+    let s = s.clamp(0.0, 1.0);
+    s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)
+}
+
+fn table(points: &[(f64, f64)], time: f64) -> f64 {
+    let after = points.partition_point(|&(t, _)| t <= time);
+    match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {
+        (Some(&(t0, v0)), Some(&(t1, v1))) => v0 + (v1 - v0) * (time - t0) / (t1 - t0),
+        (Some(&(_, v)), None) | (None, Some(&(_, v))) => v,
+        (None, None) => 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amplitudes_take_the_values_they_name() {
+        assert_eq!(Amplitude::Constant.value(7.0), 1.0);
+        assert_eq!(Amplitude::Ramp(2.0).value(0.5), 0.25);
+        assert_eq!(Amplitude::Ramp(2.0).value(5.0), 1.0);
+        assert_eq!(Amplitude::Smooth(2.0).value(1.0), 0.5);
+        assert!((Amplitude::Sine(4.0).value(1.0) - 1.0).abs() < 1e-15);
+        let table = Amplitude::Table(vec![(1.0, 2.0), (3.0, 6.0)]);
+        assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
+    }
+
+    #[test]
+    fn smooth_starts_and_ends_without_velocity_or_acceleration() {
+        // The quintic deviates from its end values by 10 s³ + O(s⁴).
+        let s = 1e-3;
+        assert!((smooth(s) - 10.0 * s * s * s).abs() < 16.0 * s * s * s * s);
+        assert!((1.0 - smooth(1.0 - s) - 10.0 * s * s * s).abs() < 16.0 * s * s * s * s);
+    }
+}

@@ -1,0 +1,42 @@
+//! Damping: proportional to mass, or kinetic (stop where the kinetic energy peaks).
+
+/// How a quasi-static march comes to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damping {
+    /// Mass-proportional with this ratio ζ to the critical damping of the mode whose period the march is given: `c = 4πζ/T₁`.
+    Ratio(f64),
+    /// Velocities are set to nought whenever the kinetic energy passes a peak.
+    Kinetic,
+}
+
+impl Damping {
+    /// The mass-proportional coefficient c \[1/T\].
+    pub fn coefficient(&self, period: f64) -> f64 {
+        match self {
+            Self::Ratio(zeta) => 2.0 * zeta * std::f64::consts::TAU / period,
+            Self::Kinetic => 0.0,
+        }
+    }
+}
+
+/// Finds the peaks of the kinetic energy.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct KineticDamping {
+    last: f64,
+    /// The highest peak since the last reset: what the stop criterion looks at \[F L\].
+    pub peak: f64,
+}
+
+impl KineticDamping {
+    /// Takes the kinetic energy of a step; true where it has just begun to fall.
+    pub fn peaked(&mut self, kinetic: f64) -> bool {
+        if kinetic < self.last {
+            self.peak = self.last;
+            self.last = 0.0;
+            true
+        } else {
+            self.last = kinetic;
+            false
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Marching `M q̈ = f` by central differences: amplitudes, damping, stable step, energy balance.
+//!
+//! This crate knows no shell and no particle method. A system tells by [`Dynamics`] how to evaluate
+//! forces, how to kick its velocities and how to drift its configuration (which is where a rotation
+//! advances on its sphere); everything else is here.
+//!
+//! | to | use |
+//! |---|---|
+//! | march freely in time | [`Transient`] |
+//! | find equilibria along a load path | [`QuasiStatic`] |
+//! | know the stable step | [`largest_eigenvalue`], [`stable_step`] |
+//! | watch | [`Observer`], [`Record`] |
+
+mod amplitude;
+mod central_difference;
+mod clock;
+mod damping;
+mod dynamics;
+mod error;
+mod quasi_static;
+mod stable_step;
+mod transient;
+
+pub use amplitude::Amplitude;
+pub use central_difference::{CentralDifference, Integrator};
+pub use clock::{Balance, Clock, Observer, Record};
+pub use damping::{Damping, KineticDamping};
+pub use dynamics::{Dynamics, Instant, Step, Work};
+pub use error::MarchError;
+pub use quasi_static::{LevelReached, QuasiStatic};
+pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};
+pub use transient::Transient;

@@ -1,0 +1,177 @@
+//! Sections: from strains to stress resultants and energy; the isotropic plane-stress one in closed form.
+
+use crate::{Pack, Strains};
+
+/// Stress resultants, conjugate to [`Strains`] per reference area.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Resultants {
+    /// Membrane forces `N11, N22, N12` \[F/L\].
+    pub membrane: [Pack; 3],
+    /// Moments `M11, M22, M12` \[F\].
+    pub moment: [Pack; 3],
+    /// Transverse shear forces `Q1, Q2` \[F/L\].
+    pub shear: [Pack; 2],
+}
+
+impl Resultants {
+    /// `N·e + M·κ + Q·γ` \[F/L\].
+    #[inline(always)]
+    pub fn work(&self, strains: &Strains) -> Pack {
+        let mut work = Pack::ZERO;
+        for i in 0..3 {
+            work += self.membrane[i] * strains.membrane[i] + self.moment[i] * strains.curvature[i];
+        }
+        work + self.shear[0] * strains.shear[0] + self.shear[1] * strains.shear[1]
+    }
+}
+
+/// Stiffness scales by which zero-energy control and estimates are sized.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionScales {
+    /// Thickness t \[L\].
+    pub thickness: f64,
+    /// Bending stiffness `D_b = Et³/12(1−ν²)` \[F L\].
+    pub bending: f64,
+    /// Transverse shear stiffness `(5/6) G t` \[F/L\].
+    pub shear: f64,
+    /// Membrane stiffness `Et/(1−ν²)` \[F/L\].
+    pub membrane: f64,
+}
+
+/// What the shell is made of, per area of its mid-surface.
+pub trait Section: Send + Sync {
+    /// Resultants from strains; they must be the derivative of [`Section::energy`].
+    fn resultants(&self, strains: &Strains) -> Resultants;
+
+    /// Stored energy per reference area \[F/L\].
+    fn energy(&self, strains: &Strains) -> Pack;
+
+    /// Stiffness scales.
+    fn scales(&self) -> SectionScales;
+}
+
+/// Why a material was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MaterialError {
+    /// Young's modulus must be positive and finite.
+    Young(f64),
+    /// Poisson's ratio must lie strictly between −1 and ½.
+    Poisson(f64),
+    /// Thickness must be positive and finite.
+    Thickness(f64),
+    /// Gauss points through the thickness must number 2 to 5.
+    GaussPoints(usize),
+}
+
+impl std::fmt::Display for MaterialError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Young(v) => write!(f, "Young's modulus is {v}; it must be positive and finite"),
+            Self::Poisson(v) => write!(f, "Poisson's ratio is {v}; it must lie strictly between -1 and 0.5"),
+            Self::Thickness(v) => write!(f, "thickness is {v}; it must be positive and finite"),
+            Self::GaussPoints(n) => {
+                write!(f, "{n} Gauss points through the thickness; use 2 to 5 (one point carries no bending)")
+            }
+        }
+    }
+}
+
+impl std::error::Error for MaterialError {}
+
+/// Isotropic linear elasticity.
+#[derive(Clone, Copy, Debug)]
+pub struct Isotropic {
+    /// Young's modulus E \[F/L²\].
+    pub young: f64,
+    /// Poisson's ratio ν \[–\].
+    pub poisson: f64,
+}
+
+impl Isotropic {
+    /// Checks the bounds.
+    ///
+    /// # Errors
+    /// [`MaterialError`] for E ≤ 0, ν outside (−1, ½) or a value that is not finite.
+    pub fn new(young: f64, poisson: f64) -> Result<Self, MaterialError> {
+        if !(young > 0.0 && young.is_finite()) {
+            return Err(MaterialError::Young(young));
+        }
+        if !(poisson > -1.0 && poisson < 0.5) {
+            return Err(MaterialError::Poisson(poisson));
+        }
+        Ok(Self { young, poisson })
+    }
+
+    /// Plane-stress modulus `E/(1−ν²)` \[F/L²\].
+    pub fn plane_stress(&self) -> f64 {
+        self.young / (1.0 - self.poisson * self.poisson)
+    }
+
+    /// Shear modulus `E/2(1+ν)` \[F/L²\].
+    pub fn shear(&self) -> f64 {
+        self.young / (2.0 * (1.0 + self.poisson))
+    }
+}
+
+/// Reissner's factor for the parabolic transverse shear stress of a homogeneous section \[–\].
+pub const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
+
+/// Homogeneous isotropic section in plane stress, integrated through the thickness in closed form.
+#[derive(Clone, Copy, Debug)]
+pub struct IsotropicSection {
+    membrane: f64,
+    bending: f64,
+    shear: f64,
+    poisson: f64,
+    thickness: f64,
+}
+
+impl IsotropicSection {
+    /// `N = tC e`, `M = t³/12 C κ`, `Q = (5/6) G t γ`, with `C = E/(1−ν²) [[1,ν,0],[ν,1,0],[0,0,(1−ν)/2]]`.
+    ///
+    /// # Errors
+    /// [`MaterialError::Thickness`] unless the thickness is positive and finite.
+    pub fn new(material: Isotropic, thickness: f64) -> Result<Self, MaterialError> {
+        if !(thickness > 0.0 && thickness.is_finite()) {
+            return Err(MaterialError::Thickness(thickness));
+        }
+        let membrane = material.plane_stress() * thickness;
+        Ok(Self {
+            membrane,
+            bending: membrane * thickness * thickness / 12.0,
+            shear: SHEAR_CORRECTION * material.shear() * thickness,
+            poisson: material.poisson,
+            thickness,
+        })
+    }
+}
+
+/// `C s` of plane stress for a stiffness `c` that already holds `1/(1−ν²)`.
+#[inline(always)]
+pub(crate) fn plane_stress(c: f64, nu: f64, s: &[Pack; 3]) -> [Pack; 3] {
+    [(s[0] + s[1] * nu) * c, (s[1] + s[0] * nu) * c, s[2] * (0.5 * (1.0 - nu) * c)]
+}
+
+impl Section for IsotropicSection {
+    #[inline]
+    fn resultants(&self, strains: &Strains) -> Resultants {
+        Resultants {
+            membrane: plane_stress(self.membrane, self.poisson, &strains.membrane),
+            moment: plane_stress(self.bending, self.poisson, &strains.curvature),
+            shear: [strains.shear[0] * self.shear, strains.shear[1] * self.shear],
+        }
+    }
+
+    fn energy(&self, strains: &Strains) -> Pack {
+        self.resultants(strains).work(strains) * 0.5
+    }
+
+    fn scales(&self) -> SectionScales {
+        SectionScales {
+            thickness: self.thickness,
+            bending: self.bending,
+            shear: self.shear,
+            membrane: self.membrane,
+        }
+    }
+}
