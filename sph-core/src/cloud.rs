@@ -1,0 +1,192 @@
+//! The reference cloud: particles on a surface with frames, areas, edges and cells. Immutable once built.
+
+use nalgebra::Rotation3;
+
+use crate::boundary::boundary;
+use crate::{Cell, CellList, Frame, Lattice, SpaceError, Vec3};
+
+/// Distance, in units of the spacing, below which two particles count as one: far below any sensible disorder,
+/// far above rounding.
+const COINCIDENT: f64 = 1e-6;
+
+/// Particles on a surface. All lists have one entry per particle, except `cells`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cloud {
+    /// Positions `[L]`.
+    pub positions: Vec<Vec3>,
+    /// Frames; `n` is the surface normal.
+    pub frames: Vec<Frame>,
+    /// Tributary areas `[L²]`.
+    pub areas: Vec<f64>,
+    /// Outward in-surface normal × tributary edge length `[L]`; zero inside, the sum of both edges at a corner.
+    pub edge_normals: Vec<Vec3>,
+    /// Tributary boundary length `[L]`; zero inside.
+    pub edge_lengths: Vec<f64>,
+    /// Quadrangles and triangles between the particles.
+    pub cells: Vec<Cell>,
+    /// The lattice behind the numbering, if there is one.
+    pub lattice: Option<Lattice>,
+}
+
+impl Cloud {
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there are no particles.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// Mean spacing `[L]`: the square root of the mean tributary area.
+    pub fn spacing(&self) -> f64 {
+        (self.areas.iter().sum::<f64>() / self.len() as f64).sqrt()
+    }
+
+    /// Cloud from positions `[L]` and cells, with areas `A_a = Σ_cells w_p/m` (m corners) and edges found from the
+    /// cells. Normals are area-weighted means over the cells at a particle unless given (any length).
+    pub fn from_cells(
+        positions: Vec<Vec3>,
+        normals: Option<Vec<Vec3>>,
+        cells: Vec<Cell>,
+    ) -> Result<Cloud, SpaceError> {
+        check_corners(&cells, positions.len())?;
+        check_finite(&positions, "position")?;
+        let mut areas = vec![0.0; positions.len()];
+        let mut mean_normals = vec![Vec3::zeros(); positions.len()];
+        for (c, cell) in cells.iter().enumerate() {
+            let geometry = cell.geometry(&positions);
+            check_area(c, cell, &positions, geometry.area)?;
+            for &b in cell.particles() {
+                areas[b as usize] += geometry.area / f64::from(cell.count);
+                mean_normals[b as usize] += geometry.area * geometry.normal;
+            }
+        }
+        if let Some(particle) = areas.iter().position(|&area| area == 0.0) {
+            return Err(SpaceError::Isolated { particle, found: 0 });
+        }
+        let normals = normals.unwrap_or(mean_normals);
+        check_length("normals", normals.len(), positions.len())?;
+        let frames: Vec<Frame> = normals.into_iter().map(Frame::from_normal).collect();
+        let units: Vec<Vec3> = frames.iter().map(|frame| frame.n).collect();
+        check_finite(&units, "normal")?;
+        let edges = boundary(&positions, &units, &cells)?;
+        let cloud = Cloud {
+            positions,
+            frames,
+            areas,
+            edge_normals: edges.normals,
+            edge_lengths: edges.lengths,
+            cells,
+            lattice: None,
+        };
+        cloud.check()?;
+        Ok(cloud)
+    }
+
+    /// Refuses clouds that no operator can be built on: lists of different length, numbers that are not finite,
+    /// particles on top of each other, and isolated particles.
+    ///
+    /// The two lips of a slit may coincide, that is particles on the boundary that share no cell: cell stencils
+    /// keep the lips apart. Kernel and nodal stencils cannot, and refuse such clouds themselves.
+    pub fn check(&self) -> Result<(), SpaceError> {
+        check_length("frames", self.frames.len(), self.len())?;
+        check_length("areas", self.areas.len(), self.len())?;
+        check_length("edge normals", self.edge_normals.len(), self.len())?;
+        check_length("edge lengths", self.edge_lengths.len(), self.len())?;
+        check_finite(&self.positions, "position")?;
+        for (particle, frame) in self.frames.iter().enumerate() {
+            if !(frame.t1 + frame.t2 + frame.n).norm().is_finite() {
+                return Err(SpaceError::NotFinite { particle, what: "frame" });
+            }
+            if !(self.areas[particle].is_finite() && self.areas[particle] > 0.0) {
+                return Err(SpaceError::NotFinite { particle, what: "positive area" });
+            }
+        }
+        check_corners(&self.cells, self.len())?;
+        let used = self.cells_at_particles();
+        self.check_apart(|a, b| {
+            let shared = used[a].iter().any(|c| used[b].contains(c));
+            !shared && self.edge_lengths[a] > 0.0 && self.edge_lengths[b] > 0.0
+        })?;
+        if !self.cells.is_empty() {
+            if let Some(particle) = used.iter().position(Vec::is_empty) {
+                return Err(SpaceError::Isolated { particle, found: 0 });
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses coincident particles, except pairs for which `allowed` is true.
+    pub(crate) fn check_apart(&self, allowed: impl Fn(usize, usize) -> bool) -> Result<(), SpaceError> {
+        let bound = COINCIDENT * self.spacing();
+        let list = CellList::new(&self.positions, self.spacing());
+        let mut near = Vec::new();
+        for first in 0..self.len() {
+            list.within(&self.positions[first], bound, &mut near);
+            for second in near.iter().map(|&b| b as usize).filter(|&b| b > first) {
+                if !allowed(first, second) {
+                    let distance = (self.positions[second] - self.positions[first]).norm();
+                    return Err(SpaceError::Coincident { first, second, distance, bound });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The cells at each particle, ascending.
+    pub(crate) fn cells_at_particles(&self) -> Vec<Vec<u32>> {
+        let mut used = vec![Vec::new(); self.len()];
+        for (c, cell) in self.cells.iter().enumerate() {
+            for &b in cell.particles() {
+                used[b as usize].push(c as u32);
+            }
+        }
+        used
+    }
+
+    /// The cloud turned by `rotation` about the origin and then moved by `shift` `[L]`.
+    pub fn transformed(&self, rotation: &Rotation3<f64>, shift: &Vec3) -> Cloud {
+        Cloud {
+            positions: self.positions.iter().map(|x| rotation * x + shift).collect(),
+            frames: self.frames.iter().map(|frame| frame.rotated(rotation)).collect(),
+            edge_normals: self.edge_normals.iter().map(|r| rotation * r).collect(),
+            ..self.clone()
+        }
+    }
+}
+
+/// Refuses lists whose length is not that of the cloud.
+pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), SpaceError> {
+    if found == expected { Ok(()) } else { Err(SpaceError::Length { what, found, expected }) }
+}
+
+/// Refuses a cell without area, measured against its longest edge.
+pub(crate) fn check_area(c: usize, cell: &Cell, positions: &[Vec3], area: f64) -> Result<(), SpaceError> {
+    let longest = cell
+        .edges()
+        .map(|(a, b)| (positions[b as usize] - positions[a as usize]).norm_squared())
+        .fold(0.0, f64::max);
+    let bound = COINCIDENT * longest;
+    if area > bound { Ok(()) } else { Err(SpaceError::DegenerateCell { cell: c, area, bound }) }
+}
+
+fn check_finite(vectors: &[Vec3], what: &'static str) -> Result<(), SpaceError> {
+    match vectors.iter().position(|x| !x.norm().is_finite()) {
+        Some(particle) => Err(SpaceError::NotFinite { particle, what }),
+        None => Ok(()),
+    }
+}
+
+fn check_corners(cells: &[Cell], particles: usize) -> Result<(), SpaceError> {
+    for (cell, corners) in cells.iter().enumerate() {
+        let corners = corners.particles();
+        for (i, &corner) in corners.iter().enumerate() {
+            if corner as usize >= particles || corners[..i].contains(&corner) {
+                return Err(SpaceError::BadCorner { cell, corner: corner as usize, particles });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! What can be wrong with a cloud or an operator built on it: value, bound and repair in every message.
+
+use thiserror::Error;
+
+/// Why a cloud or an operator could not be built.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SpaceError {
+    /// A position, normal or area is NaN or infinite.
+    #[error("particle {particle}: {what} is not finite; check the input that places it")]
+    NotFinite {
+        /// Particle.
+        particle: usize,
+        /// Which quantity.
+        what: &'static str,
+    },
+    /// Two particles stand on the same place.
+    #[error(
+        "particles {first} and {second} coincide: distance {distance:e}, at least {bound:e} is needed; merge them or move one"
+    )]
+    Coincident {
+        /// Lower index.
+        first: usize,
+        /// Higher index.
+        second: usize,
+        /// Distance between the two `[L]`.
+        distance: f64,
+        /// Smallest distance accepted `[L]`.
+        bound: f64,
+    },
+    /// A particle belongs to no cell, or has no neighbour.
+    #[error(
+        "particle {particle} is isolated: {found} cells or neighbours, at least 1 is needed; connect or remove it"
+    )]
+    Isolated {
+        /// Particle.
+        particle: usize,
+        /// Number of cells or neighbours found.
+        found: usize,
+    },
+    /// An edge is used by three or more cells.
+    #[error(
+        "edge {first}–{second} belongs to {cells} cells, at most 2 are allowed; split the sheet along this edge into separate clouds"
+    )]
+    NonManifoldEdge {
+        /// Lower particle index.
+        first: usize,
+        /// Higher particle index.
+        second: usize,
+        /// Number of cells that use the edge.
+        cells: usize,
+    },
+    /// Two neighbouring cells turn opposite ways.
+    #[error(
+        "cells {cell} and {other} run the same way along edge {first}–{second}; reverse the corner order of one of them"
+    )]
+    Orientation {
+        /// First cell.
+        cell: usize,
+        /// Second cell.
+        other: usize,
+        /// Lower particle index.
+        first: usize,
+        /// Higher particle index.
+        second: usize,
+    },
+    /// A cell names a particle that does not exist, or repeats one.
+    #[error("cell {cell}: corner {corner} is repeated or not below {particles}; correct the list of cells")]
+    BadCorner {
+        /// Cell.
+        cell: usize,
+        /// Particle index found.
+        corner: usize,
+        /// Number of particles.
+        particles: usize,
+    },
+    /// A cell has no area or is turned inside out.
+    #[error("cell {cell}: area {area:e}, at least {bound:e} is needed; move its corners apart or remove it")]
+    DegenerateCell {
+        /// Cell.
+        cell: usize,
+        /// Area found `[L²]`.
+        area: f64,
+        /// Smallest area accepted `[L²]`.
+        bound: f64,
+    },
+    /// A list is too short for what was asked.
+    #[error("{what}: {found} found, at least {needed} are needed; refine the cloud or lower the order")]
+    TooFew {
+        /// What was counted.
+        what: &'static str,
+        /// Number found.
+        found: usize,
+        /// Number needed.
+        needed: usize,
+    },
+    /// Two lists that belong together differ in length.
+    #[error("{what}: length {found}, {expected} expected; build both from the same cloud")]
+    Length {
+        /// Which list.
+        what: &'static str,
+        /// Length found.
+        found: usize,
+        /// Length expected.
+        expected: usize,
+    },
+    /// A parameter lies outside its range.
+    #[error("{what} = {value} is outside {bound}; choose a value in that range")]
+    OutOfRange {
+        /// Name of the parameter.
+        what: &'static str,
+        /// Value found.
+        value: f64,
+        /// Range in words.
+        bound: &'static str,
+    },
+    /// No support made the moment matrix of a point invertible.
+    #[error(
+        "point {point}: {neighbours} neighbours within {radius:e} do not determine a gradient of order {order} (condition bound 1e7); spread the particles over two directions"
+    )]
+    Undetermined {
+        /// Sampling point.
+        point: usize,
+        /// Neighbours in the largest support tried.
+        neighbours: usize,
+        /// Radius of the largest support tried `[L]`.
+        radius: f64,
+        /// Polynomial order asked for.
+        order: usize,
+    },
+    /// The conjugate gradients for the divergence-consistent operator did not arrive.
+    #[error(
+        "divergence consistency: residual {residual:e} after {iterations} iterations, {bound:e} is needed; widen the support or use cell stencils"
+    )]
+    NotConverged {
+        /// Iterations done.
+        iterations: usize,
+        /// Relative residual reached.
+        residual: f64,
+        /// Relative residual asked for.
+        bound: f64,
+    },
+}
