@@ -1,1 +1,40 @@
-//! sph-shell
+//! A thin shell carried by one layer of SPH particles: the model.
+//!
+//! Particles hold a position `x` and a unit director `d`. Strains are sampled at points whose
+//! stencils come from `sph-core`, turned into resultants by `shell-kinematics`, and carried back to
+//! the particles by the transposed stencils, so that forces are the exact derivative of an energy.
+//! `explicit-dynamics` marches the result. [`Formulation`] says where the points lie.
+//!
+//! | where is | look in |
+//! |---|---|
+//! | the point loop (strain → stress → force) | `point.rs`, `Shell::internal_force` |
+//! | the step of one particle (kick, drift) | `march.rs` |
+//! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
+//! | what a clamp does | `supports.rs` |
+//! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
+
+mod cell_control;
+mod couple;
+mod error;
+mod formulation;
+mod loads;
+mod march;
+mod packs;
+mod pair_control;
+mod point;
+mod pressure;
+mod reference;
+mod shell;
+mod spectrum;
+mod strong_form;
+mod supports;
+
+pub use couple::{CoupleAxis, EdgeCouple};
+pub use error::ShellError;
+pub use formulation::{Formulation, FormulationRow, Reach, formulations};
+pub use loads::{AppliedLoad, Body, Force, Gravity, Load};
+pub use pressure::Pressure;
+pub use reference::Reference;
+pub use shell::{Parts, Shell, Supported};
+pub use strong_form::density_rate;
+pub use supports::{Clamped, Diaphragm, DirectorHold, Hinged, Holds, Motion, Moved, Support, SymmetryPlane};

@@ -1,0 +1,140 @@
+//! Zero-energy control of cells: the hourglass of four particles, with free twist and free rigid motion.
+//!
+//! For the pattern h = (1, −1, 1, −1) the vectors `q_x = Σγ_b x_b`, `q_d = Σγ_b d_b`, with
+//! `γ_b = ¼[h_b − G1_b(h·ξ) − G2_b(h·η)]` (\[flanagan1981\]), vanish on linear fields. Their components in the
+//! point's own moving vectors,
+//!
+//! ```text
+//! s1 = q_x·x,1   s2 = q_x·x,2   s3 = q_x·d + ½(H11 k11 + H22 k22 + H12 k12)   s4 = q_d·x,1   s5 = q_d·x,2
+//! ```
+//!
+//! less their reference values, are penalised by `U_h = (4/3)[β_x k_s (s1²+s2²+s3²) + β_d D_b (s4²+s5²)]`.
+//! `H_αβ` makes a constant twist free: a Kirchhoff shell has `x,αβ·d = −k_αβ`. The factor 8/3 is the mean of
+//! |∇|² of the bilinear hourglass times the squared side; `k_s = (5/6)Gt·t²/(t²+w)` keeps the penalty at bending
+//! scale for thin shells, where one at shear scale would lock like (Δ/t)².
+
+use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, SectionScales};
+use sph_core::{SamplingOperator, Vec3};
+
+/// Share β_x of the full stiffness of the position hourglass \[–\].
+const POSITION_SHARE: f64 = 0.1;
+/// Share β_d of the director hourglass \[–\]. Below ⅜(kΔ)², k the total curvature, a cell that turns by kΔ
+/// releases more bending energy than the control holds; one is the fully integrated value.
+const DIRECTOR_SHARE: f64 = 1.0;
+
+/// Constants of the control of four cells.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CellPack {
+    /// `¼ h·ξ`, `¼ h·η` \[L\].
+    lever: [Pack; 2],
+    /// `H11, H22, H12 = Σγξ², Σγη², Σγξη` \[L²\].
+    twist: [Pack; 3],
+    /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; nought for triangles.
+    stiffness: [Pack; 2],
+    /// Reference values of s1…s5.
+    reference: [Pack; 5],
+}
+
+/// What the control adds: forces on the patterns, to be spread by ±¼.
+pub(crate) struct PatternForces {
+    pub position: Pack3,
+    pub director: Pack3,
+}
+
+impl CellPack {
+    /// Constants for the sampling points of one pack; reference values are set by [`CellPack::rest`].
+    pub fn new(
+        operator: &SamplingOperator,
+        points: &[u32; LANES],
+        weight: Pack,
+        positions: &[Vec3],
+        section: &SectionScales,
+    ) -> Self {
+        let mut pack = Self::default();
+        for (lane, &p) in points.iter().enumerate() {
+            let stencil = operator.stencil(p as usize);
+            // A triangle has no hourglass.
+            if stencil.particles.len() != 4 || weight.0[lane] == 0.0 {
+                continue;
+            }
+            let point = &operator.points[p as usize];
+            let local = |axis: &Vec3| -> [f64; 4] {
+                std::array::from_fn(|b| {
+                    (positions[stencil.particles[b] as usize] - point.position).dot(axis)
+                })
+            };
+            let (xi, eta) = (local(&point.frame.t1), local(&point.frame.t2));
+            let pattern = [1.0, -1.0, 1.0, -1.0];
+            let sum = |f: &dyn Fn(usize) -> f64| (0..4).map(f).sum::<f64>();
+            let lever = [sum(&|b| 0.25 * pattern[b] * xi[b]), sum(&|b| 0.25 * pattern[b] * eta[b])];
+            let gamma =
+                |b: usize| 0.25 * pattern[b] - stencil.g1[b] * lever[0] - stencil.g2[b] * lever[1];
+            let (t, w) = (section.thickness, point.weight);
+            let shear = section.shear * t * t / (t * t + w);
+            let values = [
+                lever[0],
+                lever[1],
+                sum(&|b| gamma(b) * xi[b] * xi[b]),
+                sum(&|b| gamma(b) * eta[b] * eta[b]),
+                sum(&|b| gamma(b) * xi[b] * eta[b]),
+                8.0 / 3.0 * POSITION_SHARE * shear,
+                8.0 / 3.0 * DIRECTOR_SHARE * section.bending,
+            ];
+            let [l1, l2] = &mut pack.lever;
+            let [h11, h22, h12] = &mut pack.twist;
+            let [kx, kd] = &mut pack.stiffness;
+            for (slot, value) in [l1, l2, h11, h22, h12, kx, kd].into_iter().zip(values) {
+                slot.0[lane] = value;
+            }
+        }
+        pack
+    }
+
+    /// `q_x` and `q_d` from the raw pattern sums `Σh_b x_b`, `Σh_b d_b`.
+    #[inline(always)]
+    fn patterns(&self, p: &Placement, raw: [Pack3; 2]) -> [Pack3; 2] {
+        let quarter = Pack::splat(0.25);
+        let [l1, l2] = self.lever;
+        [raw[0] * quarter - p.x1 * l1 - p.x2 * l2, raw[1] * quarter - p.d1 * l1 - p.d2 * l2]
+    }
+
+    #[inline(always)]
+    fn components(&self, p: &Placement, curvature: &[Pack; 3], q: &[Pack3; 2]) -> [Pack; 5] {
+        let [h11, h22, h12] = self.twist;
+        let bent = h11 * curvature[0] + h22 * curvature[1] + h12 * curvature[2];
+        [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2)]
+    }
+
+    /// Takes the present state as the reference.
+    pub fn rest(&mut self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) {
+        self.reference = self.components(p, curvature, &self.patterns(p, raw));
+    }
+
+    /// Adds the control's forces to those of the point; returns the pattern forces and the energy \[F L\].
+    #[inline(always)]
+    pub fn add(
+        &self,
+        p: &Placement,
+        curvature: &[Pack; 3],
+        raw: [Pack3; 2],
+        f: &mut PlacementForces,
+    ) -> (PatternForces, Pack) {
+        let q = self.patterns(p, raw);
+        let now = self.components(p, curvature, &q);
+        let [kx, kd] = self.stiffness;
+        let [h11, h22, h12] = self.twist;
+        let s: [Pack; 5] = std::array::from_fn(|i| now[i] - self.reference[i]);
+        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * kd, s[4] * kd];
+        let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
+        let director = p.x1 * r4 + p.x2 * r5;
+        let half3 = r3 * 0.5;
+        let [l1, l2] = self.lever;
+        f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 - position * l1;
+        f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - position * l2;
+        f.q += q[0] * r3;
+        f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - director * l1;
+        f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 - director * l2;
+        let energy = (s[0] * r1 + s[1] * r2 + s[2] * r3 + s[3] * r4 + s[4] * r5) * 0.5;
+        (PatternForces { position: position * Pack::splat(0.25), director: director * Pack::splat(0.25) }, energy)
+    }
+}

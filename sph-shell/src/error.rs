@@ -1,0 +1,51 @@
+//! Why a shell could not be built.
+
+use sph_core::SpaceError;
+
+/// A shell that was refused before anything ran.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum ShellError {
+    /// The cloud or its stencils are unsound.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
+    /// Density must be positive and finite.
+    #[error("density is {0}; it must be positive and finite")]
+    Density(f64),
+    /// A particle number beyond the cloud.
+    #[error("{what} names particle {particle}, but the cloud has {count} particles (numbered from 0)")]
+    NoSuchParticle {
+        /// Who named it.
+        what: &'static str,
+        /// The number.
+        particle: u32,
+        /// Particles in the cloud.
+        count: usize,
+    },
+    /// A load or support on no particles.
+    #[error("{0} acts on an empty set of particles; name a set that holds at least one")]
+    EmptySet(&'static str),
+    /// An edge load on particles that do not lie on an edge in a row.
+    #[error("{0} needs at least two particles in a row along an edge of the shell")]
+    NotAnEdge(&'static str),
+    /// Supports that contradict each other.
+    #[error("particle {particle} is told to move by {wanted:.6e} along a direction its other supports hold to {held:.6e}; remove one of them")]
+    Contradiction {
+        /// The particle.
+        particle: u32,
+        /// The motion asked for.
+        wanted: f64,
+        /// What the other supports leave of it.
+        held: f64,
+    },
+    /// Two motions with different amplitudes on one particle.
+    #[error("particle {0} is moved by two supports with different amplitudes; give it one")]
+    TwoMotions(u32),
+    /// Weights that end rows of particles to higher order need a lattice.
+    #[error("particle {particle} has area {area:.3e}; every particle must carry a positive area")]
+    Area {
+        /// The particle.
+        particle: usize,
+        /// Its area \[L²\].
+        area: f64,
+    },
+}

@@ -1,0 +1,83 @@
+//! The dial: where strains are sampled and how wide the stencils reach.
+
+use sph_core::Kernel;
+
+/// How far the stencil of a stress point reaches.
+#[derive(Clone, Copy)]
+pub enum Reach {
+    /// The particles of the cell, in closed form: the compact limit of the corrected kernel.
+    Cell,
+    /// A corrected kernel reaching this many times the distance to the fourth nearest particle \[–\].
+    Kernel(&'static dyn Kernel, f64),
+}
+
+/// Where strains are sampled; everything after the stencil is the same code.
+#[derive(Clone, Copy)]
+pub enum Formulation {
+    /// One sampling point per cell of the cloud.
+    StressPoint(Reach),
+    /// Sampling at the particles by weighted least squares of the given order, as the adjoint of an energy.
+    Nodal {
+        /// Polynomials up to this order are differentiated exactly (1, 2 or 3).
+        order: usize,
+        /// Smoothing length over local spacing \[–\].
+        smoothing: f64,
+        /// Whether gradients are changed so that their transpose balances constant stress.
+        consistent: bool,
+        /// Weight function.
+        kernel: &'static dyn Kernel,
+    },
+    /// Eqs. 4, 8 and 9 of \[lin2013\] to the letter: pairwise sums with each particle's own corrected gradient.
+    StrongForm {
+        /// Smoothing length over local spacing \[–\].
+        smoothing: f64,
+        /// Factor μ of the artificial viscosity \[–\] (the paper: 1 to 4).
+        viscosity: f64,
+        /// Weight function.
+        kernel: &'static dyn Kernel,
+    },
+}
+
+/// A line of the list shown to users.
+pub struct FormulationRow {
+    /// Name in scenes.
+    pub name: &'static str,
+    /// One line for people.
+    pub describe: &'static str,
+}
+
+/// Every formulation, in the order shown to users.
+pub fn formulations() -> [FormulationRow; 3] {
+    [
+        FormulationRow {
+            name: "stress-point",
+            describe: "one strain sample per cell; support \"cell\" (default, four particles) or a kernel's reach",
+        },
+        FormulationRow {
+            name: "nodal",
+            describe: "strains sampled at the particles, order 1, 2 or 3; the classical particle method as an energy",
+        },
+        FormulationRow {
+            name: "strong-form",
+            describe: "the equations of Lin et al. 2013 to the letter; kept with its measured error",
+        },
+    ]
+}
+
+impl Formulation {
+    /// Name in scenes and reports, with the dial's position.
+    pub fn method(&self) -> String {
+        match self {
+            Self::StressPoint(Reach::Cell) => "stress-point cell".into(),
+            Self::StressPoint(Reach::Kernel(_, reach)) => format!("stress-point {reach}"),
+            Self::Nodal { order, .. } => format!("nodal {order}"),
+            Self::StrongForm { smoothing, .. } => format!("strong-form {smoothing}"),
+        }
+    }
+}
+
+impl std::fmt::Debug for Formulation {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.method())
+    }
+}

@@ -1,0 +1,105 @@
+//! Loads: the trait, dead forces on particles, and gravity.
+
+use explicit_dynamics::{Amplitude, Instant};
+use sph_core::Vec3;
+
+use crate::{Reference, ShellError};
+
+/// What a load sees of the shell.
+pub struct Body<'a> {
+    /// The reference configuration.
+    pub reference: &'a Reference,
+    /// Position and director of every particle, `[x, y, z, d_x, d_y, d_z]`.
+    pub state: &'a [[f64; 6]],
+}
+
+/// A load: adds forces on positions \[F\] and couples on directors \[F L\].
+///
+/// `couple` entries are conjugate to the change of the director: their work is `τ·δd`.
+pub trait Load: Send + Sync {
+    /// Adds `scale` times the load to the rows `[f, τ]` of the particles it touches.
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]);
+
+    /// Refuses sets and numbers that make no sense on this shell.
+    ///
+    /// # Errors
+    /// [`ShellError`] naming the fault.
+    fn check(&self, reference: &Reference) -> Result<(), ShellError>;
+}
+
+/// A load and its course in time.
+pub struct AppliedLoad {
+    /// The load.
+    pub load: Box<dyn Load>,
+    /// Its factor, multiplied by the load level.
+    pub amplitude: Amplitude,
+}
+
+impl AppliedLoad {
+    pub(crate) fn scale(&self, at: Instant) -> f64 {
+        at.level * self.amplitude.value(at.time)
+    }
+}
+
+/// A dead force shared by particles in given parts (a point force has one part).
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Particles and their shares; the shares are normalised to one.
+    pub shares: Vec<(u32, f64)>,
+    /// The whole force \[F\].
+    pub total: Vec3,
+}
+
+/// Weight: acceleration times mass on every particle.
+#[derive(Clone, Copy, Debug)]
+pub struct Gravity {
+    /// Acceleration \[L/T²\].
+    pub acceleration: Vec3,
+}
+
+impl Load for Force {
+    fn add(&self, scale: f64, _: &Body<'_>, forces: &mut [[f64; 6]]) {
+        let whole: f64 = self.shares.iter().map(|s| s.1).sum();
+        for &(particle, share) in &self.shares {
+            let factor = scale * share / whole;
+            for i in 0..3 {
+                forces[particle as usize][i] += factor * self.total[i];
+            }
+        }
+    }
+
+    fn check(&self, reference: &Reference) -> Result<(), ShellError> {
+        check_set("a force", self.shares.iter().map(|s| s.0), reference)
+    }
+}
+
+impl Load for Gravity {
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
+        for (row, mass) in forces.iter_mut().zip(&body.reference.masses) {
+            for i in 0..3 {
+                row[i] += scale * mass * self.acceleration[i];
+            }
+        }
+    }
+
+    fn check(&self, _: &Reference) -> Result<(), ShellError> {
+        Ok(())
+    }
+}
+
+/// Refuses empty sets and numbers beyond the cloud.
+pub(crate) fn check_set(
+    what: &'static str,
+    particles: impl IntoIterator<Item = u32>,
+    reference: &Reference,
+) -> Result<(), ShellError> {
+    let count = reference.cloud.len();
+    let mut any = false;
+    for particle in particles {
+        any = true;
+        if particle as usize >= count {
+            return Err(ShellError::NoSuchParticle { what, particle, count });
+        }
+    }
+    if any { Ok(()) } else { Err(ShellError::EmptySet(what)) }
+}

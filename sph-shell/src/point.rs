@@ -1,0 +1,136 @@
+//! The sweep over sampling points: particles → strains → resultants → forces in slots.
+
+use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, Section, StrainMeasure};
+
+use crate::cell_control::CellPack;
+use crate::packs::{Entry, PointPack};
+
+/// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
+pub(crate) type Row = [f64; 6];
+
+/// What a point knows how to do.
+#[derive(Clone, Copy)]
+pub(crate) struct PointLaw<'a> {
+    pub strain: &'a dyn StrainMeasure,
+    pub section: &'a dyn Section,
+}
+
+/// Rows of four particles, turned into columns.
+#[inline(always)]
+fn load(state: &[Row], particles: &[u32; LANES]) -> [Pack; 6] {
+    let rows = particles.map(|b| state[b as usize]);
+    std::array::from_fn(|c| Pack::from_fn(|lane| rows[lane][c]))
+}
+
+#[inline(always)]
+fn store(slots: &mut [Row], force: [Pack3; 2]) {
+    for (lane, slot) in slots.iter_mut().enumerate().take(LANES) {
+        let [f, t] = [force[0].lane(lane), force[1].lane(lane)];
+        *slot = [f[0], f[1], f[2], t[0], t[1], t[2]];
+    }
+}
+
+/// Sign of the hourglass pattern (1, −1, 1, −1) at entry `k` beyond the base.
+#[inline(always)]
+fn sign(k: usize) -> f64 {
+    if k.is_multiple_of(2) { -1.0 } else { 1.0 }
+}
+
+/// The five vectors of a point, and the raw hourglass sums if the pack is one of cells.
+#[inline(always)]
+pub(crate) fn place<const CELL: bool>(
+    pack: &PointPack,
+    entries: &[Entry],
+    state: &[Row],
+) -> (Placement, [Pack3; 2]) {
+    let base = load(state, &pack.base);
+    let mut p = Placement { d: Pack3([base[3], base[4], base[5]]), ..Placement::default() };
+    let mut raw = [Pack3::ZERO; 2];
+    for (k, entry) in entries.iter().enumerate() {
+        let row = load(state, &entry.particles);
+        let dx = Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]);
+        let dd = Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]);
+        p.x1 += dx * entry.g1;
+        p.x2 += dx * entry.g2;
+        p.d += dd * entry.phi;
+        p.d1 += dd * entry.g1;
+        p.d2 += dd * entry.g2;
+        if CELL {
+            // Σh = 0, so the pattern needs differences only; entry 0 here is particle 1 of the cell.
+            let h = Pack::splat(sign(k));
+            raw[0] += dx * h;
+            raw[1] += dd * h;
+        }
+    }
+    (p, raw)
+}
+
+/// Forces of a point per area, from its placement: strain, Kirchhoff-consistent shear, section, transpose.
+///
+/// The shear strain is `γ̂_α = γ_α + E_α,βγ κ_βγ`: what a Kirchhoff deflection of that curvature would leave in
+/// `x,α·d` on this stencil is taken out. Returns the energy per area if `ENERGY`.
+#[inline(always)]
+pub(crate) fn point_forces<const ENERGY: bool>(
+    pack: &PointPack,
+    law: PointLaw<'_>,
+    p: &Placement,
+) -> (PlacementForces, [Pack; 3], Pack) {
+    let measures = p.measures();
+    let mut strains = law.strain.strains(&measures, &pack.reference);
+    let e = &pack.kirchhoff;
+    let k = strains.curvature;
+    strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
+    strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
+    let mut stress = law.section.resultants(&strains);
+    let energy = if ENERGY { law.section.energy(&strains) } else { Pack::ZERO };
+    let [q1, q2] = stress.shear;
+    for i in 0..3 {
+        stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
+    }
+    let forces = law.strain.transpose(&measures, &pack.reference, &stress);
+    (p.transpose(&forces), measures.curvature, energy)
+}
+
+/// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
+#[inline(always)]
+pub(crate) fn sweep_pack<const CELL: bool, const ENERGY: bool>(
+    pack: &PointPack,
+    entries: &[Entry],
+    cell: Option<&CellPack>,
+    law: PointLaw<'_>,
+    state: &[Row],
+    slots: &mut [Row],
+) -> f64 {
+    let (p, raw) = place::<CELL>(pack, entries, state);
+    let (mut f, curvature, density) = point_forces::<ENERGY>(pack, law, &p);
+    let w = pack.weight;
+    f.n1 = f.n1 * w;
+    f.n2 = f.n2 * w;
+    f.q = f.q * w;
+    f.m1 = f.m1 * w;
+    f.m2 = f.m2 * w;
+    let mut energy = density * w;
+    let mut pattern = [Pack3::ZERO; 2];
+    if CELL && let Some(cell) = cell {
+        let (forces, control) = cell.add(&p, &curvature, raw, &mut f);
+        pattern = [forces.position, forces.director];
+        energy += control;
+    }
+    // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
+    let (mut base_x, mut base_d) = (Pack3::ZERO, f.q);
+    for (k, entry) in entries.iter().enumerate() {
+        let mut on_x = f.n1 * entry.g1 + f.n2 * entry.g2;
+        let mut on_d = f.q * entry.phi + f.m1 * entry.g1 + f.m2 * entry.g2;
+        if CELL {
+            let h = Pack::splat(sign(k));
+            on_x += pattern[0] * h;
+            on_d += pattern[1] * h;
+        }
+        base_x = base_x - on_x;
+        base_d = base_d - on_d;
+        let first = (k + 1) * LANES;
+        store(&mut slots[first..first + LANES], [on_x, on_d]);
+    }
+    store(&mut slots[..LANES], [base_x, base_d]);
+    if ENERGY { energy.sum() } else { 0.0 }
+}

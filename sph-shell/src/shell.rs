@@ -1,0 +1,391 @@
+//! The shell: reference, state, forces; how it is put together and what can be read from it.
+
+use shell_kinematics::{LANES, Section, StrainMeasure};
+use sph_core::{Cloud, Vec3};
+
+use crate::cell_control::CellPack;
+use crate::loads::{AppliedLoad, Body};
+use crate::packs::Packs;
+use crate::pair_control::PairControl;
+use crate::point::{PointLaw, Row, place, sweep_pack};
+use crate::strong_form::StrongForm;
+use crate::supports::{Constraint, Holds};
+use crate::{Formulation, Reach, Reference, ShellError, Support};
+
+/// A support and the particles it acts on.
+pub struct Supported {
+    /// Particles.
+    pub particles: Vec<u32>,
+    /// What is asked of them.
+    pub support: Box<dyn Support>,
+}
+
+/// What a shell is made of.
+pub struct Parts {
+    /// Particles, frames, areas, cells.
+    pub cloud: Cloud,
+    /// Material and thickness.
+    pub section: Box<dyn Section>,
+    /// Strain measure.
+    pub strain: &'static dyn StrainMeasure,
+    /// Mass density \[M/L³\].
+    pub density: f64,
+    /// Where strains are sampled.
+    pub formulation: Formulation,
+    /// Supports.
+    pub supports: Vec<Supported>,
+    /// Loads.
+    pub loads: Vec<AppliedLoad>,
+    /// Threads to use; more than one needs a rayon pool around the run.
+    pub threads: usize,
+}
+
+/// A shell of SPH particles, ready to be marched.
+pub struct Shell {
+    pub(crate) reference: Reference,
+    pub(crate) section: Box<dyn Section>,
+    pub(crate) strain: &'static dyn StrainMeasure,
+    pub(crate) formulation: Formulation,
+    pub(crate) packs: Packs,
+    /// Control of cells; empty for wider stencils.
+    pub(crate) cells: Vec<CellPack>,
+    pub(crate) pairs: Option<PairControl>,
+    pub(crate) strong_form: Option<StrongForm>,
+    /// Number of each particle's entry in `constraints`, one up; nought for a free particle.
+    pub(crate) constraint_of: Vec<u32>,
+    pub(crate) constraints: Vec<Constraint>,
+    pub(crate) loads: Vec<AppliedLoad>,
+    /// Positions and directors.
+    pub(crate) state: Vec<Row>,
+    /// Their rates.
+    pub(crate) rates: Vec<Row>,
+    /// Internal forces of the sampling points, one row a (point, particle) pair.
+    pub(crate) slots: Vec<Row>,
+    /// Internal forces that are found particle by particle (pair control, strong form); else empty.
+    pub(crate) direct: Vec<Row>,
+    /// External forces; empty without loads.
+    pub(crate) external: Vec<Row>,
+    /// Energy of each pack, filled on request.
+    pub(crate) pack_energies: Vec<f64>,
+    /// Work of each chunk of particles in the last kick.
+    pub(crate) chunk_work: Vec<explicit_dynamics::Work>,
+    pub(crate) internal_energy: f64,
+    pub(crate) threads: usize,
+}
+
+/// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
+pub(crate) const PARTICLE_CHUNK: usize = 512;
+/// Packs under which a sweep is not split further between threads.
+pub(crate) const PACK_CHUNK: usize = 64;
+
+impl Shell {
+    /// Builds stencils, masses, reference strains and constraints.
+    ///
+    /// # Errors
+    /// [`ShellError`]: unsound clouds, stencils too small for their order, empty or unknown sets,
+    /// supports that contradict each other.
+    pub fn new(parts: Parts) -> Result<Self, ShellError> {
+        let scales = parts.section.scales();
+        let reference = Reference::new(parts.cloud, &parts.formulation, &scales, parts.density)?;
+        for load in &parts.loads {
+            load.load.check(&reference)?;
+        }
+        let (constraint_of, constraints) = constraints(reference.cloud.len(), &parts.supports)?;
+        let count = reference.cloud.len();
+        let packs = Packs::new(&reference.operator, &reference.cloud.positions);
+        let state: Vec<Row> = reference
+            .cloud
+            .positions
+            .iter()
+            .zip(&reference.cloud.frames)
+            .map(|(x, f)| [x.x, x.y, x.z, f.n.x, f.n.y, f.n.z])
+            .collect();
+        let cells = match parts.formulation {
+            Formulation::StressPoint(Reach::Cell) => packs
+                .points
+                .iter()
+                .zip(&packs.order)
+                .map(|(pack, points)| {
+                    CellPack::new(&reference.operator, points, pack.weight, &reference.cloud.positions, &scales)
+                })
+                .collect(),
+            _ => Vec::new(),
+        };
+        let pairs = match parts.formulation {
+            Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
+                Some(PairControl::new(&reference, &scales)?)
+            }
+            _ => None,
+        };
+        let strong_form = match parts.formulation {
+            Formulation::StrongForm { viscosity, .. } => {
+                Some(StrongForm::new(&reference, viscosity, scales.thickness * parts.density))
+            }
+            _ => None,
+        };
+        let slot_rows = if strong_form.is_some() { 0 } else { packs.slot_count() };
+        let direct_rows = if pairs.is_some() || strong_form.is_some() { count } else { 0 };
+        let mut shell = Self {
+            slots: vec![[0.0; 6]; slot_rows],
+            direct: vec![[0.0; 6]; direct_rows],
+            external: vec![[0.0; 6]; if parts.loads.is_empty() { 0 } else { count }],
+            pack_energies: vec![0.0; packs.points.len()],
+            chunk_work: vec![Default::default(); count.div_ceil(PARTICLE_CHUNK)],
+            rates: vec![[0.0; 6]; count],
+            state,
+            packs,
+            cells,
+            pairs,
+            strong_form,
+            constraint_of,
+            constraints,
+            loads: parts.loads,
+            internal_energy: 0.0,
+            threads: parts.threads.max(1),
+            reference,
+            section: parts.section,
+            strain: parts.strain,
+            formulation: parts.formulation,
+        };
+        shell.take_reference();
+        Ok(shell)
+    }
+
+    /// Reference measures of every point, and reference values of the cell control, from the present state.
+    fn take_reference(&mut self) {
+        for (index, pack) in self.packs.points.iter_mut().enumerate() {
+            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
+            let (p, raw) = place::<true>(pack, entries, &self.state);
+            pack.reference = p.measures();
+            if let Some(cell) = self.cells.get_mut(index) {
+                cell.rest(&p, &pack.reference.curvature, raw);
+            }
+        }
+    }
+
+    /// The reference configuration.
+    pub fn reference(&self) -> &Reference {
+        &self.reference
+    }
+
+    /// The formulation in use.
+    pub fn formulation(&self) -> &Formulation {
+        &self.formulation
+    }
+
+    /// The strain measure in use.
+    pub fn strain_measure(&self) -> &'static dyn StrainMeasure {
+        self.strain
+    }
+
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.state.len()
+    }
+
+    /// Whether there is no particle.
+    pub fn is_empty(&self) -> bool {
+        self.state.is_empty()
+    }
+
+    /// Freedoms that no support holds: three translations and two rotations a particle, less what is held.
+    pub fn freedoms(&self) -> usize {
+        let held: usize = self.constraints.iter().map(Constraint::held_freedoms).sum();
+        5 * self.len() - held
+    }
+
+    /// Present position of a particle \[L\].
+    pub fn position(&self, particle: usize) -> Vec3 {
+        let row = &self.state[particle];
+        Vec3::new(row[0], row[1], row[2])
+    }
+
+    /// Displacement of a particle \[L\].
+    pub fn displacement(&self, particle: usize) -> Vec3 {
+        self.position(particle) - self.reference.cloud.positions[particle]
+    }
+
+    /// Present director of a particle (unit vector).
+    pub fn director(&self, particle: usize) -> Vec3 {
+        let row = &self.state[particle];
+        Vec3::new(row[3], row[4], row[5])
+    }
+
+    /// Velocity of a particle, half a step behind its position \[L/T\].
+    pub fn velocity(&self, particle: usize) -> Vec3 {
+        let row = &self.rates[particle];
+        Vec3::new(row[0], row[1], row[2])
+    }
+
+    /// Sets the velocity of a particle and the rate of its director; held parts are taken out.
+    pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
+        let d = self.director(particle);
+        let tangent = director_rate - d * d.dot(&director_rate);
+        let (mut v, mut w) = (velocity.into(), tangent.into());
+        if let Some(constraint) = self.constraint(particle) {
+            (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
+        }
+        self.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
+    }
+
+    /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
+    pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
+        let d = director.normalize();
+        self.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
+    }
+
+    pub(crate) fn constraint(&self, particle: usize) -> Option<&Constraint> {
+        let number = self.constraint_of[particle] as usize;
+        number.checked_sub(1).map(|i| &self.constraints[i])
+    }
+
+    /// `[∂U/∂x, ∂U/∂d]` of a particle for the last forces evaluated \[F, F L\].
+    pub fn internal_force(&self, particle: usize) -> [f64; 6] {
+        let mut sum = self.direct.get(particle).copied().unwrap_or([0.0; 6]);
+        if !self.slots.is_empty() {
+            for &slot in self.packs.slots_of(particle) {
+                let row = &self.slots[slot as usize];
+                for i in 0..6 {
+                    sum[i] += row[i];
+                }
+            }
+        }
+        sum
+    }
+
+    /// What the supports of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated.
+    pub fn reaction(&self, particle: usize) -> Vec3 {
+        let f = self.internal_force(particle);
+        let e = self.external.get(particle).copied().unwrap_or([0.0; 6]);
+        Vec3::new(f[0] - e[0], f[1] - e[1], f[2] - e[2])
+    }
+
+    /// Evaluates the internal forces of the present state, and the internal energy if asked for.
+    ///
+    /// The strong form has no energy of its own; it reports the elastic energy of its strains.
+    pub fn evaluate_internal(&mut self, energy: bool) {
+        let law = PointLaw { strain: self.strain, section: &*self.section };
+        if let Some(strong) = &mut self.strong_form {
+            let total = strong.evaluate(&self.reference, &self.packs, law, &self.state, &self.rates, &mut self.direct);
+            self.internal_energy = total;
+            return;
+        }
+        let sweep = Sweep { packs: &self.packs, cells: &self.cells, law, state: &self.state, energy };
+        sweep.run(0, &mut self.slots, &mut self.pack_energies, self.threads > 1);
+        let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
+        if let Some(pairs) = &self.pairs {
+            total += pairs.evaluate(&self.state, &mut self.direct, self.threads > 1);
+        }
+        self.internal_energy = total;
+    }
+
+    pub(crate) fn evaluate_external(&mut self, at: explicit_dynamics::Instant) {
+        if self.external.is_empty() {
+            return;
+        }
+        self.external.fill([0.0; 6]);
+        let body = Body { reference: &self.reference, state: &self.state };
+        for applied in &self.loads {
+            applied.load.add(applied.scale(at), &body, &mut self.external);
+        }
+    }
+
+    /// Bytes held per particle by everything that the step touches.
+    pub fn bytes_per_particle(&self) -> f64 {
+        use std::mem::{size_of, size_of_val};
+        let packs = &self.packs;
+        let bytes = size_of_val(&packs.points[..])
+            + size_of_val(&packs.entries[..])
+            + size_of_val(&packs.slots[..])
+            + size_of_val(&packs.offsets[..])
+            + size_of_val(&self.cells[..])
+            + self.pairs.as_ref().map_or(0, PairControl::bytes)
+            + size_of::<Row>()
+                * (self.slots.len() + self.state.len() + self.rates.len() + self.direct.len() + self.external.len())
+            + 8 * (self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len())
+            + 4 * self.constraint_of.len();
+        bytes as f64 / self.len() as f64
+    }
+}
+
+/// One evaluation of all points.
+#[derive(Clone, Copy)]
+struct Sweep<'a> {
+    packs: &'a Packs,
+    cells: &'a [CellPack],
+    law: PointLaw<'a>,
+    state: &'a [Row],
+    energy: bool,
+}
+
+impl Sweep<'_> {
+    /// Packs from number `first` on, as many as there are energies; halves go to two threads.
+    fn run(&self, first: usize, slots: &mut [Row], energies: &mut [f64], split: bool) {
+        let count = energies.len();
+        if split && count >= 2 * PACK_CHUNK {
+            let half = count / 2;
+            let points = &self.packs.points;
+            let cut = points[first + half].first_slot(first + half) - points[first].first_slot(first);
+            let (left_slots, right_slots) = slots.split_at_mut(cut);
+            let (left, right) = energies.split_at_mut(half);
+            rayon::join(
+                || self.run(first, left_slots, left, true),
+                || self.run(first + half, right_slots, right, true),
+            );
+            return;
+        }
+        match (self.cells.is_empty(), self.energy) {
+            (false, false) => self.range::<true, false>(first, slots, energies),
+            (false, true) => self.range::<true, true>(first, slots, energies),
+            (true, false) => self.range::<false, false>(first, slots, energies),
+            (true, true) => self.range::<false, true>(first, slots, energies),
+        }
+    }
+
+    fn range<const CELL: bool, const ENERGY: bool>(
+        &self,
+        first: usize,
+        mut slots: &mut [Row],
+        energies: &mut [f64],
+    ) {
+        for (i, energy) in energies.iter_mut().enumerate() {
+            let pack = &self.packs.points[first + i];
+            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
+            let (own, rest) = slots.split_at_mut(pack.slot_count());
+            let cell = if CELL { self.cells.get(first + i) } else { None };
+            let found = sweep_pack::<CELL, ENERGY>(pack, entries, cell, self.law, self.state, own);
+            if ENERGY {
+                *energy = found;
+            }
+            slots = rest;
+        }
+    }
+}
+
+/// Joins all supports of each particle.
+fn constraints(count: usize, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+    let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
+    for supported in supports {
+        if supported.particles.is_empty() {
+            return Err(ShellError::EmptySet("a support"));
+        }
+        for &particle in &supported.particles {
+            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
+                what: "a support",
+                particle,
+                count,
+            })?;
+            list.push(supported.support.holds());
+        }
+    }
+    let mut number = vec![0; count];
+    let mut constraints = Vec::new();
+    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
+        constraints.push(Constraint::join(particle as u32, list)?);
+        number[particle] = constraints.len() as u32;
+    }
+    Ok((number, constraints))
+}
+
+// A pack is four points; the chunking above relies on it only through the slot counts.
+const _: () = assert!(LANES == 4);

@@ -1,0 +1,229 @@
+//! Supports: clamp, hinge, symmetry plane, diaphragm, prescribed motion; and what they leave a particle free to do.
+
+use explicit_dynamics::{Amplitude, Instant};
+use sph_core::Vec3;
+
+use crate::ShellError;
+
+/// What a support asks of a particle.
+#[derive(Clone, Debug, Default)]
+pub struct Holds {
+    /// Directions along which the particle may not move.
+    pub translations: Vec<Vec3>,
+    /// What is asked of the director.
+    pub director: DirectorHold,
+    /// A motion along one of the held directions.
+    pub motion: Option<Motion>,
+}
+
+/// What is asked of a director.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DirectorHold {
+    /// Nothing.
+    #[default]
+    Free,
+    /// `d·ν = 0` for the unit normal ν of a plane.
+    InPlane(Vec3),
+    /// No rotation at all.
+    Fixed,
+}
+
+/// A prescribed displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Displacement at load level one and amplitude one \[L\].
+    pub displacement: Vec3,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+/// A condition on particles of an edge, a row or a point.
+pub trait Support: Send + Sync {
+    /// What it asks of each particle.
+    fn holds(&self) -> Holds;
+}
+
+/// All five freedoms held: `x` and `d` stay where they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Clamped;
+
+/// The position is held, the director free (a soft hinge).
+#[derive(Clone, Copy, Debug)]
+pub struct Hinged;
+
+/// `u·ν = 0` and `d·ν = 0`, directly on the particles of the plane, without ghosts.
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetryPlane {
+    /// Normal ν of the plane (any length).
+    pub normal: Vec3,
+}
+
+/// Displacements across an axis are held, those along it and the director are free.
+#[derive(Clone, Copy, Debug)]
+pub struct Diaphragm {
+    /// The axis (any length).
+    pub axis: Vec3,
+}
+
+/// Displacement along a direction is prescribed; the rest is free.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// Direction (any length).
+    pub direction: Vec3,
+    /// Displacement at load level one \[L\].
+    pub by: f64,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+impl Support for Clamped {
+    fn holds(&self) -> Holds {
+        Holds { translations: axes(), director: DirectorHold::Fixed, motion: None }
+    }
+}
+
+impl Support for Hinged {
+    fn holds(&self) -> Holds {
+        Holds { translations: axes(), ..Holds::default() }
+    }
+}
+
+impl Support for SymmetryPlane {
+    fn holds(&self) -> Holds {
+        let normal = self.normal.normalize();
+        Holds { translations: vec![normal], director: DirectorHold::InPlane(normal), motion: None }
+    }
+}
+
+impl Support for Diaphragm {
+    fn holds(&self) -> Holds {
+        let frame = sph_core::Frame::from_normal(self.axis.normalize());
+        Holds { translations: vec![frame.t1, frame.t2], ..Holds::default() }
+    }
+}
+
+impl Support for Moved {
+    fn holds(&self) -> Holds {
+        let direction = self.direction.normalize();
+        let motion = Motion { displacement: direction * self.by, amplitude: self.amplitude.clone() };
+        Holds { translations: vec![direction], director: DirectorHold::Free, motion: Some(motion) }
+    }
+}
+
+fn axes() -> Vec<Vec3> {
+    vec![Vec3::x(), Vec3::y(), Vec3::z()]
+}
+
+/// All that the supports of one particle ask of it, ready for the step.
+#[derive(Clone, Debug)]
+pub(crate) struct Constraint {
+    /// Orthonormal held directions, three slots, `count` in use.
+    held: [Vec3; 3],
+    count: usize,
+    pub(crate) director: DirectorHold,
+    pub(crate) motion: Option<Motion>,
+}
+
+impl Constraint {
+    /// Joins what several supports ask of particle `particle`.
+    pub(crate) fn join(particle: u32, asked: &[Holds]) -> Result<Self, ShellError> {
+        let mut out = Self { held: [Vec3::zeros(); 3], count: 0, director: DirectorHold::Free, motion: None };
+        for hold in asked {
+            for direction in &hold.translations {
+                out.hold(direction);
+            }
+            out.director = join_directors(out.director, hold.director);
+            if let Some(motion) = &hold.motion {
+                out.motion = Some(match out.motion.take() {
+                    None => motion.clone(),
+                    Some(old) if old.amplitude == motion.amplitude => Motion {
+                        displacement: old.displacement + motion.displacement,
+                        amplitude: old.amplitude,
+                    },
+                    Some(_) => return Err(ShellError::TwoMotions(particle)),
+                });
+            }
+        }
+        if let Some(motion) = &out.motion {
+            // A held direction of another support must not oppose the motion.
+            for hold in asked.iter().filter(|h| h.motion.is_none()) {
+                for direction in &hold.translations {
+                    let along = motion.displacement.dot(direction);
+                    if along.abs() > 1e-9 * motion.displacement.norm() {
+                        return Err(ShellError::Contradiction { particle, wanted: along, held: 0.0 });
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    fn hold(&mut self, direction: &Vec3) {
+        let mut rest = *direction;
+        for known in &self.held[..self.count] {
+            rest -= known * known.dot(&rest);
+        }
+        // Directions closer than this to the span of the others add nothing but round-off.
+        if self.count < 3 && rest.norm() > 1e-9 {
+            self.held[self.count] = rest.normalize();
+            self.count += 1;
+        }
+    }
+
+    /// Takes the held part out of a translational vector.
+    #[inline]
+    pub(crate) fn free_translation(&self, v: [f64; 3]) -> [f64; 3] {
+        let mut v = v;
+        for n in &self.held[..self.count] {
+            let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
+            for i in 0..3 {
+                v[i] -= along * n[i];
+            }
+        }
+        v
+    }
+
+    /// Takes the held part out of a vector tangent to the director's sphere.
+    #[inline]
+    pub(crate) fn free_rotation(&self, v: [f64; 3]) -> [f64; 3] {
+        match self.director {
+            DirectorHold::Free => v,
+            DirectorHold::Fixed => [0.0; 3],
+            DirectorHold::InPlane(n) => {
+                let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
+                [v[0] - along * n.x, v[1] - along * n.y, v[2] - along * n.z]
+            }
+        }
+    }
+
+    /// Mean velocity of the prescribed motion between two instants \[L/T\].
+    pub(crate) fn velocity(&self, from: Instant, to: Instant) -> Option<[f64; 3]> {
+        let motion = self.motion.as_ref()?;
+        let place = |at: Instant| at.level * motion.amplitude.value(at.time);
+        let rate = (place(to) - place(from)) / (to.time - from.time);
+        Some((motion.displacement * rate).into())
+    }
+}
+
+fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
+    match (a, b) {
+        (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
+        (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) if m.cross(&n).norm() < 1e-9 => {
+            DirectorHold::InPlane(m)
+        }
+        // Two planes leave only their common line.
+        _ => DirectorHold::Fixed,
+    }
+}
+
+impl Constraint {
+    /// Freedoms held, of three translations and two rotations.
+    pub(crate) fn held_freedoms(&self) -> usize {
+        let rotations = match self.director {
+            DirectorHold::Free => 0,
+            DirectorHold::InPlane(_) => 1,
+            DirectorHold::Fixed => 2,
+        };
+        self.count + rotations
+    }
+}

@@ -1,0 +1,104 @@
+//! Shells for tests: every formulation on small clouds, and states far from rest.
+#![allow(dead_code)] // each test binary uses its own part
+
+use explicit_dynamics::Amplitude;
+use shell_kinematics::{Isotropic, IsotropicSection, StrainMeasure, StretchCorrected};
+use sph_core::{Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice};
+use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
+
+pub const YOUNG: f64 = 1200.0;
+pub const POISSON: f64 = 0.3;
+pub const THICKNESS: f64 = 0.2;
+pub const DENSITY: f64 = 1.5;
+
+/// Every formulation that derives from an energy, with a name for messages.
+pub fn energy_formulations() -> Vec<(&'static str, Formulation)> {
+    let nodal = |order, smoothing, consistent| Formulation::Nodal {
+        order,
+        smoothing,
+        consistent,
+        kernel: &CubicSpline,
+    };
+    vec![
+        ("stress-point cell", Formulation::StressPoint(Reach::Cell)),
+        ("stress-point 1.4", Formulation::StressPoint(Reach::Kernel(&CubicSpline, 1.4))),
+        ("stress-point 2", Formulation::StressPoint(Reach::Kernel(&CubicSpline, 2.0))),
+        ("nodal 1", nodal(1, 1.2, false)),
+        ("nodal 2", nodal(2, 1.3, true)),
+        ("nodal 3", nodal(3, 1.5, true)),
+    ]
+}
+
+pub fn flat(counts: [usize; 2], lengths: [f64; 2]) -> Cloud {
+    lattice(&Plate { lengths }, counts, EndWeights::Trapezoid).unwrap()
+}
+
+pub fn curved(counts: [usize; 2]) -> Cloud {
+    lattice(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, counts, EndWeights::Trapezoid).unwrap()
+}
+
+pub fn disordered_curved(counts: [usize; 2]) -> Cloud {
+    jittered_lattice(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, counts, 0.25, 7).unwrap()
+}
+
+pub fn disordered_flat(counts: [usize; 2], lengths: [f64; 2]) -> Cloud {
+    jittered_lattice(&Plate { lengths }, counts, 0.25, 3).unwrap()
+}
+
+pub fn free_shell(cloud: Cloud, formulation: Formulation, thickness: f64) -> Shell {
+    shell(cloud, formulation, thickness, &StretchCorrected, Vec::new(), Vec::new())
+}
+
+pub fn shell(
+    cloud: Cloud,
+    formulation: Formulation,
+    thickness: f64,
+    strain: &'static dyn StrainMeasure,
+    supports: Vec<Supported>,
+    loads: Vec<Box<dyn Load>>,
+) -> Shell {
+    let section = IsotropicSection::new(Isotropic::new(YOUNG, POISSON).unwrap(), thickness).unwrap();
+    let loads = loads.into_iter().map(|load| AppliedLoad { load, amplitude: Amplitude::Constant }).collect();
+    Shell::new(Parts {
+        cloud,
+        section: Box::new(section),
+        strain,
+        density: DENSITY,
+        formulation,
+        supports,
+        loads,
+        threads: 1,
+    })
+    .unwrap()
+}
+
+/// Numbers in (−1, 1), the same on every machine.
+pub struct Dice(pub u64);
+
+impl Dice {
+    pub fn roll(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 11) as f64 / (1_u64 << 53) as f64) * 2.0 - 1.0
+    }
+
+    pub fn vector(&mut self) -> Vec3 {
+        Vec3::new(self.roll(), self.roll(), self.roll())
+    }
+}
+
+/// Moves every particle by up to `size` spacings and turns every director by about `size` radians.
+pub fn shake(shell: &mut Shell, size: f64, seed: u64) {
+    let mut dice = Dice(seed);
+    let spacing = shell.reference().cloud.spacing();
+    for a in 0..shell.len() {
+        let position = shell.position(a) + dice.vector() * (size * spacing);
+        let director = shell.director(a) + dice.vector() * size;
+        shell.set_state(a, position, director);
+    }
+}
+
+pub fn energy(shell: &mut Shell) -> f64 {
+    use explicit_dynamics::Dynamics;
+    shell.evaluate_internal(true);
+    shell.internal_energy()
+}
