@@ -1,0 +1,277 @@
+//! The catalogue: every reference with its source, its units and how far it can be trusted.
+
+use crate::curve::Curve;
+use crate::error::ReferenceError;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// One line of the catalogue; [`Entry::load`] reads the table behind it.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The name under which [`reference`] finds it; also the name of its data file.
+    pub name: &'static str,
+    /// What is tabulated against what.
+    pub quantity: &'static str,
+    /// How far the values can be trusted, and against what that was checked.
+    pub uncertainty: &'static str,
+    json: &'static str,
+}
+
+/// A data file, embedded so that the crate stands alone.
+macro_rules! data {
+    ($name:literal) => {
+        include_str!(concat!("../data/", $name, ".json"))
+    };
+}
+
+#[rustfmt::skip]
+const CATALOGUE: &[Entry] = &[
+    Entry { name: "elastica_end_moment", quantity: "tip displacement against end rotation",
+        uncertainty: "exact; rounding of the printed digits, 5e-10", json: data!("elastica_end_moment") },
+    Entry { name: "elastica_end_load", quantity: "tip displacement and rotation against dead end load",
+        uncertainty: "exact; rounding of the printed digits, 5e-10; shear-flexible or extensible shells differ by EI/(κGA L²) and EI/(EA L²)",
+        json: data!("elastica_end_load") },
+    Entry { name: "sze_cantilever_end_moment", quantity: "tip displacement against end moment",
+        uncertainty: "exact columns: rounding of the printed digits, 5e-4; S4R columns: within 0.014 (0.12 % of L) of the exact ones",
+        json: data!("sze_cantilever_end_moment") },
+    Entry { name: "sze_cantilever_end_shear", quantity: "tip displacement against end shear force",
+        uncertainty: "0.02 % of the largest displacement against OpenSees; at most 0.004 (U) and 0.003 (W) from the inextensible elastica of length 10, at full load 0.1 % (U) and 0.03 % (W)",
+        json: data!("sze_cantilever_end_shear") },
+    Entry { name: "seed_ring_bending", quantity: "tip displacement and rotation against end moment",
+        uncertainty: "exact for the inextensible elastica; rounding of the printed digits, 5e-7 cm; a Green–Lagrange shell is up to 6.6 % softer at this t/L = 0.1 (see rolled_strip)",
+        json: data!("seed_ring_bending") },
+    Entry { name: "seed_panel_limit_points", quantity: "limit point and post-limit minimum of the hinged panel, per source",
+        uncertainty: "spread of independent sources at t = 12.7: limit load 1.1 %, its deflection 0.9 %, post-limit minimum load 2.6 %; the seed paper's 10.5 mm is 3.4 % below the others",
+        json: data!("seed_panel_limit_points") },
+    Entry { name: "sze_hinged_roof_t12p7_isotropic", quantity: "central load against central deflection",
+        uncertainty: "1.5 % of the limit load against CalculiX 8x8 (1.1 % at 16x16), 0.7 % against OpenSees",
+        json: data!("sze_hinged_roof_t12p7_isotropic") },
+    Entry { name: "fe_hinged_roof_t12p7_isotropic", quantity: "central load and edge deflection against central deflection",
+        uncertainty: "limit load changes by 0.14 % from 8x8 to 16x16 bricks; within 1.1 % of the limit load of the table of Sze et al.",
+        json: data!("fe_hinged_roof_t12p7_isotropic") },
+];
+
+/// Every reference there is, closed forms first.
+pub fn catalogue() -> &'static [Entry] {
+    CATALOGUE
+}
+
+/// Look a reference up by its name; an unknown name lists the known ones.
+pub fn reference(name: &str) -> Result<Reference, ReferenceError> {
+    match CATALOGUE.iter().find(|entry| entry.name == name) {
+        Some(entry) => entry.load(),
+        None => Err(ReferenceError::UnknownReference {
+            name: name.to_owned(),
+            known: list(CATALOGUE.iter().map(|entry| entry.name)),
+        }),
+    }
+}
+
+/// A column of a reference table.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Column {
+    /// The quantity, such as `minus_W_C`.
+    pub name: String,
+    /// Its unit; "-" without dimension, "length" where the source leaves the units open.
+    pub unit: String,
+}
+
+/// A table of reference values together with everything needed to judge and to repeat it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// Its name in the catalogue.
+    pub name: String,
+    /// The problem in one line.
+    pub case: String,
+    /// What is tabulated against what.
+    pub quantity: String,
+    /// Where the values were published; "none" for computed ones.
+    pub citation: String,
+    /// How the values came into the table.
+    pub how_obtained: String,
+    /// How solid they are held to be, in words.
+    pub status: String,
+    /// The kind of source: closed form, published table, computed.
+    pub provenance: String,
+    /// How far the values can be trusted, and against what that was checked.
+    pub uncertainty: String,
+    /// Dimensions, with their unit where the source states one.
+    pub geometry: Value,
+    /// Elastic constants, with their unit where the source states one.
+    pub material: Value,
+    /// Supports, in words.
+    pub boundary_conditions: String,
+    /// Kind and largest value of the load.
+    pub load: Value,
+    /// Single numbers or formulas worth quoting; null where there are none.
+    pub key_values: Value,
+    /// Comparisons with independent codes; null where there are none.
+    pub cross_check: Value,
+    /// Remarks, one per item.
+    pub notes: Vec<String>,
+    /// Names and units of the columns.
+    pub columns: Vec<Column>,
+    /// The table: each cell a number, a text, or null where the source has no value.
+    pub rows: Vec<Vec<Value>>,
+}
+
+impl Entry {
+    /// Read the table from the embedded data.
+    pub fn load(&self) -> Result<Reference, ReferenceError> {
+        let bad = |reason: String| ReferenceError::BadData { name: self.name.to_owned(), reason };
+        let file: DataFile = serde_json::from_str(self.json).map_err(|error| bad(error.to_string()))?;
+        let width = file.columns.len();
+        if let Some(row) = file.rows.iter().position(|row| row.len() != width) {
+            return Err(bad(format!("row {row} has {} cells for {width} columns", file.rows[row].len())));
+        }
+        Ok(Reference {
+            name: self.name.to_owned(),
+            case: file.case,
+            quantity: self.quantity.to_owned(),
+            citation: file.source.citation,
+            how_obtained: file.source.how_obtained,
+            status: file.status,
+            provenance: file.provenance,
+            uncertainty: self.uncertainty.to_owned(),
+            geometry: file.geometry,
+            material: file.material,
+            boundary_conditions: file.boundary_conditions,
+            load: file.load,
+            key_values: file.key_values,
+            cross_check: file.cross_check,
+            notes: match file.notes {
+                Value::String(note) => vec![note],
+                Value::Array(notes) => {
+                    notes.iter().map(|note| note.as_str().unwrap_or("").to_owned()).collect()
+                }
+                _ => Vec::new(),
+            },
+            columns: file.columns,
+            rows: file.rows,
+        })
+    }
+}
+
+impl Reference {
+    /// One cell as a number, in the unit of its column.
+    pub fn number(&self, row: usize, column: &str) -> Result<f64, ReferenceError> {
+        let index = self.column_index(column)?;
+        let cells = self.rows.get(row).ok_or_else(|| ReferenceError::UnknownRow {
+            reference: self.name.clone(),
+            row,
+            last: self.rows.len().saturating_sub(1),
+        })?;
+        cells[index].as_f64().ok_or_else(|| ReferenceError::NotANumber {
+            reference: self.name.clone(),
+            column: column.to_owned(),
+            row,
+            found: cells[index].to_string(),
+        })
+    }
+
+    /// A whole column of numbers, in its unit; a text or a missing value is an error that names the row.
+    pub fn column(&self, column: &str) -> Result<Vec<f64>, ReferenceError> {
+        (0..self.rows.len()).map(|row| self.number(row, column)).collect()
+    }
+
+    /// Two columns as a curve y(x); x has to grow from row to row.
+    pub fn curve(&self, x: &str, y: &str) -> Result<Curve, ReferenceError> {
+        Curve::new(self.column(x)?, self.column(y)?)
+    }
+
+    fn column_index(&self, column: &str) -> Result<usize, ReferenceError> {
+        self.columns.iter().position(|candidate| candidate.name == column).ok_or_else(|| {
+            ReferenceError::UnknownColumn {
+                reference: self.name.clone(),
+                column: column.to_owned(),
+                known: list(self.columns.iter().map(|column| column.name.as_str())),
+            }
+        })
+    }
+}
+
+/// The shape of a data file; an unknown key is an error, so that nothing is dropped in silence.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DataFile {
+    case: String,
+    status: String,
+    provenance: String,
+    source: Source,
+    geometry: Value,
+    material: Value,
+    boundary_conditions: String,
+    load: Value,
+    columns: Vec<Column>,
+    #[serde(default)]
+    key_values: Value,
+    #[serde(default)]
+    cross_check: Value,
+    #[serde(default)]
+    notes: Value,
+    rows: Vec<Vec<Value>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Source {
+    citation: String,
+    how_obtained: String,
+}
+
+fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    names.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RAGGED: &str = r#"{"case": "c", "status": "s", "provenance": "p",
+        "source": {"citation": "c", "how_obtained": "h"}, "geometry": {}, "material": {},
+        "boundary_conditions": "b", "load": {}, "columns": [{"name": "x", "unit": "-"}], "rows": [[1.0], [1.0, 2.0]]}"#;
+
+    fn made_up(json: &'static str) -> Entry {
+        Entry { name: "made_up", quantity: "q", uncertainty: "u", json }
+    }
+
+    #[test]
+    fn a_ragged_table_is_refused_with_its_row() {
+        let error = made_up(RAGGED).load().unwrap_err();
+        assert!(error.to_string().contains("row 1 has 2 cells for 1 columns"), "{error}");
+    }
+
+    #[test]
+    fn a_misspelt_key_is_refused() {
+        let error = made_up(r#"{"kase": "c"}"#).load().unwrap_err();
+        assert!(error.to_string().contains("kase"), "{error}");
+    }
+
+    #[test]
+    fn an_unknown_name_lists_the_known_ones() {
+        let error = reference("sze_roof").unwrap_err().to_string();
+        for entry in catalogue() {
+            assert!(error.contains(entry.name), "{error} does not list {}", entry.name);
+        }
+    }
+
+    #[test]
+    fn an_unknown_column_or_row_lists_what_there_is() {
+        let table = reference("elastica_end_moment").unwrap();
+        let error = table.column("w").unwrap_err().to_string();
+        assert!(error.contains("theta, u/L, w/L"), "{error}");
+        let error = table.number(24, "w/L").unwrap_err().to_string();
+        assert!(error.contains("0 to 23"), "{error}");
+    }
+
+    #[test]
+    fn text_and_missing_values_are_named() {
+        let table = reference("seed_panel_limit_points").unwrap();
+        let error = table.column("limit_P").unwrap_err().to_string();
+        assert!(error.contains("\"limit_P\", row 5 holds null"), "{error}");
+        let error = table.number(0, "source").unwrap_err().to_string();
+        assert!(error.contains("Sze et al. 2004"), "{error}");
+        assert_eq!(table.number(5, "limit_W").unwrap(), 10.5);
+    }
+}

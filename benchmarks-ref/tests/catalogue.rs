@@ -1,0 +1,135 @@
+//! Every entry of the catalogue is complete, and its key digits agree with the closed forms.
+
+use approx::assert_abs_diff_eq;
+use benchmarks_ref::{Curve, catalogue, elastica, reference};
+use std::collections::BTreeSet;
+use std::f64::consts::PI;
+
+#[test]
+fn every_entry_is_complete() {
+    assert!(!catalogue().is_empty());
+    for entry in catalogue() {
+        let table = entry.load().unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        let name = &table.name;
+        for (field, text) in [
+            ("case", &table.case),
+            ("quantity", &table.quantity),
+            ("citation", &table.citation),
+            ("how_obtained", &table.how_obtained),
+            ("status", &table.status),
+            ("provenance", &table.provenance),
+            ("uncertainty", &table.uncertainty),
+            ("boundary_conditions", &table.boundary_conditions),
+        ] {
+            assert!(!text.trim().is_empty(), "{name}: {field} is empty");
+        }
+        for (field, value) in
+            [("geometry", &table.geometry), ("material", &table.material), ("load", &table.load)]
+        {
+            assert!(!value.is_null(), "{name}: {field} is missing");
+        }
+        assert!(table.columns.len() >= 2 && table.rows.len() >= 2, "{name}: no table");
+        assert!(table.notes.iter().all(|note| !note.is_empty()), "{name}: a note is no text");
+        for column in &table.columns {
+            assert!(!column.unit.is_empty(), "{name}: column {} has no unit", column.name);
+        }
+        for row in &table.rows {
+            assert!(
+                row.iter().all(|cell| cell.is_number() || cell.is_string() || cell.is_null()),
+                "{name}: {row:?}"
+            );
+            assert!(row.iter().any(serde_json::Value::is_number), "{name}: a row without a number");
+        }
+    }
+}
+
+#[test]
+fn names_are_unique_and_columns_too() {
+    let names: BTreeSet<_> = catalogue().iter().map(|entry| entry.name).collect();
+    assert_eq!(names.len(), catalogue().len());
+    for entry in catalogue() {
+        let table = entry.load().unwrap();
+        let columns: BTreeSet<_> = table.columns.iter().map(|column| &column.name).collect();
+        assert_eq!(columns.len(), table.columns.len(), "{}", table.name);
+    }
+}
+
+/// The ring of the seed paper is the elastica of length 10: six decimals of a centimetre are printed, eight of a radian.
+#[test]
+fn the_seed_ring_is_the_elastica() {
+    let table = reference("seed_ring_bending").unwrap();
+    for row in 0..table.rows.len() {
+        let tip = elastica::end_moment(2.0 * PI * table.number(row, "M/Mmax").unwrap());
+        assert_abs_diff_eq!(10.0 * tip.u, table.number(row, "minus_U_tip").unwrap(), epsilon = 0.51e-6);
+        assert_abs_diff_eq!(10.0 * tip.w, table.number(row, "W_tip").unwrap(), epsilon = 0.51e-6);
+        assert_abs_diff_eq!(tip.theta, table.number(row, "theta_tip").unwrap(), epsilon = 0.51e-8);
+    }
+    // Mmax = 2π E I/L with E = 1200, I = 1/12, L = 10
+    assert_abs_diff_eq!(table.load["Mmax"].as_f64().unwrap(), 2.0 * PI * 10.0, epsilon = 1e-13);
+}
+
+/// The exact columns of Sze et al., length 12, three decimals; the Abaqus columns as far off as the catalogue says.
+#[test]
+fn the_sze_ring_is_the_elastica() {
+    let table = reference("sze_cantilever_end_moment").unwrap();
+    for row in 0..table.rows.len() {
+        let tip = elastica::end_moment(2.0 * PI * table.number(row, "M/Mmax").unwrap());
+        assert_abs_diff_eq!(12.0 * tip.u, table.number(row, "minus_U_tip_exact").unwrap(), epsilon = 0.51e-3);
+        assert_abs_diff_eq!(12.0 * tip.w, table.number(row, "W_tip_exact").unwrap(), epsilon = 0.51e-3);
+        for quantity in ["minus_U_tip", "W_tip"] {
+            let exact = table.number(row, &format!("{quantity}_exact")).unwrap();
+            let abaqus = table.number(row, &format!("{quantity}_S4R")).unwrap();
+            assert_abs_diff_eq!(abaqus, exact, epsilon = 0.0141);
+        }
+    }
+}
+
+/// Abaqus S4R under the end shear stays as close to the elastica with α = 4 P/Pmax as the catalogue says.
+#[test]
+fn the_sze_end_shear_is_close_to_the_elastica() {
+    let table = reference("sze_cantilever_end_shear").unwrap();
+    for row in 0..table.rows.len() {
+        let tip = elastica::end_load(4.0 * table.number(row, "P/Pmax").unwrap());
+        assert_abs_diff_eq!(10.0 * tip.u, table.number(row, "minus_U_tip").unwrap(), epsilon = 0.004);
+        assert_abs_diff_eq!(10.0 * tip.w, table.number(row, "W_tip").unwrap(), epsilon = 0.003);
+    }
+}
+
+/// Limit point and post-limit minimum by our parabola, against the fits stored with both panel tables.
+#[test]
+fn limit_points_of_the_panel() {
+    let published = reference("sze_hinged_roof_t12p7_isotropic").unwrap();
+    let load: Vec<f64> = published.column("P/Pmax").unwrap().iter().map(|ratio| 3000.0 * ratio).collect();
+    let published_curve = Curve::new(published.column("minus_W_C").unwrap(), load).unwrap();
+    let computed_curve =
+        reference("fe_hinged_roof_t12p7_isotropic").unwrap().curve("minus_W_C", "P").unwrap();
+
+    // expected values: key_values of the first file, notes of the second
+    for (curve, limit, minimum) in [
+        (&published_curve, (10.876, 2231.2), (19.542, 515.1)),
+        (&computed_curve, (10.865, 2207.7), (19.492, 518.8)),
+    ] {
+        let top = curve.maximum(..15.0).unwrap();
+        assert_abs_diff_eq!(top.x, limit.0, epsilon = 0.51e-3);
+        assert_abs_diff_eq!(top.y, limit.1, epsilon = 0.051);
+        let bottom = curve.minimum(15.0..).unwrap();
+        assert_abs_diff_eq!(bottom.x, minimum.0, epsilon = 0.51e-3);
+        assert_abs_diff_eq!(bottom.y, minimum.1, epsilon = 0.051);
+    }
+
+    // the stored cross-check: 24.4 N at most between the two, at the deflection 12.141 of the published table
+    let worst = computed_curve.max_difference(&published_curve, ..).unwrap();
+    assert_abs_diff_eq!(worst.y, 24.4, epsilon = 0.5);
+    assert_abs_diff_eq!(worst.x, 12.141, epsilon = 1e-9);
+}
+
+/// The spreads that the catalogue states for t = 12.7, from the rows themselves (the seed's own row left out).
+#[test]
+fn spread_of_the_panel_sources() {
+    let table = reference("seed_panel_limit_points").unwrap();
+    for (column, percent) in [("limit_P", 1.1), ("limit_W", 0.9), ("post_limit_min_P", 2.6)] {
+        let values: Vec<f64> = (0..5).map(|row| table.number(row, column).unwrap()).collect();
+        let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(a, b), &v| (a.min(v), b.max(v)));
+        assert_abs_diff_eq!(100.0 * (high - low) / low, percent, epsilon = 0.06);
+    }
+}
