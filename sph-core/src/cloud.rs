@@ -9,6 +9,10 @@ use crate::{Cell, CellList, Frame, Lattice, SpaceError, Vec3};
 /// far above rounding.
 const COINCIDENT: f64 = 1e-6;
 
+/// Distance, in units of the spacing, to the nearest other particle from which on a particle without cells is isolated:
+/// farther than any support in use (order 3 reaches to about three).
+const LONELY: f64 = 4.0;
+
 /// Particles on a surface. All lists have one entry per particle, except `cells`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cloud {
@@ -86,7 +90,7 @@ impl Cloud {
     }
 
     /// Refuses clouds that no operator can be built on: lists of different length, numbers that are not finite,
-    /// particles on top of each other, and isolated particles.
+    /// particles on top of each other, and particles in no cell (or, where there are no cells, far from all others).
     ///
     /// The two lips of a slit may coincide, that is particles on the boundary that share no cell: cell stencils
     /// keep the lips apart. Kernel and nodal stencils cannot, and refuse such clouds themselves.
@@ -96,13 +100,12 @@ impl Cloud {
         check_length("edge normals", self.edge_normals.len(), self.len())?;
         check_length("edge lengths", self.edge_lengths.len(), self.len())?;
         check_finite(&self.positions, "position")?;
-        for (particle, frame) in self.frames.iter().enumerate() {
-            if !(frame.t1 + frame.t2 + frame.n).norm().is_finite() {
-                return Err(SpaceError::NotFinite { particle, what: "frame" });
-            }
-            if !(self.areas[particle].is_finite() && self.areas[particle] > 0.0) {
-                return Err(SpaceError::NotFinite { particle, what: "positive area" });
-            }
+        for axes in [|frame: &Frame| frame.t1, |frame: &Frame| frame.t2, |frame: &Frame| frame.n] {
+            check_finite(&self.frames.iter().map(axes).collect::<Vec<_>>(), "frame")?;
+        }
+        if let Some(particle) = self.areas.iter().position(|&area| !(area.is_finite() && area > 0.0)) {
+            let (value, bound) = (self.areas[particle], "a positive number");
+            return Err(SpaceError::BadNumber { particle, what: "area", value, bound });
         }
         check_corners(&self.cells, self.len())?;
         let used = self.cells_at_particles();
@@ -110,12 +113,16 @@ impl Cloud {
             let shared = used[a].iter().any(|c| used[b].contains(c));
             !shared && self.edge_lengths[a] > 0.0 && self.edge_lengths[b] > 0.0
         })?;
-        if !self.cells.is_empty() {
-            if let Some(particle) = used.iter().position(Vec::is_empty) {
-                return Err(SpaceError::Isolated { particle, found: 0 });
-            }
+        let lonely = if self.cells.is_empty() {
+            let list = CellList::new(&self.positions, self.spacing());
+            self.positions.iter().position(|x| list.nearest(x, 2) > LONELY * self.spacing())
+        } else {
+            used.iter().position(Vec::is_empty)
+        };
+        match lonely {
+            Some(particle) => Err(SpaceError::Isolated { particle, found: 0 }),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Refuses coincident particles, except pairs for which `allowed` is true.
@@ -173,10 +180,12 @@ pub(crate) fn check_area(c: usize, cell: &Cell, positions: &[Vec3], area: f64) -
 }
 
 fn check_finite(vectors: &[Vec3], what: &'static str) -> Result<(), SpaceError> {
-    match vectors.iter().position(|x| !x.norm().is_finite()) {
-        Some(particle) => Err(SpaceError::NotFinite { particle, what }),
-        None => Ok(()),
+    for (particle, vector) in vectors.iter().enumerate() {
+        if let Some(&value) = vector.iter().find(|x| !x.is_finite()) {
+            return Err(SpaceError::BadNumber { particle, what, value, bound: "a finite number" });
+        }
     }
+    Ok(())
 }
 
 fn check_corners(cells: &[Cell], particles: usize) -> Result<(), SpaceError> {

@@ -5,13 +5,17 @@ use thiserror::Error;
 /// Why a cloud or an operator could not be built.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SpaceError {
-    /// A position, normal or area is NaN or infinite.
-    #[error("particle {particle}: {what} is not finite; check the input that places it")]
-    NotFinite {
+    /// A position, normal or area is NaN or infinite, or an area not positive.
+    #[error("particle {particle}: {what} is {value}, {bound} is needed; check the input that places it")]
+    BadNumber {
         /// Particle.
         particle: usize,
         /// Which quantity.
         what: &'static str,
+        /// Value found.
+        value: f64,
+        /// What is accepted, in words.
+        bound: &'static str,
     },
     /// Two particles stand on the same place.
     #[error(

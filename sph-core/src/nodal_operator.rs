@@ -6,7 +6,8 @@ use crate::{CellList, Cloud, Kernel, SamplingOperator, SamplingPoint, SpaceError
 
 /// Sampling points at the particles, gradients exact on polynomials of `order` 1, 2 or 3 in the tangent plane.
 ///
-/// Smoothing length `h_a = smoothing × Δ_a`, `Δ_a` = root of the mean area of the cells at a. Weights are `W A_b`
+/// Smoothing length `h_a = smoothing × Δ_a`, `Δ_a` = root of the mean area of the cells at a (a triangle is
+/// half a cell). Weights are `W A_b`
 /// (order 1: `−W'/r · A_b` [chen1999]). The first entry of a stencil is the particle itself, the others ascend. The
 /// support grows by 1.1 until there are enough neighbours (2, 5, 9) and the moment matrix has a condition number
 /// below 1e7; if it never does, the order falls. Boundary particles see one side only and get order 2 at most.
@@ -88,10 +89,15 @@ fn grow(
     None
 }
 
-/// Root of the mean area of the cells at each particle `[L]`; of the particle's own area where there are no cells.
+/// Root of the mean area of the cells at each particle `[L]`, a triangle counting as half a cell; of the particle's own
+/// area where there are no cells.
 fn local_spacings(cloud: &Cloud) -> Vec<f64> {
     let areas: Vec<f64> = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).collect();
-    let mean = |cells: &Vec<u32>| cells.iter().map(|&c| areas[c as usize]).sum::<f64>() / cells.len() as f64;
+    let halves = |c: u32| f64::from(cloud.cells[c as usize].count - 2);
+    let mean = |cells: &[u32]| {
+        let area: f64 = cells.iter().map(|&c| areas[c as usize]).sum();
+        2.0 * area / cells.iter().map(|&c| halves(c)).sum::<f64>()
+    };
     cloud
         .cells_at_particles()
         .iter()
