@@ -10,7 +10,7 @@ use crate::{Cell, Cloud, Frame, SamplingOperator, SamplingPoint, SpaceError, Ste
 /// With ξ, η the in-plane coordinates about the area centroid and `A = ½Σ(ξ_b η_{b+1} − ξ_{b+1} η_b)`:
 /// `G₁_b = (η_{b+1} − η_{b−1})/2A`, `G₂_b = −(ξ_{b+1} − ξ_{b−1})/2A`, and φ is the least-norm change of 1/m that
 /// reproduces linear fields, `φ_b = 1/m + B_bᵀ(BBᵀ)⁻¹[(1,0,0)ᵀ − (1/m)Σ_c B_c]`, `B_b = (1, ξ_b, η_b)ᵀ`.
-/// This is the uniform-gradient quadrilateral of Flanagan and Belytschko (1981); a constant flux sums to the edge
+/// This is the uniform-gradient quadrilateral of Flanagan and Belytschko \[flanagan1981\]; a constant flux sums to the edge
 /// normals exactly, on any flat cloud.
 pub fn cell_operator(cloud: &Cloud) -> Result<SamplingOperator, SpaceError> {
     let mut operator = SamplingOperator::empty(cloud.len());

@@ -10,8 +10,11 @@ const SMALLEST_WEIGHT: f64 = 1e-4;
 /// Regularisation relative to the mean diagonal: fixes the free multipliers, disturbs the others by this part.
 const REGULARISATION: f64 = 1e-9;
 
-/// Relative residual at which the conjugate gradients stop, and residual over spacing that counts as none.
+/// Relative residual at which the conjugate gradients stop.
 const TOLERANCE: f64 = 1e-10;
+
+/// Residual over spacing that counts as none.
+const NEGLIGIBLE: f64 = 1e-9;
 
 /// Solutions at most; each after the first removes what the regularisation of the one before has left.
 const PASSES: usize = 4;
@@ -57,10 +60,10 @@ pub fn make_divergence_consistent(
     let residual_before = largest(&missing);
     let mut report = ConsistencyReport { iterations: 0, residual_before, residual_after: residual_before };
     for _ in 0..PASSES {
-        if report.residual_after <= TOLERANCE {
+        if report.residual_after <= NEGLIGIBLE {
             break;
         }
-        let (multipliers, iterations) = system.solve(&missing, 0.1 * TOLERANCE * cloud.spacing())?;
+        let (multipliers, iterations) = system.solve(&missing, 0.1 * NEGLIGIBLE * cloud.spacing())?;
         let (change1, change2) = system.spread(&multipliers);
         system.add(&mut operator.g1, change1);
         system.add(&mut operator.g2, change2);

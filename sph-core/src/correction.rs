@@ -49,7 +49,7 @@ pub trait Correction: Send + Sync {
     fn shape(&self, near: &Neighbourhood) -> Option<Shape>;
 }
 
-/// Moving least squares of order 1 at any point [belytschko1996]: with `p_b = (1, ξ_b/s, η_b/s)` and `𝓜 = Σ W_b p_b p_bᵀ`,
+/// Moving least squares of order 1 at any point \[belytschko1996\]: with `p_b = (1, ξ_b/s, η_b/s)` and `𝓜 = Σ W_b p_b p_bᵀ`,
 /// `φ_b = W_b e₁ᵀ𝓜⁻¹p_b`, `G₁_b = W_b e₂ᵀ𝓜⁻¹p_b / s`, `G₂_b = W_b e₃ᵀ𝓜⁻¹p_b / s`.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearlyExact;
@@ -57,7 +57,7 @@ pub struct LinearlyExact;
 /// Weighted least squares through a particle: the first of the neighbourhood is the particle a itself, and
 /// `f_b − f_a ≈` polynomial of `order` without constant.
 ///
-/// Order 1 with the weight −W'/r is the corrective smoothed particle method [chen1999] in its symmetric form; higher
+/// Order 1 with the weight −W'/r is the corrective smoothed particle method \[chen1999\] in its symmetric form; higher
 /// orders weigh with W. φ is 1 at the particle and 0 elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct ThroughParticle {

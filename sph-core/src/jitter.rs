@@ -58,7 +58,7 @@ pub fn jittered_lattice(
     Ok(cloud)
 }
 
-/// SplitMix64 of Steele, Lea and Flood (2014): eight lines, the same numbers on every machine.
+/// SplitMix64 of Steele, Lea and Flood \[steele2014\]: eight lines, the same numbers on every machine.
 struct SplitMix {
     state: u64,
 }

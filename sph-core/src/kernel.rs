@@ -2,10 +2,10 @@
 //!
 //! | name | support | smoothness | source |
 //! |---|---|---|---|
-//! | `cubic-spline` | 2 h | C² | [monaghan1985] |
-//! | `wendland-c2` | 2 h | C² | [wendland1995] |
-//! | `wendland-c4` | 2 h | C⁴ | [wendland1995] |
-//! | `quintic-spline` | 3 h | C⁴ | [morris1997] |
+//! | `cubic-spline` | 2 h | C² | \[monaghan1985\] |
+//! | `wendland-c2` | 2 h | C² | \[wendland1995\] |
+//! | `wendland-c4` | 2 h | C⁴ | \[wendland1995\] |
+//! | `quintic-spline` | 3 h | C⁴ | \[morris1997\] |
 
 use std::f64::consts::PI;
 
@@ -24,19 +24,19 @@ pub trait Kernel: Send + Sync {
     fn slope(&self, q: f64) -> f64;
 }
 
-/// Cubic B-spline [monaghan1985]: `w = 10/(7π) · { 1 − 3q²/2 + 3q³/4 | q < 1 ; (2−q)³/4 | q < 2 }`.
+/// Cubic B-spline \[monaghan1985\]: `w = 10/(7π) · { 1 − 3q²/2 + 3q³/4 | q < 1 ; (2−q)³/4 | q < 2 }`.
 #[derive(Clone, Copy, Debug)]
 pub struct CubicSpline;
 
-/// Wendland's C² kernel [wendland1995]: `w = 7/(4π) · (1−q/2)⁴ (1+2q)`, `q < 2`.
+/// Wendland's C² kernel \[wendland1995\]: `w = 7/(4π) · (1−q/2)⁴ (1+2q)`, `q < 2`.
 #[derive(Clone, Copy, Debug)]
 pub struct WendlandC2;
 
-/// Wendland's C⁴ kernel [wendland1995]: `w = 9/(4π) · (1−q/2)⁶ (1+3q+35q²/12)`, `q < 2`.
+/// Wendland's C⁴ kernel \[wendland1995\]: `w = 9/(4π) · (1−q/2)⁶ (1+3q+35q²/12)`, `q < 2`.
 #[derive(Clone, Copy, Debug)]
 pub struct WendlandC4;
 
-/// Quintic B-spline [morris1997]: `w = 7/(478π) · [(3−q)⁵₊ − 6(2−q)⁵₊ + 15(1−q)⁵₊]`.
+/// Quintic B-spline \[morris1997\]: `w = 7/(478π) · [(3−q)⁵₊ − 6(2−q)⁵₊ + 15(1−q)⁵₊]`.
 #[derive(Clone, Copy, Debug)]
 pub struct QuinticSpline;
 

@@ -10,7 +10,7 @@ pub(crate) const GROWTH: f64 = 1.1;
 /// Growth steps before giving up: 1.1²⁰ ≈ 6.7 times the first support.
 pub(crate) const GROWTH_STEPS: usize = 20;
 
-/// Sampling points at the cells, with linearly exact kernel stencils [belytschko1996] of radius `reach` × r₄.
+/// Sampling points at the cells, with linearly exact kernel stencils \[belytschko1996\] of radius `reach` × r₄.
 ///
 /// r₄ is the distance from the point to its fourth nearest particle, so the support follows the local spacing.
 /// `reach` = 1.4 holds the four corners on a lattice; disordered clouds want 1.8 and a divergence-consistent

@@ -8,7 +8,7 @@ use crate::{CellList, Cloud, Kernel, SamplingOperator, SamplingPoint, SpaceError
 ///
 /// Smoothing length `h_a = smoothing × Δ_a`, `Δ_a` = root of the mean area of the cells at a (a triangle is
 /// half a cell). Weights are `W A_b`
-/// (order 1: `−W'/r · A_b` [chen1999]). The first entry of a stencil is the particle itself, the others ascend. The
+/// (order 1: `−W'/r · A_b` \[chen1999\]). The first entry of a stencil is the particle itself, the others ascend. The
 /// support grows by 1.1 until there are enough neighbours (2, 5, 9) and the moment matrix has a condition number
 /// below 1e7; if it never does, the order falls. Boundary particles see one side only and get order 2 at most.
 /// The orders reached are in [`SamplingOperator::orders`].
