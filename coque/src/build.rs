@@ -1,0 +1,273 @@
+//! From a scene to a shell ready to move: particles, sets, supports, loads.
+
+use nalgebra::Rotation3;
+use shell_kinematics::{Isotropic, IntegratedSection, IsotropicSection, MaterialError};
+use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
+use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
+
+use crate::error::SceneError;
+use crate::probe::Gauge;
+use crate::rigid::free_motions;
+use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
+use crate::sets::{self, Sets};
+
+/// A shell ready to be marched, with what its curve measures.
+pub struct Model {
+    /// The shell.
+    pub shell: Shell,
+    /// The scene it was built from.
+    pub scene: Scene,
+    pub(crate) gauges: Vec<Gauge>,
+    pub(crate) threads: usize,
+}
+
+impl Scene {
+    /// Builds the shell; a run will use `threads` threads (at least one), with the same results for any number.
+    ///
+    /// # Errors
+    /// [`SceneError`] for empty sets, supports that leave a rigid motion free in a quasi-static run, and
+    /// whatever the layers below refuse.
+    pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+        let builder = Builder { scene: self, turn: self.turn() };
+        let weights = builder.end_weights();
+        let flat = builder.cloud(weights)?;
+        let sets = Sets::find(self, &flat, Lattice { counts: self.geometry.particles() })?;
+        let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
+        let gauges = builder.gauges(&sets)?;
+        let supports = builder.supports(&sets)?;
+        let loads = builder.loads(&sets, &cloud, weights)?;
+        builder.refuse_free_motion(&cloud, &supports)?;
+        let scene::Material::Elastic(elastic) = &self.material;
+        let parts = Parts {
+            cloud,
+            section: builder.section()?,
+            strain: builder.strain()?,
+            density: elastic.density,
+            formulation: builder.formulation(),
+            supports,
+            loads,
+            threads,
+        };
+        let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        Ok(Model { shell, scene: self.clone(), gauges, threads: threads.max(1) })
+    }
+
+    fn turn(&self) -> Rotation3<f64> {
+        self.orientation.map_or_else(Rotation3::identity, |turn| {
+            // libm: the same bits on every machine.
+            let (sin, cos) = libm::sincos(turn.degrees.to_radians());
+            let k = Vec3::from(turn.axis).normalize().cross_matrix();
+            Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
+        })
+    }
+}
+
+struct Builder<'a> {
+    scene: &'a Scene,
+    turn: Rotation3<f64>,
+}
+
+impl Builder<'_> {
+    /// Cubic end weights where gradients are cubic; disorder has areas of its own.
+    fn end_weights(&self) -> EndWeights {
+        match &self.scene.formulation {
+            scene::Formulation::Nodal(f) if f.order == 3 && self.scene.geometry.disorder().is_none() => {
+                EndWeights::Gregory
+            }
+            _ => EndWeights::Trapezoid,
+        }
+    }
+
+    /// The particles, not turned yet.
+    fn cloud(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
+        let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
+        let patch: Box<dyn sph_core::Patch> = match &self.scene.geometry {
+            Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
+            Geometry::Cylinder(c) => Box::new(sph_core::Cylinder {
+                radius: c.radius,
+                angles: radians(c.angles),
+                length: c.length,
+            }),
+            Geometry::Sphere(s) => Box::new(sph_core::Sphere {
+                radius: s.radius,
+                polar: radians(s.polar),
+                azimuth: radians(s.azimuth),
+            }),
+        };
+        let counts = self.scene.geometry.particles();
+        let (cloud, key) = match self.scene.geometry.disorder() {
+            None => (sph_core::lattice(&*patch, counts, weights), "particles"),
+            Some(d) => (sph_core::jittered_lattice(&*patch, counts, d.fraction, d.seed), "disorder"),
+        };
+        let path = format!("geometry.{}.{key}", self.scene.geometry.word());
+        cloud.map_err(|e| self.model_error(&path, &e.to_string()))
+    }
+
+    fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {
+        let gauge = |(i, probe): (usize, &scene::Probe)| {
+            Ok(Gauge {
+                name: probe.name.clone(),
+                of: probe.of,
+                particles: sets.at(self.scene, &format!("curve[{i}].on"), &probe.on)?.to_vec(),
+                direction: self.turned(probe.direction).normalize(),
+                factor: probe.factor,
+                turned: Vec::new(),
+            })
+        };
+        self.scene.curve.iter().enumerate().map(gauge).collect()
+    }
+
+    fn turned(&self, v: [f64; 3]) -> Vec3 {
+        self.turn * Vec3::from(v)
+    }
+
+    fn supports(&self, sets: &Sets) -> Result<Vec<Supported>, SceneError> {
+        let mut supports = Vec::new();
+        for (i, support) in self.scene.supports.iter().enumerate() {
+            let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
+            for (_, kind) in support.kinds() {
+                supports.push(Supported { particles: particles.to_vec(), support: self.support(kind) });
+            }
+        }
+        Ok(supports)
+    }
+
+    fn support(&self, kind: SupportKind) -> Box<dyn sph_shell::Support> {
+        match kind {
+            SupportKind::Clamped => Box::new(sph_shell::Clamped),
+            SupportKind::Hinged => Box::new(sph_shell::Hinged),
+            SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
+            SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
+            SupportKind::Moved(s) => Box::new(sph_shell::Moved {
+                direction: self.turned(s.direction),
+                by: s.by,
+                amplitude: explicit_dynamics::Amplitude::Constant,
+            }),
+        }
+    }
+
+    fn loads(&self, sets: &Sets, cloud: &Cloud, weights: EndWeights) -> Result<Vec<AppliedLoad>, SceneError> {
+        let mut loads = Vec::new();
+        for (i, load) in self.scene.loads.iter().enumerate() {
+            let particles = sets.at(self.scene, &format!("loads[{i}].on"), &load.on)?;
+            let edge = sets::edge(&load.on, particles, cloud, weights);
+            let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
+            for (_, kind) in load.kinds() {
+                let amplitude = amplitude(load.amplitude.as_ref());
+                loads.push(AppliedLoad { load: self.load(kind, shares.clone()), amplitude });
+            }
+        }
+        Ok(loads)
+    }
+
+    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Box<dyn sph_shell::Load> {
+        match kind {
+            LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
+            LoadKind::Couple(couple) => Box::new(sph_shell::EdgeCouple {
+                edge: shares,
+                moment: couple.moment,
+                axis: match couple.axis {
+                    Axis::Edge => CoupleAxis::Edge,
+                    Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
+                },
+            }),
+            LoadKind::Pressure(p) => {
+                Box::new(sph_shell::Pressure { value: p.value, follower: p.follower })
+            }
+            LoadKind::Gravity(g) => Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) }),
+        }
+    }
+
+    /// A static answer needs every rigid motion held; a run in real time does not.
+    fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
+        let scene::Analysis::Explicit(explicit) = &self.scene.analysis;
+        if explicit.quasi_static.is_none() {
+            return Ok(());
+        }
+        let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
+        let free = free_motions(cloud, &held);
+        if free.is_empty() {
+            return Ok(());
+        }
+        let path = if supports.is_empty() { "supports" } else { "supports[0]" };
+        let bound = "every rigid motion must be held in a quasi-static run";
+        let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
+        Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), bound, repair)))
+    }
+
+    fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
+        let scene::Material::Elastic(elastic) = &self.scene.material;
+        let scene::Section::Homogeneous(section) = &self.scene.section;
+        let refuse = |e: MaterialError| self.model_error("section.homogeneous", &e.to_string());
+        let material = Isotropic::new(elastic.young, elastic.poisson)
+            .map_err(|e| self.model_error("material.elastic", &e.to_string()))?;
+        Ok(match section.gauss_points {
+            None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
+            Some(points) => Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?),
+        })
+    }
+
+    fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
+        let name = self.scene.formulation.curvature();
+        let path = format!("formulation.{}.curvature", self.scene.formulation.word());
+        shell_kinematics::strain_measure(name)
+            .ok_or_else(|| self.model_error(&path, &format!("no strain measure is called {name}")))
+    }
+
+    fn formulation(&self) -> Formulation {
+        // The scene has been checked: an unknown kernel cannot come this far.
+        let kernel = self.scene.formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
+        match &self.scene.formulation {
+            scene::Formulation::StressPoint(f) => Formulation::StressPoint(match f.support {
+                scene::Reach::Cell => Reach::Cell,
+                scene::Reach::Wide(reach) => Reach::Kernel(kernel, reach),
+            }),
+            scene::Formulation::Nodal(f) => Formulation::Nodal {
+                order: f.order,
+                smoothing: f.smoothing_length(),
+                consistent: f.divergence_consistent(),
+                kernel,
+            },
+            scene::Formulation::StrongForm(f) => {
+                Formulation::StrongForm { smoothing: f.smoothing, viscosity: f.viscosity, kernel }
+            }
+        }
+    }
+
+    /// Puts a refusal of the shell where the scene causes it.
+    fn refusal(&self, error: &ShellError) -> SceneError {
+        let reach = match &self.scene.formulation {
+            scene::Formulation::StressPoint(_) => "formulation.stress-point.support",
+            scene::Formulation::Nodal(_) => "formulation.nodal.smoothing",
+            scene::Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
+        };
+        let moved = self.scene.supports.iter().position(|s| s.moved.is_some()).unwrap_or(0);
+        let path = match error {
+            ShellError::Space(
+                SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
+            ) => reach.to_string(),
+            ShellError::Space(_) | ShellError::Area { .. } => format!("geometry.{}", self.scene.geometry.word()),
+            ShellError::Density(_) => "material.elastic.density".into(),
+            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => format!("supports[{moved}].moved"),
+            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => "loads".into(),
+        };
+        self.model_error(&path, &error.to_string())
+    }
+
+    /// Messages from below end with their repair, after the last semicolon.
+    fn model_error(&self, path: &str, message: &str) -> SceneError {
+        let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
+        SceneError::Model(self.scene.source.fault(path, value, "", repair))
+    }
+}
+
+fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude {
+    use explicit_dynamics::Amplitude;
+    match course {
+        None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
+        Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
+        Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
+        Some(scene::Amplitude::Table(points)) => Amplitude::Table(points.iter().map(|p| (p[0], p[1])).collect()),
+        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine(*period),
+    }
+}

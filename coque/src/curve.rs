@@ -1,0 +1,73 @@
+//! The curve of a run: columns with names and units, one row per record.
+
+use std::io::{self, Write};
+
+/// A column of a [`Curve`].
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Column {
+    /// Name, such as `minus_U_tip`.
+    pub name: String,
+    /// Unit, such as `cm`; `-` without.
+    pub unit: String,
+}
+
+/// Records of a run, one row each.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Curve {
+    /// Columns.
+    pub columns: Vec<Column>,
+    /// Rows, each as long as `columns`.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Column {
+    /// Name with unit, as in the first row of a file: `minus_U_tip [cm]`.
+    pub fn title(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+impl Curve {
+    /// Values of one column; none if there is no such column.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let at = self.columns.iter().position(|column| column.name == name)?;
+        Some(self.rows.iter().map(|row| row[at]).collect())
+    }
+
+    /// Writes comma-separated values: names with units, then the shortest numbers that read back to the same bits.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_csv(&self, to: &mut impl Write) -> io::Result<()> {
+        let titles: Vec<String> = self.columns.iter().map(Column::title).collect();
+        writeln!(to, "{}", titles.join(","))?;
+        for row in &self.rows {
+            let numbers: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
+            writeln!(to, "{}", numbers.join(","))?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_back_to_the_same_bits() {
+        let columns = ["time", "W"].map(|name| Column { name: name.into(), unit: "s".into() });
+        let rows = vec![vec![0.1 + 0.2, 1e-300], vec![-0.0, 1.0 / 3.0], vec![2.5e21, f64::NAN]];
+        let curve = Curve { columns: columns.into(), rows };
+        let mut text = Vec::new();
+        curve.write_csv(&mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let mut lines = text.lines();
+        assert_eq!(lines.next(), Some("time [s],W [s]"));
+        for (line, row) in lines.zip(&curve.rows) {
+            let read: Vec<u64> = line.split(',').map(|x| x.parse::<f64>().unwrap().to_bits()).collect();
+            assert_eq!(read, row.iter().map(|x| x.to_bits()).collect::<Vec<_>>());
+        }
+        assert_eq!(curve.column("W").unwrap()[1], 1.0 / 3.0);
+        assert_eq!(curve.column("nothing"), None);
+    }
+}

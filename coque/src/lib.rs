@@ -1,0 +1,39 @@
+//! From a scene file to results: reads and checks scenes, builds shells, runs them, writes curves.
+//!
+//! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a shell ready to move) → [`Outcome`]
+//! (curve, summary, shapes). The command `coque` is a thin wrapper round these three.
+//!
+//! | where is | look in |
+//! |---|---|
+//! | what a scene may say | `scene/*.rs` |
+//! | what is refused, and why | `scene/check.rs`, `rigid.rs` |
+//! | scene → shell | `build.rs` |
+//! | the run and what it records | `run.rs`, `probe.rs` |
+//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
+
+mod build;
+mod curve;
+mod error;
+mod nearest;
+mod overrides;
+mod plot;
+mod probe;
+mod render;
+mod rigid;
+mod run;
+pub mod scene;
+mod sets;
+mod source;
+mod summary;
+mod units;
+
+pub use build::Model;
+pub use curve::{Column, Curve};
+pub use error::{Fault, Place, SceneError};
+pub use plot::{PlotError, plot_svg};
+pub use render::{Rendering, render};
+pub use run::{Ended, Outcome, Progress, Shape, Silent};
+pub use scene::Scene;
+pub use source::Source;
+pub use summary::{Energies, LevelSummary, Modelled, Summary};
+pub use units::{Force, Length, Quantity, Time, Units};

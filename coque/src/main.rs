@@ -1,0 +1,165 @@
+//! The command `coque`: runs a scene and writes its results.
+
+use std::fs;
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use coque::{Ended, Outcome, Progress, Rendering, Scene, render};
+use indicatif::{ProgressBar, ProgressStyle};
+
+const DONE: u8 = 0;
+const BAD_INPUT: u8 = 2;
+const DIVERGED: u8 = 3;
+
+/// Thin shells as one layer of SPH particles.
+#[derive(Parser)]
+#[command(name = "coque", version, about, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scene and write its curve.
+    #[command(after_help = RUN_HELP)]
+    Run(Run),
+}
+
+#[derive(Args)]
+struct Run {
+    /// The scene, a TOML file; scenes/ has examples to start from.
+    scene: PathBuf,
+    /// Folder for the results [default: out/<name of the scene>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Threads; results are the same for any number.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: u16,
+    /// Replace a value of the scene; may be given several times.
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
+    replaced: Vec<(String, String)>,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
+
+const RUN_HELP: &str = "\
+Examples:
+  coque run scenes/ring.toml
+  coque run scenes/ring.toml --out out/coarse --set 'geometry.plate.particles=[25, 3]'
+  coque run scenes/ring.toml --set formulation.nodal.order=2
+  coque run scenes/ring.toml --set loads[0].couple.moment=31.4 --threads 2
+
+Results, in DIR:
+  curve.csv      one row per load level or record; the first row names columns with units
+  curve.svg      the plot that [output] asks for
+  summary.json   method, particles, steps, speed, energies, how each level ended
+
+Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
+
+fn replacement(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((path, value)) if !path.trim().is_empty() => Ok((path.trim().into(), value.trim().into())),
+        _ => Err("write path.to.key=value, such as material.elastic.young=2.1e11".into()),
+    }
+}
+
+fn main() -> ExitCode {
+    let Command::Run(run) = Cli::parse().command;
+    match carry_out(&run) {
+        Ok(code) => ExitCode::from(code),
+        Err(message) => {
+            eprint!("{message}");
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
+
+/// Reads, builds, runs, writes; the error is ready to print.
+fn carry_out(run: &Run) -> Result<u8, String> {
+    let file = run.scene.display().to_string();
+    let text = fs::read_to_string(&run.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let how = Rendering { width: 100, colour: io::stderr().is_terminal() };
+    let scene = Scene::with_overrides(&text, &file, &run.replaced).map_err(|e| render(&e, how))?;
+    let model = scene.build(run.threads.into()).map_err(|e| render(&e, how))?;
+    let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
+    fs::create_dir_all(&out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
+    let described = model.describe();
+    eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
+    let mut bar = Bar::new();
+    let outcome = model.run(&mut bar);
+    bar.0.finish_and_clear();
+    write_results(&scene, &outcome, &out)?;
+    Ok(report(&outcome, &out))
+}
+
+fn default_out(scene: &Path) -> PathBuf {
+    Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
+}
+
+fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), String> {
+    let save = |name: &str, write: &dyn Fn(&mut BufWriter<fs::File>) -> io::Result<()>| {
+        let path = out.join(name);
+        fs::File::create(&path)
+            .and_then(|file| {
+                let mut to = BufWriter::new(file);
+                write(&mut to)?;
+                to.flush()
+            })
+            .map_err(|e| format!("cannot write {}: {e}\n", path.display()))
+    };
+    save("curve.csv", &|to| outcome.curve.write_csv(to))?;
+    save("summary.json", &|to| Ok(serde_json::to_writer_pretty(to, &outcome.summary)?))?;
+    if let Some(plot) = &scene.output.plot {
+        coque::plot_svg(&outcome.curve, &plot.x, &plot.y, &scene.title, &out.join("curve.svg"))
+            .map_err(|e| format!("{e}\n"))?;
+    }
+    Ok(())
+}
+
+/// Tells what came out and gives the exit code.
+fn report(outcome: &Outcome, out: &Path) -> u8 {
+    let summary = &outcome.summary;
+    for level in summary.levels.iter().filter(|level| !level.settled) {
+        eprintln!(
+            "warning: level {} did not settle (kinetic/internal energy {:.1e}); lengthen `hold` or shorten the step between levels",
+            level.level, level.kinetic_over_internal
+        );
+    }
+    eprintln!(
+        "{} steps in {:.2} s, {:.2e} particle-steps/s; results in {}",
+        summary.steps,
+        summary.wall_seconds,
+        summary.particle_steps_per_second,
+        out.display()
+    );
+    match &outcome.ended {
+        Ended::Done => DONE,
+        Ended::Diverged(error) => {
+            eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
+            DIVERGED
+        }
+    }
+}
+
+/// Progress on a terminal; hidden elsewhere.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn new() -> Self {
+        let bar = if io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {elapsed} of {duration}") {
+            bar.set_style(style);
+        }
+        Self(bar)
+    }
+}
+
+impl Progress for Bar {
+    fn update(&mut self, done: f64, record: &explicit_dynamics::Record) {
+        self.0.set_position((1000.0 * done) as u64);
+        self.0.set_message(format!("level {:.4}, step {}", record.at.level, record.step));
+    }
+}

@@ -1,0 +1,161 @@
+//! A scene: a problem as plain, validated data.
+
+mod analysis;
+mod bounds;
+mod check;
+mod conditions;
+mod formulation;
+mod geometry;
+mod read;
+
+pub use analysis::{Analysis, Damping, Explicit, Levels, QuasiStatic, Transient};
+pub use conditions::{
+    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Load, LoadKind, Moved, Pressure, Support,
+    SupportKind, Symmetry,
+};
+pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
+pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere};
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use crate::source::Source;
+use crate::units::Units;
+
+/// A problem: geometry, material, conditions, analysis, and what to record.
+///
+/// A `Scene` in hand has passed every check that needs no particles; [`Scene::build`] makes the others.
+/// Dimensions are in the scene's own units.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Scene {
+    /// One line that names the problem.
+    pub title: String,
+    /// The one consistent set of units.
+    pub units: Units,
+    /// Shape of the mid-surface and its particles.
+    pub geometry: Geometry,
+    /// Rotation of geometry, conditions and probes together.
+    pub orientation: Option<Orientation>,
+    /// What the shell is made of.
+    pub material: Material,
+    /// How the material fills the thickness.
+    pub section: Section,
+    /// The particle method.
+    #[serde(default)]
+    pub formulation: Formulation,
+    /// Particle sets by name, beside the built-in ones.
+    #[serde(default)]
+    pub sets: BTreeMap<String, Region>,
+    /// Supports and prescribed motions.
+    #[serde(default)]
+    pub supports: Vec<Support>,
+    /// Loads.
+    #[serde(default)]
+    pub loads: Vec<Load>,
+    /// How to march.
+    pub analysis: Analysis,
+    /// Columns of the curve.
+    #[serde(default)]
+    pub curve: Vec<Probe>,
+    /// Further results.
+    #[serde(default)]
+    pub output: Output,
+    /// The text the scene was read from.
+    #[serde(skip, default = "Source::none")]
+    pub source: Source,
+}
+
+/// Materials.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Material {
+    /// Isotropic linear elasticity.
+    Elastic(Elastic),
+}
+
+/// Isotropic linear elasticity.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Elastic {
+    /// Young's modulus \[F/L²\].
+    pub young: f64,
+    /// Poisson's ratio \[–\].
+    pub poisson: f64,
+    /// Mass per volume \[F T²/L⁴\].
+    pub density: f64,
+}
+
+/// Sections.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Section {
+    /// One material through the thickness.
+    Homogeneous(Homogeneous),
+}
+
+/// One material through the thickness.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Homogeneous {
+    /// Thickness \[L\].
+    pub thickness: f64,
+    /// Gauss points through the thickness; closed form without.
+    pub gauss_points: Option<usize>,
+}
+
+/// One column of the curve.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Name of the column.
+    pub name: String,
+    /// What it measures.
+    pub of: Measured,
+    /// Particle set; the mean over it, for a reaction the sum.
+    pub on: String,
+    /// Component that is taken, in the un-turned frame.
+    pub direction: [f64; 3],
+    /// Factor on the value, such as 4 for the reaction of a quarter model.
+    #[serde(default = "one")]
+    pub factor: f64,
+}
+
+/// What a column measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measured {
+    /// Component of the displacement \[L\].
+    Displacement,
+    /// Component of the position \[L\].
+    Position,
+    /// Component of the force that the supports exert \[F\].
+    Reaction,
+    /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
+    Rotation,
+    /// Component of the director \[–\].
+    Director,
+}
+
+/// Further results.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Columns of the plot `curve.svg`.
+    pub plot: Option<Plot>,
+}
+
+/// Which column is drawn over which.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plot {
+    /// Column along the horizontal axis.
+    pub x: String,
+    /// Column along the vertical axis.
+    pub y: String,
+}
+
+fn one() -> f64 {
+    1.0
+}

@@ -1,0 +1,106 @@
+//! Bounds on single numbers and vectors of a scene, each with its repair.
+
+use crate::error::SceneError;
+use crate::source::Source;
+
+type Checked = Result<(), SceneError>;
+
+/// Beyond these, products of a few numbers leave the range of `f64`.
+const LEAST: f64 = 1e-30;
+const GREATEST: f64 = 1e30;
+
+impl Source {
+    /// Positive, and of a size that arithmetic can hold.
+    pub(crate) fn positive(&self, path: &str, x: f64) -> Checked {
+        if x > 0.0 {
+            return self.sized(path, x);
+        }
+        Err(self.value(path, x, "positive", "give a number above nought"))
+    }
+
+    /// Nought, or of a size that arithmetic can hold.
+    pub(crate) fn sized(&self, path: &str, x: f64) -> Checked {
+        if x == 0.0 || (LEAST..=GREATEST).contains(&x.abs()) {
+            return Ok(());
+        }
+        let bound = format!("nought or between {LEAST:e} and {GREATEST:e} in size");
+        Err(self.value(path, x, &bound, "choose other units if the number is meant"))
+    }
+
+    /// Each component of a size that arithmetic can hold.
+    pub(crate) fn sized_all(&self, path: &str, v: &[f64]) -> Checked {
+        v.iter().enumerate().try_for_each(|(i, &x)| self.sized(&format!("{path}[{i}]"), x))
+    }
+
+    /// Not below nought.
+    pub(crate) fn not_negative(&self, path: &str, x: f64) -> Checked {
+        if x >= 0.0 {
+            return self.sized(path, x);
+        }
+        Err(self.value(path, x, "nought or positive", "leave it out for nought"))
+    }
+
+    /// Strictly between two numbers.
+    pub(crate) fn between(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Checked {
+        if low < x && x < high {
+            return Ok(());
+        }
+        Err(self.value(path, x, &format!("between {low} and {high}, both excluded"), repair))
+    }
+
+    /// From one number to another, both included.
+    pub(crate) fn within(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Checked {
+        if low <= x && x <= high {
+            return Ok(());
+        }
+        Err(self.value(path, x, &format!("from {low} to {high}"), repair))
+    }
+
+    /// A vector with a direction.
+    pub(crate) fn direction(&self, path: &str, v: [f64; 3]) -> Checked {
+        self.sized_all(path, &v)?;
+        if v != [0.0; 3] {
+            return Ok(());
+        }
+        let repair = "give at least one component other than nought; the length does not matter";
+        Err(self.value(path, "[0, 0, 0]", "a vector with a direction", repair))
+    }
+
+    /// First and last of a range, in this order.
+    pub(crate) fn range(&self, path: &str, [first, last]: [f64; 2], widest: f64) -> Checked {
+        if first < last && last - first < widest {
+            return Ok(());
+        }
+        let bound = format!("[first, last] with first < last, less than {widest} apart");
+        let repair = "swap the two numbers, or narrow the range";
+        Err(self.value(path, format!("[{first}, {last}]"), &bound, repair))
+    }
+
+    /// One of a list of words.
+    pub(crate) fn word(&self, path: &str, word: &str, known: &[&str]) -> Checked {
+        if known.contains(&word) {
+            return Ok(());
+        }
+        let repair = crate::source::suggest(word, known);
+        let bound = format!("one of {}", known.join(", "));
+        Err(SceneError::UnknownWord(self.fault(path, word, &bound, &repair)))
+    }
+
+    /// Exactly one of several alternative keys.
+    pub(crate) fn exactly_one(&self, path: &str, what: &str, given: &[&str], known: &[&str]) -> Checked {
+        if given.len() == 1 {
+            return Ok(());
+        }
+        let value = if given.is_empty() { format!("no {what}") } else { given.join(" and ") };
+        let bound = format!("exactly one {what}");
+        let repair = match given.is_empty() {
+            true => format!("add one of {}", known.join(", ")),
+            false => format!("keep one of {}", given.join(", ")),
+        };
+        // Several alternatives: underline the second one.
+        let place = given.get(1).map_or(path.to_string(), |word| format!("{path}.{word}"));
+        let mut fault = self.fault(&place, &value, &bound, &repair);
+        fault.key = path.into();
+        Err(SceneError::Choice(fault))
+    }
+}

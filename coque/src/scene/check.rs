@@ -1,0 +1,376 @@
+//! Every check of a scene that needs no particles.
+
+use std::collections::BTreeSet;
+
+use super::{Axis, Formulation, Geometry, Load, LoadKind, Reach, Region, Scene, Support, SupportKind};
+use super::{Amplitude, Damping, Levels, Material, Section};
+use crate::error::SceneError;
+use crate::probe::ALWAYS;
+use crate::sets::{BUILT_IN, EDGES};
+
+type Checked = Result<(), SceneError>;
+
+/// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
+const MOST_PARTICLES: usize = 10_000_000;
+/// Every level is a ramp and a hold; more than this is a mistake.
+const MOST_LEVELS: u64 = 100_000;
+/// Rows of a curve that still fit in memory and on a plot.
+const MOST_RECORDS: f64 = 1e7;
+
+impl Scene {
+    /// Refuses the first thing that is out of bounds.
+    pub(super) fn check(&self) -> Checked {
+        self.check_units()?;
+        self.check_geometry()?;
+        self.check_material()?;
+        self.check_formulation()?;
+        self.check_sets()?;
+        for (i, support) in self.supports.iter().enumerate() {
+            self.check_support(&format!("supports[{i}]"), support)?;
+        }
+        for (i, load) in self.loads.iter().enumerate() {
+            self.check_load(&format!("loads[{i}]"), load)?;
+        }
+        self.check_analysis()?;
+        self.check_curve()
+    }
+
+    fn check_units(&self) -> Checked {
+        if self.units.consistent() {
+            return Ok(());
+        }
+        let bound = "consistent: all three with a unit, or all three \"-\"";
+        let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
+        Err(self.source.value("units", "a mixture of units and \"-\"", bound, repair))
+    }
+
+    fn check_geometry(&self) -> Checked {
+        let at = |key: &str| format!("geometry.{}.{key}", self.geometry.word());
+        let s = &self.source;
+        match &self.geometry {
+            Geometry::Plate(plate) => {
+                s.positive(&at("lengths[0]"), plate.lengths[0])?;
+                s.positive(&at("lengths[1]"), plate.lengths[1])?;
+            }
+            Geometry::Cylinder(cylinder) => {
+                s.positive(&at("radius"), cylinder.radius)?;
+                s.positive(&at("length"), cylinder.length)?;
+                s.sized_all(&at("angles"), &cylinder.angles)?;
+                s.range(&at("angles"), cylinder.angles, 360.0)?;
+            }
+            Geometry::Sphere(sphere) => {
+                s.positive(&at("radius"), sphere.radius)?;
+                let repair = "leave a small hole at the pole, such as 1 degree";
+                s.between(&at("polar[0]"), sphere.polar[0], [0.0, 180.0], repair)?;
+                s.between(&at("polar[1]"), sphere.polar[1], [0.0, 180.0], repair)?;
+                s.range(&at("polar"), sphere.polar, 180.0)?;
+                s.sized_all(&at("azimuth"), &sphere.azimuth)?;
+                s.range(&at("azimuth"), sphere.azimuth, 360.0)?;
+            }
+        }
+        let [n1, n2] = self.geometry.particles();
+        for (i, n) in [n1, n2].into_iter().enumerate() {
+            if n < 2 {
+                let repair = "particles lie on both edges: at least two";
+                return Err(s.value(&at(&format!("particles[{i}]")), n, "2 or more", repair));
+            }
+        }
+        if n1.checked_mul(n2).is_none_or(|n| n > MOST_PARTICLES) {
+            let bound = format!("at most {MOST_PARTICLES} particles in all");
+            return Err(s.value(&at("particles"), format!("[{n1}, {n2}]"), &bound, "use fewer"));
+        }
+        if let Some(disorder) = self.geometry.disorder() {
+            let repair = "beyond half a spacing neighbours would change places";
+            s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
+        }
+        if let Some(turn) = self.orientation {
+            s.direction("orientation.axis", turn.axis)?;
+            s.within("orientation.degrees", turn.degrees, [-360.0, 360.0], "give the angle within one turn")?;
+        }
+        Ok(())
+    }
+
+    fn check_material(&self) -> Checked {
+        let s = &self.source;
+        let Material::Elastic(elastic) = &self.material;
+        s.positive("material.elastic.young", elastic.young)?;
+        s.positive("material.elastic.density", elastic.density)?;
+        let repair = "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
+        s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)?;
+        let Section::Homogeneous(section) = &self.section;
+        s.positive("section.homogeneous.thickness", section.thickness)?;
+        if let Some(points) = section.gauss_points {
+            let repair = "one point carries no bending; leave it out for the closed form";
+            s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
+        }
+        let radius = match &self.geometry {
+            Geometry::Plate(_) => f64::INFINITY,
+            Geometry::Cylinder(cylinder) => cylinder.radius,
+            Geometry::Sphere(sphere) => sphere.radius,
+        };
+        if section.thickness >= radius {
+            let bound = format!("less than the radius {radius} of the surface");
+            let repair = "a thin shell wants a thickness of at most a fifth of the radius";
+            return Err(s.value("section.homogeneous.thickness", section.thickness, &bound, repair));
+        }
+        Ok(())
+    }
+
+    fn check_formulation(&self) -> Checked {
+        let s = &self.source;
+        let at = |key: &str| format!("formulation.{}.{key}", self.formulation.word());
+        // Below the least a stencil cannot hold its neighbours; beyond the greatest it smears every curvature.
+        let smoothing = [0.6, 3.0];
+        let repair = "in units of the particle spacing; 1.2 to 1.5 is usual";
+        match &self.formulation {
+            Formulation::StressPoint(f) => match f.support {
+                Reach::Cell if f.kernel.is_some() => {
+                    let repair = "remove `kernel`, or give `support` as a number such as 1.4";
+                    let fault = s.fault(&at("kernel"), "a kernel", "no kernel with support = \"cell\"", repair);
+                    return Err(SceneError::Choice(fault));
+                }
+                Reach::Cell => {}
+                Reach::Wide(reach) => s.within(
+                    &at("support"),
+                    reach,
+                    [1.2, 3.0],
+                    "in units of the distance to the fourth nearest particle; 1.4 is usual, or \"cell\"",
+                )?,
+            },
+            Formulation::Nodal(f) => {
+                s.within(&at("order"), f.order as f64, [1.0, 3.0], "orders 1, 2 and 3 exist")?;
+                s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
+            }
+            Formulation::StrongForm(f) => {
+                s.within(&at("smoothing"), f.smoothing, smoothing, repair)?;
+                s.not_negative(&at("viscosity"), f.viscosity)?;
+            }
+        }
+        let measures = shell_kinematics::strain_measures().map(|m| m.name());
+        s.word(&at("curvature"), self.formulation.curvature(), &measures)?;
+        if let Some(kernel) = self.formulation.kernel() {
+            s.word(&at("kernel"), kernel, &sph_core::kernels().map(|k| k.name()))?;
+        }
+        Ok(())
+    }
+
+    fn check_sets(&self) -> Checked {
+        let s = &self.source;
+        for (name, Region { nearest, inside }) in &self.sets {
+            let at = format!("sets.{name}");
+            if BUILT_IN.contains(&name.as_str()) {
+                let fault = s.fault(&at, &format!("\"{name}\""), "a built-in set", "choose another name");
+                return Err(SceneError::Set(fault));
+            }
+            let mut given = Vec::new();
+            given.extend(nearest.map(|_| "nearest"));
+            given.extend(inside.map(|_| "box"));
+            s.exactly_one(&at, "region", &given, &["nearest", "box"])?;
+            if let Some(point) = nearest {
+                s.sized_all(&format!("{at}.nearest"), point)?;
+            }
+            if let Some(region) = inside {
+                s.sized_all(&format!("{at}.box.min"), &region.min)?;
+                s.sized_all(&format!("{at}.box.max"), &region.max)?;
+                if (0..3).any(|i| region.min[i] > region.max[i]) {
+                    let value = format!("min {:?}, max {:?}", region.min, region.max);
+                    let bound = "min ≤ max in every coordinate";
+                    return Err(s.value(&format!("{at}.box"), value, bound, "swap the coordinates"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a name that is no set.
+    fn check_set_name(&self, path: &str, name: &str) -> Checked {
+        let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
+        if known.contains(&name) {
+            return Ok(());
+        }
+        let repair = crate::source::suggest(name, &known);
+        Err(SceneError::Set(self.source.fault(path, &format!("\"{name}\""), "which is no set", &repair)))
+    }
+
+    fn check_support(&self, at: &str, support: &Support) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &support.on)?;
+        let kinds = support.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        for (_, kind) in kinds {
+            match kind {
+                SupportKind::Clamped | SupportKind::Hinged => {}
+                SupportKind::Symmetry(plane) => s.direction(&format!("{at}.symmetry.normal"), plane.normal)?,
+                SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
+                SupportKind::Moved(moved) => {
+                    s.direction(&format!("{at}.moved.direction"), moved.direction)?;
+                    s.sized(&format!("{at}.moved.by"), moved.by)?;
+                    self.quasi_static_only(&format!("{at}.moved"), "a prescribed motion follows the load level")?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what has a meaning only along a load path.
+    fn quasi_static_only(&self, path: &str, why: &str) -> Checked {
+        let super::Analysis::Explicit(explicit) = &self.analysis;
+        if explicit.transient.is_none() {
+            return Ok(());
+        }
+        let repair = format!("{why}, which a transient run has not: use [analysis.explicit.quasi-static]");
+        let fault = self.source.fault(path, "a condition", "one that a transient run knows", &repair);
+        Err(SceneError::Choice(fault))
+    }
+
+    fn check_load(&self, at: &str, load: &Load) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &load.on)?;
+        let kinds = load.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        for (word, kind) in kinds {
+            match kind {
+                LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
+                LoadKind::Couple(couple) => {
+                    s.sized(&format!("{at}.couple.moment"), couple.moment)?;
+                    if let Axis::Fixed(axis) = couple.axis {
+                        s.direction(&format!("{at}.couple.axis"), axis)?;
+                    }
+                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                }
+                LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
+                LoadKind::Gravity(g) => s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?,
+            }
+            if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
+                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
+            }
+        }
+        match &load.amplitude {
+            None => Ok(()),
+            Some(amplitude) => self.check_amplitude(&format!("{at}.amplitude"), amplitude),
+        }
+    }
+
+    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
+        if fit.contains(&on) {
+            return Ok(());
+        }
+        let repair = format!("use one of {}", fit.join(", "));
+        Err(SceneError::Set(self.source.fault(&format!("{at}.on"), &format!("\"{on}\""), &format!("but {why}"), &repair)))
+    }
+
+    fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
+        let s = &self.source;
+        let super::Analysis::Explicit(explicit) = &self.analysis;
+        if explicit.quasi_static.is_some() {
+            let repair = "remove it: in a quasi-static run the load level takes its place";
+            let fault = s.fault(at, "a course in time", "none in a quasi-static run", repair);
+            return Err(SceneError::Choice(fault));
+        }
+        match amplitude {
+            Amplitude::Constant => Ok(()),
+            Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
+            Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
+            Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
+            Amplitude::Table(points) => {
+                for (i, point) in points.iter().enumerate() {
+                    s.sized_all(&format!("{at}.table[{i}]"), point)?;
+                }
+                if !points.is_empty() && points.windows(2).all(|w| w[0][0] < w[1][0]) {
+                    return Ok(());
+                }
+                let bound = "a list of [time, factor] with ascending times";
+                Err(s.value(&format!("{at}.table"), "empty or out of order", bound, "sort it by time"))
+            }
+        }
+    }
+
+    fn check_analysis(&self) -> Checked {
+        let s = &self.source;
+        let super::Analysis::Explicit(explicit) = &self.analysis;
+        let at = |key: &str| format!("analysis.explicit.{key}");
+        let repair = "0.8 is usual; at 1 the step is at the limit of stability";
+        s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
+        let known = ["quasi-static", "transient"];
+        let mut given = Vec::new();
+        given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
+        given.extend(explicit.transient.map(|_| known[1]));
+        s.exactly_one("analysis.explicit", "table", &given, &known)?;
+        if let Some(path) = &explicit.quasi_static {
+            let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
+            self.check_levels(&at("levels"), &path.levels)?;
+            s.positive(&at("period"), path.period)?;
+            s.positive(&at("ramp"), path.ramp)?;
+            s.positive(&at("hold"), path.hold)?;
+            s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
+            if let Damping::Ratio(ratio) = path.damping {
+                s.positive(&at("damping.ratio"), ratio)?;
+            }
+        }
+        if let Some(run) = explicit.transient {
+            let at = |key: &str| format!("analysis.explicit.transient.{key}");
+            s.positive(&at("duration"), run.duration)?;
+            s.positive(&at("record_every"), run.record_every)?;
+            s.not_negative(&at("damping"), run.damping)?;
+            if run.record_every > run.duration || run.duration / run.record_every > MOST_RECORDS {
+                let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
+                let repair = "a hundredth of the duration gives a smooth curve";
+                return Err(s.value(&at("record_every"), run.record_every, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_levels(&self, at: &str, levels: &Levels) -> Checked {
+        let s = &self.source;
+        match levels {
+            Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
+            Levels::Equal(count) => Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual")),
+            Levels::List(list) if list.is_empty() => {
+                Err(s.value(at, "empty", "a list of at least one level", "levels = [1.0] goes to the full load"))
+            }
+            Levels::List(list) => {
+                let mut last = 0.0;
+                for (i, &level) in list.iter().enumerate() {
+                    let path = format!("{at}[{i}]");
+                    s.sized(&path, level)?;
+                    if level <= last {
+                        let bound = format!("greater than the level {last} before it");
+                        return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
+                    }
+                    last = level;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn check_curve(&self) -> Checked {
+        let s = &self.source;
+        let mut names: BTreeSet<&str> = ALWAYS.into_iter().collect();
+        for (i, probe) in self.curve.iter().enumerate() {
+            let at = |key: &str| format!("curve[{i}].{key}");
+            let name = probe.name.as_str();
+            let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
+            if name.is_empty() || !name.chars().all(plain) {
+                let repair = "it becomes a column name: use letters, digits, _ and -";
+                return Err(s.value(&at("name"), format!("\"{name}\""), "a plain word", repair));
+            }
+            if !names.insert(name) {
+                let repair = format!("rename it; taken already: {}", Vec::from_iter(names).join(", "));
+                return Err(s.value(&at("name"), format!("\"{name}\""), "a name of its own", &repair));
+            }
+            self.check_set_name(&at("on"), &probe.on)?;
+            s.direction(&at("direction"), probe.direction)?;
+            s.sized(&at("factor"), probe.factor)?;
+        }
+        if let Some(plot) = &self.output.plot {
+            let known = Vec::from_iter(names);
+            s.word("output.plot.x", &plot.x, &known)?;
+            s.word("output.plot.y", &plot.y, &known)?;
+        }
+        Ok(())
+    }
+}

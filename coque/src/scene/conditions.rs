@@ -1,0 +1,230 @@
+//! Supports, prescribed motions and loads, each on a named set of particles.
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use serde::Deserialize;
+
+/// A support: exactly one of its conditions is given.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Particle set.
+    pub on: String,
+    /// Neither position nor director moves.
+    pub clamped: Option<Fixed>,
+    /// The position does not move; the director is free.
+    pub hinged: Option<Fixed>,
+    /// Mirror plane.
+    pub symmetry: Option<Symmetry>,
+    /// Rigid in its plane, free along its axis.
+    pub diaphragm: Option<Diaphragm>,
+    /// Prescribed displacement in one direction.
+    pub moved: Option<Moved>,
+}
+
+/// A condition without options: `{}`.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fixed {}
+
+/// Mirror plane: neither displacement nor director along its normal.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Symmetry {
+    /// Normal of the plane; its length does not matter.
+    pub normal: [f64; 3],
+}
+
+/// Rigid diaphragm: no displacement across its axis.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Diaphragm {
+    /// Normal of the diaphragm, along which particles are free; its length does not matter.
+    pub axis: [f64; 3],
+}
+
+/// Displacement `by × level` along a direction; the other directions stay free.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Moved {
+    /// Direction; its length does not matter.
+    pub direction: [f64; 3],
+    /// Displacement at level one \[L\].
+    pub by: f64,
+}
+
+/// The one condition of a [`Support`].
+#[derive(Clone, Copy, Debug)]
+pub enum SupportKind {
+    /// See [`Support::clamped`].
+    Clamped,
+    /// See [`Support::hinged`].
+    Hinged,
+    /// See [`Support::symmetry`].
+    Symmetry(Symmetry),
+    /// See [`Support::diaphragm`].
+    Diaphragm(Diaphragm),
+    /// See [`Support::moved`].
+    Moved(Moved),
+}
+
+impl Support {
+    /// Keys of the conditions.
+    pub const WORDS: [&'static str; 5] = ["clamped", "hinged", "symmetry", "diaphragm", "moved"];
+
+    /// Every condition that is given, with its key; a checked scene has exactly one.
+    pub fn kinds(&self) -> Vec<(&'static str, SupportKind)> {
+        [
+            self.clamped.map(|_| SupportKind::Clamped),
+            self.hinged.map(|_| SupportKind::Hinged),
+            self.symmetry.map(SupportKind::Symmetry),
+            self.diaphragm.map(SupportKind::Diaphragm),
+            self.moved.map(SupportKind::Moved),
+        ]
+        .into_iter()
+        .zip(Self::WORDS)
+        .filter_map(|(kind, word)| kind.map(|kind| (word, kind)))
+        .collect()
+    }
+}
+
+/// A load: exactly one kind is given.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Load {
+    /// Particle set.
+    pub on: String,
+    /// Dead force.
+    pub force: Option<Force>,
+    /// Couple on an edge.
+    pub couple: Option<Couple>,
+    /// Pressure.
+    pub pressure: Option<Pressure>,
+    /// Weight.
+    pub gravity: Option<Gravity>,
+    /// Variation in time, in transient runs.
+    pub amplitude: Option<Amplitude>,
+}
+
+/// Dead force shared by the set: by tributary length on an edge, else equally.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Force {
+    /// Resultant \[F\].
+    pub total: [f64; 3],
+}
+
+/// Couple on an edge.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Couple {
+    /// Moment of the whole edge \[F L\].
+    pub moment: f64,
+    /// Axis about which it turns.
+    pub axis: Axis,
+}
+
+/// Axis of a couple.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Axis {
+    /// Fixed in space; its length does not matter.
+    Fixed([f64; 3]),
+    /// The current direction of the edge.
+    Edge,
+}
+
+/// Pressure.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pressure {
+    /// Along the normal of the surface \[F/L²\].
+    pub value: f64,
+    /// Whether it follows the deformed surface.
+    #[serde(default)]
+    pub follower: bool,
+}
+
+/// Weight.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Gravity {
+    /// Acceleration \[L/T²\].
+    pub acceleration: [f64; 3],
+}
+
+/// Variation of a load in time.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Amplitude {
+    /// One throughout.
+    #[default]
+    Constant,
+    /// Linear from nought to one over this time \[T\].
+    Ramp(f64),
+    /// Quintic from nought to one over this time, without velocity and acceleration at its ends \[T\].
+    Smooth(f64),
+    /// Straight lines between `[time, factor]`.
+    Table(Vec<[f64; 2]>),
+    /// Sine of time.
+    Sine {
+        /// Period \[T\].
+        period: f64,
+    },
+}
+
+/// The one kind of a [`Load`].
+#[derive(Clone, Copy, Debug)]
+pub enum LoadKind {
+    /// See [`Load::force`].
+    Force(Force),
+    /// See [`Load::couple`].
+    Couple(Couple),
+    /// See [`Load::pressure`].
+    Pressure(Pressure),
+    /// See [`Load::gravity`].
+    Gravity(Gravity),
+}
+
+impl Load {
+    /// Keys of the kinds.
+    pub const WORDS: [&'static str; 4] = ["force", "couple", "pressure", "gravity"];
+
+    /// Every kind that is given, with its key; a checked scene has exactly one.
+    pub fn kinds(&self) -> Vec<(&'static str, LoadKind)> {
+        [
+            self.force.map(LoadKind::Force),
+            self.couple.map(LoadKind::Couple),
+            self.pressure.map(LoadKind::Pressure),
+            self.gravity.map(LoadKind::Gravity),
+        ]
+        .into_iter()
+        .zip(Self::WORDS)
+        .filter_map(|(kind, word)| kind.map(|kind| (word, kind)))
+        .collect()
+    }
+}
+
+impl<'de> Deserialize<'de> for Axis {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct WordOrVector;
+        impl<'de> Visitor<'de> for WordOrVector {
+            type Value = Axis;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"edge\" or a vector of three numbers")
+            }
+
+            fn visit_str<E: Error>(self, word: &str) -> Result<Axis, E> {
+                match word {
+                    "edge" => Ok(Axis::Edge),
+                    _ => Err(E::unknown_variant(word, &["edge"])),
+                }
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Axis, A::Error> {
+                Deserialize::deserialize(SeqAccessDeserializer::new(seq)).map(Axis::Fixed)
+            }
+        }
+        deserializer.deserialize_any(WordOrVector)
+    }
+}

@@ -1,0 +1,195 @@
+//! The particle method: where strains are sampled and how wide the corrected kernel reaches.
+
+use serde::de::{Deserializer, Error, Visitor};
+use serde::Deserialize;
+
+/// The particle method.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Formulation {
+    /// Strains at one point per cell of the cloud; forces are the exact transpose.
+    StressPoint(StressPoint),
+    /// Strains at the particles; forces are the exact transpose.
+    Nodal(Nodal),
+    /// Strains and stress divergence at the particles, as published in \[lin2013\].
+    StrongForm(StrongForm),
+}
+
+/// Options of [`Formulation::StressPoint`].
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StressPoint {
+    /// Reach of the kernel.
+    #[serde(default)]
+    pub support: Reach,
+    /// Kernel; only with a reach in numbers.
+    pub kernel: Option<String>,
+    /// Measure of the curvature.
+    #[serde(default = "stretch_corrected")]
+    pub curvature: String,
+}
+
+/// How far the kernel of a stress point reaches.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Reach {
+    /// To the three or four particles of the cell, in closed form.
+    #[default]
+    Cell,
+    /// To this many distances to the fourth nearest particle.
+    Wide(f64),
+}
+
+/// Options of [`Formulation::Nodal`].
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Nodal {
+    /// Degree of the polynomials that gradients reproduce, 1 to 3.
+    #[serde(default = "first")]
+    pub order: usize,
+    /// Smoothing length in spacings; 1.2, 1.3, 1.5 for order 1, 2, 3.
+    pub smoothing: Option<f64>,
+    /// Corrects gradients so that constant stress has no divergence; default from order 2.
+    pub consistent: Option<bool>,
+    /// Kernel.
+    #[serde(default = "cubic_spline")]
+    pub kernel: String,
+    /// Measure of the curvature.
+    #[serde(default = "stretch_corrected")]
+    pub curvature: String,
+}
+
+/// Options of [`Formulation::StrongForm`].
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StrongForm {
+    /// Smoothing length in spacings.
+    #[serde(default = "published_smoothing")]
+    pub smoothing: f64,
+    /// Coefficient of the artificial viscosity \[–\].
+    #[serde(default = "published_viscosity")]
+    pub viscosity: f64,
+    /// Kernel.
+    #[serde(default = "cubic_spline")]
+    pub kernel: String,
+    /// Measure of the curvature.
+    #[serde(default = "stretch_corrected")]
+    pub curvature: String,
+}
+
+impl Default for Formulation {
+    fn default() -> Self {
+        Self::StressPoint(StressPoint { support: Reach::Cell, kernel: None, curvature: stretch_corrected() })
+    }
+}
+
+impl Formulation {
+    /// Key of the method in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::StressPoint(_) => "stress-point",
+            Self::Nodal(_) => "nodal",
+            Self::StrongForm(_) => "strong-form",
+        }
+    }
+
+    /// Name of the curvature measure.
+    pub fn curvature(&self) -> &str {
+        match self {
+            Self::StressPoint(f) => &f.curvature,
+            Self::Nodal(f) => &f.curvature,
+            Self::StrongForm(f) => &f.curvature,
+        }
+    }
+
+    /// Name of the kernel; none where cells do without one.
+    pub fn kernel(&self) -> Option<&str> {
+        match self {
+            Self::StressPoint(f) if f.support == Reach::Cell => None,
+            Self::StressPoint(f) => Some(f.kernel.as_deref().unwrap_or(CUBIC_SPLINE)),
+            Self::Nodal(f) => Some(&f.kernel),
+            Self::StrongForm(f) => Some(&f.kernel),
+        }
+    }
+
+    /// One line that names the method with its options.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::StressPoint(f) => match f.support {
+                Reach::Cell => "stress-point, support cell".into(),
+                Reach::Wide(reach) => format!("stress-point, support {reach}"),
+            },
+            Self::Nodal(f) => format!("nodal, order {}, smoothing {}", f.order, f.smoothing_length()),
+            Self::StrongForm(f) => format!("strong-form, smoothing {}", f.smoothing),
+        }
+    }
+}
+
+impl Nodal {
+    /// Smoothing length in spacings, with the default of the order.
+    pub fn smoothing_length(&self) -> f64 {
+        // Widths at which each order was studied and found stable on regular and disordered clouds.
+        self.smoothing.unwrap_or(match self.order {
+            1 => 1.2,
+            2 => 1.3,
+            _ => 1.5,
+        })
+    }
+
+    /// Whether gradients are corrected for a consistent divergence.
+    pub fn divergence_consistent(&self) -> bool {
+        self.consistent.unwrap_or(self.order >= 2)
+    }
+}
+
+const CUBIC_SPLINE: &str = "cubic-spline";
+
+fn cubic_spline() -> String {
+    CUBIC_SPLINE.into()
+}
+
+fn stretch_corrected() -> String {
+    "stretch-corrected".into()
+}
+
+fn first() -> usize {
+    1
+}
+
+/// Smoothing length of \[lin2013\], in spacings.
+fn published_smoothing() -> f64 {
+    1.2
+}
+
+/// Coefficient of the artificial viscosity of \[lin2013\].
+fn published_viscosity() -> f64 {
+    1.0
+}
+
+impl<'de> Deserialize<'de> for Reach {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct WordOrNumber;
+        impl Visitor<'_> for WordOrNumber {
+            type Value = Reach;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"cell\" or a number")
+            }
+
+            fn visit_str<E: Error>(self, word: &str) -> Result<Reach, E> {
+                match word {
+                    "cell" => Ok(Reach::Cell),
+                    _ => Err(E::unknown_variant(word, &["cell"])),
+                }
+            }
+
+            fn visit_f64<E: Error>(self, reach: f64) -> Result<Reach, E> {
+                Ok(Reach::Wide(reach))
+            }
+
+            fn visit_i64<E: Error>(self, reach: i64) -> Result<Reach, E> {
+                Ok(Reach::Wide(reach as f64))
+            }
+        }
+        deserializer.deserialize_any(WordOrNumber)
+    }
+}

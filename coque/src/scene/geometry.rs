@@ -1,0 +1,129 @@
+//! Shapes of the mid-surface, disorder, orientation, and regions that pick particles.
+
+use serde::Deserialize;
+
+/// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Geometry {
+    /// Rectangle.
+    Plate(Plate),
+    /// Part of a cylinder about the y axis.
+    Cylinder(Cylinder),
+    /// Part of a sphere about the origin.
+    Sphere(Sphere),
+}
+
+/// Rectangle in the plane z = 0 from the origin, u along x, v along y.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plate {
+    /// Extent along x and y \[L\].
+    pub lengths: [f64; 2],
+    /// Particles along u and v, those on the edges included.
+    pub particles: [usize; 2],
+    /// Moves particles at random in the surface.
+    pub disorder: Option<Disorder>,
+}
+
+/// Part of a cylinder about the y axis; `u` is the angle from +z towards +x, `v` runs along y from 0.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Radius \[L\].
+    pub radius: f64,
+    /// First and last angle \[degrees\], 0 at the crown +z.
+    pub angles: [f64; 2],
+    /// Length along y \[L\].
+    pub length: f64,
+    /// Particles along u and v, those on the edges included.
+    pub particles: [usize; 2],
+    /// Moves particles at random in the surface.
+    pub disorder: Option<Disorder>,
+}
+
+/// Part of a sphere about the origin; `u` is the polar angle from +z, `v` the azimuth from +x towards +y.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Radius \[L\].
+    pub radius: f64,
+    /// First and last polar angle \[degrees\]; the poles themselves are excluded.
+    pub polar: [f64; 2],
+    /// First and last azimuth \[degrees\].
+    pub azimuth: [f64; 2],
+    /// Particles along u and v, those on the edges included.
+    pub particles: [usize; 2],
+    /// Moves particles at random in the surface.
+    pub disorder: Option<Disorder>,
+}
+
+/// Random displacement of particles in the surface; edge particles slide along their edge, corners stay.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Disorder {
+    /// Greatest displacement along u and v, in spacings.
+    pub fraction: f64,
+    /// Seed of the random numbers: the same seed gives the same cloud everywhere.
+    pub seed: u64,
+}
+
+/// Rotation about the origin of geometry, supports, loads and probes together.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Orientation {
+    /// Axis; its length does not matter.
+    pub axis: [f64; 3],
+    /// Angle \[degrees\].
+    pub degrees: f64,
+}
+
+/// Picks particles; exactly one of the two is given, in the un-turned frame.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Region {
+    /// The one particle nearest to this point \[L\].
+    pub nearest: Option<[f64; 3]>,
+    /// All particles in a box, its faces included.
+    #[serde(rename = "box")]
+    pub inside: Option<Box3>,
+}
+
+/// Axis-parallel box.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Box3 {
+    /// Least coordinates \[L\].
+    pub min: [f64; 3],
+    /// Greatest coordinates \[L\].
+    pub max: [f64; 3],
+}
+
+impl Geometry {
+    /// Key of the shape in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Plate(_) => "plate",
+            Self::Cylinder(_) => "cylinder",
+            Self::Sphere(_) => "sphere",
+        }
+    }
+
+    /// Particles along u and v.
+    pub fn particles(&self) -> [usize; 2] {
+        match self {
+            Self::Plate(s) => s.particles,
+            Self::Cylinder(s) => s.particles,
+            Self::Sphere(s) => s.particles,
+        }
+    }
+
+    /// Disorder of the particles.
+    pub fn disorder(&self) -> Option<Disorder> {
+        match self {
+            Self::Plate(s) => s.disorder,
+            Self::Cylinder(s) => s.disorder,
+            Self::Sphere(s) => s.disorder,
+        }
+    }
+}

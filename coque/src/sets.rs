@@ -1,0 +1,125 @@
+//! Named sets of particles: edges, corners and middle rows of the lattice, nearest particles, boxes.
+
+use std::collections::BTreeMap;
+
+use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
+
+use crate::error::SceneError;
+use crate::scene::{Region, Scene};
+
+/// Sets that every scene has.
+pub(crate) const BUILT_IN: [&str; 11] =
+    ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
+
+/// Built-in sets that are edges: particles in a row, each with a tributary length.
+pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
+
+/// The particle sets of a cloud, by name.
+#[derive(Clone, Debug)]
+pub(crate) struct Sets {
+    members: BTreeMap<String, Vec<u32>>,
+}
+
+impl Sets {
+    /// Finds every set that the scene uses or declares; `cloud` is not turned yet.
+    pub(crate) fn find(scene: &Scene, cloud: &Cloud, lattice: Lattice) -> Result<Self, SceneError> {
+        let mut members = BTreeMap::new();
+        for name in BUILT_IN {
+            if let Some(particles) = built_in(name, cloud, lattice) {
+                members.insert(name.to_string(), particles);
+            }
+        }
+        for (name, region) in &scene.sets {
+            let particles = inside(region, cloud);
+            if particles.is_empty() {
+                let repair = format!("the shell lies between {} and {}", corner(cloud, f64::min), corner(cloud, f64::max));
+                let bound = "which holds no particle";
+                let fault = scene.source.fault(&format!("sets.{name}"), "a region", bound, &repair);
+                return Err(SceneError::Set(fault));
+            }
+            members.insert(name.clone(), particles);
+        }
+        Ok(Self { members })
+    }
+
+    /// Particles of the set that the scene names at `path`.
+    pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
+        self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
+            let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
+            let bound = format!("but there is no middle one among {} particles along {direction}", scene.geometry.particles()[i]);
+            let repair = format!("use an odd number of particles along {direction}");
+            SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
+        })
+    }
+}
+
+fn built_in(name: &str, cloud: &Cloud, lattice: Lattice) -> Option<Vec<u32>> {
+    let [n1, n2] = lattice.counts;
+    let corner = |u, v| lattice.corner(u, v).map(|a| vec![a]);
+    match name {
+        "all" => Some((0..cloud.len() as u32).collect()),
+        "u0v0" => corner(Side::U0, Side::V0),
+        "u1v0" => corner(Side::U1, Side::V0),
+        "u0v1" => corner(Side::U0, Side::V1),
+        "u1v1" => corner(Side::U1, Side::V1),
+        "centre-row" => (n2 % 2 == 1).then(|| lattice.row(n2 / 2)),
+        "centre-column" => (n1 % 2 == 1).then(|| lattice.column(n1 / 2)),
+        _ => side(name).map(|side| lattice.edge(side)),
+    }
+}
+
+fn side(name: &str) -> Option<Side> {
+    match name {
+        "u0" => Some(Side::U0),
+        "u1" => Some(Side::U1),
+        "v0" => Some(Side::V0),
+        "v1" => Some(Side::V1),
+        _ => None,
+    }
+}
+
+fn inside(region: &Region, cloud: &Cloud) -> Vec<u32> {
+    let numbered = || cloud.positions.iter().enumerate().map(|(a, x)| (a as u32, x));
+    if let Some(point) = region.nearest {
+        let distance = |x: &Vec3| (x - Vec3::from(point)).norm_squared();
+        let nearest = numbered().min_by(|(_, x), (_, y)| distance(x).total_cmp(&distance(y)));
+        return nearest.map(|(a, _)| a).into_iter().collect();
+    }
+    let Some(faces) = region.inside else { return Vec::new() };
+    // A particle on a face belongs to the box, whatever rounding did to it.
+    let slack = 1e-9 * cloud.spacing();
+    let holds = |x: &Vec3| (0..3).all(|i| faces.min[i] - slack <= x[i] && x[i] <= faces.max[i] + slack);
+    numbered().filter(|(_, x)| holds(x)).map(|(a, _)| a).collect()
+}
+
+/// One corner of the box round the cloud.
+fn corner(cloud: &Cloud, pick: fn(f64, f64) -> f64) -> String {
+    let extreme = cloud.positions.iter().copied().reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default();
+    format!("[{:.4}, {:.4}, {:.4}]", extreme.x, extreme.y, extreme.z)
+}
+
+/// Particles with tributary lengths \[L\] on the edge called `name`; none if it is no edge.
+///
+/// The lengths are those along this edge alone (a corner has half a spacing), weighted like the areas of the cloud.
+pub(crate) fn edge(
+    name: &str,
+    particles: &[u32],
+    cloud: &Cloud,
+    weights: EndWeights,
+) -> Option<Vec<(u32, f64)>> {
+    side(name)?;
+    let gaps: Vec<f64> = particles
+        .windows(2)
+        .map(|pair| (cloud.positions[pair[1] as usize] - cloud.positions[pair[0] as usize]).norm())
+        .collect();
+    let half = |gap: Option<&f64>| gap.map_or(0.0, |gap| 0.5 * gap);
+    let trapezoid = |i: usize| half(i.checked_sub(1).and_then(|i| gaps.get(i))) + half(gaps.get(i));
+    let lengths: Vec<f64> = match (weights, weights.weights(particles.len())) {
+        (EndWeights::Gregory, Ok(weights)) => {
+            let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
+            weights.into_iter().map(|w| w * mean).collect()
+        }
+        _ => (0..particles.len()).map(trapezoid).collect(),
+    };
+    Some(particles.iter().copied().zip(lengths).collect())
+}

@@ -1,0 +1,152 @@
+//! What a run was and what it cost, for people and programs (`summary.json`).
+
+use serde::Serialize;
+
+use crate::build::Model;
+use crate::scene::{Analysis, Axis, Damping, LoadKind, Section};
+
+/// What a model holds and what it leaves out.
+#[derive(Clone, Debug, Serialize)]
+pub struct Modelled {
+    /// What is modelled, one line each.
+    pub modelled: Vec<String>,
+    /// What is not, one line each.
+    pub left_out: Vec<String>,
+    /// Particles.
+    pub particles: usize,
+    /// Points at which strains are sampled.
+    pub points: usize,
+    /// Freedoms that no support holds.
+    pub freedoms: usize,
+    /// Memory that the step touches, per particle \[bytes\].
+    pub bytes_per_particle: f64,
+}
+
+/// Energies at the last record \[F L\].
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Energies {
+    /// Kinetic.
+    pub kinetic: f64,
+    /// Internal.
+    pub internal: f64,
+    /// Work of loads and prescribed motions.
+    pub external: f64,
+    /// Taken by damping.
+    pub dissipated: f64,
+    /// What is missing from the balance.
+    pub balance_error: f64,
+}
+
+/// How a load level ended.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LevelSummary {
+    /// Load level.
+    pub level: f64,
+    /// Whether the motion died within the hold.
+    pub settled: bool,
+    /// Kinetic over internal energy at the end of the hold.
+    pub kinetic_over_internal: f64,
+    /// Steps spent on the level.
+    pub steps: u64,
+}
+
+/// What a run was and what it cost.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Title of the scene.
+    pub title: String,
+    /// Formulation with its options.
+    pub method: String,
+    /// Particles.
+    pub particles: usize,
+    /// Points at which strains are sampled.
+    pub points: usize,
+    /// Freedoms that no support holds.
+    pub dof: usize,
+    /// Mean spacing of the particles \[L\].
+    pub spacing: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// Threads used.
+    pub threads: usize,
+    /// Greatest stable step of the reference configuration \[T\]; nought if none was found.
+    pub stable_step: f64,
+    /// Fraction of the stable step that was used.
+    pub safety: f64,
+    /// Time the march took \[s\].
+    pub wall_seconds: f64,
+    /// Particles times steps per second of the march \[1/s\].
+    pub particle_steps_per_second: f64,
+    /// Energies at the last record.
+    pub energies: Energies,
+    /// How each load level ended; empty in a transient run.
+    pub levels: Vec<LevelSummary>,
+    /// What is modelled.
+    pub modelled: Vec<String>,
+    /// What is not.
+    pub left_out: Vec<String>,
+    /// "done", or why the run ended early.
+    pub ended: String,
+}
+
+impl Model {
+    /// What the model holds and what it leaves out.
+    pub fn describe(&self) -> Modelled {
+        let (modelled, left_out) = self.lists();
+        Modelled {
+            modelled,
+            left_out,
+            particles: self.shell.len(),
+            points: self.shell.reference().operator.points.len(),
+            freedoms: self.shell.freedoms(),
+            bytes_per_particle: self.shell.bytes_per_particle(),
+        }
+    }
+
+    fn lists(&self) -> (Vec<String>, Vec<String>) {
+        let scene = &self.scene;
+        let mut modelled = vec![
+            format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
+            format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
+        ];
+        let mut left_out: Vec<String> = ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
+        let Section::Homogeneous(section) = &scene.section;
+        modelled.push(match section.gauss_points {
+            None => "isotropic elasticity, integrated through the thickness in closed form".into(),
+            Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
+        });
+        for support in &scene.supports {
+            modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
+        }
+        for load in &scene.loads {
+            modelled.extend(load.kinds().iter().map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)));
+        }
+        if scene.loads.is_empty() {
+            left_out.push("loads".into());
+        }
+        let Analysis::Explicit(explicit) = &scene.analysis;
+        let damping = match (&explicit.quasi_static, &explicit.transient) {
+            (Some(path), _) => match path.damping {
+                Damping::Ratio(ratio) => Some(format!("mass-proportional damping, ratio {ratio}")),
+                Damping::Kinetic => Some("kinetic damping".into()),
+            },
+            (None, Some(run)) if run.damping > 0.0 => {
+                Some(format!("mass-proportional damping, {} per unit of time", run.damping))
+            }
+            _ => None,
+        };
+        match damping {
+            Some(damping) => modelled.push(damping),
+            None => left_out.push("damping".into()),
+        }
+        (modelled, left_out)
+    }
+}
+
+fn describe_load(word: &str, kind: &LoadKind) -> String {
+    match kind {
+        LoadKind::Couple(couple) if couple.axis == Axis::Edge => "couple about the moving edge".into(),
+        LoadKind::Pressure(pressure) if pressure.follower => "follower pressure".into(),
+        _ => word.into(),
+    }
+}

@@ -1,0 +1,176 @@
+//! Units: a scene declares one consistent set; they name the columns of results and change no number.
+
+use serde::{Deserialize, Serialize};
+
+/// Units of length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Length {
+    /// Metre.
+    #[serde(rename = "m")]
+    Metre,
+    /// Centimetre.
+    #[serde(rename = "cm")]
+    Centimetre,
+    /// Millimetre.
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// Inch.
+    #[serde(rename = "in")]
+    Inch,
+    /// Foot.
+    #[serde(rename = "ft")]
+    Foot,
+    /// None: a dimensionless problem.
+    #[serde(rename = "-")]
+    None,
+}
+
+/// Units of force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Force {
+    /// Newton.
+    #[serde(rename = "N")]
+    Newton,
+    /// Kilonewton.
+    #[serde(rename = "kN")]
+    Kilonewton,
+    /// Meganewton.
+    #[serde(rename = "MN")]
+    Meganewton,
+    /// Pound-force.
+    #[serde(rename = "lbf")]
+    PoundForce,
+    /// None: a dimensionless problem.
+    #[serde(rename = "-")]
+    None,
+}
+
+/// Units of time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Time {
+    /// Second.
+    #[serde(rename = "s")]
+    Second,
+    /// Millisecond.
+    #[serde(rename = "ms")]
+    Millisecond,
+    /// Microsecond.
+    #[serde(rename = "us")]
+    Microsecond,
+    /// None: a dimensionless problem.
+    #[serde(rename = "-")]
+    None,
+}
+
+/// One consistent set of units. The unit of mass follows: force · time² / length.
+///
+/// All three have a unit or none has: a length in metres with a force in `-` would be inconsistent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Units {
+    /// Unit of length \[L\].
+    pub length: Length,
+    /// Unit of force \[F\].
+    pub force: Force,
+    /// Unit of time \[T\].
+    pub time: Time,
+}
+
+/// What a column of results measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// \[–\].
+    Ratio,
+    /// \[L\].
+    Length,
+    /// \[F\].
+    Force,
+    /// \[T\].
+    Time,
+    /// \[F L\].
+    Energy,
+    /// \[rad\].
+    Angle,
+}
+
+impl Length {
+    /// Symbol of the unit.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+            Self::Inch => "in",
+            Self::Foot => "ft",
+            Self::None => "-",
+        }
+    }
+}
+
+impl Force {
+    /// Symbol of the unit.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Newton => "N",
+            Self::Kilonewton => "kN",
+            Self::Meganewton => "MN",
+            Self::PoundForce => "lbf",
+            Self::None => "-",
+        }
+    }
+}
+
+impl Time {
+    /// Symbol of the unit.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Second => "s",
+            Self::Millisecond => "ms",
+            Self::Microsecond => "us",
+            Self::None => "-",
+        }
+    }
+}
+
+impl Units {
+    /// Whether all three or none have a unit.
+    pub fn consistent(&self) -> bool {
+        let bare = [self.length == Length::None, self.force == Force::None, self.time == Time::None];
+        bare.iter().all(|&b| b) || bare.iter().all(|&b| !b)
+    }
+
+    /// Symbol of the unit of a quantity, such as `N cm`; `-` without unit.
+    pub fn symbol(&self, quantity: Quantity) -> String {
+        match quantity {
+            Quantity::Ratio => "-".into(),
+            Quantity::Angle => "rad".into(),
+            Quantity::Length => self.length.symbol().into(),
+            Quantity::Force => self.force.symbol().into(),
+            Quantity::Time => self.time.symbol().into(),
+            Quantity::Energy if self.length == Length::None => "-".into(),
+            Quantity::Energy => format!("{} {}", self.force.symbol(), self.length.symbol()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_follow_the_declared_set() {
+        let units = Units { length: Length::Centimetre, force: Force::Newton, time: Time::Second };
+        assert_eq!(units.symbol(Quantity::Energy), "N cm");
+        assert_eq!(units.symbol(Quantity::Angle), "rad");
+        assert!(units.consistent());
+    }
+
+    #[test]
+    fn half_dimensionless_is_inconsistent() {
+        let units = Units { length: Length::None, force: Force::Newton, time: Time::Second };
+        assert!(!units.consistent());
+        let bare = Units { length: Length::None, force: Force::None, time: Time::None };
+        assert!(bare.consistent());
+        assert_eq!(bare.symbol(Quantity::Energy), "-");
+    }
+}
