@@ -8,7 +8,7 @@ use serde_json::Value;
 /// One line of the catalogue; [`Entry::load`] reads the table behind it.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
-    /// The name under which [`reference`] finds it; also the name of its data file.
+    /// The name under which [`reference()`] finds it; also the name of its data file.
     pub name: &'static str,
     /// What is tabulated against what.
     pub quantity: &'static str,

@@ -3,7 +3,7 @@
 //! The crate depends on no other crate of the workspace, and only `validation` may read it:
 //! a solver that could see the answer would be no test of the method.
 //!
-//! - [`catalogue`]: the table of references, each with citation, quantity, units, values and uncertainty;
+//! - [`mod@catalogue`]: the table of references, each with citation, quantity, units, values and uncertainty;
 //! - [`curve`]: what is done with a curve: interpolate, find a limit point, measure a distance;
 //! - [`elastica`]: the inextensible cantilever bent by an end moment or an end load;
 //! - [`rolled_strip`]: the same strip with a Green–Lagrange strain, which is *not* the elastica when it is thick;

@@ -1,0 +1,92 @@
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · new-case`.
+
+mod bench;
+mod cargo;
+mod new_case;
+mod test_all;
+mod tidy;
+mod validate;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// What a developer runs in this workspace.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Judge scenes against references: print the table, exit 1 if a case misses its tolerance
+    ///
+    /// Every case is a scene of scenes/, a reference of benchmarks-ref, a metric and a tolerance with its reason.
+    /// Runs the program `validate` of the crate `validation` in release mode and returns its exit code.
+    Validate(validate::Options),
+
+    /// Everything that CI runs, from a bare checkout; stops at the first failure
+    ///
+    /// Steps: format, lints, tidy, tests, documentation tests, quick validation. Each is timed; a failure prints
+    /// the command that repeats it. A missing rustfmt or clippy is skipped, loudly. The last line counts the steps.
+    Test,
+
+    /// Run the benches, all or those whose name contains FILTER
+    ///
+    /// Finds every [[bench]] target of the workspace. Targets named "…instructions…" count instructions under
+    /// valgrind, which does not drift with the load of the machine; without valgrind they are skipped, and said so.
+    Bench(bench::Options),
+
+    /// `test`, then the full validation with its report in target/ci-report
+    Ci,
+
+    /// Check what the compiler cannot: layers between crates, conventions in sources, citations
+    ///
+    /// Layers: leaves use no crate of ours, a model uses no model, only `validation` reads benchmarks-ref.
+    /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, leftovers (todo, dbg, ignored
+    /// tests) or paths of one machine; input and output only in coque, validation and xtask.
+    /// Citations: every key in square brackets has its entry in references.bib.
+    Tidy,
+
+    /// Lay out a new benchmark: a scene, a case file, and the line that lists it
+    ///
+    /// Writes scenes/NAME.toml and validation/src/cases/NAME.rs (with underscores) from templates that explain
+    /// each entry, and prints what is left to do by hand.
+    /// NAME is kebab-case, such as pinched-cylinder; an existing name is refused.
+    NewCase(new_case::Options),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().task {
+        Task::Validate(options) => return validate::run(&options),
+        Task::Test => test_all::run(test_all::Depth::Quick),
+        Task::Bench(options) => bench::run(&options),
+        Task::Ci => test_all::run(test_all::Depth::Full),
+        Task::Tidy => tidy::run(),
+        Task::NewCase(options) => new_case::run(&options),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_sound_and_every_task_explains_itself() {
+        let mut command = Arguments::command();
+        command.build();
+        command.clone().debug_assert();
+        for task in command.get_subcommands().filter(|task| task.get_name() != "help") {
+            assert!(task.get_about().is_some(), "{} has no help", task.get_name());
+        }
+    }
+}

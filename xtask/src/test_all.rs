@@ -1,0 +1,186 @@
+//! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
+
+use crate::{cargo, tidy, validate};
+use std::time::{Duration, Instant};
+
+/// How far the validation goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Depth {
+    /// The quick cases.
+    Quick,
+    /// The quick cases, then all of them with a report.
+    Full,
+}
+
+/// One thing to check.
+struct Step {
+    name: &'static str,
+    action: Action,
+}
+
+enum Action {
+    /// Words after `cargo`.
+    Cargo(Vec<String>),
+    /// The same, if the subcommand is installed; else the step is skipped.
+    IfInstalled(&'static str, Vec<String>),
+    /// The rules of [`tidy`], in this process.
+    Tidy,
+}
+
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Outcome {
+    Passed,
+    Skipped(String),
+    Failed,
+}
+
+/// Run every step in order and stop at the first that fails.
+pub fn run(depth: Depth) -> Result<(), String> {
+    let steps = plan(depth, cargo::has("nextest"));
+    let mut lines = Vec::new();
+    let (mut passed, mut failure) = (0, None);
+    for step in &steps {
+        println!("\n── {} ── {}", step.name, step.action.repeat());
+        let start = Instant::now();
+        let outcome = step.action.perform();
+        lines.push(line(step.name, &outcome, start.elapsed()));
+        match outcome {
+            Outcome::Passed => passed += 1,
+            Outcome::Skipped(why) => println!("*** SKIPPED {}: {why} ***", step.name),
+            Outcome::Failed => {
+                failure = Some(step);
+                break;
+            }
+        }
+    }
+    println!("\n{}", lines.join("\n"));
+    println!("{}", closing(passed, failure.is_some()));
+    match failure {
+        None => Ok(()),
+        Some(step) => Err(format!("{} failed; repeat it alone with: {}", step.name, step.action.repeat())),
+    }
+}
+
+/// The steps, cheapest first.
+fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
+    let words = cargo::words;
+    let tests = if nextest { &["nextest", "run", "--workspace"][..] } else { &["test", "--workspace"] };
+    // `cargo test --workspace` already runs the documentation tests
+    let documentation = nextest.then(|| words(&["test", "--doc", "--workspace"]));
+    let quick = validate::Options { quick: true, ..Default::default() };
+    let full = validate::Options { report: Some("target/ci-report".to_owned()), ..Default::default() };
+
+    let clippy = words(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+    let mut steps = vec![
+        Step { name: "format", action: Action::IfInstalled("fmt", words(&["fmt", "--all", "--check"])) },
+        Step { name: "tidy", action: Action::Tidy },
+        Step { name: "lints", action: Action::IfInstalled("clippy", clippy) },
+        Step { name: "tests", action: Action::Cargo(words(tests)) },
+    ];
+    steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
+    steps.push(Step { name: "validation, quick", action: Action::Cargo(quick.words()) });
+    if depth == Depth::Full {
+        steps.push(Step { name: "validation, full", action: Action::Cargo(full.words()) });
+    }
+    steps
+}
+
+impl Action {
+    fn perform(&self) -> Outcome {
+        let result = match self {
+            Self::IfInstalled(subcommand, _) if !cargo::has(subcommand) => {
+                return Outcome::Skipped(missing(subcommand));
+            }
+            Self::IfInstalled(_, words) | Self::Cargo(words) => cargo::succeeds(words),
+            Self::Tidy => tidy::run().map(|()| true),
+        };
+        match result {
+            Ok(true) => Outcome::Passed,
+            Ok(false) => Outcome::Failed,
+            Err(message) => {
+                eprintln!("error: {message}");
+                Outcome::Failed
+            }
+        }
+    }
+
+    /// The exact command that repeats the step.
+    fn repeat(&self) -> String {
+        match self {
+            Self::Cargo(words) | Self::IfInstalled(_, words) => cargo::spelled(words),
+            Self::Tidy => "cargo xtask tidy".to_owned(),
+        }
+    }
+}
+
+fn missing(subcommand: &str) -> String {
+    let component = if subcommand == "fmt" { "rustfmt" } else { subcommand };
+    format!("cargo {subcommand} is not installed; add it with: rustup component add {component}")
+}
+
+fn line(name: &str, outcome: &Outcome, time: Duration) -> String {
+    let word = match outcome {
+        Outcome::Passed => "passed",
+        Outcome::Skipped(_) => "SKIPPED",
+        Outcome::Failed => "FAILED",
+    };
+    format!("{name:<20} {word:<8} {:>8.1} s", time.as_secs_f64())
+}
+
+fn closing(passed: usize, failed: bool) -> String {
+    format!("{passed} passed, {} failed", usize::from(failed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn commands(depth: Depth, nextest: bool) -> Vec<String> {
+        plan(depth, nextest).iter().map(|step| step.action.repeat()).collect()
+    }
+
+    #[test]
+    fn the_plan_holds_every_check() {
+        assert_eq!(
+            commands(Depth::Quick, true),
+            [
+                "cargo fmt --all --check",
+                "cargo xtask tidy",
+                "cargo clippy --workspace --all-targets -- -D warnings",
+                "cargo nextest run --workspace",
+                "cargo test --doc --workspace",
+                "cargo run --release --package validation --bin validate -- --quick",
+            ]
+        );
+        assert_eq!(commands(Depth::Quick, false)[3..4], ["cargo test --workspace"]);
+        assert!(!commands(Depth::Quick, false).iter().any(|command| command.contains("--doc")));
+    }
+
+    #[test]
+    fn ci_adds_the_full_validation() {
+        let (quick, full) = (commands(Depth::Quick, true), commands(Depth::Full, true));
+        assert_eq!(full[..quick.len()], quick[..]);
+        assert!(full[quick.len()].ends_with("validate -- --report target/ci-report"));
+    }
+
+    #[test]
+    fn a_missing_component_is_skipped_and_says_how_to_get_it() {
+        let action = Action::IfInstalled("no-such-subcommand", Vec::new());
+        assert!(matches!(action.perform(), Outcome::Skipped(why) if why.contains("rustup component add")));
+        assert!(missing("fmt").ends_with("rustfmt"));
+    }
+
+    #[test]
+    fn a_failing_step_fails() {
+        let action = Action::Cargo(cargo::words(&["no-such-subcommand-anywhere"]));
+        assert_eq!(action.perform(), Outcome::Failed);
+    }
+
+    #[test]
+    fn the_last_line_counts() {
+        assert_eq!(closing(6, false), "6 passed, 0 failed");
+        assert_eq!(closing(2, true), "2 passed, 1 failed");
+        let row = line("lints", &Outcome::Skipped(String::new()), Duration::from_millis(1250));
+        assert!(row.contains("SKIPPED") && row.ends_with("1.2 s"), "{row}");
+    }
+}

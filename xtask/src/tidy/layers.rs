@@ -1,0 +1,178 @@
+//! Which crate may use which: the arrows of the architecture, read from `cargo metadata`.
+//!
+//! Normal, build and dev-dependencies count alike: a test that reaches across a layer would tie the layers together.
+
+use super::Violation;
+use serde_json::Value;
+use std::path::Path;
+
+/// Crates without any of ours below them: space, one point, time, balance; the truth; the workspace's commands.
+const LEAVES: &[&str] =
+    &["sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics", "benchmarks-ref", "xtask"];
+
+/// Crates that join leaves into a model of a body; none sees another.
+const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
+
+/// Crates above the models.
+const ABOVE: &[&str] = &["coque", "validation"];
+
+/// The truth, and the only crate that may read it.
+const TRUTH: &str = "benchmarks-ref";
+const JUDGE: &str = "validation";
+
+/// A package of the workspace.
+#[derive(Debug)]
+pub struct Package {
+    name: String,
+    /// Path of its Cargo.toml, relative to the root.
+    manifest: String,
+    /// Packages of this workspace that it names in any kind of dependency, with the line.
+    uses: Vec<(String, usize)>,
+}
+
+/// Read the packages and the arrows between them.
+pub fn packages(metadata: &Value, root: &Path) -> Result<Vec<Package>, String> {
+    let unexpected =
+        || "cargo metadata has an unexpected shape; compare its format version with 1".to_owned();
+    let entries = metadata["packages"].as_array().ok_or_else(unexpected)?;
+    entries
+        .iter()
+        .map(|entry| {
+            let path = Path::new(entry["manifest_path"].as_str().ok_or_else(unexpected)?);
+            let text = std::fs::read_to_string(path)
+                .map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+            let manifest = path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/");
+            package(entry, manifest, &text).ok_or_else(unexpected)
+        })
+        .collect()
+}
+
+/// A dependency with a path is one of ours.
+fn package(entry: &Value, manifest: String, text: &str) -> Option<Package> {
+    let dependencies = entry["dependencies"].as_array()?;
+    let own = dependencies.iter().filter(|dependency| dependency["path"].is_string());
+    let uses = own
+        .filter_map(|dependency| dependency["name"].as_str())
+        .map(|name| (name.to_owned(), line(text, name)));
+    Some(Package { name: entry["name"].as_str()?.to_owned(), manifest, uses: uses.collect() })
+}
+
+/// The line of a manifest that names a dependency, counted from 1.
+fn line(text: &str, name: &str) -> usize {
+    let names = |line: &str| {
+        let key = line.trim_start().strip_prefix(name);
+        key.is_some_and(|rest| rest.starts_with(['.', ' ', '=']))
+    };
+    text.lines().position(names).map_or(1, |index| index + 1)
+}
+
+/// Every arrow that should not be there, and every crate without a place.
+pub fn check(packages: &[Package]) -> Vec<Violation> {
+    let mut violations = Vec::new();
+    for package in packages {
+        if ![LEAVES, MODELS, ABOVE].iter().any(|layer| layer.contains(&package.name.as_str())) {
+            violations.push(Violation::new(
+                &package.manifest,
+                1,
+                format!("the crate {} has no layer", package.name),
+                "give it one in xtask/src/tidy/layers.rs and in ARCHITECTURE.md",
+            ));
+        }
+        for (used, line) in &package.uses {
+            if let Some((what, repair)) = forbidden(&package.name, used) {
+                violations.push(Violation::new(&package.manifest, *line, what, repair));
+            }
+        }
+    }
+    violations
+}
+
+/// Why `user` may not use `used`, and what to do instead.
+fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
+    if LEAVES.contains(&user) {
+        let repair = "remove the dependency; what both need belongs to the crate that joins them";
+        return Some((format!("{user} is a leaf but uses {used}"), repair));
+    }
+    if used == TRUTH && user != JUDGE {
+        let repair = "move the comparison to validation: a solver that can read the answer proves nothing";
+        return Some((format!("{user} reads {TRUTH}, which only {JUDGE} may"), repair));
+    }
+    if MODELS.contains(&user) && !LEAVES.contains(&used) {
+        let repair = "let the two meet above both, or move what they share down into a leaf";
+        return Some((format!("the model {user} uses {used}, which is no leaf"), repair));
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn using(name: &str, uses: &[&str]) -> Package {
+        let uses = uses.iter().map(|&used| (used.to_owned(), 3)).collect();
+        Package { name: name.to_owned(), manifest: format!("{name}/Cargo.toml"), uses }
+    }
+
+    fn complaints(name: &str, uses: &[&str]) -> Vec<String> {
+        check(&[using(name, uses)]).iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn the_architecture_as_drawn_passes() {
+        let drawn = [
+            using("sph-core", &[]),
+            using("sph-shell", &["sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"]),
+            using("coque", &["sph-core", "sph-shell", "fluid-sph"]),
+            using("validation", &["coque", "benchmarks-ref"]),
+            using("xtask", &[]),
+        ];
+        assert_eq!(check(&drawn), []);
+    }
+
+    #[test]
+    fn a_leaf_may_use_nothing_of_ours() {
+        for leaf in LEAVES {
+            let found = complaints(leaf, &["sph-shell"]);
+            assert_eq!(found.len(), 1);
+            assert!(found[0].starts_with(&format!("{leaf}/Cargo.toml:3: {leaf} is a leaf")), "{found:?}");
+        }
+        assert_eq!(complaints("sph-core", &["shell-kinematics"]).len(), 1);
+    }
+
+    #[test]
+    fn a_model_may_not_see_another_nor_the_application() {
+        assert_eq!(complaints("sph-shell", &["peridynamics"]).len(), 1);
+        assert_eq!(complaints("fluid-sph", &["sph-shell", "sph-core"]).len(), 1);
+        assert_eq!(complaints("sph-shell", &["coque"]).len(), 1);
+    }
+
+    #[test]
+    fn only_the_judge_reads_the_truth() {
+        for user in ["coque", "sph-shell", "sph-core"] {
+            assert_eq!(complaints(user, &["benchmarks-ref"]).len(), 1, "{user}");
+        }
+        assert_eq!(complaints("validation", &["benchmarks-ref"]).len(), 0);
+    }
+
+    #[test]
+    fn a_crate_without_a_layer_is_named() {
+        let found = complaints("new-crate", &[]);
+        assert!(found[0].contains("new-crate has no layer"), "{found:?}");
+    }
+
+    #[test]
+    fn every_kind_of_dependency_counts_and_foreign_ones_do_not() {
+        let entry = json!({"name": "sph-shell", "dependencies": [
+            {"name": "sph-core", "kind": null, "path": "x"},
+            {"name": "coque", "kind": "dev", "path": "y"},
+            {"name": "sph", "kind": "build", "path": "z"},
+            {"name": "rayon", "kind": null},
+        ]});
+        let text =
+            "[dependencies]\nsph-core.workspace = true\nrayon = \"1\"\n[dev-dependencies]\ncoque = {}\n";
+        let package = package(&entry, "m".to_owned(), text).unwrap();
+        let uses: Vec<_> = package.uses.iter().map(|(name, line)| (name.as_str(), *line)).collect();
+        assert_eq!(uses, [("sph-core", 2), ("coque", 5), ("sph", 1)]);
+    }
+}

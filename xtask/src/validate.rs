@@ -1,0 +1,78 @@
+//! `cargo xtask validate`: hand the question over to the judge, in release mode.
+
+use crate::cargo;
+use clap::Args;
+use std::process::ExitCode;
+
+/// What is passed on to the program `validate`.
+#[derive(Args, Default)]
+pub struct Options {
+    /// Only the cases that are fast enough for every commit
+    #[arg(long)]
+    pub quick: bool,
+    /// Only this case; may be repeated
+    #[arg(long = "case", value_name = "NAME")]
+    pub cases: Vec<String>,
+    /// Write one record per run: particles, steps, time, metrics with tolerances, curve
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+    /// Write the report with plots into this folder
+    #[arg(long, value_name = "DIR")]
+    pub report: Option<String>,
+    /// Further arguments, after `--`, passed on as they are
+    #[arg(last = true)]
+    pub rest: Vec<String>,
+}
+
+/// Run the cases and return what the judge returned.
+pub fn run(options: &Options) -> ExitCode {
+    let words = options.words();
+    // not at the root: FILE and DIR are relative to where the caller stands
+    match cargo::command(&words).status() {
+        Ok(status) => ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)),
+        Err(error) => {
+            eprintln!("error: cannot start {}: {error}", cargo::spelled(&words));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+impl Options {
+    /// The words after `cargo`.
+    pub fn words(&self) -> Vec<String> {
+        let mut words =
+            cargo::words(&["run", "--release", "--package", "validation", "--bin", "validate", "--"]);
+        if self.quick {
+            words.push("--quick".to_owned());
+        }
+        for case in &self.cases {
+            words.extend(["--case".to_owned(), case.clone()]);
+        }
+        for (option, value) in [("--json", &self.json), ("--report", &self.report)] {
+            words.extend(value.iter().flat_map(|value| [option.to_owned(), value.clone()]));
+        }
+        words.extend(self.rest.iter().cloned());
+        words
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_argument_is_passed_on() {
+        let options = Options {
+            quick: true,
+            cases: cargo::words(&["ring", "panel"]),
+            json: Some("a.json".to_owned()),
+            report: Some("out".to_owned()),
+            rest: cargo::words(&["--threads", "2"]),
+        };
+        assert_eq!(
+            cargo::spelled(&options.words()),
+            "cargo run --release --package validation --bin validate -- \
+             --quick --case ring --case panel --json a.json --report out --threads 2"
+        );
+    }
+}
