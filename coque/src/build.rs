@@ -1,7 +1,7 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
 use nalgebra::Rotation3;
-use shell_kinematics::{Isotropic, IntegratedSection, IsotropicSection, MaterialError};
+use shell_kinematics::{IntegratedSection, Isotropic, IsotropicSection, MaterialError};
 use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
 
@@ -83,11 +83,9 @@ impl Builder<'_> {
         let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
         let patch: Box<dyn sph_core::Patch> = match &self.scene.geometry {
             Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
-            Geometry::Cylinder(c) => Box::new(sph_core::Cylinder {
-                radius: c.radius,
-                angles: radians(c.angles),
-                length: c.length,
-            }),
+            Geometry::Cylinder(c) => {
+                Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
+            }
             Geometry::Sphere(s) => Box::new(sph_core::Sphere {
                 radius: s.radius,
                 polar: radians(s.polar),
@@ -171,10 +169,10 @@ impl Builder<'_> {
                     Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
                 },
             }),
-            LoadKind::Pressure(p) => {
-                Box::new(sph_shell::Pressure { value: p.value, follower: p.follower })
+            LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value, follower: p.follower }),
+            LoadKind::Gravity(g) => {
+                Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
-            LoadKind::Gravity(g) => Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) }),
         }
     }
 
@@ -203,7 +201,9 @@ impl Builder<'_> {
             .map_err(|e| self.model_error("material.elastic", &e.to_string()))?;
         Ok(match section.gauss_points {
             None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
-            Some(points) => Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?),
+            Some(points) => {
+                Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
+            }
         })
     }
 
@@ -246,10 +246,16 @@ impl Builder<'_> {
             ShellError::Space(
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => reach.to_string(),
-            ShellError::Space(_) | ShellError::Area { .. } => format!("geometry.{}", self.scene.geometry.word()),
+            ShellError::Space(_) | ShellError::Area { .. } => {
+                format!("geometry.{}", self.scene.geometry.word())
+            }
             ShellError::Density(_) => "material.elastic.density".into(),
-            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => format!("supports[{moved}].moved"),
-            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => "loads".into(),
+            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
+                format!("supports[{moved}].moved")
+            }
+            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
+                "loads".into()
+            }
         };
         self.model_error(&path, &error.to_string())
     }
@@ -267,7 +273,9 @@ fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude 
         None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
         Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
         Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
-        Some(scene::Amplitude::Table(points)) => Amplitude::Table(points.iter().map(|p| (p[0], p[1])).collect()),
+        Some(scene::Amplitude::Table(points)) => {
+            Amplitude::Table(points.iter().map(|p| (p[0], p[1])).collect())
+        }
         Some(scene::Amplitude::Sine { period }) => Amplitude::Sine(*period),
     }
 }

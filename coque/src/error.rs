@@ -32,16 +32,25 @@ pub struct Fault {
 /// Why a scene was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
-    /// The text is not TOML, or a value has the wrong type.
-    #[error("{}cannot be read: {}", at(&.0.key), .0.bound)]
+    /// The text is not TOML.
+    #[error("the scene is not TOML: {}", .0.value)]
     Syntax(Box<Fault>),
+    /// A value has the wrong type.
+    #[error("`{}` is {}; it must be {}", .0.key, .0.value, .0.bound)]
+    Type(Box<Fault>),
+    /// An override that cannot be put into the scene.
+    #[error("cannot set `{}`: {}", .0.key, .0.value)]
+    Override(Box<Fault>),
+    /// A key without default is missing.
+    #[error("`{}` is missing", .0.key)]
+    Missing(Box<Fault>),
     /// A key that no scene has.
     #[error("{}unknown key `{}`", at(&.0.key), .0.value)]
     UnknownKey(Box<Fault>),
     /// A word outside a fixed list.
     #[error("{}unknown word `{}`", at(&.0.key), .0.value)]
     UnknownWord(Box<Fault>),
-    /// A key is missing, or more than one of several alternatives is given.
+    /// None or more than one of several alternatives, or something that does not go with the rest.
     #[error("`{}` gives {}; it must give {}", .0.key, .0.value, .0.bound)]
     Choice(Box<Fault>),
     /// A value outside its bounds.
@@ -68,6 +77,9 @@ impl SceneError {
     pub fn fault(&self) -> &Fault {
         match self {
             Self::Syntax(f)
+            | Self::Type(f)
+            | Self::Override(f)
+            | Self::Missing(f)
             | Self::UnknownKey(f)
             | Self::UnknownWord(f)
             | Self::Choice(f)
@@ -82,6 +94,9 @@ impl SceneError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Syntax(_) => "scene::syntax",
+            Self::Type(_) => "scene::type",
+            Self::Override(_) => "scene::override",
+            Self::Missing(_) => "scene::missing",
             Self::UnknownKey(_) => "scene::unknown-key",
             Self::UnknownWord(_) => "scene::unknown-word",
             Self::Choice(_) => "scene::choice",

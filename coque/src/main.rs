@@ -13,9 +13,9 @@ const DONE: u8 = 0;
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
 
-/// Thin shells as one layer of SPH particles.
+/// Simulates thin shells with one layer of SPH particles.
 #[derive(Parser)]
-#[command(name = "coque", version, about, after_help = EXIT_CODES)]
+#[command(name = "coque", version, after_help = START)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -43,14 +43,19 @@ struct Run {
     replaced: Vec<(String, String)>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
+const START: &str = "\
+Start here:
+  coque run scenes/ring.toml        results in out/ring
+  coque run --help                  options, examples, where results are
+
+Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
 
 const RUN_HELP: &str = "\
 Examples:
   coque run scenes/ring.toml
   coque run scenes/ring.toml --out out/coarse --set 'geometry.plate.particles=[25, 3]'
   coque run scenes/ring.toml --set formulation.nodal.order=2
-  coque run scenes/ring.toml --set loads[0].couple.moment=31.4 --threads 2
+  coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
@@ -150,7 +155,9 @@ struct Bar(ProgressBar);
 impl Bar {
     fn new() -> Self {
         let bar = if io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
-        if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {elapsed} of {duration}") {
+        if let Ok(style) =
+            ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {elapsed} of {duration}")
+        {
             bar.set_style(style);
         }
         Self(bar)

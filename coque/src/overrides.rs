@@ -50,11 +50,10 @@ struct Line<'a> {
 }
 
 impl Line<'_> {
-    fn refuse(&self, bound: &str, repair: &str, span: Range<usize>) -> SceneError {
-        let mut fault: Box<Fault> = self.source.fault("", self.path, bound, repair);
-        fault.key = self.path.into();
+    fn refuse(&self, why: &str, repair: &str, span: Range<usize>) -> SceneError {
+        let mut fault: Box<Fault> = self.source.fault(self.path, why, "path.to.key=value", repair);
         fault.place.span = Some(span);
-        SceneError::Syntax(fault)
+        SceneError::Override(fault)
     }
 
     /// Keys of a path: `a.b[0].c` and `a.b.0.c` are the same.
@@ -78,8 +77,11 @@ fn parse<'i>(text: &'i str, start: usize, line: &Line<'_>) -> Result<Spanned<DeV
             Ok(Spanned::new(start..start + text.len(), DeValue::String(Cow::Borrowed(text))))
         }
         Err(error) => {
-            let span = error.span().map_or(0..text.len(), |span| span);
             let repair = "a value is TOML: 1.5, \"word\", [1, 2], { key = 1 }";
+            if text.is_empty() {
+                return Err(line.refuse("there is no value after `=`", repair, line.key.clone()));
+            }
+            let span = error.span().unwrap_or(0..text.len());
             Err(line.refuse(error.message(), repair, span.start + start..span.end + start))
         }
     }
@@ -125,14 +127,21 @@ fn insert<'i>(
     match table.get_mut(&name).map(Spanned::get_mut) {
         Some(DeValue::Table(inner)) => {
             if ALTERNATIVES.contains(&key.as_str()) {
-                *inner = std::mem::take(inner).into_iter().filter(|(word, _)| **word.get_ref() == rest[0]).collect();
+                *inner = std::mem::take(inner)
+                    .into_iter()
+                    .filter(|(word, _)| **word.get_ref() == rest[0])
+                    .collect();
             }
             insert(inner, rest, value, line)
         }
         Some(DeValue::Array(array)) => insert_item(array, rest, value, line),
         _ => {
             let repair = format!("set `{key}` itself, or look up its path in the scene");
-            Err(line.refuse(&format!("`{key}` is a single value with nothing below it"), &repair, line.key.clone()))
+            Err(line.refuse(
+                &format!("`{key}` is a single value with nothing below it"),
+                &repair,
+                line.key.clone(),
+            ))
         }
     }
 }

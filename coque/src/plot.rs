@@ -38,11 +38,8 @@ pub fn plot_svg(curve: &Curve, x: &str, y: &str, title: &str, file: &Path) -> Re
             known: curve.columns.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", "),
         })
     };
-    let points: Vec<(f64, f64)> = values(x)?
-        .into_iter()
-        .zip(values(y)?)
-        .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .collect();
+    let points: Vec<(f64, f64)> =
+        values(x)?.into_iter().zip(values(y)?).filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
     let label = |name: &str| {
         let column = curve.columns.iter().find(|column| column.name == name);
         column.map_or_else(|| name.to_string(), |column| column.title())

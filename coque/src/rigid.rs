@@ -42,11 +42,11 @@ pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec
         .filter(|&i| eigen.eigenvalues[i] <= bound)
         .map(|i| eigen.eigenvectors.column(i).into_owned())
         .collect();
-    name(&free)
+    name(&free, &centre, size)
 }
 
 /// Names a space of free motions by the canonical ones in it, or else by its own vectors.
-fn name(free: &[Vector6<f64>]) -> Vec<String> {
+fn name(free: &[Vector6<f64>], centre: &Vec3, size: f64) -> Vec<String> {
     let canonical = [
         "translation along x",
         "translation along y",
@@ -65,13 +65,62 @@ fn name(free: &[Vector6<f64>]) -> Vec<String> {
     }
     let describe = |v: &Vector6<f64>| {
         let (shift, turn) = (v.fixed_rows::<3>(0).into_owned(), v.fixed_rows::<3>(3).into_owned());
-        let (kind, axis) = if turn.norm() < 1e-6 {
-            ("translation along", shift)
-        } else {
-            ("rotation about an axis along", turn)
-        };
-        let axis = axis / axis.amax();
-        format!("{kind} [{:.3}, {:.3}, {:.3}]", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0)
+        if turn.norm() < 1e-6 {
+            return format!("translation along {}", text(&direction(&shift)));
+        }
+        let axis = centre + turn.cross(&shift) * (size / turn.norm_squared());
+        format!("rotation about the line through {} along {}", text(&axis), text(&direction(&turn)))
     };
     free.iter().map(describe).collect()
+}
+
+/// A vector scaled so that its greatest component is one.
+fn direction(v: &Vec3) -> Vec3 {
+    v / v[v.iamax()]
+}
+
+fn text(v: &Vec3) -> String {
+    // Adding nought turns −0 into 0.
+    let [x, y, z] = [v.x, v.y, v.z].map(|c| (c * 1e3).round() / 1e3 + 0.0);
+    format!("[{x}, {y}, {z}]")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sph_core::{EndWeights, Plate, lattice};
+    use sph_shell::{Clamped, Hinged, Support, SymmetryPlane};
+
+    fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
+        let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
+        free_motions(&cloud, supports)
+    }
+
+    #[test]
+    fn nothing_held_leaves_six() {
+        assert_eq!(free(&[]).len(), 6);
+    }
+
+    #[test]
+    fn a_hinged_edge_turns_about_itself() {
+        let hinge = (vec![0, 1, 2], Hinged.holds());
+        assert_eq!(free(&[hinge]), ["rotation about the line through [0, 0.5, 0] along [0, 1, 0]"]);
+    }
+
+    #[test]
+    fn one_clamped_particle_can_still_drill() {
+        // The director holds two rotations; the third turns about it.
+        assert_eq!(
+            free(&[(vec![0], Clamped.holds())]),
+            ["rotation about the line through [0, 0, 0] along [0, 0, 1]"]
+        );
+        assert!(free(&[(vec![0, 1, 2], Clamped.holds())]).is_empty());
+    }
+
+    #[test]
+    fn two_mirror_planes_leave_their_common_line() {
+        let x = (vec![0, 1, 2], SymmetryPlane { normal: Vec3::x() }.holds());
+        let y = (vec![0, 3, 6, 9, 12], SymmetryPlane { normal: Vec3::y() }.holds());
+        assert_eq!(free(&[x, y]), ["translation along z"]);
+    }
 }

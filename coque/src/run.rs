@@ -36,7 +36,7 @@ pub struct Outcome {
     pub summary: Summary,
     /// How it ended.
     pub ended: Ended,
-    /// Deformed shapes: every settled level of a quasi-static run, else the last record.
+    /// Deformed shapes: the start and every settled level of a quasi-static run, else the last record.
     pub shapes: Vec<Shape>,
     /// Cells between the particles, for pictures.
     pub cells: Vec<Cell>,
@@ -154,7 +154,11 @@ fn march(
         .march(shell, watcher),
         (None, transient) => {
             // A checked scene has one of the two tables.
-            let run = transient.unwrap_or(crate::scene::Transient { duration: 0.0, record_every: 0.0, damping: 0.0 });
+            let run = transient.unwrap_or(crate::scene::Transient {
+                duration: 0.0,
+                record_every: 0.0,
+                damping: 0.0,
+            });
             let run = explicit_dynamics::Transient {
                 duration: run.duration,
                 record_every: run.record_every,
@@ -195,8 +199,14 @@ struct Watcher<'a> {
 impl Observer<Shell> for Watcher<'_> {
     fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
         let energy = record.energy;
-        let mut row =
-            vec![record.at.time, record.at.level, energy.kinetic, energy.internal, energy.external, energy.dissipated];
+        let mut row = vec![
+            record.at.time,
+            record.at.level,
+            energy.kinetic,
+            energy.internal,
+            energy.external,
+            energy.dissipated,
+        ];
         row.extend(self.gauges.iter_mut().map(|gauge| gauge.read(shell)));
         self.curve.rows.push(row);
         self.last = Some(*record);

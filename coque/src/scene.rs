@@ -3,6 +3,7 @@
 mod analysis;
 mod bounds;
 mod check;
+mod check_conditions;
 mod conditions;
 mod formulation;
 mod geometry;

@@ -32,9 +32,13 @@ impl Sets {
         for (name, region) in &scene.sets {
             let particles = inside(region, cloud);
             if particles.is_empty() {
-                let repair = format!("the shell lies between {} and {}", corner(cloud, f64::min), corner(cloud, f64::max));
-                let bound = "which holds no particle";
-                let fault = scene.source.fault(&format!("sets.{name}"), "a region", bound, &repair);
+                let repair = format!(
+                    "the shell lies between {} and {}",
+                    corner(cloud, f64::min),
+                    corner(cloud, f64::max)
+                );
+                let bound = "its region holds no particle";
+                let fault = scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair);
                 return Err(SceneError::Set(fault));
             }
             members.insert(name.clone(), particles);
@@ -46,7 +50,10 @@ impl Sets {
     pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
-            let bound = format!("but there is no middle one among {} particles along {direction}", scene.geometry.particles()[i]);
+            let bound = format!(
+                "but there is no middle one among {} particles along {direction}",
+                scene.geometry.particles()[i]
+            );
             let repair = format!("use an odd number of particles along {direction}");
             SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
         })

@@ -52,7 +52,12 @@ impl Source {
         Ok(())
     }
 
-    fn walk(&mut self, path: String, key: Range<usize>, value: &Spanned<DeValue<'_>>) -> Result<(), SceneError> {
+    fn walk(
+        &mut self,
+        path: String,
+        key: Range<usize>,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<(), SceneError> {
         self.entries.insert(path.clone(), Entry { key, value: value.span() });
         match value.get_ref() {
             DeValue::Table(table) => self.walk_table(&path, table),
@@ -138,14 +143,17 @@ impl Source {
         } else if message.starts_with("missing field") {
             let path = if key.is_empty() { word.clone() } else { format!("{key}.{word}") };
             let repair = format!("add `{word} = …`{}", within(&key));
-            SceneError::Choice(fault(path, "nothing".into(), "a value: it has no default".into(), repair))
+            SceneError::Missing(fault(path, "nothing".into(), "given: it has no default".into(), repair))
         } else if message.starts_with("wanted exactly 1 element") {
             let bound = "exactly one table".to_string();
             let repair = "keep one of the alternatives, such as [material.elastic]".to_string();
             SceneError::Choice(fault(key, "none or several tables".into(), bound, repair))
+        } else if let Some((found, expected)) = mismatch(message) {
+            let repair = format!("write {expected} here");
+            SceneError::Type(fault(key, found, expected, repair))
         } else {
             let repair = "compare with a file in scenes/, or see `coque run --help`".to_string();
-            SceneError::Syntax(fault(key, String::new(), message.replace('\n', " "), repair))
+            SceneError::Syntax(fault(key, message.replace('\n', " "), "TOML".into(), repair))
         }
     }
 
@@ -162,6 +170,23 @@ impl Source {
             .min_by_key(|(size, path)| (*size, std::cmp::Reverse(path.len())))
             .map(|(_, path)| path.clone())
     }
+}
+
+/// What was found and what was expected, in words, from a message of the reader about types.
+fn mismatch(message: &str) -> Option<(String, String)> {
+    let rest = ["invalid type: ", "invalid value: ", "invalid length "]
+        .iter()
+        .find_map(|m| message.strip_prefix(m))?;
+    let (found, expected) = rest.split_once(", expected ")?;
+    let expected = match expected {
+        "f64" => "a number",
+        "usize" | "u64" => "a whole number, nought or more",
+        "a string" => "a text in quotes",
+        "a boolean" => "true or false",
+        other if other.starts_with("struct ") || other.contains(" enum ") => "a table",
+        other => other,
+    };
+    Some((found.into(), expected.into()))
 }
 
 fn within(key: &str) -> String {

@@ -109,7 +109,8 @@ impl Model {
             format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
             format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
         ];
-        let mut left_out: Vec<String> = ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
+        let mut left_out: Vec<String> =
+            ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
         let Section::Homogeneous(section) = &scene.section;
         modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
@@ -119,7 +120,11 @@ impl Model {
             modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
         }
         for load in &scene.loads {
-            modelled.extend(load.kinds().iter().map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)));
+            modelled.extend(
+                load.kinds()
+                    .iter()
+                    .map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)),
+            );
         }
         if scene.loads.is_empty() {
             left_out.push("loads".into());

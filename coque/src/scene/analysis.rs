@@ -1,8 +1,8 @@
 //! How to march: safety of the step, and either equilibria along a load path or a run in real time.
 
+use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, SeqAccess, Visitor};
-use serde::Deserialize;
 
 /// How to march.
 #[derive(Clone, Debug, Deserialize)]

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{Axis, Formulation, Geometry, Load, LoadKind, Reach, Region, Scene, Support, SupportKind};
-use super::{Amplitude, Damping, Levels, Material, Section};
+use super::{Analysis, Damping, Formulation, Geometry, Levels, Material, Reach, Region, Scene, Section};
 use crate::error::SceneError;
 use crate::probe::ALWAYS;
-use crate::sets::{BUILT_IN, EDGES};
+use crate::sets::BUILT_IN;
 
 type Checked = Result<(), SceneError>;
 
@@ -95,7 +94,8 @@ impl Scene {
         let Material::Elastic(elastic) = &self.material;
         s.positive("material.elastic.young", elastic.young)?;
         s.positive("material.elastic.density", elastic.density)?;
-        let repair = "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
+        let repair =
+            "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
         s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)?;
         let Section::Homogeneous(section) = &self.section;
         s.positive("section.homogeneous.thickness", section.thickness)?;
@@ -126,7 +126,8 @@ impl Scene {
             Formulation::StressPoint(f) => match f.support {
                 Reach::Cell if f.kernel.is_some() => {
                     let repair = "remove `kernel`, or give `support` as a number such as 1.4";
-                    let fault = s.fault(&at("kernel"), "a kernel", "no kernel with support = \"cell\"", repair);
+                    let fault =
+                        s.fault(&at("kernel"), "a kernel", "no kernel with support = \"cell\"", repair);
                     return Err(SceneError::Choice(fault));
                 }
                 Reach::Cell => {}
@@ -159,7 +160,12 @@ impl Scene {
         for (name, Region { nearest, inside }) in &self.sets {
             let at = format!("sets.{name}");
             if BUILT_IN.contains(&name.as_str()) {
-                let fault = s.fault(&at, &format!("\"{name}\""), "a built-in set", "choose another name");
+                let fault = s.fault(
+                    &at,
+                    "declared",
+                    "but there is a built-in set of that name",
+                    "choose another name",
+                );
                 return Err(SceneError::Set(fault));
             }
             let mut given = Vec::new();
@@ -183,7 +189,7 @@ impl Scene {
     }
 
     /// Refuses a name that is no set.
-    fn check_set_name(&self, path: &str, name: &str) -> Checked {
+    pub(super) fn check_set_name(&self, path: &str, name: &str) -> Checked {
         let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
         if known.contains(&name) {
             return Ok(());
@@ -192,104 +198,9 @@ impl Scene {
         Err(SceneError::Set(self.source.fault(path, &format!("\"{name}\""), "which is no set", &repair)))
     }
 
-    fn check_support(&self, at: &str, support: &Support) -> Checked {
-        let s = &self.source;
-        self.check_set_name(&format!("{at}.on"), &support.on)?;
-        let kinds = support.kinds();
-        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
-        s.exactly_one(at, "condition", &given, &Support::WORDS)?;
-        for (_, kind) in kinds {
-            match kind {
-                SupportKind::Clamped | SupportKind::Hinged => {}
-                SupportKind::Symmetry(plane) => s.direction(&format!("{at}.symmetry.normal"), plane.normal)?,
-                SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
-                SupportKind::Moved(moved) => {
-                    s.direction(&format!("{at}.moved.direction"), moved.direction)?;
-                    s.sized(&format!("{at}.moved.by"), moved.by)?;
-                    self.quasi_static_only(&format!("{at}.moved"), "a prescribed motion follows the load level")?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Refuses what has a meaning only along a load path.
-    fn quasi_static_only(&self, path: &str, why: &str) -> Checked {
-        let super::Analysis::Explicit(explicit) = &self.analysis;
-        if explicit.transient.is_none() {
-            return Ok(());
-        }
-        let repair = format!("{why}, which a transient run has not: use [analysis.explicit.quasi-static]");
-        let fault = self.source.fault(path, "a condition", "one that a transient run knows", &repair);
-        Err(SceneError::Choice(fault))
-    }
-
-    fn check_load(&self, at: &str, load: &Load) -> Checked {
-        let s = &self.source;
-        self.check_set_name(&format!("{at}.on"), &load.on)?;
-        let kinds = load.kinds();
-        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
-        s.exactly_one(at, "load", &given, &Load::WORDS)?;
-        for (word, kind) in kinds {
-            match kind {
-                LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
-                LoadKind::Couple(couple) => {
-                    s.sized(&format!("{at}.couple.moment"), couple.moment)?;
-                    if let Axis::Fixed(axis) = couple.axis {
-                        s.direction(&format!("{at}.couple.axis"), axis)?;
-                    }
-                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
-                }
-                LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
-                LoadKind::Gravity(g) => s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?,
-            }
-            if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
-                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
-            }
-        }
-        match &load.amplitude {
-            None => Ok(()),
-            Some(amplitude) => self.check_amplitude(&format!("{at}.amplitude"), amplitude),
-        }
-    }
-
-    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
-        if fit.contains(&on) {
-            return Ok(());
-        }
-        let repair = format!("use one of {}", fit.join(", "));
-        Err(SceneError::Set(self.source.fault(&format!("{at}.on"), &format!("\"{on}\""), &format!("but {why}"), &repair)))
-    }
-
-    fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
-        let s = &self.source;
-        let super::Analysis::Explicit(explicit) = &self.analysis;
-        if explicit.quasi_static.is_some() {
-            let repair = "remove it: in a quasi-static run the load level takes its place";
-            let fault = s.fault(at, "a course in time", "none in a quasi-static run", repair);
-            return Err(SceneError::Choice(fault));
-        }
-        match amplitude {
-            Amplitude::Constant => Ok(()),
-            Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
-            Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
-            Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
-            Amplitude::Table(points) => {
-                for (i, point) in points.iter().enumerate() {
-                    s.sized_all(&format!("{at}.table[{i}]"), point)?;
-                }
-                if !points.is_empty() && points.windows(2).all(|w| w[0][0] < w[1][0]) {
-                    return Ok(());
-                }
-                let bound = "a list of [time, factor] with ascending times";
-                Err(s.value(&format!("{at}.table"), "empty or out of order", bound, "sort it by time"))
-            }
-        }
-    }
-
     fn check_analysis(&self) -> Checked {
         let s = &self.source;
-        let super::Analysis::Explicit(explicit) = &self.analysis;
+        let Analysis::Explicit(explicit) = &self.analysis;
         let at = |key: &str| format!("analysis.explicit.{key}");
         let repair = "0.8 is usual; at 1 the step is at the limit of stability";
         s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
@@ -327,10 +238,15 @@ impl Scene {
         let s = &self.source;
         match levels {
             Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
-            Levels::Equal(count) => Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual")),
-            Levels::List(list) if list.is_empty() => {
-                Err(s.value(at, "empty", "a list of at least one level", "levels = [1.0] goes to the full load"))
+            Levels::Equal(count) => {
+                Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual"))
             }
+            Levels::List(list) if list.is_empty() => Err(s.value(
+                at,
+                "empty",
+                "a list of at least one level",
+                "levels = [1.0] goes to the full load",
+            )),
             Levels::List(list) => {
                 let mut last = 0.0;
                 for (i, &level) in list.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Supports, prescribed motions and loads, each on a named set of particles.
 
+use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
-use serde::Deserialize;
 
 /// A support: exactly one of its conditions is given.
 #[derive(Clone, Debug, Deserialize)]

@@ -1,7 +1,7 @@
 //! The particle method: where strains are sampled and how wide the corrected kernel reaches.
 
-use serde::de::{Deserializer, Error, Visitor};
 use serde::Deserialize;
+use serde::de::{Deserializer, Error, Visitor};
 
 /// The particle method.
 #[derive(Clone, Debug, Deserialize)]

@@ -1,0 +1,116 @@
+//! Checks of supports and loads that need no particles.
+
+use super::{Amplitude, Analysis, Axis, Load, LoadKind, Scene, Support, SupportKind};
+use crate::error::SceneError;
+use crate::sets::EDGES;
+
+type Checked = Result<(), SceneError>;
+
+impl Scene {
+    pub(super) fn check_support(&self, at: &str, support: &Support) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &support.on)?;
+        let kinds = support.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        for (_, kind) in kinds {
+            match kind {
+                SupportKind::Clamped | SupportKind::Hinged => {}
+                SupportKind::Symmetry(plane) => {
+                    s.direction(&format!("{at}.symmetry.normal"), plane.normal)?
+                }
+                SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
+                SupportKind::Moved(moved) => {
+                    s.direction(&format!("{at}.moved.direction"), moved.direction)?;
+                    s.sized(&format!("{at}.moved.by"), moved.by)?;
+                    self.quasi_static_only(
+                        &format!("{at}.moved"),
+                        "a prescribed motion follows the load level",
+                    )?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what has a meaning only along a load path.
+    fn quasi_static_only(&self, path: &str, why: &str) -> Checked {
+        let Analysis::Explicit(explicit) = &self.analysis;
+        if explicit.transient.is_none() {
+            return Ok(());
+        }
+        let repair = format!("{why}, which a transient run has not: use [analysis.explicit.quasi-static]");
+        let fault = self.source.fault(path, "a condition", "one that a transient run knows", &repair);
+        Err(SceneError::Choice(fault))
+    }
+
+    pub(super) fn check_load(&self, at: &str, load: &Load) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &load.on)?;
+        let kinds = load.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        for (word, kind) in kinds {
+            match kind {
+                LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
+                LoadKind::Couple(couple) => {
+                    s.sized(&format!("{at}.couple.moment"), couple.moment)?;
+                    if let Axis::Fixed(axis) = couple.axis {
+                        s.direction(&format!("{at}.couple.axis"), axis)?;
+                    }
+                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                }
+                LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
+                LoadKind::Gravity(g) => {
+                    s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?
+                }
+            }
+            if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
+                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
+            }
+        }
+        match &load.amplitude {
+            None => Ok(()),
+            Some(amplitude) => self.check_amplitude(&format!("{at}.amplitude"), amplitude),
+        }
+    }
+
+    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
+        if fit.contains(&on) {
+            return Ok(());
+        }
+        let repair = format!("use one of {}", fit.join(", "));
+        Err(SceneError::Set(self.source.fault(
+            &format!("{at}.on"),
+            &format!("\"{on}\""),
+            &format!("but {why}"),
+            &repair,
+        )))
+    }
+
+    fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
+        let s = &self.source;
+        let Analysis::Explicit(explicit) = &self.analysis;
+        if explicit.quasi_static.is_some() {
+            let repair = "remove it: in a quasi-static run the load level takes its place";
+            let fault = s.fault(at, "a course in time", "none in a quasi-static run", repair);
+            return Err(SceneError::Choice(fault));
+        }
+        match amplitude {
+            Amplitude::Constant => Ok(()),
+            Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
+            Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
+            Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
+            Amplitude::Table(points) => {
+                for (i, point) in points.iter().enumerate() {
+                    s.sized_all(&format!("{at}.table[{i}]"), point)?;
+                }
+                if !points.is_empty() && points.windows(2).all(|w| w[0][0] < w[1][0]) {
+                    return Ok(());
+                }
+                let bound = "a list of [time, factor] with ascending times";
+                Err(s.value(&format!("{at}.table"), "empty or out of order", bound, "sort it by time"))
+            }
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Whatever is done to a scene, reading it ends in a scene or in a refusal, never in a panic.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::Path;
+
+use coque::{Rendering, Scene, SceneError, render};
+use proptest::prelude::*;
+
+const SCENES: [&str; 4] = ["ring.toml", "panel.toml", "patch-test.toml", "cantilever-end-shear.toml"];
+
+/// Numbers that break things.
+const NUMBERS: [&str; 14] = [
+    "nan",
+    "-inf",
+    "-1",
+    "0",
+    "0.0",
+    "1e400",
+    "1e308",
+    "-1e-320",
+    "1e30",
+    "1e-30",
+    "9223372036854775807",
+    "2",
+    "-0.0",
+    "3.5",
+];
+
+fn scene(number: usize) -> String {
+    let name = SCENES[number % SCENES.len()];
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
+}
+
+fn drawn(error: &SceneError) -> String {
+    render(error, Rendering { width: 80, colour: true })
+}
+
+#[derive(Clone, Debug)]
+enum Damage {
+    /// Drops a line.
+    Line(usize),
+    /// Puts a number in the place of another one.
+    Number(usize, usize),
+    /// Swaps two neighbouring letters.
+    Letters(usize),
+    /// Doubles a line.
+    Double(usize),
+    /// Cuts the text off.
+    Cut(usize),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    prop_oneof![
+        3 => any::<usize>().prop_map(Damage::Line),
+        6 => (any::<usize>(), any::<usize>()).prop_map(|(at, which)| Damage::Number(at, which)),
+        3 => any::<usize>().prop_map(Damage::Letters),
+        1 => any::<usize>().prop_map(Damage::Double),
+        1 => any::<usize>().prop_map(Damage::Cut),
+    ]
+}
+
+fn apply(text: &str, damage: &Damage) -> String {
+    let mut lines: Vec<&str> = text.lines().collect();
+    match *damage {
+        Damage::Line(at) if !lines.is_empty() => {
+            lines.remove(at % lines.len());
+            lines.join("\n")
+        }
+        Damage::Double(at) if !lines.is_empty() => {
+            let at = at % lines.len();
+            lines.insert(at, lines[at]);
+            lines.join("\n")
+        }
+        Damage::Number(at, which) => replace_number(text, at, NUMBERS[which % NUMBERS.len()]),
+        Damage::Letters(at) if text.len() > 2 => {
+            let mut letters: Vec<char> = text.chars().collect();
+            let at = at % (letters.len() - 1);
+            letters.swap(at, at + 1);
+            letters.into_iter().collect()
+        }
+        Damage::Cut(at) => text.chars().take(at % text.chars().count().max(1)).collect(),
+        _ => text.into(),
+    }
+}
+
+/// Replaces one run of number characters outside comments.
+fn replace_number(text: &str, at: usize, by: &str) -> String {
+    let part = |c: char| c.is_ascii_digit() || ".-+e".contains(c);
+    let mut runs = Vec::new();
+    let mut line_start = 0;
+    for line in text.split_inclusive('\n') {
+        let code = line.split('#').next().unwrap_or_default();
+        let mut start = None;
+        for (i, c) in code.char_indices().chain([(code.len(), ' ')]) {
+            match start {
+                None if c.is_ascii_digit() || c == '-' => start = Some(i),
+                Some(from) if !part(c) => {
+                    runs.push((line_start + from)..(line_start + i));
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+        line_start += line.len();
+    }
+    match runs.get(at % runs.len().max(1)) {
+        Some(run) => format!("{}{by}{}", &text[..run.start], &text[run.end..]),
+        None => text.into(),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2048, ..ProptestConfig::default() })]
+
+    #[test]
+    fn damaged_scenes_never_panic(number in 0..SCENES.len(), damages in prop::collection::vec(damage(), 1..4)) {
+        let text = damages.iter().fold(scene(number), |text, damage| apply(&text, damage));
+        match Scene::parse(&text, "damaged.toml") {
+            Ok(scene) => {
+                let [n1, n2] = scene.geometry.particles();
+                let built = if n1 * n2 <= 500 { scene.build(1).map(|_| ()) } else { Ok(()) };
+                if let Err(error) = built {
+                    prop_assert!(!drawn(&error).is_empty());
+                }
+            }
+            Err(error) => {
+                let fault = error.fault();
+                let inside = fault.place.span.clone().is_none_or(|s| s.end <= fault.place.text.len());
+                prop_assert!(inside, "{fault:?}");
+                prop_assert!(!fault.repair.is_empty());
+                prop_assert!(!drawn(&error).is_empty());
+            }
+        }
+    }
+
+    #[test]
+    fn any_override_never_panics(path in "[a-z.\\[\\]0-9-]{0,30}", value in "\\PC{0,20}") {
+        let refused = Scene::with_overrides(&scene(0), "ring.toml", &[(path, value)]);
+        if let Err(error) = refused {
+            prop_assert!(!drawn(&error).is_empty());
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! What a user reads when a scene is wrong: one broken scene each, rendered as in a terminal.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::Path;
+
+use coque::{Rendering, Scene, SceneError, render};
+
+fn text(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
+}
+
+/// Reads and builds the ring after replacing `from` by `to`; renders what is refused.
+fn broken(from: &str, to: &str) -> String {
+    let text = text("ring.toml");
+    assert!(text.contains(from), "the ring no longer says {from}");
+    refused(Scene::parse(&text.replacen(from, to, 1), "ring.toml"))
+}
+
+fn refused(scene: Result<Scene, SceneError>) -> String {
+    match scene.and_then(|scene| scene.build(1)) {
+        Ok(_) => "not refused".into(),
+        Err(error) => render(&error, Rendering { width: 100, colour: false }),
+    }
+}
+
+#[test]
+fn broken_scenes() {
+    let cases = [
+        ("not TOML", "[section.homogeneous]", "[section.homogeneous"),
+        ("misspelt key", "young = 1200.0", "yuong = 1200.0"),
+        ("unknown table at the top", "[section.homogeneous]", "[sections.homogeneous]"),
+        ("misspelt alternative", "[material.elastic]", "[material.elastik]"),
+        ("missing key", "density = 1.0\n", ""),
+        ("wrong type", "young = 1200.0", "young = \"stiff\""),
+        ("unknown unit", "force = \"N\"", "force = \"kg\""),
+        ("mixed units", "force = \"N\"", "force = \"-\""),
+        ("not a number", "young = 1200.0", "young = nan"),
+        ("too big for a number", "young = 1200.0", "young = 1e400"),
+        ("negative thickness", "thickness = 1.0", "thickness = -1.0"),
+        ("incompressible", "poisson = 0.0", "poisson = 0.5"),
+        ("one particle", "particles = [50, 5]", "particles = [50, 1]"),
+        ("too many particles", "particles = [50, 5]", "particles = [50000, 5000]"),
+        ("even row has no centre", "particles = [50, 5]", "particles = [50, 4]"),
+        ("unknown set", "on = \"u1\"", "on = \"u2\""),
+        ("two conditions", "clamped = {}", "clamped = {}\nhinged = {}"),
+        ("no condition", "clamped = {}\n", ""),
+        ("zero direction", "normal = [0.0, 1.0, 0.0]", "normal = [0.0, 0.0, 0.0]"),
+        ("couple on a point", "on = \"u1\"\ncouple", "on = \"u1v1\"\ncouple"),
+        ("levels out of order", "0.25, 0.375", "0.375, 0.25"),
+        ("no levels", "levels = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0]", "levels = []"),
+        (
+            "safety",
+            "[analysis.explicit.quasi-static]",
+            "[analysis.explicit]\nsafety = 1.5\n[analysis.explicit.quasi-static]",
+        ),
+        (
+            "two analyses",
+            "[analysis.explicit.quasi-static]",
+            "[analysis.explicit.transient]\nduration = 1.0\nrecord_every = 0.1\n[analysis.explicit.quasi-static]",
+        ),
+        (
+            "amplitude along a path",
+            "axis = [0.0, -1.0, 0.0] }",
+            "axis = \"edge\" }\namplitude = { smooth = 2.0 }\n#",
+        ),
+        ("column twice", "name = \"W_tip\"", "name = \"minus_U_tip\""),
+        ("plot of nothing", "y = \"level\"", "y = \"W_tipp\""),
+        ("unknown kernel", "thickness = 1.0", "thickness = 1.0\n[formulation.nodal]\nkernel = \"gaussian\""),
+        (
+            "support below four particles",
+            "thickness = 1.0",
+            "thickness = 1.0\n[formulation.stress-point]\nsupport = 0.9",
+        ),
+        (
+            "too few particles for the order",
+            "particles = [50, 5]\n",
+            "particles = [50, 2]\n[formulation.nodal]\norder = 3\nsmoothing = 1.4\n",
+        ),
+        (
+            "empty box",
+            "[[supports]]\non = \"u0\"",
+            "[sets]\ntip = { box = { min = [11.0, 0.0, 0.0], max = [12.0, 1.0, 1.0] } }\n[[supports]]\non = \"u0\"",
+        ),
+        ("free rotation", "clamped = {}", "hinged = {}"),
+        ("free to move", "clamped = {}", "symmetry = { normal = [1.0, 0.0, 0.0] }"),
+    ];
+    let mut all = String::new();
+    for (name, from, to) in cases {
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", broken(from, to).trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn broken_overrides() {
+    let cases = [
+        ("unknown path", "material.elastic.yuong", "3.0"),
+        ("unknown table", "materials.elastic.young", "3.0"),
+        ("no such item", "loads[3].couple.moment", "3.0"),
+        ("below a number", "material.elastic.young.real", "3.0"),
+        ("no value", "material.elastic.young", ""),
+        ("not TOML", "geometry.plate.particles", "[3, "),
+        ("out of bounds", "section.homogeneous.thickness", "-2"),
+        ("wrong type", "section.homogeneous.thickness", "thick"),
+        ("not finite", "section.homogeneous.thickness", "inf"),
+    ];
+    let mut all = String::new();
+    for (name, path, value) in cases {
+        let pair = [(path.to_string(), value.to_string())];
+        let message = refused(Scene::with_overrides(&text("ring.toml"), "ring.toml", &pair));
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", message.trim_end()));
+    }
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn contradicting_motion() {
+    let message =
+        text("panel.toml").replace("direction = [0.0, 0.0, -1.0], by", "direction = [1.0, 0.0, -1.0], by");
+    insta::assert_snapshot!(refused(Scene::parse(&message, "panel.toml")));
+}

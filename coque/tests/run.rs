@@ -1,0 +1,116 @@
+//! Runs: exact answers of the small scenes, turned frames, threads, divergence, and the command itself.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use coque::{Ended, Outcome, Scene, Silent};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
+}
+
+fn run(name: &str, replaced: &[(&str, &str)], threads: usize) -> Outcome {
+    let text = fs::read_to_string(folder().join(name)).unwrap();
+    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+    Scene::with_overrides(&text, name, &pairs).unwrap().build(threads).unwrap().run(&mut Silent)
+}
+
+fn last(outcome: &Outcome, column: &str) -> f64 {
+    *outcome.curve.column(column).unwrap().last().unwrap()
+}
+
+#[test]
+fn patch_test_strains_uniformly() {
+    let outcome = run("patch-test.toml", &[], 1);
+    assert_eq!(outcome.ended, Ended::Done);
+    assert!(outcome.summary.levels.iter().all(|level| level.settled));
+    // Exact for small strain; the strain of 1e-5 itself is the relative size of what that leaves out.
+    assert!((last(&outcome, "U_end") / 2e-5 - 1.0).abs() < 5e-5);
+    assert!((last(&outcome, "V_side") / -3e-6 - 1.0).abs() < 5e-5);
+    let levels: Vec<f64> = outcome.shapes.iter().map(|shape| shape.level).collect();
+    assert_eq!(levels, [0.0, 1.0]);
+    assert_eq!(outcome.shapes[1].positions.len(), 45);
+}
+
+#[test]
+fn a_turned_scene_answers_the_same() {
+    let turn = ("orientation", "{ axis = [1.0, -2.0, 0.5], degrees = 73.0 }");
+    let (straight, turned) = (run("patch-test.toml", &[], 1), run("patch-test.toml", &[turn], 1));
+    for column in ["U_end", "V_side", "internal"] {
+        // Rounding of positions of size 1 against displacements of 1e-6.
+        assert!((last(&turned, column) / last(&straight, column) - 1.0).abs() < 1e-7, "{column}");
+    }
+}
+
+#[test]
+fn threads_change_no_bit() {
+    // Large enough to be split between threads; short enough to be quick.
+    let replaced = [
+        ("geometry.plate.particles", "[49, 33]"),
+        ("analysis.explicit", "{ transient = { duration = 0.05, record_every = 0.01 } }"),
+        ("supports[2]", "{ on = \"u0v0\", hinged = {} }"),
+    ];
+    let (one, three) = (run("patch-test.toml", &replaced, 1), run("patch-test.toml", &replaced, 3));
+    assert_eq!(one.curve.rows.len(), 6);
+    assert_eq!(one.curve, three.curve);
+}
+
+#[test]
+fn the_ring_closes() {
+    // A coarse ring; 1.04 % of L is what this spacing gave in the study of the method.
+    let replaced = [("geometry.plate.particles", "[25, 3]"), ("analysis.explicit.quasi-static.levels", "4")];
+    let outcome = run("ring.toml", &replaced, 1);
+    assert!((last(&outcome, "minus_U_tip") - 10.0).abs() < 0.12, "{}", last(&outcome, "minus_U_tip"));
+    assert!(last(&outcome, "W_tip").abs() < 0.12);
+    // The tip has turned once; the rotation is counted on past π.
+    assert!((last(&outcome, "rotation_tip") / std::f64::consts::TAU - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn divergence_keeps_the_curve() {
+    let outcome = run("patch-test.toml", &[("loads[0].force.total[0]", "1e9")], 1);
+    assert!(matches!(outcome.ended, Ended::Diverged(_)));
+    assert!(!outcome.curve.rows.is_empty());
+    assert!(outcome.summary.ended.contains("particle"), "{}", outcome.summary.ended);
+}
+
+fn coque(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(arguments)
+        .current_dir(folder().join(".."))
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn the_command_writes_results_and_tells_by_its_exit_code() {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("patch-test");
+    let out = out.to_string_lossy();
+    let plot = "output.plot={ x = \"time\", y = \"U_end\" }";
+    let done = coque(&["run", "scenes/patch-test.toml", "--out", &out, "--set", plot]);
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let curve = fs::read_to_string(Path::new(&*out).join("curve.csv")).unwrap();
+    assert!(curve.starts_with(
+        "time [s],level [-],kinetic [N m],internal [N m],external [N m],dissipated [N m],U_end [m]"
+    ));
+    assert!(fs::read_to_string(Path::new(&*out).join("curve.svg")).unwrap().starts_with("<svg"));
+    let summary = fs::read_to_string(Path::new(&*out).join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(summary["particles"], 45);
+    assert_eq!(summary["ended"], "done");
+
+    let bad = coque(&["run", "scenes/patch-test.toml", "--out", &out, "--set", "material.elastic.yuong=1"]);
+    assert_eq!(bad.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&bad.stderr).contains("did you mean `young`?"));
+
+    let missing = coque(&["run", "scenes/no-such-scene.toml"]);
+    assert_eq!(missing.status.code(), Some(2));
+
+    let diverged =
+        coque(&["run", "scenes/patch-test.toml", "--out", &out, "--set", "loads[0].force.total[0]=1e9"]);
+    assert_eq!(diverged.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&diverged.stderr).contains("particle"));
+}
