@@ -1,5 +1,7 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
+use std::fmt;
+
 use nalgebra::Rotation3;
 use shell_kinematics::{IntegratedSection, Isotropic, IsotropicSection, MaterialError};
 use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
@@ -21,13 +23,21 @@ pub struct Model {
     pub(crate) threads: usize,
 }
 
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Model").field("describe", &self.describe()).finish_non_exhaustive()
+    }
+}
+
 impl Scene {
     /// Builds the shell; a run will use `threads` threads (at least one), with the same results for any number.
     ///
     /// # Errors
-    /// [`SceneError`] for empty sets, supports that leave a rigid motion free in a quasi-static run, and
+    /// [`SceneError`] for whatever [`Scene::parse`] refuses (fields may have been changed since), for empty
+    /// sets, supports that leave a rigid motion free in a quasi-static run, and
     /// whatever the layers below refuse.
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+        self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = builder.end_weights();
         let flat = builder.cloud(weights)?;

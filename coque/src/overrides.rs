@@ -12,6 +12,9 @@ use crate::source::Source;
 /// Tables that hold one of several alternatives: naming another one drops the first.
 const ALTERNATIVES: [&str; 4] = ["geometry", "material", "section", "formulation"];
 
+/// Keys in the longest sensible path; bounds the recursion below.
+const DEEPEST: usize = 16;
+
 /// The text with the overrides as lines at its end, so that errors can point at them.
 pub(crate) fn shown(text: &str, replaced: &[(String, String)]) -> String {
     let mut shown = text.to_string();
@@ -63,6 +66,11 @@ impl Line<'_> {
         if keys.iter().any(String::is_empty) {
             let repair = "write --set path.to.key=value";
             return Err(self.refuse("the path has an empty key", repair, self.key.clone()));
+        }
+        if keys.len() > DEEPEST {
+            let why =
+                format!("the path has {} keys; no value of a scene lies deeper than {DEEPEST}", keys.len());
+            return Err(self.refuse(&why, "shorten the path", self.key.clone()));
         }
         Ok(keys)
     }

@@ -57,7 +57,7 @@ fn draw(
     let area = SVGBackend::new(file, (720, 480)).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
-        .caption(title, ("sans-serif", 18))
+        .caption(title, ("sans-serif", 22))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(70)
@@ -67,12 +67,24 @@ fn draw(
         .light_line_style(TRANSPARENT)
         .x_desc(x_label)
         .y_desc(y_label)
-        .label_style(("sans-serif", 13))
+        .x_label_formatter(&|x| short(*x))
+        .y_label_formatter(&|y| short(*y))
+        .label_style(("sans-serif", 16))
         .draw()?;
     chart.draw_series(LineSeries::new(points.iter().copied(), BLUE.stroke_width(2)))?;
     chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;
     area.present()?;
     Ok(())
+}
+
+/// A number beside an axis: six digits at most, powers of ten where nought after nought would come.
+fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    match rounded.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e5).contains(&size) => format!("{rounded}"),
+        _ => format!("{rounded:e}"),
+    }
 }
 
 /// Range of an axis with a little air; never empty.
@@ -84,4 +96,23 @@ fn range(values: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
     }
     let air = 0.04 * (high - low);
     if air > 0.0 { low - air..high + air } else { low - 1.0..high + 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_beside_axes_are_short() {
+        assert_eq!(
+            [0.1 + 0.2, 2e-5, 0.0, 123456.0, -40.0].map(short),
+            ["0.3", "2e-5", "0", "1.23456e5", "-40"]
+        );
+    }
+
+    #[test]
+    fn an_axis_is_never_empty() {
+        assert_eq!(range([].into_iter()), 0.0..1.0);
+        assert_eq!(range([3.0, 3.0].into_iter()), 2.0..4.0);
+    }
 }

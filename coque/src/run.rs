@@ -153,7 +153,7 @@ fn march(
         }
         .march(shell, watcher),
         (None, transient) => {
-            // A checked scene has one of the two tables.
+            // Neither table cannot pass the checks; a duration of nought would be refused here too.
             let run = transient.unwrap_or(crate::scene::Transient {
                 duration: 0.0,
                 record_every: 0.0,

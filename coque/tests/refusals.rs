@@ -96,6 +96,9 @@ fn broken_scenes() {
 
 #[test]
 fn broken_overrides() {
+    let abyss = "a.".repeat(50_000) + "a";
+    let refused_at = refused(Scene::with_overrides(&text("ring.toml"), "ring.toml", &[(abyss, "1".into())]));
+    assert!(refused_at.contains("50001 keys"));
     let cases = [
         ("unknown path", "material.elastic.yuong", "3.0"),
         ("unknown table", "materials.elastic.young", "3.0"),

@@ -18,6 +18,10 @@ fn run(name: &str, replaced: &[(&str, &str)], threads: usize) -> Outcome {
     Scene::with_overrides(&text, name, &pairs).unwrap().build(threads).unwrap().run(&mut Silent)
 }
 
+fn run_text(text: &str) -> Outcome {
+    Scene::parse(text, "test.toml").unwrap().build(1).unwrap().run(&mut Silent)
+}
+
 fn last(outcome: &Outcome, column: &str) -> f64 {
     *outcome.curve.column(column).unwrap().last().unwrap()
 }
@@ -68,6 +72,52 @@ fn the_ring_closes() {
     // The tip has turned once; the rotation is counted on past π.
     assert!((last(&outcome, "rotation_tip") / std::f64::consts::TAU - 1.0).abs() < 0.02);
 }
+
+#[test]
+fn a_couple_about_the_moving_edge_bends_the_same() {
+    let coarse = ("geometry.plate.particles", "[25, 3]");
+    let levels = ("analysis.explicit.quasi-static.levels", "[0.5]");
+    // The edge runs along +y, the fixed axis of the scene along −y.
+    let edge = ("loads[0].couple", "{ moment = -62.83185307179586, axis = \"edge\" }");
+    let (fixed, moving) =
+        (run("ring.toml", &[coarse, levels], 1), run("ring.toml", &[coarse, levels, edge], 1));
+    assert!((last(&fixed, "W_tip") - last(&moving, "W_tip")).abs() < 1e-3);
+}
+
+#[test]
+fn a_scene_with_everything_keeps_its_energy_balance() {
+    let outcome = run_text(EVERYTHING);
+    assert_eq!(outcome.ended, Ended::Done);
+    assert_eq!(outcome.curve.rows.len(), 101);
+    let energies = outcome.summary.energies;
+    // Central differences keep the balance to second order of the step; 1e-4 is far above, a lost load far below.
+    assert!(energies.balance_error.abs() < 1e-4 * energies.external.abs(), "{energies:?}");
+}
+
+/// Sphere, disorder, regions, diaphragm, every kind of load with a course in time.
+const EVERYTHING: &str = r#"
+title = "Part of a sphere"
+units = { length = "-", force = "-", time = "-" }
+orientation = { axis = [1.0, 2.0, 3.0], degrees = 40.0 }
+geometry.sphere = { radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0], particles = [13, 13], disorder = { fraction = 0.2, seed = 3 } }
+material.elastic = { young = 1e4, poisson = 0.3, density = 1.0 }
+section.homogeneous = { thickness = 0.2, gauss_points = 2 }
+sets.low = { box = { min = [0.0, 0.0, -0.01], max = [20.0, 20.0, 0.01] } }
+sets.top = { nearest = [0.0, 0.0, 10.0] }
+supports = [{ on = "low", diaphragm = { axis = [0.0, 0.0, 1.0] } }]
+loads = [
+    { on = "all", pressure = { value = 0.1, follower = true }, amplitude = { table = [[0.0, 0.0], [1.0, 1.0]] } },
+    { on = "all", gravity = { acceleration = [0.0, 0.0, -1.0] }, amplitude = { sine = { period = 2.0 } } },
+    { on = "top", force = { total = [0.0, 0.0, -0.1] }, amplitude = { ramp = 0.5 } },
+    { on = "u0", couple = { moment = 0.1, axis = "edge" }, amplitude = { smooth = 1.0 } },
+]
+analysis.explicit.transient = { duration = 2.0, record_every = 0.02, damping = 0.1 }
+curve = [
+    { name = "w", of = "position", on = "top", direction = [0.0, 0.0, 1.0] },
+    { name = "R", of = "reaction", on = "low", direction = [1.0, 0.0, 0.0] },
+    { name = "d", of = "director", on = "top", direction = [0.0, 0.0, 1.0] },
+]
+"#;
 
 #[test]
 fn divergence_keeps_the_curve() {

@@ -18,7 +18,7 @@ const MOST_RECORDS: f64 = 1e7;
 
 impl Scene {
     /// Refuses the first thing that is out of bounds.
-    pub(super) fn check(&self) -> Checked {
+    pub(crate) fn check(&self) -> Checked {
         self.check_units()?;
         self.check_geometry()?;
         self.check_material()?;

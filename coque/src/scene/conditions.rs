@@ -129,7 +129,7 @@ pub struct Couple {
 pub enum Axis {
     /// Fixed in space; its length does not matter.
     Fixed([f64; 3]),
-    /// The current direction of the edge.
+    /// The current direction of the edge, along growing u or v.
     Edge,
 }
 
