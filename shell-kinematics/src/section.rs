@@ -1,5 +1,7 @@
 //! Sections: from strains to stress resultants and energy; the isotropic plane-stress one in closed form.
 
+use std::any::Any;
+
 use crate::{Pack, Strains};
 
 /// Stress resultants, conjugate to [`Strains`] per reference area.
@@ -39,7 +41,7 @@ pub struct SectionScales {
 }
 
 /// What the shell is made of, per area of its mid-surface.
-pub trait Section: Send + Sync {
+pub trait Section: Any + Send + Sync {
     /// Resultants from strains; they must be the derivative of [`Section::energy`].
     fn resultants(&self, strains: &Strains) -> Resultants;
 
@@ -153,7 +155,7 @@ pub(crate) fn plane_stress(c: f64, nu: f64, s: &[Pack; 3]) -> [Pack; 3] {
 }
 
 impl Section for IsotropicSection {
-    #[inline]
+    #[inline(always)]
     fn resultants(&self, strains: &Strains) -> Resultants {
         Resultants {
             membrane: plane_stress(self.membrane, self.poisson, &strains.membrane),
@@ -162,6 +164,7 @@ impl Section for IsotropicSection {
         }
     }
 
+    #[inline(always)]
     fn energy(&self, strains: &Strains) -> Pack {
         self.resultants(strains).work(strains) * 0.5
     }

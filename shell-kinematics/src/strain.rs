@@ -1,5 +1,7 @@
 //! Strain measures, each with its transpose: Green–Lagrange and the stretch-corrected curvature.
 
+use std::any::Any;
+
 use crate::{MeasureForces, Measures, Pack, Resultants};
 
 /// Strains of a shell point, engineering components in the local orthonormal frame.
@@ -17,7 +19,7 @@ pub struct Strains {
 ///
 /// `strains` and `transpose` are written together: `transpose` is the derivative of `strains`,
 /// transposed, and a test compares the two by differences for every measure of [`strain_measures`].
-pub trait StrainMeasure: Send + Sync {
+pub trait StrainMeasure: Any + Send + Sync {
     /// Name used in scenes.
     fn name(&self) -> &'static str;
 
@@ -67,13 +69,13 @@ impl StrainMeasure for GreenLagrange {
         "the paper's split E = E_m + ζE_f; 7.7 % off on the thick ring (t/L = 0.1)"
     }
 
-    #[inline]
+    #[inline(always)]
     fn strains(&self, now: &Measures, reference: &Measures) -> Strains {
         let Measures { membrane, curvature, shear } = now.change(reference);
         Strains { membrane, curvature, shear }
     }
 
-    #[inline]
+    #[inline(always)]
     fn transpose(&self, _: &Measures, _: &Measures, stress: &Resultants) -> MeasureForces {
         MeasureForces { membrane: stress.membrane, curvature: stress.moment, shear: stress.shear }
     }
@@ -88,7 +90,7 @@ impl StrainMeasure for StretchCorrected {
         "curvature freed of stretch: an exact circle under M = EIκ is an exact solution"
     }
 
-    #[inline]
+    #[inline(always)]
     fn strains(&self, now: &Measures, reference: &Measures) -> Strains {
         let change = now.change(reference);
         let [e11, e22, g] = change.membrane;
@@ -106,7 +108,7 @@ impl StrainMeasure for StretchCorrected {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn transpose(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> MeasureForces {
         let e11 = now.membrane[0] - reference.membrane[0];
         let e22 = now.membrane[1] - reference.membrane[1];

@@ -54,7 +54,7 @@ impl CellPack {
         for (lane, &p) in points.iter().enumerate() {
             let stencil = operator.stencil(p as usize);
             // A triangle has no hourglass.
-            if stencil.particles.len() != 4 || weight.0[lane] == 0.0 {
+            if stencil.particles.len() != 4 || weight.lanes()[lane] == 0.0 {
                 continue;
             }
             let point = &operator.points[p as usize];
@@ -84,7 +84,9 @@ impl CellPack {
             let [h11, h22, h12] = &mut pack.twist;
             let [kx, kd] = &mut pack.stiffness;
             for (slot, value) in [l1, l2, h11, h22, h12, kx, kd].into_iter().zip(values) {
-                slot.0[lane] = value;
+                let mut lanes = slot.lanes();
+                lanes[lane] = value;
+                *slot = Pack::new(lanes);
             }
         }
         pack

@@ -15,6 +15,7 @@
 
 mod cell_control;
 mod couple;
+mod dispatch;
 mod error;
 mod formulation;
 mod loads;
@@ -28,6 +29,7 @@ mod shell;
 mod spectrum;
 mod strong_form;
 mod supports;
+mod sweep;
 
 pub use couple::{CoupleAxis, EdgeCouple};
 pub use error::ShellError;

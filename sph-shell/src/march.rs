@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use shell_kinematics::parallel_transport;
 
 use crate::Shell;
+use crate::dispatch::widest;
 use crate::point::Row;
 use crate::shell::PARTICLE_CHUNK;
 
@@ -45,7 +46,7 @@ impl Forces<'_> {
 impl Update<'_> {
     /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` for particles from number `first` on, and the drift if `DRIFT`.
     #[inline(always)]
-    fn chunk<const DRIFT: bool>(&self, first: usize, state: &mut [Row], rates: &mut [Row]) -> Work {
+    fn chunk<const DRIFT: bool, const LOADED: bool>(&self, first: usize, state: &mut [Row], rates: &mut [Row]) -> Work {
         let Step { kick, damping, .. } = *self.step;
         let (before, after) = (1.0 - 0.5 * damping * kick, 1.0 / (1.0 + 0.5 * damping * kick));
         let drift = self.step.drift();
@@ -53,7 +54,7 @@ impl Update<'_> {
         for (i, (row, rate)) in state.iter_mut().zip(rates.iter_mut()).enumerate() {
             let a = first + i;
             let internal = self.shell.internal(a);
-            let external = if self.shell.external.is_empty() { [0.0; 6] } else { self.shell.external[a] };
+            let external = if LOADED { self.shell.external[a] } else { [0.0; 6] };
             let (m, inertia) = (self.shell.masses[a], self.shell.inertias[a]);
             let (to_v, to_w) = (kick / m, kick / inertia);
             let mut f = [0.0; 6];
@@ -88,11 +89,11 @@ impl Update<'_> {
             }
             let square = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
             let turning = mean[3] * mean[3] + mean[4] * mean[4] + mean[5] * mean[5];
-            let twice = m * square + inertia * turning;
-            work.kinetic += 0.5 * twice;
-            work.dissipated += kick * damping * twice;
-            for k in 0..6 {
-                work.external += kick * external[k] * mean[k];
+            work.kinetic += 0.5 * (m * square + inertia * turning);
+            if LOADED {
+                for k in 0..6 {
+                    work.external += kick * external[k] * mean[k];
+                }
             }
             if pushed {
                 // The support's force is what the particle's balance lacks; it works on the prescribed motion.
@@ -106,7 +107,30 @@ impl Update<'_> {
                 drift_row(row, rate, drift);
             }
         }
+        work.dissipated = 2.0 * kick * damping * work.kinetic;
         work
+    }
+}
+
+/// A chunk on its way to a thread.
+struct Chunk<'a, 'b, const DRIFT: bool> {
+    update: &'b Update<'a>,
+    first: usize,
+    state: &'b mut [Row],
+    rates: &'b mut [Row],
+}
+
+impl<const DRIFT: bool> pulp::NullaryFnOnce for Chunk<'_, '_, DRIFT> {
+    type Output = Work;
+
+    #[inline(always)]
+    fn call(self) -> Work {
+        let Self { update, first, state, rates } = self;
+        if update.shell.external.is_empty() {
+            update.chunk::<DRIFT, false>(first, state, rates)
+        } else {
+            update.chunk::<DRIFT, true>(first, state, rates)
+        }
     }
 }
 
@@ -135,7 +159,7 @@ impl Shell {
             step,
         };
         let chunk = |(number, ((state, rates), work)): (usize, ((&mut [Row], &mut [Row]), &mut Work))| {
-            *work = update.chunk::<DRIFT>(number * PARTICLE_CHUNK, state, rates);
+            *work = widest(Chunk::<DRIFT> { update: &update, first: number * PARTICLE_CHUNK, state, rates });
         };
         if self.threads > 1 {
             self.state

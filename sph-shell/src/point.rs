@@ -9,11 +9,20 @@ use crate::packs::{Entry, PointPack};
 pub(crate) type Row = [f64; 6];
 
 /// What a point knows how to do.
-#[derive(Clone, Copy)]
-pub(crate) struct PointLaw<'a> {
-    pub strain: &'a dyn StrainMeasure,
-    pub section: &'a dyn Section,
+///
+/// Generic so that the sweep can be compiled for the default pair; any other pair runs through `dyn`.
+pub(crate) struct PointLaw<'a, M: ?Sized = dyn StrainMeasure, S: ?Sized = dyn Section> {
+    pub strain: &'a M,
+    pub section: &'a S,
 }
+
+impl<M: ?Sized, S: ?Sized> Clone for PointLaw<'_, M, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: ?Sized, S: ?Sized> Copy for PointLaw<'_, M, S> {}
 
 /// Rows of four particles, turned into columns.
 #[inline(always)]
@@ -24,9 +33,9 @@ fn load(state: &[Row], particles: &[u32; LANES]) -> [Pack; 6] {
 
 #[inline(always)]
 fn store(slots: &mut [Row], force: [Pack3; 2]) {
+    let [f, t] = [force[0].0.map(Pack::lanes), force[1].0.map(Pack::lanes)];
     for (lane, slot) in slots.iter_mut().enumerate().take(LANES) {
-        let [f, t] = [force[0].lane(lane), force[1].lane(lane)];
-        *slot = [f[0], f[1], f[2], t[0], t[1], t[2]];
+        *slot = [f[0][lane], f[1][lane], f[2][lane], t[0][lane], t[1][lane], t[2][lane]];
     }
 }
 
@@ -70,9 +79,9 @@ pub(crate) fn place<const CELL: bool>(
 /// The shear strain is `γ̂_α = γ_α + E_α,βγ κ_βγ`: what a Kirchhoff deflection of that curvature would leave in
 /// `x,α·d` on this stencil is taken out. Returns the energy per area if `ENERGY`.
 #[inline(always)]
-pub(crate) fn point_forces<const ENERGY: bool>(
+pub(crate) fn point_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
-    law: PointLaw<'_>,
+    law: PointLaw<'_, M, S>,
     p: &Placement,
 ) -> (PlacementForces, [Pack; 3], Pack) {
     let measures = p.measures();
@@ -93,16 +102,16 @@ pub(crate) fn point_forces<const ENERGY: bool>(
 
 /// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
 #[inline(always)]
-pub(crate) fn sweep_pack<const CELL: bool, const ENERGY: bool>(
+pub(crate) fn sweep_pack<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
     entries: &[Entry],
     cell: Option<&CellPack>,
-    law: PointLaw<'_>,
+    law: PointLaw<'_, M, S>,
     state: &[Row],
     slots: &mut [Row],
 ) -> f64 {
     let (p, raw) = place::<CELL>(pack, entries, state);
-    let (mut f, curvature, density) = point_forces::<ENERGY>(pack, law, &p);
+    let (mut f, curvature, density) = point_forces::<ENERGY, M, S>(pack, law, &p);
     let w = pack.weight;
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;

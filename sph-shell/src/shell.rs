@@ -7,8 +7,9 @@ use crate::cell_control::CellPack;
 use crate::loads::{AppliedLoad, Body};
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
-use crate::point::{PointLaw, Row, place, sweep_pack};
+use crate::point::{PointLaw, Row, place};
 use crate::strong_form::StrongForm;
+use crate::sweep::Sweep;
 use crate::supports::{Constraint, Holds};
 use crate::{Formulation, Reach, Reference, ShellError, Support};
 
@@ -75,8 +76,6 @@ pub struct Shell {
 
 /// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
 pub(crate) const PARTICLE_CHUNK: usize = 512;
-/// Packs under which a sweep is not split further between threads.
-pub(crate) const PACK_CHUNK: usize = 64;
 
 impl Shell {
     /// Builds stencils, masses, reference strains and constraints.
@@ -305,60 +304,6 @@ impl Shell {
             + 8 * (self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len())
             + 4 * self.constraint_of.len();
         bytes as f64 / self.len() as f64
-    }
-}
-
-/// One evaluation of all points.
-#[derive(Clone, Copy)]
-struct Sweep<'a> {
-    packs: &'a Packs,
-    cells: &'a [CellPack],
-    law: PointLaw<'a>,
-    state: &'a [Row],
-    energy: bool,
-}
-
-impl Sweep<'_> {
-    /// Packs from number `first` on, as many as there are energies; halves go to two threads.
-    fn run(&self, first: usize, slots: &mut [Row], energies: &mut [f64], split: bool) {
-        let count = energies.len();
-        if split && count >= 2 * PACK_CHUNK {
-            let half = count / 2;
-            let points = &self.packs.points;
-            let cut = points[first + half].first_slot(first + half) - points[first].first_slot(first);
-            let (left_slots, right_slots) = slots.split_at_mut(cut);
-            let (left, right) = energies.split_at_mut(half);
-            rayon::join(
-                || self.run(first, left_slots, left, true),
-                || self.run(first + half, right_slots, right, true),
-            );
-            return;
-        }
-        match (self.cells.is_empty(), self.energy) {
-            (false, false) => self.range::<true, false>(first, slots, energies),
-            (false, true) => self.range::<true, true>(first, slots, energies),
-            (true, false) => self.range::<false, false>(first, slots, energies),
-            (true, true) => self.range::<false, true>(first, slots, energies),
-        }
-    }
-
-    fn range<const CELL: bool, const ENERGY: bool>(
-        &self,
-        first: usize,
-        mut slots: &mut [Row],
-        energies: &mut [f64],
-    ) {
-        for (i, energy) in energies.iter_mut().enumerate() {
-            let pack = &self.packs.points[first + i];
-            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let (own, rest) = slots.split_at_mut(pack.slot_count());
-            let cell = if CELL { self.cells.get(first + i) } else { None };
-            let found = sweep_pack::<CELL, ENERGY>(pack, entries, cell, self.law, self.state, own);
-            if ENERGY {
-                *energy = found;
-            }
-            slots = rest;
-        }
     }
 }
 

@@ -62,7 +62,7 @@ impl StrongForm {
         for (pack, points) in packs.points.iter().zip(&packs.order) {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
-            let (f, _, density) = point_forces::<true>(pack, law, &p);
+            let (f, _, density) = point_forces::<true, _, _>(pack, law, &p);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {
                 self.resultants[points[lane] as usize] = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(lane));

@@ -120,7 +120,7 @@ fn turned_clouds_give_turned_forces() {
         let scale = greatest(&f);
         // Consistent gradients come out of an iteration that stops at 1e-10 of its right-hand side.
         let bound = if matches!(formulation, Formulation::Nodal { consistent: true, .. }) || name.contains("disordered") {
-            1e-7
+            1e-6
         } else {
             1e-12
         };
