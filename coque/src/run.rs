@@ -89,20 +89,21 @@ impl Model {
             keep_settled: explicit.quasi_static.is_some(),
             shapes: Vec::new(),
             last: None,
+            levels: Vec::new(),
             progress,
         };
         watcher.curve.columns.extend(watcher.gauges.iter().map(|gauge| gauge.column(&self.scene.units)));
         let marched = march(explicit, &mut self.shell, &mut watcher);
         let wall_seconds = started.elapsed().as_secs_f64();
-        let Watcher { curve, shapes, last, .. } = watcher;
-        let (steps, levels, ended) = match marched {
-            Ok((clock, levels)) => (clock.steps, levels, Ended::Done),
+        let Watcher { curve, shapes, last, levels, .. } = watcher;
+        let (steps, ended) = match marched {
+            Ok(clock) => (clock.steps, Ended::Done),
             Err(error) => {
                 let steps = match error {
                     MarchError::Diverged { step, .. } => step,
                     _ => 0,
                 };
-                (steps, Vec::new(), Ended::Diverged(error))
+                (steps, Ended::Diverged(error))
             }
         };
         let cloud = &self.shell.reference().cloud;
@@ -120,7 +121,7 @@ impl Model {
             wall_seconds,
             particle_steps_per_second: described.particles as f64 * steps as f64 / wall_seconds,
             energies: last.map(energies).unwrap_or_default(),
-            levels: levels.into_iter().map(level).collect(),
+            levels,
             modelled: described.modelled,
             left_out: described.left_out,
             ended: match &ended {
@@ -136,7 +137,7 @@ fn march(
     explicit: &Explicit,
     shell: &mut Shell,
     watcher: &mut Watcher<'_>,
-) -> Result<(Clock, Vec<LevelReached>), MarchError> {
+) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
     match (&explicit.quasi_static, explicit.transient) {
         (Some(path), _) => explicit_dynamics::QuasiStatic {
@@ -165,7 +166,7 @@ fn march(
                 damping: run.damping,
                 safety,
             };
-            Ok((run.march(shell, watcher)?, Vec::new()))
+            run.march(shell, watcher)
         }
     }
 }
@@ -181,11 +182,6 @@ fn energies(record: Record) -> Energies {
     }
 }
 
-fn level(reached: LevelReached) -> LevelSummary {
-    let LevelReached { level, settled, kinetic_over_internal, steps } = reached;
-    LevelSummary { level, settled, kinetic_over_internal, steps }
-}
-
 /// Fills the curve and keeps shapes; the place where field output plugs in.
 struct Watcher<'a> {
     curve: Curve,
@@ -193,6 +189,7 @@ struct Watcher<'a> {
     keep_settled: bool,
     shapes: Vec<Shape>,
     last: Option<Record>,
+    levels: Vec<LevelSummary>,
     progress: &'a mut dyn Progress,
 }
 
@@ -218,6 +215,11 @@ impl Observer<Shell> for Watcher<'_> {
             self.shapes.push(Shape { time: record.at.time, level: record.at.level, positions });
         }
         ControlFlow::Continue(())
+    }
+
+    fn level(&mut self, reached: &LevelReached) {
+        let LevelReached { level, settled, kinetic_over_internal, steps } = *reached;
+        self.levels.push(LevelSummary { level, settled, kinetic_over_internal, steps });
     }
 
     fn progress(&mut self, done: f64, record: &Record) {

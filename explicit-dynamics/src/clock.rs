@@ -3,10 +3,12 @@
 use std::ops::ControlFlow;
 
 use crate::stable_step::{LinearisedDynamics, largest_eigenvalue, stable_step};
-use crate::{Dynamics, Instant, MarchError, Step, Work};
+use crate::{Dynamics, Instant, LevelReached, MarchError, Step, Work};
 
 /// Steps between two looks for runaway particles.
 const WATCH_EVERY: u64 = 64;
+/// Growth of the kinetic energy since the last look that asks for another at once.
+const GROWTH: f64 = 4.0;
 /// Lanczos steps of an estimate of the stable step.
 const LANCZOS_STEPS: usize = 30;
 
@@ -50,7 +52,10 @@ pub trait Observer<S> {
     /// Takes a record; `Break` ends the run in good order.
     fn record(&mut self, system: &mut S, record: &Record) -> ControlFlow<()>;
 
-    /// Told now and then how far the run is, from 0 to 1.
+    /// Told at the end of each load level of a quasi-static march.
+    fn level(&mut self, _reached: &LevelReached) {}
+
+    /// Told now and then how far the run is, from 0 to 1, with the last record.
     fn progress(&mut self, _done: f64, _record: &Record) {}
 }
 
@@ -74,6 +79,8 @@ pub struct Clock {
     last_dt: f64,
     initial: Option<f64>,
     last_good: Option<Box<Record>>,
+    /// Kinetic energy when the particles were last watched \[F L\].
+    watched: f64,
 }
 
 impl Clock {
@@ -103,6 +110,7 @@ impl Clock {
             last_dt: 0.0,
             initial: None,
             last_good: None,
+            watched: 0.0,
         };
         clock.estimate_step(system)?;
         Ok(clock)
@@ -192,7 +200,13 @@ impl Clock {
         self.last_dt = step.drift();
         self.now = step.to;
         self.steps += 1;
-        if self.steps.is_multiple_of(WATCH_EVERY) { self.watch(system) } else { Ok(()) }
+        // A runaway particle multiplies the kinetic energy within steps: look before it spreads.
+        let growing = !work.kinetic.is_finite() || work.kinetic > GROWTH * self.watched;
+        if growing || self.steps.is_multiple_of(WATCH_EVERY) {
+            self.watched = work.kinetic;
+            return self.watch(system);
+        }
+        Ok(())
     }
 
     /// Books the kinetic energy that a stop of all particles takes away.

@@ -40,6 +40,10 @@ pub struct LevelReached {
 
 /// Holds are looked at this many times a period.
 const LOOKS_PER_PERIOD: f64 = 20.0;
+/// Looks in a row that must find the motion dead: a swing is at rest for an instant wherever it turns.
+const QUIET_LOOKS: usize = 2;
+/// Steps a period beyond which the period is taken for a mistake: a run would never end.
+const MOST_STEPS_A_PERIOD: f64 = 1e8;
 
 impl QuasiStatic {
     /// Marches through all levels; one record at the start and one at the end of each hold.
@@ -50,7 +54,7 @@ impl QuasiStatic {
         &self,
         system: &mut S,
         observer: &mut O,
-    ) -> Result<(Clock, Vec<LevelReached>), MarchError>
+    ) -> Result<Clock, MarchError>
     where
         S: Dynamics + LinearisedDynamics,
         O: Observer<S>,
@@ -61,26 +65,22 @@ impl QuasiStatic {
         positive("tolerance", self.tolerance)?;
         let damping = self.damping.coefficient(self.period);
         let mut clock = Clock::start(system, 0.0, self.safety, damping)?;
-        let mut reached = Vec::with_capacity(self.levels.len());
-        if clock.recorded_step(system, observer, true, f64::INFINITY, |_| 0.0)?.is_break() {
-            return Ok((clock, reached));
+        if self.period > MOST_STEPS_A_PERIOD * clock.dt {
+            let bound = "at most 1e8 stable steps; check the units of period, density and stiffness";
+            return Err(MarchError::Option { key: "period", value: self.period, bound });
         }
-        let mut from = 0.0;
-        for (number, &to) in self.levels.iter().enumerate() {
+        if clock.recorded_step(system, observer, true, f64::INFINITY, |_| 0.0)?.is_break() {
+            return Ok(clock);
+        }
+        for number in 0..self.levels.len() {
             if number > 0 {
                 clock.estimate_step(system)?;
             }
-            let (level, flow) = self.one_level(&mut clock, system, observer, from, to)?;
-            reached.push(level);
-            from = to;
-            if let Some(good) = clock.last_good() {
-                observer.progress((number + 1) as f64 / self.levels.len() as f64, good);
-            }
-            if flow.is_break() {
+            if self.one_level(&mut clock, system, observer, number)?.is_break() {
                 break;
             }
         }
-        Ok((clock, reached))
+        Ok(clock)
     }
 
     fn one_level<S, O>(
@@ -88,13 +88,14 @@ impl QuasiStatic {
         clock: &mut Clock,
         system: &mut S,
         observer: &mut O,
-        from: f64,
-        to: f64,
-    ) -> Result<(LevelReached, ControlFlow<()>), MarchError>
+        number: usize,
+    ) -> Result<ControlFlow<()>, MarchError>
     where
         S: Dynamics + LinearisedDynamics,
         O: Observer<S>,
     {
+        let to = self.levels[number];
+        let from = if number == 0 { 0.0 } else { self.levels[number - 1] };
         let (start, first_step) = (clock.now.time, clock.steps);
         let ramp = self.ramp * self.period;
         let level = |time: f64| from + (to - from) * smooth((time - start) / ramp);
@@ -105,6 +106,7 @@ impl QuasiStatic {
         let hold_end = clock.now.time + self.hold * self.period;
         let look = self.period / LOOKS_PER_PERIOD;
         let mut peaks = KineticDamping::default();
+        let mut quiet = 0;
         loop {
             let look_end = clock.now.time + look;
             while clock.now.time < look_end {
@@ -118,12 +120,20 @@ impl QuasiStatic {
             // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
             let kinetic = if self.damping == Damping::Kinetic { peaks.peak } else { clock.kinetic };
             let ratio = kinetic / system.internal_energy().max(f64::MIN_POSITIVE);
-            let settled = ratio < self.tolerance && (self.damping != Damping::Kinetic || peaks.peak > 0.0);
+            let below = ratio < self.tolerance && (self.damping != Damping::Kinetic || peaks.peak > 0.0);
+            quiet = if below { quiet + 1 } else { 0 };
+            if let Some(good) = clock.last_good() {
+                // Most holds end early: half a level for the ramp, the rest approached.
+                let within = 1.0 - 0.5 / (1.0 + (clock.now.time - start - ramp) / self.period);
+                observer.progress((number as f64 + within) / self.levels.len() as f64, good);
+            }
+            let settled = quiet >= QUIET_LOOKS;
             if settled || clock.now.time >= hold_end {
                 let steps = clock.steps - first_step;
+                observer.level(&LevelReached { level: to, settled, kinetic_over_internal: ratio, steps });
                 let flow = clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
                 clock.watch(system)?;
-                return Ok((LevelReached { level: to, settled, kinetic_over_internal: ratio, steps }, flow));
+                return Ok(flow);
             }
         }
     }

@@ -8,6 +8,10 @@ use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, Observer};
 /// Steps between two estimates of the stable step.
 const ESTIMATE_EVERY: u64 = 5000;
 
+/// Length of a run, in steps and in records, beyond which it is taken for a mistake.
+const MOST_STEPS: f64 = 1e10;
+const MOST_RECORDS: f64 = 1e7;
+
 /// Marches for a duration with load level one.
 #[derive(Clone, Copy, Debug)]
 pub struct Transient {
@@ -34,6 +38,11 @@ impl Transient {
         positive("duration", self.duration)?;
         positive("record_every", self.record_every)?;
         let mut clock = Clock::start(system, 1.0, self.safety, self.damping)?;
+        let steps = self.duration.max(self.record_every) / clock.dt;
+        if steps > MOST_STEPS || self.duration / self.record_every > MOST_RECORDS {
+            let bound = "at most 1e10 stable steps and 1e7 records; check units, duration and record_every";
+            return Err(MarchError::Option { key: "duration", value: self.duration, bound });
+        }
         let records = (self.duration / self.record_every).ceil().max(1.0) as u64;
         let mut next_estimate = ESTIMATE_EVERY;
         for record in 0..=records {

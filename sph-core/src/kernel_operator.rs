@@ -38,7 +38,7 @@ pub fn kernel_operator(
         let mut steps = 0;
         let shape = loop {
             let h = radius / kernel.support();
-            list.within(&point.position, radius, &mut search.particles);
+            list.within(&point.position, RIM * radius, &mut search.particles);
             search.measure(cloud, &point.position, &point.frame.t1, &point.frame.t2, |r, _| {
                 LinearlyExact.weight(kernel, r, h)
             });
@@ -57,6 +57,10 @@ pub fn kernel_operator(
     }
     Ok(operator)
 }
+
+/// Part of the support in which neighbours are looked for: on a lattice whole rings of particles can lie on the rim,
+/// where their weight is nought and round-off would decide which of them belong to the stencil.
+pub(crate) const RIM: f64 = 1.0 - 1e-9;
 
 /// Neighbours of one point and their coordinates; kept between points to save allocations.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! Nodal operator: sampling at the particles themselves, gradients by least squares through the particle.
 
 use crate::correction::{Correction, Shape, ThroughParticle};
-use crate::kernel_operator::{GROWTH, GROWTH_STEPS, Search};
+use crate::kernel_operator::{RIM, GROWTH, GROWTH_STEPS, Search};
 use crate::{CellList, Cloud, Kernel, SamplingOperator, SamplingPoint, SpaceError, Stencil};
 
 /// Sampling points at the particles, gradients exact on polynomials of `order` 1, 2 or 3 in the tangent plane.
@@ -69,7 +69,7 @@ fn grow(
     let (centre, frame) = (&cloud.positions[a], &cloud.frames[a]);
     let mut h = first;
     for _ in 0..=GROWTH_STEPS {
-        list.within(centre, kernel.support() * h, &mut search.particles);
+        list.within(centre, RIM * kernel.support() * h, &mut search.particles);
         // The particle itself goes first; its weight does not enter the least squares, any positive number keeps it.
         search.particles.retain(|&b| b as usize != a);
         search.particles.insert(0, a as u32);

@@ -112,6 +112,9 @@ impl Update<'_> {
     }
 }
 
+/// State, rates and work of a chunk of particles.
+type Part<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut Work);
+
 /// A chunk on its way to a thread.
 struct Chunk<'a, 'b, const DRIFT: bool> {
     update: &'b Update<'a>,
@@ -158,7 +161,7 @@ impl Shell {
             },
             step,
         };
-        let chunk = |(number, ((state, rates), work)): (usize, ((&mut [Row], &mut [Row]), &mut Work))| {
+        let chunk = |(number, ((state, rates), work)): (usize, Part<'_>)| {
             *work = widest(Chunk::<DRIFT> { update: &update, first: number * PARTICLE_CHUNK, state, rates });
         };
         if self.threads > 1 {

@@ -216,6 +216,12 @@ impl Shell {
         Vec3::new(row[0], row[1], row[2])
     }
 
+    /// Rate of a particle's director, in step with [`Shell::velocity`] \[1/T\].
+    pub fn director_rate(&self, particle: usize) -> Vec3 {
+        let row = &self.rates[particle];
+        Vec3::new(row[3], row[4], row[5])
+    }
+
     /// Sets the velocity of a particle and the rate of its director; held parts are taken out.
     pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
         let d = self.director(particle);

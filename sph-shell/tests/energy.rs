@@ -6,7 +6,7 @@ use common::{Dice, curved, disordered_curved, energy, energy_formulations, flat,
 use nalgebra::Rotation3;
 use shell_kinematics::strain_measures;
 use sph_core::{Cloud, Vec3};
-use sph_shell::{Formulation, Shell};
+use sph_shell::{Formulation, Reach, Shell};
 
 fn clouds() -> [(&'static str, Cloud); 3] {
     [("flat", flat([6, 5], [2.0, 1.5])), ("curved", curved([7, 6])), ("disordered", disordered_curved([7, 6]))]
@@ -118,12 +118,9 @@ fn turned_clouds_give_turned_forces() {
         }
         let (f, g) = (forces(&mut body), forces(&mut turned));
         let scale = greatest(&f);
-        // Consistent gradients come out of an iteration that stops at 1e-10 of its right-hand side.
-        let bound = if matches!(formulation, Formulation::Nodal { consistent: true, .. }) || name.contains("disordered") {
-            1e-6
-        } else {
-            1e-12
-        };
+        // Cells are closed forms. Consistent gradients come out of an iteration, and where the conditions
+        // contradict each other (a curved lattice: chords against arcs) round-off is amplified: 2e-7 seen.
+        let bound = if matches!(formulation, Formulation::StressPoint(Reach::Cell)) { 1e-12 } else { 1e-6 };
         let worst = f.iter().zip(&g).fold(0.0_f64, |worst, (f, g)| {
             let turned_f = rotation * Vec3::new(f[0], f[1], f[2]);
             let turned_t = rotation * Vec3::new(f[3], f[4], f[5]);

@@ -137,7 +137,7 @@ impl Nodal {
 
     /// Whether gradients are corrected for a consistent divergence.
     pub fn divergence_consistent(&self) -> bool {
-        self.consistent.unwrap_or(self.order >= 2)
+        self.consistent.unwrap_or(true)
     }
 }
 

@@ -1,0 +1,94 @@
+//! Patch tests: constant membrane force and constant moment are balanced, inside and on the edges.
+
+mod common;
+
+use common::{disordered_flat, energy_formulations, flat, free_shell};
+use sph_core::{Cloud, Vec3};
+use sph_shell::{Formulation, Shell};
+
+const T: f64 = common::THICKNESS;
+
+/// `∂f/∂ε` at rest for a displacement and a change of director per ε.
+fn derivative(shell: &mut Shell, field: impl Fn(&Vec3) -> (Vec3, Vec3)) -> Vec<[f64; 6]> {
+    let cloud = shell.reference().cloud.clone();
+    // Five points: truncation eps⁴ = 1e-16, round-off 1e-16/1e-4 of the stiffest forces.
+    let eps = 1e-4;
+    let mut at = |factor: f64| -> Vec<[f64; 6]> {
+        for (a, (x, frame)) in cloud.positions.iter().zip(&cloud.frames).enumerate() {
+            let (u, v) = field(x);
+            shell.set_state(a, x + u * (factor * eps), frame.n + v * (factor * eps));
+        }
+        shell.evaluate_internal(false);
+        (0..cloud.len()).map(|a| shell.internal_force(a)).collect()
+    };
+    let sides = [at(1.0), at(-1.0), at(2.0), at(-2.0)];
+    (0..cloud.len())
+        .map(|a| {
+            let [p, m, pp, mm] = sides.each_ref().map(|side| side[a]);
+            std::array::from_fn(|i| (8.0 * (p[i] - m[i]) - (pp[i] - mm[i])) / (12.0 * eps))
+        })
+        .collect()
+}
+
+/// Largest difference between forces and `resultant · edge normal`, over resultant × spacing.
+fn residual(cloud: &Cloud, forces: &[[f64; 6]], first: usize, resultant: [[f64; 2]; 2]) -> f64 {
+    let scale = resultant.iter().flatten().fold(0.0_f64, |m, r| m.max(r.abs())) * cloud.spacing();
+    let mut worst = 0.0_f64;
+    for (force, normal) in forces.iter().zip(&cloud.edge_normals) {
+        for i in 0..2 {
+            let edge = resultant[i][0] * normal.x + resultant[i][1] * normal.y;
+            worst = worst.max((force[first + i] - edge).abs());
+        }
+        // Nothing across the plane for positions, nothing for the other kind.
+        for i in (0..6).filter(|&i| i != first && i != first + 1 && i != 5) {
+            worst = worst.max(force[i].abs());
+        }
+    }
+    worst / scale
+}
+
+fn each_case(mut check: impl FnMut(&str, Cloud, Formulation)) {
+    for (cloud_name, cloud) in
+        [("lattice", flat([8, 7], [1.7, 1.5])), ("disordered", disordered_flat([8, 7], [1.7, 1.5]))]
+    {
+        for (name, formulation) in energy_formulations() {
+            check(&format!("{name} on a flat {cloud_name}"), cloud.clone(), formulation);
+        }
+    }
+}
+
+#[test]
+fn constant_membrane_force_is_balanced() {
+    // e11 = 1, e22 = −½, 2e12 = 0.8 per unit.
+    let c = common::YOUNG * T / (1.0 - common::POISSON * common::POISSON);
+    let (e11, e22, g) = (1.0, -0.5, 0.8);
+    let n12 = c * 0.5 * (1.0 - common::POISSON) * g;
+    let resultant = [[c * (e11 + common::POISSON * e22), n12], [n12, c * (e22 + common::POISSON * e11)]];
+    each_case(|name, cloud, formulation| {
+        let mut shell = free_shell(cloud.clone(), formulation, T);
+        let forces = derivative(&mut shell, |x| (Vec3::new(e11 * x.x + g * x.y, e22 * x.y, 0.0), Vec3::zeros()));
+        let worst = residual(&cloud, &forces, 0, resultant);
+        println!("{name}: {worst:.1e}");
+        assert!(worst < 1e-8, "{name}: {worst:.1e}");
+    });
+}
+
+#[test]
+fn constant_moment_is_balanced() {
+    // w = −½(κ11 x² + κ22 y² + κ12 xy), d = n + κ·x: curvatures of either sign and a twist.
+    let d = common::YOUNG * T * T * T / (12.0 * (1.0 - common::POISSON * common::POISSON));
+    let (k11, k22, k12) = (1.0, -0.4, 0.6);
+    let m12 = d * 0.5 * (1.0 - common::POISSON) * k12;
+    let resultant = [[d * (k11 + common::POISSON * k22), m12], [m12, d * (k22 + common::POISSON * k11)]];
+    each_case(|name, cloud, formulation| {
+        let mut shell = free_shell(cloud.clone(), formulation, T);
+        let forces = derivative(&mut shell, |x| {
+            let w = -0.5 * (k11 * x.x * x.x + k22 * x.y * x.y + k12 * x.x * x.y);
+            let turn = Vec3::new(k11 * x.x + 0.5 * k12 * x.y, k22 * x.y + 0.5 * k12 * x.x, 0.0);
+            (Vec3::new(0.0, 0.0, w), turn)
+        });
+        let worst = residual(&cloud, &forces, 3, resultant);
+        println!("{name}: {worst:.1e}");
+        assert!(worst < 1e-8, "{name}: {worst:.1e}");
+    });
+}
