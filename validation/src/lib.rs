@@ -1,1 +1,27 @@
-//! validation
+//! The judge: runs scenes, holds their results against references, and says which tolerance is missed.
+//!
+//! Data flow one way: [`Case`] (what to run, what to compare with) → [`Run`] (what came out) → [`Record`]
+//! (metrics with verdicts) → table, JSON, report.
+//!
+//! | where is | look in |
+//! |---|---|
+//! | a benchmark: its runs, references, tolerances with their reasons | `cases/*.rs`, one file each |
+//! | how runs share the cores | `run.rs` |
+//! | what a verdict is | `record.rs` |
+//! | interpolation, order of convergence, frontier | `measure.rs` |
+//! | the printed table, the HTML report | `table.rs`, `report/*.rs` |
+
+pub mod case;
+pub mod cases;
+pub mod measure;
+pub mod record;
+pub mod report;
+pub mod run;
+pub mod table;
+
+mod error;
+
+pub use case::{Case, Run, Runs, Variant};
+pub use error::JudgeError;
+pub use record::{Metric, Record};
+pub use run::{CaseResult, Selection, judge};

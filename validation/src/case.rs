@@ -1,0 +1,145 @@
+//! A case: scenes to run, and how their results are judged and drawn.
+
+use coque::{Ended, Outcome};
+
+use crate::JudgeError;
+use crate::record::Metric;
+use crate::report::Figure;
+
+/// One benchmark: what is run, what it is held against.
+pub struct Case {
+    /// Name, as in `--case NAME`.
+    pub name: &'static str,
+    /// The problem in one line.
+    pub title: &'static str,
+    /// What is compared with what, and what this problem tells that the others do not.
+    pub about: &'static str,
+    /// Where problem and reference were published.
+    pub citation: &'static str,
+    /// What is run.
+    pub variants: Vec<Variant>,
+    /// Metrics of one run.
+    pub each: fn(&Run) -> Result<Vec<Metric>, JudgeError>,
+    /// Metrics that need several runs, each with the number of the run it is booked on.
+    pub together: fn(&Runs) -> Result<Vec<(usize, Metric)>, JudgeError>,
+    /// What the report shows, in this order.
+    pub figures: fn(&Runs) -> Result<Vec<Figure>, JudgeError>,
+}
+
+/// One run of a case: a scene with some values replaced.
+#[derive(Clone, Debug)]
+pub struct Variant {
+    /// Formulation, and what else sets the run apart; with [`Variant::grid`] unique in the case.
+    pub method: String,
+    /// Number of particles along u and v, as in `50×5`.
+    pub grid: String,
+    /// The scene, embedded.
+    pub scene: &'static str,
+    /// Values replaced, as in `coque run --set`.
+    pub set: Vec<(String, String)>,
+    /// Whether the run belongs to the quick set.
+    pub quick: bool,
+    /// Whether every load level has to come to rest; false for methods known to flutter.
+    pub settles: bool,
+}
+
+impl Variant {
+    /// A scene as it is in the file, with `counts` particles along u and v of its `geometry`.
+    pub fn new(method: &str, scene: &'static str, geometry: &str, counts: [usize; 2]) -> Self {
+        let [u, v] = counts;
+        let particles = (format!("geometry.{geometry}.particles"), format!("[{u}, {v}]"));
+        Self {
+            method: method.into(),
+            grid: format!("{u}×{v}"),
+            scene,
+            set: vec![particles],
+            quick: false,
+            settles: true,
+        }
+    }
+
+    /// Replaces a value.
+    #[must_use]
+    pub fn set(mut self, path: &str, value: impl ToString) -> Self {
+        self.set.push((path.into(), value.to_string()));
+        self
+    }
+
+    /// Puts the run into the quick set, which is judged with every commit.
+    #[must_use]
+    pub fn quick(mut self) -> Self {
+        self.quick = true;
+        self
+    }
+
+    /// Does not ask that load levels come to rest.
+    #[must_use]
+    pub fn restless(mut self) -> Self {
+        self.settles = false;
+        self
+    }
+}
+
+/// A variant with its outcome.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// What was run.
+    pub variant: Variant,
+    /// What came out.
+    pub outcome: Outcome,
+}
+
+impl Run {
+    /// Whether the method and the grid are these.
+    pub fn is(&self, method: &str, grid: &str) -> bool {
+        self.variant.method == method && self.variant.grid == grid
+    }
+
+    /// A column of the curve.
+    ///
+    /// # Errors
+    /// [`JudgeError::NoColumn`] if the scene does not record it.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, JudgeError> {
+        self.outcome.curve.column(name).ok_or_else(|| JudgeError::NoColumn {
+            name: name.into(),
+            known: self
+                .outcome
+                .curve
+                .columns
+                .iter()
+                .map(|column| column.name.as_str())
+                .collect::<Vec<_>>()
+                .join(", "),
+        })
+    }
+
+    /// The value of a column at a load level; none if the run did not get there.
+    ///
+    /// # Errors
+    /// [`JudgeError::NoColumn`].
+    pub fn at(&self, column: &str, level: f64) -> Result<Option<f64>, JudgeError> {
+        let (levels, values) = (self.column("level")?, self.column(column)?);
+        Ok(levels.iter().position(|known| (known - level).abs() < 1e-9).map(|row| values[row]))
+    }
+
+    /// Whether the run reached its end.
+    pub fn done(&self) -> bool {
+        self.outcome.ended == Ended::Done
+    }
+}
+
+/// The runs of one case that were chosen, in the order of its variants.
+#[derive(Clone, Debug)]
+pub struct Runs(pub Vec<Run>);
+
+impl Runs {
+    /// The number of a run, if it was chosen.
+    pub fn find(&self, method: &str, grid: &str) -> Option<usize> {
+        self.0.iter().position(|run| run.is(method, grid))
+    }
+
+    /// A run, if it was chosen.
+    pub fn get(&self, method: &str, grid: &str) -> Option<&Run> {
+        self.find(method, grid).map(|at| &self.0[at])
+    }
+}

@@ -1,0 +1,202 @@
+//! ring: a strip rolled into a circle by an end couple, judged by the closed form; with every formulation.
+//!
+//! ```text
+//!   ▓────────────────╴ M        the tip stays on circles of curvature M/EI;
+//!   u0 clamped       u1         at M = 2πEI/L it meets the clamp
+//! ```
+
+use benchmarks_ref::elastica::end_moment;
+
+use super::dial::{
+    self, CELL, DIAL, NODAL_1, NODAL_2, NODAL_3, STRONG_12, STRONG_085, WIDE_14, WIDE_25, WIDE_30,
+};
+use super::strip;
+use crate::case::{Case, Run, Runs, Variant};
+use crate::measure::{largest, order_of_convergence};
+use crate::report::{Axis, Chart, Figure, GREY, Line, Series};
+use crate::{JudgeError, Metric};
+
+const SCENE: &str = include_str!("../../../scenes/ring.toml");
+/// Length of the strip \[cm\].
+const LENGTH: f64 = 10.0;
+const QUARTERS: [(f64, &str); 4] = [(0.25, "tip at ¼"), (0.5, "tip at ½"), (0.75, "tip at ¾"), (1.0, "tip at 1")];
+const UNIT: &str = "% of L";
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "ring",
+        title: "Strip rolled into a ring, t/L = 1/10",
+        about: "The tip against the closed form: distance √(Δu² + Δw²) in percent of the length at four moments. \
+                With ν = 0 and a curvature that is corrected for the stretch, the exact circle is an exact solution \
+                of the shell: what is left is the error of the particles.",
+        citation: "Lin et al. 2013, section 5.2; exact: end moment on an inextensible elastica",
+        variants: variants(),
+        each,
+        together,
+        figures,
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    let on = |method: &str, counts| dial::variant(method, SCENE, "plate", counts);
+    let mut variants = vec![on(CELL, [25, 3]).quick(), on(CELL, [50, 5]).quick(), on(CELL, [99, 9])];
+    for method in [WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3] {
+        variants.extend([on(method, [25, 3]).quick(), on(method, [50, 5])]);
+    }
+    for method in [STRONG_12, STRONG_085] {
+        // It flutters: rest is asked for less sharply, and the path ends where it always diverges.
+        variants.push(
+            on(method, [50, 5])
+                .set("analysis.explicit.safety", 0.3)
+                .set("analysis.explicit.quasi-static.tolerance", 1e-6)
+                .set("analysis.explicit.quasi-static.levels", "[0.05, 0.1, 0.15, 0.2, 0.25, 0.3]")
+                .restless(),
+        );
+    }
+    variants
+}
+
+fn exact(level: f64) -> (f64, f64) {
+    let tip = end_moment(std::f64::consts::TAU * level);
+    (tip.u, tip.w)
+}
+
+fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
+    QUARTERS.iter().map(|&(level, _)| strip::tip_error(run, level, LENGTH, exact(level))).collect()
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let errors = errors(run)?;
+    let method = run.variant.method.as_str();
+    let metrics = QUARTERS.iter().zip(errors).map(|(&(level, name), error)| {
+        let metric = Metric::error(name, error, UNIT);
+        match (method, run.variant.grid.as_str()) {
+            (STRONG_12 | STRONG_085, _) if level == 0.25 => {
+                // A known failure, asserted as it is: an error that vanished would have to be explained, too.
+                Metric::compared(name, error, UNIT, 30.0).within(
+                    10.0,
+                    "known failure: the published pair sums gave 29 to 33 % in study 1 §2.1; their linearised \
+                     operator is not symmetric and energy is not kept",
+                )
+            }
+            (STRONG_12 | STRONG_085, _) => metric.because("the strong form flutters and diverges from 0.3 on"),
+            (_, "50×5") => match mark(method) {
+                Some((tolerance, reason)) => metric.within(tolerance, reason),
+                None => metric,
+            },
+            _ => metric.because("judged at 50×5; other grids show the order"),
+        }
+    });
+    Ok(metrics.collect())
+}
+
+/// What each formulation has to reach at 50×5 \[% of L\], and why.
+fn mark(method: &str) -> Option<(f64, &'static str)> {
+    Some(match method {
+        CELL => (0.4, "issue 2; study 1 §5: the prototype reached .01, .07, .18, .27"),
+        WIDE_14 => (0.4, "the kernel reaches the four particles of the cell, so the mark of the cell holds"),
+        WIDE_25 | WIDE_30 => (
+            2.0,
+            "study 1 §2.1, support 2.4Δ: .29, .75, 1.25, 1.61; a quarter more, for these reach 1.8Δ to 2.1Δ \
+             on a lattice that is not square",
+        ),
+        NODAL_1 => (2.1, "study 1 §2.1, N1 h = 1.2 with control: .98, 1.81, 2.07, 1.83"),
+        NODAL_2 => (3.0, "study 1 §2.1, N2 with control up to 2.96 without consistent divergence"),
+        NODAL_3 => (0.3, "issue 2; study 1 §2.1, N3 consistent with end weights: .01, .02, .06, .10"),
+        _ => return None,
+    })
+}
+
+fn together(runs: &Runs) -> Result<Vec<(usize, Metric)>, JudgeError> {
+    let grids = ["25×3", "50×5", "99×9"].map(|grid| runs.find(CELL, grid));
+    let [Some(coarse), Some(middle), Some(fine)] = grids else { return Ok(Vec::new()) };
+    let mut points = Vec::new();
+    for at in [coarse, middle, fine] {
+        let run = &runs.0[at];
+        if let Some(error) = errors(run)?[3] {
+            points.push((run.outcome.summary.spacing, error));
+        }
+    }
+    let reason = "issue 2: at least 1.8; one-point cells are of second order, and the coarsest grid has three rows";
+    let order = |name, points: &[(f64, f64)]| {
+        Metric::at_least(name, order_of_convergence(points), "-", 2.0).within(0.2, reason)
+    };
+    let enough = points.len() == 3;
+    Ok(vec![
+        (fine, order("order, three grids", if enough { &points } else { &[] })),
+        (middle, order("order from 25×3", if enough { &points[..2] } else { &[] })),
+        (fine, order("order from 50×5", if enough { &points[1..] } else { &[] })),
+    ])
+}
+
+fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
+    let mut figures = Vec::new();
+    let shown: Vec<_> =
+        strip::on_grid(runs, "50×5").into_iter().filter(|(run, ..)| run.variant.method != WIDE_25).collect();
+    if !shown.is_empty() {
+        figures.push(Figure::Chart(strip::tip_chart(
+            "Tip of the strip against the moment, 50×5",
+            "Lines: the circle. All energy-based formulations lie on them; the strong form leaves at once and \
+             diverges before a third of the moment.",
+            &shown,
+            LENGTH,
+            |level| Some(exact(level)),
+        )?));
+    }
+    if let Some(run) = runs.get(CELL, "50×5") {
+        figures.push(Figure::Shapes(strip::rolled_shapes(
+            "The strip at eighths of the moment (paper, figure 4)",
+            "Each wireframe is a settled level, 50×5 particles, true to scale; the darker, the more moment. At the last \
+             one the tip meets the clamp.",
+            run,
+        )));
+    }
+    figures.extend(convergence(runs)?);
+    figures.extend(cost(runs)?);
+    Ok(figures)
+}
+
+/// Error at the full moment over the spacing.
+fn convergence(runs: &Runs) -> Result<Option<Figure>, JudgeError> {
+    let mut series = Vec::new();
+    for setting in &DIAL {
+        let mut points = Vec::new();
+        for run in runs.0.iter().filter(|run| run.variant.method == setting.method) {
+            if let Some(error) = errors(run)?[3] {
+                points.push((run.outcome.summary.spacing, error));
+            }
+        }
+        if points.len() > 1 {
+            series.push(Series::both(setting.method, points, setting.colour, setting.mark));
+        }
+    }
+    let Some(&(spacing, error)) = series.first().and_then(|s| s.points.first()) else { return Ok(None) };
+    let second = |h: f64| (h, 0.6 * error * (h / spacing).powi(2));
+    series.push(Series::line("slope 2", vec![second(spacing), second(0.25 * spacing)], GREY, Line::Dashed));
+    Ok(Some(Figure::Chart(Chart {
+        title: "Error at the full moment against the spacing".into(),
+        caption: "Both scales logarithmic. Second order is the slope of the dashed line.".into(),
+        x: Axis::log("mean spacing of the particles [cm]"),
+        y: Axis::log("distance of the tip from the circle [% of L]"),
+        series,
+    })))
+}
+
+/// Error over the cost, for every formulation and grid.
+fn cost(runs: &Runs) -> Result<Option<Figure>, JudgeError> {
+    let mut points = Vec::new();
+    for run in &runs.0 {
+        // Runs that do not reach the full moment are shown with what they do at a quarter of it.
+        let errors = errors(run)?;
+        let error = largest(errors.iter().copied()).or(errors[0]);
+        points.extend(error.map(|error| (run.variant.method.as_str(), (run.outcome.summary.wall_seconds, error))));
+    }
+    Ok(dial::cost_chart(
+        "Error against cost: the ring",
+        "Each mark is a run with eight levels (strong form: six, stopped by divergence). Left and down is better; the \
+         grey line joins the runs that none beats in both.",
+        "largest distance of the tip at ¼, ½, ¾, 1 [% of L]",
+        &points,
+    ))
+}

@@ -1,0 +1,91 @@
+//! The command `validate`: runs the cases, prints the table, writes records and report.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use validation::{JudgeError, Record, Selection, cases, judge, report, run, table};
+
+/// Judge coque: scenes against references.
+///
+/// Every case runs one or more scenes of scenes/, compares them with a published curve or a closed form, and holds the
+/// difference against a tolerance that has a reason. The table shows all of it; the report draws it.
+#[derive(Parser)]
+#[command(name = "validate", version, after_help = HELP)]
+struct Cli {
+    /// Only the runs that are fast enough for every commit
+    #[arg(long)]
+    quick: bool,
+    /// Only this case; may be given several times
+    #[arg(long = "case", value_name = "NAME")]
+    cases: Vec<String>,
+    /// Write one record per run: particles, steps, time, metrics with tolerances, curve
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Folder for report.html
+    #[arg(long, value_name = "DIR", default_value = "target/validation")]
+    report: PathBuf,
+    /// Scenes that run at the same time, one thread each [default: one for each core]
+    #[arg(long, value_name = "N")]
+    jobs: Option<usize>,
+    /// List the cases and leave
+    #[arg(long)]
+    list: bool,
+}
+
+const HELP: &str = "\
+Examples:
+  validate --list                      what there is
+  validate --quick                     what every commit has to pass
+  validate --case ring --case panel    the two cases of Lin et al. 2013
+  validate --json records.json         for further analysis
+  validate --jobs 1                    wall times without a neighbour on the other core
+
+Reading the table: errors are in the unit that follows them; `pass` means that every metric with a tolerance keeps
+to it, `shown` that nothing is asked of the run, `MISSED` that a tolerance is exceeded; the lines below the table then
+say which, and where the tolerance comes from.
+
+Exit codes: 0 every tolerance kept, 1 a tolerance missed, 2 not judged (unknown case, scene refused, no file).";
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    if cli.list {
+        for case in cases::all() {
+            let quick = case.variants.iter().filter(|variant| variant.quick).count();
+            println!("{:<22} {} ({} runs, {quick} quick)", case.name, case.title, case.variants.len());
+        }
+        return ExitCode::SUCCESS;
+    }
+    match carry_out(&cli) {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    let selection =
+        Selection { quick: cli.quick, names: cli.cases.clone(), jobs: cli.jobs.unwrap_or_else(cores) };
+    let results = judge(&selection, &|line| eprintln!("{line}"))?;
+    print!("{}", table::table(&results));
+    if let Some(file) = &cli.json {
+        let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
+        let text = serde_json::to_string_pretty(&records).map_err(|error| write_error(file, &error))?;
+        fs::write(file, text).map_err(|error| write_error(file, &error))?;
+    }
+    let page = cli.report.join("report.html");
+    let html = report::html(&results, &selection)?;
+    fs::create_dir_all(&cli.report)
+        .and_then(|()| fs::write(&page, html))
+        .map_err(|error| write_error(&page, &error))?;
+    println!("report: {}", page.display());
+    Ok(run::exit_code(&results))
+}
+
+fn write_error(path: &std::path::Path, error: &impl ToString) -> JudgeError {
+    JudgeError::Write { path: path.display().to_string(), reason: error.to_string() }
+}

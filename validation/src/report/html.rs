@@ -1,0 +1,180 @@
+//! The page: one file, no scripts, drawings inline.
+
+use super::Figure;
+use crate::record::{Metric, Record};
+use crate::run::{CaseResult, Selection};
+use crate::table::{short, unit, verdict, words};
+use crate::{JudgeError, Run};
+
+const STYLE: &str = include_str!("style.css");
+
+/// Text made safe for HTML.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('\'', "&#39;").replace('"', "&quot;")
+}
+
+/// The whole report.
+///
+/// # Errors
+/// [`JudgeError`] from the figures of a case.
+pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, JudgeError> {
+    let mut page = format!(
+        "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'>\
+         <meta name='viewport' content='width=device-width, initial-scale=1'>\
+         <title>coque: validation</title><style>{STYLE}</style></head><body><main>"
+    );
+    page.push_str(&head(results, selection));
+    page.push_str(&summary(results));
+    for result in results {
+        page.push_str(&case(result)?);
+    }
+    page.push_str("</main></body></html>\n");
+    Ok(page)
+}
+
+fn head(results: &[CaseResult], selection: &Selection) -> String {
+    let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
+    let judged = records.iter().flat_map(|record| &record.metrics).filter(|m| m.tolerance.is_some());
+    let (asked, missed) = judged.fold((0, 0), |(a, m), metric| (a + 1, m + usize::from(!metric.pass)));
+    let seconds: f64 = records.iter().map(|record| record.wall_seconds).sum();
+    let (class, outcome) = match missed {
+        0 => ("good", format!("All {asked} tolerances are kept.")),
+        _ => ("bad", format!("{missed} of {asked} tolerances are missed.")),
+    };
+    format!(
+        "<h1>coque: validation</h1><p class='{class} outcome'>{outcome}</p>\
+         <p>{} set: {} runs, {seconds:.0} s of marching, {} at a time, one thread each. Every number on this page \
+         was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
+         those of the machine that made the page: compare them with each other only.</p>",
+        if selection.quick { "Quick" } else { "Full" },
+        records.len(),
+        selection.jobs
+    )
+}
+
+fn summary(results: &[CaseResult]) -> String {
+    let mut rows = String::new();
+    for result in results {
+        for (number, (run, record)) in result.runs.0.iter().zip(&result.records).enumerate() {
+            let first = if number == 0 {
+                let name = escape(&record.case);
+                let height = result.records.len();
+                format!("<th rowspan='{height}' scope='rowgroup'><a href='#{name}'>{name}</a></th>")
+            } else {
+                String::new()
+            };
+            let verdict = verdict(record);
+            rows.push_str(&format!(
+                "<tr>{first}<td>{}</td><td>{}</td><td class='n'>{}</td><td>{}</td><td class='n'>{:.2}</td>\
+                 <td class='n'>{:.2}</td><td class='{verdict}'>{verdict}</td></tr>",
+                escape(&record.method),
+                run.variant.grid,
+                record.particles,
+                worst(run, record),
+                record.wall_seconds,
+                record.particle_steps_per_second / 1e6,
+            ));
+        }
+    }
+    format!(
+        "<h2>Summary</h2><table class='summary'><thead><tr><th>case</th><th>method</th><th>grid</th>\
+         <th class='n'>particles</th><th>nearest to its tolerance</th><th class='n'>wall s</th>\
+         <th class='n'>10⁶ particle-steps/s</th><th>verdict</th></tr></thead><tbody>{rows}</tbody></table>"
+    )
+}
+
+/// The metric that uses most of its tolerance; the first one where nothing is asked.
+fn worst(run: &Run, record: &Record) -> String {
+    let use_of = |metric: &&Metric| match (metric.error, metric.tolerance) {
+        (Some(error), Some(tolerance)) if tolerance > 0.0 => error / tolerance,
+        (Some(error), Some(_)) if error == 0.0 => -1.0,
+        (_, Some(_)) => f64::INFINITY,
+        _ => -2.0,
+    };
+    let worst = record.metrics.iter().rev().max_by(|a, b| use_of(a).total_cmp(&use_of(b)));
+    let ended = if run.done() { String::new() } else { "diverged; ".into() };
+    let text = worst.map(|metric| format!("{}: {}{}", metric.name, words(metric), unit(metric)));
+    escape(&format!("{ended}{}", text.unwrap_or_default()))
+}
+
+fn case(result: &CaseResult) -> Result<String, JudgeError> {
+    let case = &result.case;
+    let mut text = format!(
+        "<section id='{}'><h2>{}</h2><p>{}</p><p class='source'>{}</p>",
+        escape(case.name),
+        escape(case.title),
+        escape(case.about),
+        escape(case.citation)
+    );
+    for figure in (case.figures)(&result.runs)? {
+        text.push_str(&show(&figure)?);
+    }
+    text.push_str(&metrics(result));
+    text.push_str("</section>");
+    Ok(text)
+}
+
+fn show(figure: &Figure) -> Result<String, JudgeError> {
+    let framed = |title: &str, caption: &str, inner: &str| {
+        let (title, caption) = (escape(title), escape(caption));
+        format!("<figure><h3>{title}</h3>{inner}<figcaption>{caption}</figcaption></figure>")
+    };
+    Ok(match figure {
+        Figure::Chart(chart) => framed(&chart.title, &chart.caption, &chart.html()?),
+        Figure::Shapes(shapes) => framed(&shapes.title, &shapes.caption, &shapes.html()),
+        Figure::Numbers(numbers) => {
+            let row = |cells: &[String], tag: &str| {
+                let cells: String =
+                    cells.iter().map(|cell| format!("<{tag} class='n'>{}</{tag}>", escape(cell))).collect();
+                format!("<tr>{cells}</tr>")
+            };
+            let body: String = numbers.rows.iter().map(|cells| row(cells, "td")).collect();
+            let head = row(&numbers.head, "th");
+            let table = format!("<table><thead>{head}</thead><tbody>{body}</tbody></table>");
+            framed(&numbers.title, &numbers.caption, &table)
+        }
+        Figure::Note(note) => {
+            let body: String = note.paragraphs.iter().map(|p| format!("<p>{}</p>", escape(p))).collect();
+            format!("<div class='note'><h3>{}</h3>{body}</div>", escape(&note.title))
+        }
+    })
+}
+
+fn metrics(result: &CaseResult) -> String {
+    let mut rows = String::new();
+    for (run, record) in result.runs.0.iter().zip(&result.records) {
+        for (number, metric) in record.metrics.iter().enumerate() {
+            let first = if number == 0 {
+                format!(
+                    "<th rowspan='{}' scope='rowgroup'>{}<br>{}</th>",
+                    record.metrics.len(),
+                    escape(&record.method),
+                    run.variant.grid
+                )
+            } else {
+                String::new()
+            };
+            let number = |value: Option<f64>| value.map(short).unwrap_or_default();
+            let (class, word) = match (metric.pass, metric.tolerance) {
+                (false, _) => ("MISSED", "MISSED"),
+                (true, Some(_)) => ("pass", "pass"),
+                (true, None) => ("shown", ""),
+            };
+            rows.push_str(&format!(
+                "<tr>{first}<td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td>{}</td>\
+                 <td class='{class}'>{word}</td><td class='why'>{}</td></tr>",
+                escape(&metric.name),
+                metric.value.map_or_else(|| "not reached".into(), short),
+                number(metric.reference),
+                number(metric.tolerance),
+                if metric.unit == "-" { "" } else { &metric.unit },
+                escape(&metric.reason),
+            ));
+        }
+    }
+    format!(
+        "<details open><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
+         <th class='n'>value</th><th class='n'>reference</th><th class='n'>may be off by</th><th>unit</th>\
+         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>"
+    )
+}

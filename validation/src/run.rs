@@ -1,0 +1,252 @@
+//! Running: all chosen scenes on all cores, one thread a scene, then the verdicts case by case.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use coque::scene::{Formulation, Reach};
+use coque::{Ended, Model, Outcome, Rendering, Scene, Silent, render};
+
+use crate::case::{Case, Run, Runs, Variant};
+use crate::record::{Metric, Record};
+use crate::{JudgeError, cases};
+
+/// What is run, and how.
+#[derive(Clone, Debug)]
+pub struct Selection {
+    /// Only the quick runs.
+    pub quick: bool,
+    /// Only these cases; all if empty.
+    pub names: Vec<String>,
+    /// Scenes that run at the same time.
+    pub jobs: usize,
+}
+
+/// A case with its runs and their records, in the same order.
+pub struct CaseResult {
+    /// The case.
+    pub case: Case,
+    /// The runs that were chosen.
+    pub runs: Runs,
+    /// Their records.
+    pub records: Vec<Record>,
+}
+
+/// Runs and judges; `tell` is called with one line whenever a run ends.
+///
+/// # Errors
+/// [`JudgeError`] for unknown names, refused scenes, and references that are not there. A missed tolerance is no
+/// error: it is in the records.
+pub fn judge(
+    selection: &Selection,
+    tell: &(dyn Fn(String) + Sync),
+) -> Result<Vec<CaseResult>, JudgeError> {
+    let cases = choose(cases::all(), selection)?;
+    let mut models = Vec::new();
+    for case in &cases {
+        for variant in &case.variants {
+            models.push((case.name, variant, build(case.name, variant)?));
+        }
+    }
+    let outcomes = run_all(models, selection.jobs, tell);
+    let mut outcomes = outcomes.into_iter();
+    cases
+        .into_iter()
+        .map(|case| {
+            let of_case = case.variants.iter().cloned().zip(outcomes.by_ref());
+            let runs = Runs(of_case.map(|(variant, outcome)| Run { variant, outcome }).collect());
+            let records = records(&case, &runs)?;
+            Ok(CaseResult { case, runs, records })
+        })
+        .collect()
+}
+
+/// The exit code of the program: 1 if any record misses a tolerance.
+pub fn exit_code(results: &[CaseResult]) -> u8 {
+    u8::from(results.iter().flat_map(|result| &result.records).any(|record| !record.passes()))
+}
+
+fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<Case>, JudgeError> {
+    for name in &selection.names {
+        if !all.iter().any(|case| case.name == name) {
+            let known = all.iter().map(|case| case.name).collect::<Vec<_>>().join(", ");
+            return Err(JudgeError::UnknownCase { name: name.clone(), known });
+        }
+    }
+    let mut chosen: Vec<Case> = all
+        .into_iter()
+        .filter(|case| selection.names.is_empty() || selection.names.iter().any(|name| case.name == name))
+        .collect();
+    for case in &mut chosen {
+        case.variants.retain(|variant| variant.quick || !selection.quick);
+    }
+    chosen.retain(|case| !case.variants.is_empty());
+    if chosen.is_empty() { Err(JudgeError::NothingToRun) } else { Ok(chosen) }
+}
+
+fn build(case: &'static str, variant: &Variant) -> Result<Model, JudgeError> {
+    let how = Rendering { width: 110, colour: false };
+    let origin = format!("scene of {case}");
+    Scene::with_overrides(variant.scene, &origin, &variant.set).and_then(|scene| scene.build(1)).map_err(
+        |error| JudgeError::Scene { case, method: variant.method.clone(), text: render(&error, how) },
+    )
+}
+
+/// Workers take the next scene from one queue, the dearest first, so that none is left with a long one at the end.
+fn run_all(
+    models: Vec<(&'static str, &Variant, Model)>,
+    jobs: usize,
+    tell: &(dyn Fn(String) + Sync),
+) -> Vec<Outcome> {
+    let count = models.len();
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&a, &b| rough_cost(&models[b].2).total_cmp(&rough_cost(&models[a].2)));
+    let names: Vec<String> =
+        models.iter().map(|(case, v, _)| format!("{case}: {} {}", v.method, v.grid)).collect();
+    let queue: Vec<Mutex<Option<Model>>> =
+        models.into_iter().map(|(_, _, model)| Mutex::new(Some(model))).collect();
+    let outcomes: Vec<Mutex<Option<Outcome>>> = (0..count).map(|_| Mutex::new(None)).collect();
+    let (next, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.clamp(1, count) {
+            scope.spawn(|| {
+                while let Some(&at) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let Some(model) = take(&queue[at]) else { continue };
+                    let outcome = model.run(&mut Silent);
+                    let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
+                    let how = match &outcome.ended {
+                        Ended::Done => format!("{:.1} s", outcome.summary.wall_seconds),
+                        Ended::Diverged(error) => error.to_string(),
+                    };
+                    tell(format!("[{number}/{count}] {}: {how}", names[at]));
+                    *outcomes[at].lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(outcome);
+                }
+            });
+        }
+    });
+    outcomes.iter().filter_map(take).collect()
+}
+
+fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
+    cell.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take()
+}
+
+/// Orders runs by time, not more: particles × points of a stencil × steps, where steps grow as the spacing falls.
+fn rough_cost(model: &Model) -> f64 {
+    let particles = model.shell.len() as f64;
+    // A wide stencil takes about five times as long as a cell of four particles.
+    let stencil = match &model.scene.formulation {
+        Formulation::StressPoint(options) if options.support == Reach::Cell => 1.0,
+        _ => 5.0,
+    };
+    particles.powf(1.5) * stencil
+}
+
+fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
+    let mut records = Vec::new();
+    for run in &runs.0 {
+        let mut metrics = (case.each)(run)?;
+        metrics.extend(rest(run));
+        records.push(Record::new(case.name, &run.variant.method, &run.outcome, metrics));
+    }
+    for (number, metric) in (case.together)(runs)? {
+        records[number].metrics.push(metric);
+    }
+    Ok(records)
+}
+
+/// Asks that a quasi-static run came to rest at every level.
+fn rest(run: &Run) -> Option<Metric> {
+    let levels = &run.outcome.summary.levels;
+    let restless = levels.iter().filter(|level| !level.settled).count() as f64;
+    let reason = "a load that is read while the shell still moves is dragged by the damping";
+    let metric = Metric::error("restless levels", run.done().then_some(restless), "-");
+    run.variant.settles.then(|| metric.within(0.0, reason))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str = include_str!("../../scenes/ring.toml");
+
+    fn case(tolerance_on_the_tip: fn(&Run) -> Result<Vec<Metric>, JudgeError>) -> Case {
+        Case {
+            name: "made-up",
+            title: "",
+            about: "",
+            citation: "",
+            variants: vec![
+                Variant::new("cell", SCENE, "plate", [5, 3])
+                    .set("analysis.explicit.quasi-static.levels", "[0.01]")
+                    .quick(),
+            ],
+            each: tolerance_on_the_tip,
+            together: |_| Ok(Vec::new()),
+            figures: |_| Ok(Vec::new()),
+        }
+    }
+
+    fn result(case: Case) -> CaseResult {
+        let variant = &case.variants[0];
+        let model = build(case.name, variant).unwrap();
+        let outcome = run_all(vec![(case.name, variant, model)], 1, &|_| {}).remove(0);
+        let runs = Runs(vec![Run { variant: variant.clone(), outcome }]);
+        let records = records(&case, &runs).unwrap();
+        CaseResult { case, runs, records }
+    }
+
+    #[test]
+    fn a_missed_tolerance_gives_exit_code_one() {
+        let kept = result(case(|run| {
+            let tip = run.at("W_tip", 0.01)?;
+            Ok(vec![Metric::error("tip", tip, "cm").within(10.0, "made up")])
+        }));
+        assert_eq!(exit_code(std::slice::from_ref(&kept)), 0, "{:?}", kept.records);
+        let missed = result(case(|run| {
+            let tip = run.at("W_tip", 0.01)?;
+            Ok(vec![Metric::error("tip", tip, "cm").within(1e-6, "made up")])
+        }));
+        assert_eq!(exit_code(&[kept, missed]), 1);
+    }
+
+    #[test]
+    fn a_level_that_was_never_reached_fails() {
+        let absent = result(case(|run| {
+            let tip = run.at("W_tip", 0.5)?;
+            Ok(vec![Metric::error("tip", tip, "cm").within(1e9, "made up")])
+        }));
+        assert_eq!(exit_code(&[absent]), 1);
+    }
+
+    #[test]
+    fn an_unknown_column_names_the_known_ones() {
+        let run = &result(case(|_| Ok(Vec::new()))).runs.0[0];
+        let error = run.column("w_tip").unwrap_err().to_string();
+        assert!(error.contains("W_tip"), "{error}");
+    }
+
+    #[test]
+    fn cases_are_chosen_by_name_and_by_what_is_quick() {
+        let selection = |quick, names: &[&str]| Selection {
+            quick,
+            names: names.iter().map(ToString::to_string).collect(),
+            jobs: 1,
+        };
+        let all = || {
+            let mut slow = case(|_| Ok(Vec::new()));
+            slow.name = "slow";
+            slow.variants[0].quick = false;
+            vec![case(|_| Ok(Vec::new())), slow]
+        };
+        let chosen = |quick, names: &[&str]| {
+            choose(all(), &selection(quick, names))
+                .map(|cases| cases.iter().map(|case| case.name).collect::<Vec<_>>())
+        };
+        assert_eq!(chosen(false, &[]).unwrap(), ["made-up", "slow"]);
+        assert_eq!(chosen(true, &[]).unwrap(), ["made-up"]);
+        assert_eq!(chosen(false, &["slow"]).unwrap(), ["slow"]);
+        assert!(matches!(chosen(true, &["slow"]), Err(JudgeError::NothingToRun)));
+        let error = chosen(false, &["fast"]).unwrap_err().to_string();
+        assert!(error.contains("made-up, slow"), "{error}");
+    }
+}

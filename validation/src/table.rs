@@ -1,0 +1,148 @@
+//! The printed table: one line a run, and every missed tolerance with its reason.
+
+use crate::record::{Metric, Record};
+use crate::run::CaseResult;
+
+/// Four significant digits, without trailing noughts; powers of ten outside 1e-4 … 1e6.
+pub fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let size = value.abs().log10().floor() as i32;
+    if !(-4..6).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let decimals = (3 - size).max(0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+}
+
+/// Value, reference and tolerance in a few words: `2.2219 (2.222 ± 0.0111)`, `0.28 (≤ 0.4)`.
+pub fn words(metric: &Metric) -> String {
+    let value = metric.value.map_or_else(|| "not reached".into(), short);
+    match (metric.reference, metric.tolerance) {
+        (Some(reference), Some(tolerance)) => {
+            format!("{value} ({} ± {})", short(reference), short(tolerance))
+        }
+        (Some(reference), None) => format!("{value} ({})", short(reference)),
+        (None, Some(tolerance)) => format!("{value} (≤ {})", short(tolerance)),
+        (None, None) => value,
+    }
+}
+
+/// Unit with a blank before it; nothing for "-".
+pub fn unit(metric: &Metric) -> String {
+    if metric.unit == "-" { String::new() } else { format!(" {}", metric.unit) }
+}
+
+/// The whole table, then the misses.
+pub fn table(results: &[CaseResult]) -> String {
+    let head = ["case", "method", "grid", "particles", "wall s", "Mp-steps/s", "verdict", "metrics"];
+    let mut lines = vec![head.map(String::from)];
+    for result in results {
+        for (run, record) in result.runs.0.iter().zip(&result.records) {
+            lines.push([
+                record.case.clone(),
+                record.method.clone(),
+                run.variant.grid.clone(),
+                record.particles.to_string(),
+                format!("{:.2}", record.wall_seconds),
+                format!("{:.2}", record.particle_steps_per_second / 1e6),
+                verdict(record).into(),
+                metrics(record),
+            ]);
+        }
+    }
+    let mut text = aligned(&lines);
+    for result in results {
+        for (run, record) in result.runs.0.iter().zip(&result.records) {
+            for metric in record.metrics.iter().filter(|metric| !metric.pass) {
+                text.push_str(&format!(
+                    "\nMISSED  {}, {} {}: {} is {}{}\n        tolerance: {}\n",
+                    record.case,
+                    record.method,
+                    run.variant.grid,
+                    metric.name,
+                    words(metric),
+                    unit(metric),
+                    metric.reason
+                ));
+            }
+        }
+    }
+    text
+}
+
+/// `pass`, `MISSED`, or `shown` where nothing is asked.
+pub fn verdict(record: &Record) -> &'static str {
+    match (record.passes(), record.metrics.iter().any(|metric| metric.tolerance.is_some())) {
+        (false, _) => "MISSED",
+        (true, true) => "pass",
+        (true, false) => "shown",
+    }
+}
+
+/// All metrics in one cell; the unit follows the last metric that has it.
+fn metrics(record: &Record) -> String {
+    let mut cell = String::new();
+    let shown: Vec<&Metric> = record.metrics.iter().filter(|m| m.name != "restless levels" || !m.pass).collect();
+    for (i, metric) in shown.iter().enumerate() {
+        let flag = if metric.pass { "" } else { "!! " };
+        let value = metric.value.map_or_else(|| "not reached".into(), short);
+        cell.push_str(&format!("{flag}{} {value}", metric.name));
+        match shown.get(i + 1) {
+            Some(next) if next.unit == metric.unit => cell.push_str(" · "),
+            Some(_) => cell.push_str(&format!("{} · ", unit(metric))),
+            None => cell.push_str(&unit(metric)),
+        }
+    }
+    cell
+}
+
+/// Columns side by side; numbers to the right, words to the left.
+fn aligned(lines: &[[String; 8]]) -> String {
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..7).map(width).collect();
+    let mut text = String::new();
+    for line in lines {
+        for (column, cell) in line.iter().enumerate() {
+            match widths.get(column) {
+                Some(&width) if (3..6).contains(&column) => text.push_str(&format!("{cell:>width$}  ")),
+                Some(&width) => text.push_str(&format!("{cell:<width$}  ")),
+                None => text.push_str(cell),
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (0.0, "0"),
+            (2.22194, "2.222"),
+            (0.27594, "0.2759"),
+            (0.4, "0.4"),
+            (-12.0, "-12"),
+            (123_456.7, "123457"),
+            (1.5e-11, "1.50e-11"),
+            (3.2e7, "3.20e7"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn words_say_what_was_asked() {
+        let compared = Metric::compared("P", Some(2.25), "kN", 2.222);
+        assert_eq!(words(&compared), "2.25 (2.222)");
+        assert_eq!(words(&compared.within(0.011, "")), "2.25 (2.222 ± 0.011)");
+        assert_eq!(words(&Metric::error("tip", Some(0.28), "%").within(0.4, "")), "0.28 (≤ 0.4)");
+        assert_eq!(words(&Metric::error("tip", None, "%")), "not reached");
+    }
+}
