@@ -120,7 +120,10 @@ impl Clock {
     ///
     /// # Errors
     /// [`MarchError::NoStableStep`].
-    pub fn estimate_step<S: Dynamics + LinearisedDynamics>(&mut self, system: &mut S) -> Result<(), MarchError> {
+    pub fn estimate_step<S: Dynamics + LinearisedDynamics>(
+        &mut self,
+        system: &mut S,
+    ) -> Result<(), MarchError> {
         self.dt = stable_step(&largest_eigenvalue(system, LANCZOS_STEPS), self.safety)?;
         Ok(())
     }
@@ -155,8 +158,11 @@ impl Clock {
     ) -> Result<ControlFlow<()>, MarchError> {
         system.force(self.now, true);
         let step = self.next_step(limit, level);
+        // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
+        // velocities as they were given.
+        let still = (self.steps == 0).then(|| system.kick(&Step { kick: 0.0, ..step }));
         let work = system.kick(&step);
-        let record = self.make_record(work, system.internal_energy(), settled);
+        let record = self.make_record(still.unwrap_or(work), system.internal_energy(), settled);
         let flow = observer.record(system, &record);
         self.last_good = Some(Box::new(record));
         system.drift(&step);

@@ -29,7 +29,9 @@ pub enum MarchError {
         last_good: Option<Box<Record>>,
     },
     /// The stiffness has no positive, finite largest eigenvalue.
-    #[error("no stable step: the largest eigenvalue of the stiffness over the mass was estimated as {0}; check masses and material")]
+    #[error(
+        "no stable step: the largest eigenvalue of the stiffness over the mass was estimated as {0}; check masses and material"
+    )]
     NoStableStep(f64),
     /// An option of the march is outside its bounds.
     #[error("{key} is {value}; it must be {bound}")]

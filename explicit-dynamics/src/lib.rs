@@ -2,7 +2,8 @@
 //!
 //! This crate knows no shell and no particle method. A system tells by [`Dynamics`] how to evaluate
 //! forces, how to kick its velocities and how to drift its configuration (which is where a rotation
-//! advances on its sphere); everything else is here.
+//! advances on its sphere); everything else is here. Velocities live at the half steps: this is the leapfrog
+//! form of velocity Verlet, the same trajectory of configurations with one kick a step.
 //!
 //! | to | use |
 //! |---|---|
@@ -12,7 +13,6 @@
 //! | watch | [`Observer`], [`Record`] |
 
 mod amplitude;
-mod central_difference;
 mod clock;
 mod damping;
 mod dynamics;
@@ -22,7 +22,6 @@ mod stable_step;
 mod transient;
 
 pub use amplitude::Amplitude;
-pub use central_difference::{CentralDifference, Integrator};
 pub use clock::{Balance, Clock, Observer, Record};
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Dynamics, Instant, Step, Work};

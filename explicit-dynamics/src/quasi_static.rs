@@ -50,11 +50,7 @@ impl QuasiStatic {
     ///
     /// # Errors
     /// [`MarchError`] for options out of bounds and for divergence.
-    pub fn march<S, O>(
-        &self,
-        system: &mut S,
-        observer: &mut O,
-    ) -> Result<Clock, MarchError>
+    pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
         S: Dynamics + LinearisedDynamics,
         O: Observer<S>,

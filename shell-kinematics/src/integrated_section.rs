@@ -44,7 +44,8 @@ impl IntegratedSection {
     /// [`MaterialError`] for a thickness that is not positive or a number of points outside 2–5.
     pub fn new(material: Isotropic, thickness: f64, points: usize) -> Result<Self, MaterialError> {
         let scales = IsotropicSection::new(material, thickness)?.scales();
-        let rule = points.checked_sub(2).and_then(|i| GAUSS.get(i)).ok_or(MaterialError::GaussPoints(points))?;
+        let rule =
+            points.checked_sub(2).and_then(|i| GAUSS.get(i)).ok_or(MaterialError::GaussPoints(points))?;
         let half = 0.5 * thickness;
         let layers = rule.iter().map(|&(z, w)| (z * half, w * half)).collect();
         Ok(Self { material, layers, scales })

@@ -1,7 +1,7 @@
 //! Nodal operator: sampling at the particles themselves, gradients by least squares through the particle.
 
 use crate::correction::{Correction, Shape, ThroughParticle};
-use crate::kernel_operator::{RIM, GROWTH, GROWTH_STEPS, Search};
+use crate::kernel_operator::{GROWTH, GROWTH_STEPS, RIM, Search};
 use crate::{CellList, Cloud, Kernel, SamplingOperator, SamplingPoint, SpaceError, Stencil};
 
 /// Sampling points at the particles, gradients exact on polynomials of `order` 1, 2 or 3 in the tangent plane.

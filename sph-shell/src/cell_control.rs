@@ -59,16 +59,13 @@ impl CellPack {
             }
             let point = &operator.points[p as usize];
             let local = |axis: &Vec3| -> [f64; 4] {
-                std::array::from_fn(|b| {
-                    (positions[stencil.particles[b] as usize] - point.position).dot(axis)
-                })
+                std::array::from_fn(|b| (positions[stencil.particles[b] as usize] - point.position).dot(axis))
             };
             let (xi, eta) = (local(&point.frame.t1), local(&point.frame.t2));
             let pattern = [1.0, -1.0, 1.0, -1.0];
             let sum = |f: &dyn Fn(usize) -> f64| (0..4).map(f).sum::<f64>();
             let lever = [sum(&|b| 0.25 * pattern[b] * xi[b]), sum(&|b| 0.25 * pattern[b] * eta[b])];
-            let gamma =
-                |b: usize| 0.25 * pattern[b] - stencil.g1[b] * lever[0] - stencil.g2[b] * lever[1];
+            let gamma = |b: usize| 0.25 * pattern[b] - stencil.g1[b] * lever[0] - stencil.g2[b] * lever[1];
             let (t, w) = (section.thickness, point.weight);
             let shear = section.shear * t * t / (t * t + w);
             let values = [
@@ -137,6 +134,9 @@ impl CellPack {
         f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - director * l1;
         f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 - director * l2;
         let energy = (s[0] * r1 + s[1] * r2 + s[2] * r3 + s[3] * r4 + s[4] * r5) * 0.5;
-        (PatternForces { position: position * Pack::splat(0.25), director: director * Pack::splat(0.25) }, energy)
+        (
+            PatternForces { position: position * Pack::splat(0.25), director: director * Pack::splat(0.25) },
+            energy,
+        )
     }
 }

@@ -28,7 +28,9 @@ pub enum ShellError {
     #[error("{0} needs at least two particles in a row along an edge of the shell")]
     NotAnEdge(&'static str),
     /// Supports that contradict each other.
-    #[error("particle {particle} is told to move by {wanted:.6e} along a direction its other supports hold to {held:.6e}; remove one of them")]
+    #[error(
+        "particle {particle} is told to move by {wanted:.6e} along a direction its other supports hold to {held:.6e}; remove one of them"
+    )]
     Contradiction {
         /// The particle.
         particle: u32,

@@ -46,7 +46,12 @@ impl Forces<'_> {
 impl Update<'_> {
     /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` for particles from number `first` on, and the drift if `DRIFT`.
     #[inline(always)]
-    fn chunk<const DRIFT: bool, const LOADED: bool>(&self, first: usize, state: &mut [Row], rates: &mut [Row]) -> Work {
+    fn chunk<const DRIFT: bool, const LOADED: bool>(
+        &self,
+        first: usize,
+        state: &mut [Row],
+        rates: &mut [Row],
+    ) -> Work {
         let Step { kick, damping, .. } = *self.step;
         let (before, after) = (1.0 - 0.5 * damping * kick, 1.0 / (1.0 + 0.5 * damping * kick));
         let drift = self.step.drift();
@@ -95,7 +100,7 @@ impl Update<'_> {
                     work.external += kick * external[k] * mean[k];
                 }
             }
-            if pushed {
+            if pushed && kick > 0.0 {
                 // The support's force is what the particle's balance lacks; it works on the prescribed motion.
                 for k in 0..3 {
                     let lack = m * (new[k] - old[k]) / kick - f[k] + m * damping * mean[k];
@@ -140,8 +145,7 @@ impl<const DRIFT: bool> pulp::NullaryFnOnce for Chunk<'_, '_, DRIFT> {
 /// Moves a position along its velocity and a director along its great circle.
 #[inline(always)]
 fn drift_row(row: &mut Row, rate: &mut Row, dt: f64) {
-    let (d, w) =
-        parallel_transport([row[3], row[4], row[5]], [rate[3], rate[4], rate[5]], dt);
+    let (d, w) = parallel_transport([row[3], row[4], row[5]], [rate[3], rate[4], rate[5]], dt);
     *row = [row[0] + dt * rate[0], row[1] + dt * rate[1], row[2] + dt * rate[2], d[0], d[1], d[2]];
     *rate = [rate[0], rate[1], rate[2], w[0], w[1], w[2]];
 }
@@ -223,8 +227,12 @@ impl Dynamics for Shell {
             let energy = moving + turning * self.reference.inertias[a] / self.reference.masses[a];
             (a, if energy.is_nan() { f64::INFINITY } else { energy })
         };
-        let (particle, square) =
-            self.rates.iter().enumerate().map(speed).fold((0, 0.0), |best, x| if x.1 > best.1 { x } else { best });
+        let (particle, square) = self
+            .rates
+            .iter()
+            .enumerate()
+            .map(speed)
+            .fold((0, 0.0), |best, x| if x.1 > best.1 { x } else { best });
         (particle, square.sqrt())
     }
 

@@ -95,9 +95,8 @@ impl Packs {
         let first = self.entries.len() as u32;
         for k in 1..=width {
             // Stencils shorter than the pack end in their base with nought for numbers.
-            let pick = |values: [&[f64]; LANES]| {
-                Pack::from_fn(|lane| values[lane].get(k).copied().unwrap_or(0.0))
-            };
+            let pick =
+                |values: [&[f64]; LANES]| Pack::from_fn(|lane| values[lane].get(k).copied().unwrap_or(0.0));
             self.entries.push(Entry {
                 particles: stencils.map(|s| s.particles.get(k).copied().unwrap_or(s.particles[0])),
                 phi: pick(stencils.map(|s| s.phi)),

@@ -177,7 +177,12 @@ struct Residual {
 }
 
 impl Residual {
-    fn new(reference: &Reference, gradients: &SamplingOperator, pair: &Pair, section: &SectionScales) -> Self {
+    fn new(
+        reference: &Reference,
+        gradients: &SamplingOperator,
+        pair: &Pair,
+        section: &SectionScales,
+    ) -> Self {
         let cloud = &reference.cloud;
         let [a, b] = pair.ends.map(|end| end as usize);
         let d = cloud.positions[b] - cloud.positions[a];

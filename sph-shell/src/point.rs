@@ -102,7 +102,12 @@ pub(crate) fn point_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Sec
 
 /// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
 #[inline(always)]
-pub(crate) fn sweep_pack<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+pub(crate) fn sweep_pack<
+    const CELL: bool,
+    const ENERGY: bool,
+    M: StrainMeasure + ?Sized,
+    S: Section + ?Sized,
+>(
     pack: &PointPack,
     entries: &[Entry],
     cell: Option<&CellPack>,

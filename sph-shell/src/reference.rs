@@ -1,7 +1,10 @@
 //! The reference configuration: cloud, sampling operator, masses. Immutable once built.
 
 use shell_kinematics::SectionScales;
-use sph_core::{Cloud, CubicSpline, SamplingOperator, cell_operator, kernel_operator, make_divergence_consistent, nodal_operator};
+use sph_core::{
+    Cloud, CubicSpline, SamplingOperator, cell_operator, kernel_operator, make_divergence_consistent,
+    nodal_operator,
+};
 
 use crate::{Formulation, Reach, ShellError};
 
@@ -78,7 +81,8 @@ fn consistent_nodal(operator: SamplingOperator, cloud: &Cloud) -> Result<Samplin
     let keep = |most: u8| {
         let mut changed = operator.clone();
         let orders: Vec<u8> = operator.orders.iter().map(|&order| order.min(most)).collect();
-        make_divergence_consistent(&mut changed, cloud, &orders).map(|report| (changed, report.residual_after))
+        make_divergence_consistent(&mut changed, cloud, &orders)
+            .map(|report| (changed, report.residual_after))
     };
     let (second, contradiction) = keep(2)?;
     // Conditions that agree are met to 1e-9 of the spacing and better.

@@ -9,8 +9,8 @@ use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
 use crate::strong_form::StrongForm;
-use crate::sweep::Sweep;
 use crate::supports::{Constraint, Holds};
+use crate::sweep::Sweep;
 use crate::{Formulation, Reach, Reference, ShellError, Support};
 
 /// A support and the particles it acts on.
@@ -105,7 +105,13 @@ impl Shell {
                 .iter()
                 .zip(&packs.order)
                 .map(|(pack, points)| {
-                    CellPack::new(&reference.operator, points, pack.weight, &reference.cloud.positions, &scales)
+                    CellPack::new(
+                        &reference.operator,
+                        points,
+                        pack.weight,
+                        &reference.cloud.positions,
+                        &scales,
+                    )
                 })
                 .collect(),
             _ => Vec::new(),
@@ -271,7 +277,14 @@ impl Shell {
     pub fn evaluate_internal(&mut self, energy: bool) {
         let law = PointLaw { strain: self.strain, section: &*self.section };
         if let Some(strong) = &mut self.strong_form {
-            let total = strong.evaluate(&self.reference, &self.packs, law, &self.state, &self.rates, &mut self.direct);
+            let total = strong.evaluate(
+                &self.reference,
+                &self.packs,
+                law,
+                &self.state,
+                &self.rates,
+                &mut self.direct,
+            );
             self.internal_energy = total;
             return;
         }
@@ -306,7 +319,11 @@ impl Shell {
             + size_of_val(&self.cells[..])
             + self.pairs.as_ref().map_or(0, PairControl::bytes)
             + size_of::<Row>()
-                * (self.slots.len() + self.state.len() + self.rates.len() + self.direct.len() + self.external.len())
+                * (self.slots.len()
+                    + self.state.len()
+                    + self.rates.len()
+                    + self.direct.len()
+                    + self.external.len())
             + 8 * (self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len())
             + 4 * self.constraint_of.len();
         bytes as f64 / self.len() as f64

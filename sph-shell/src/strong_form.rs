@@ -120,7 +120,9 @@ impl StrongForm {
             return 0.0;
         }
         let approach = along / square.sqrt();
-        self.viscosity * self.surface_density * (-reference.sound_speed * approach + 2.0 * approach * approach)
+        self.viscosity
+            * self.surface_density
+            * (-reference.sound_speed * approach + 2.0 * approach * approach)
     }
 }
 

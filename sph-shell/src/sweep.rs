@@ -93,3 +93,63 @@ impl pulp::NullaryFnOnce for Leaf<'_, '_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use shell_kinematics::Isotropic;
+    use sph_core::{Cylinder, EndWeights, cell_operator, lattice};
+
+    use super::*;
+    use crate::point::place;
+
+    /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
+    #[test]
+    fn all_copies_of_the_sweep_agree_to_the_last_bit() {
+        let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
+        let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
+        let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
+        let operator = cell_operator(&cloud).unwrap();
+        let mut packs = Packs::new(&operator, &cloud.positions);
+        let mut cells: Vec<CellPack> = packs
+            .points
+            .iter()
+            .zip(&packs.order)
+            .map(|(pack, points)| {
+                CellPack::new(&operator, points, pack.weight, &cloud.positions, &section.scales())
+            })
+            .collect();
+        let mut state: Vec<Row> = cloud
+            .positions
+            .iter()
+            .zip(&cloud.frames)
+            .map(|(x, f)| [x.x, x.y, x.z, f.n.x, f.n.y, f.n.z])
+            .collect();
+        for (pack, cell) in packs.points.iter_mut().zip(&mut cells) {
+            let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
+            let (p, raw) = place::<true>(pack, entries, &state);
+            pack.reference = p.measures();
+            cell.rest(&p, &pack.reference.curvature, raw);
+        }
+        for (i, row) in state.iter_mut().enumerate() {
+            for (k, value) in row.iter_mut().enumerate() {
+                *value += 0.01 * ((7 * i + 3 * k) as f64).sin();
+            }
+        }
+        let law =
+            PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
+        let sweep = Sweep { packs: &packs, cells: &cells, law, state: &state, energy: false };
+        let count = packs.points.len();
+        let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
+            let mut slots = vec![[0.0; 6]; packs.slot_count()];
+            how(&mut slots, &mut vec![0.0; count]);
+            slots.into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>()
+        };
+        let here = run(&|slots, energies| sweep.run(0, slots, energies, false));
+        let static_law = PointLaw { strain: &StretchCorrected, section: &section };
+        let baseline =
+            run(&|slots, energies| sweep.range::<true, false, _, _>(static_law, 0, slots, energies));
+        let any = run(&|slots, energies| sweep.range::<true, false, _, _>(law, 0, slots, energies));
+        assert!(here == baseline && here == any);
+        assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
+    }
+}

@@ -1,5 +1,7 @@
 //! Force is minus the derivative of the energy; momentum and moment of momentum; rigid motion costs nothing.
 
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
 mod common;
 
 use common::{Dice, curved, disordered_curved, energy, energy_formulations, flat, free_shell, shake, shell};
@@ -9,7 +11,11 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::{Formulation, Reach, Shell};
 
 fn clouds() -> [(&'static str, Cloud); 3] {
-    [("flat", flat([6, 5], [2.0, 1.5])), ("curved", curved([7, 6])), ("disordered", disordered_curved([7, 6]))]
+    [
+        ("flat", flat([6, 5], [2.0, 1.5])),
+        ("curved", curved([7, 6])),
+        ("disordered", disordered_curved([7, 6])),
+    ]
 }
 
 fn forces(shell: &mut Shell) -> Vec<[f64; 6]> {
@@ -34,7 +40,8 @@ fn greatest(forces: &[[f64; 6]]) -> f64 {
 fn force_is_the_derivative_of_the_energy() {
     each_case(|name, cloud, formulation| {
         for strain in strain_measures() {
-            let mut body = shell(cloud.clone(), formulation, common::THICKNESS, strain, Vec::new(), Vec::new());
+            let mut body =
+                shell(cloud.clone(), formulation, common::THICKNESS, strain, Vec::new(), Vec::new());
             shake(&mut body, 0.08, 11);
             let exact = forces(&mut body);
             let mut dice = Dice(5);
@@ -52,7 +59,8 @@ fn force_is_the_derivative_of_the_energy() {
                 .sum();
             // Step 1e-5: truncation 1e-10, round-off of the energy 1e-16/1e-5 = 1e-11.
             let eps = 1e-5;
-            let home: Vec<(Vec3, Vec3)> = (0..body.len()).map(|a| (body.position(a), body.director(a))).collect();
+            let home: Vec<(Vec3, Vec3)> =
+                (0..body.len()).map(|a| (body.position(a), body.director(a))).collect();
             let mut side = |sign: f64| {
                 for (a, ((x, d), (u, v))) in home.iter().zip(&along).enumerate() {
                     body.set_state(a, x + u * (sign * eps), d + v * (sign * eps));

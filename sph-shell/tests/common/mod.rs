@@ -35,7 +35,8 @@ pub fn flat(counts: [usize; 2], lengths: [f64; 2]) -> Cloud {
 }
 
 pub fn curved(counts: [usize; 2]) -> Cloud {
-    lattice(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, counts, EndWeights::Trapezoid).unwrap()
+    lattice(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, counts, EndWeights::Trapezoid)
+        .unwrap()
 }
 
 pub fn disordered_curved(counts: [usize; 2]) -> Cloud {

@@ -1,0 +1,199 @@
+//! The marches on a single oscillator, where every answer is known.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use explicit_dynamics::{
+    Damping, Dynamics, Instant, LevelReached, LinearisedDynamics, MarchError, Observer, QuasiStatic, Record,
+    Step, Transient, Work,
+};
+
+/// `m ẍ + k x = level · load`.
+struct Oscillator {
+    m: f64,
+    k: f64,
+    load: f64,
+    x: f64,
+    v: f64,
+    f: f64,
+    external: f64,
+}
+
+impl Oscillator {
+    fn new(x: f64, v: f64, load: f64) -> Self {
+        Self { m: 2.0, k: 8.0, load, x, v, f: 0.0, external: 0.0 }
+    }
+}
+
+impl Dynamics for Oscillator {
+    fn force(&mut self, at: Instant, _: bool) {
+        self.external = at.level * self.load;
+        self.f = self.external - self.k * self.x;
+    }
+    fn internal_energy(&self) -> f64 {
+        0.5 * self.k * self.x * self.x
+    }
+    fn kick(&mut self, step: &Step) -> Work {
+        let half = 0.5 * step.damping * step.kick;
+        let old = self.v;
+        self.v = (old * (1.0 - half) + step.kick * self.f / self.m) / (1.0 + half);
+        let mean = 0.5 * (old + self.v);
+        Work {
+            kinetic: 0.5 * self.m * mean * mean,
+            external: step.kick * self.external * mean,
+            dissipated: step.kick * step.damping * self.m * mean * mean,
+        }
+    }
+    fn drift(&mut self, step: &Step) {
+        self.x += step.drift() * self.v;
+    }
+    fn stop(&mut self) {
+        self.v = 0.0;
+    }
+    fn fastest(&self) -> (usize, f64) {
+        (0, self.v.abs())
+    }
+    fn speed_bound(&self) -> f64 {
+        1e3
+    }
+}
+
+impl LinearisedDynamics for Oscillator {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+        out[0] = self.k / self.m * v[0];
+    }
+}
+
+#[derive(Default)]
+struct Notes {
+    records: Vec<(f64, Record)>,
+    levels: Vec<LevelReached>,
+    stop_after: Option<usize>,
+}
+
+impl Observer<Oscillator> for Notes {
+    fn record(&mut self, system: &mut Oscillator, record: &Record) -> ControlFlow<()> {
+        self.records.push((system.x, *record));
+        if Some(self.records.len()) == self.stop_after {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+    fn level(&mut self, reached: &LevelReached) {
+        self.levels.push(*reached);
+    }
+}
+
+/// ω = 2: period π.
+const PERIOD: f64 = TAU / 2.0;
+
+#[test]
+fn free_vibration_is_the_cosine_to_second_order() {
+    let error = |safety: f64| {
+        let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
+        let run = Transient { duration: 3.0 * PERIOD, record_every: 0.1 * PERIOD, damping: 0.0, safety };
+        run.march(&mut body, &mut notes).unwrap();
+        assert_eq!(notes.records.len(), 31);
+        notes.records.iter().fold(0.0_f64, |worst, (x, r)| worst.max((x - libm::cos(2.0 * r.at.time)).abs()))
+    };
+    let (coarse, fine) = (error(0.04), error(0.02));
+    // Period error of central differences: (ωΔt)²/24 over 6π of phase, ωΔt = 0.08: 5e-3.
+    assert!(coarse < 5.1e-3 && coarse / fine > 3.8, "{coarse} {fine}");
+}
+
+#[test]
+fn energy_is_booked_to_the_last() {
+    // Damped and driven: whatever the loads bring is stored, moving or dissipated.
+    let (mut body, mut notes) = (Oscillator::new(0.3, -1.0, 5.0), Notes::default());
+    let run = Transient { duration: 4.0 * PERIOD, record_every: 0.25 * PERIOD, damping: 0.3, safety: 0.02 };
+    run.march(&mut body, &mut notes).unwrap();
+    let last = notes.records.last().unwrap().1;
+    assert!(last.energy.dissipated > 1.0 && last.energy.external > 1.0);
+    let worst = notes.records.iter().fold(0.0_f64, |w, (_, r)| w.max(r.balance_error.abs()));
+    // Second order in ωΔt = 0.04.
+    assert!(worst < 1e-3 * last.energy.external, "{worst}");
+}
+
+#[test]
+fn ramp_and_hold_ends_at_the_static_answer() {
+    for damping in [Damping::Ratio(1.0), Damping::Ratio(0.5), Damping::Kinetic] {
+        let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
+        let path = QuasiStatic {
+            levels: vec![0.5, 1.0, 0.25],
+            period: PERIOD,
+            ramp: 1.0,
+            hold: 30.0,
+            damping,
+            tolerance: 1e-14,
+            safety: 0.1,
+        };
+        path.march(&mut body, &mut notes).unwrap();
+        let found: Vec<f64> = notes.records.iter().map(|r| r.0).collect();
+        // x = level · load/k; kinetic over internal energy 1e-14 leaves 1e-7 of the amplitude.
+        for (x, exact) in found.iter().zip([0.0, 1.0, 2.0, 0.5]) {
+            assert!((x - exact).abs() < 1e-6, "{damping:?}: {found:?}");
+        }
+        assert!(notes.levels.iter().all(|l| l.settled) && notes.levels.len() == 3);
+    }
+}
+
+#[test]
+fn a_hold_that_never_rests_says_so() {
+    let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
+    let path = QuasiStatic {
+        levels: vec![1.0],
+        period: PERIOD,
+        ramp: 0.3,
+        hold: 2.0,
+        damping: Damping::Ratio(1e-4),
+        tolerance: 1e-12,
+        safety: 0.1,
+    };
+    path.march(&mut body, &mut notes).unwrap();
+    assert!(!notes.levels[0].settled && notes.levels[0].kinetic_over_internal > 1e-12);
+    assert!(!notes.records.last().unwrap().1.settled);
+}
+
+#[test]
+fn beyond_the_limit_it_diverges_with_the_last_good_record() {
+    let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
+    let run = Transient { duration: 1e4, record_every: 100.0, damping: 0.0, safety: 1.05 };
+    match run.march(&mut body, &mut notes) {
+        Err(MarchError::Diverged { particle: 0, speed, bound, last_good: Some(good), safety, .. }) => {
+            assert!(speed > bound && safety == 1.05 && *good == notes.records.last().unwrap().1);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn options_out_of_bounds_are_refused() {
+    let run = |duration, record_every, safety| {
+        let run = Transient { duration, record_every, damping: 0.0, safety };
+        run.march(&mut Oscillator::new(1.0, 0.0, 0.0), &mut Notes::default()).unwrap_err()
+    };
+    for (error, name) in [
+        (run(-1.0, 1.0, 0.5), "duration"),
+        (run(1.0, f64::NAN, 0.5), "record_every"),
+        (run(1.0, 1.0, 0.0), "safety"),
+        (run(1.0, 1e-9, 0.5), "duration"),
+    ] {
+        assert!(matches!(error, MarchError::Option { key, .. } if key == name), "{error}");
+    }
+}
+
+#[test]
+fn an_observer_can_end_a_run() {
+    let (mut body, mut notes) =
+        (Oscillator::new(1.0, 0.0, 0.0), Notes { stop_after: Some(4), ..Notes::default() });
+    let run = Transient { duration: 100.0, record_every: 1.0, damping: 0.0, safety: 0.5 };
+    let clock = run.march(&mut body, &mut notes).unwrap();
+    assert_eq!(notes.records.len(), 4);
+    assert!(clock.now.time < 4.0);
+}

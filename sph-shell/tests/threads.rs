@@ -1,0 +1,109 @@
+//! The same bits for 1, 2 and 4 threads, and no allocation inside a step.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+mod common;
+
+use std::alloc::System;
+use std::sync::Mutex;
+
+use common::{energy_formulations, flat};
+use explicit_dynamics::{Clock, Dynamics};
+use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
+use sph_core::{CubicSpline, Side, Vec3};
+use sph_shell::{
+    AppliedLoad, Clamped, CoupleAxis, EdgeCouple, Formulation, Gravity, Parts, Pressure, Reach, Shell,
+    Supported,
+};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// Tests of this file run one at a time: the counter belongs to the whole process.
+static ALONE: Mutex<()> = Mutex::new(());
+
+/// A plate large enough for several chunks of particles and packs, with a load of every kind.
+fn body(formulation: Formulation, threads: usize) -> Shell {
+    let cloud = flat([27, 23], [2.0, 1.5]);
+    let lattice = cloud.lattice.unwrap();
+    let edge = lattice.edge(Side::U1).into_iter().map(|a| (a, cloud.edge_lengths[a as usize])).collect();
+    let applied = |load| AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Ramp(0.1) };
+    let loads = vec![
+        applied(Box::new(EdgeCouple { edge, moment: 0.003, axis: CoupleAxis::Edge })),
+        applied(Box::new(Pressure { value: 0.001, follower: true })),
+        applied(Box::new(Gravity { acceleration: Vec3::new(0.0, 0.003, -0.01) })),
+    ];
+    let supports = vec![Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) }];
+    Shell::new(Parts {
+        cloud,
+        section: Box::new(IsotropicSection::new(Isotropic::new(1200.0, 0.3).unwrap(), 0.05).unwrap()),
+        strain: &StretchCorrected,
+        density: 1.0,
+        formulation,
+        supports,
+        loads,
+        threads,
+    })
+    .unwrap()
+}
+
+/// Positions and energies after some steps, as bits.
+fn bits(formulation: Formulation, threads: usize) -> Vec<u64> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let mut shell = body(formulation, threads);
+        let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
+        for _ in 0..60 {
+            clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
+        }
+        shell.force(clock.now, true);
+        let mut out: Vec<u64> = (0..shell.len())
+            .flat_map(|a| shell.position(a).iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+            .collect();
+        out.push(shell.internal_energy().to_bits());
+        out.push(clock.kinetic.to_bits());
+        out
+    })
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let _alone = ALONE.lock().unwrap();
+    let strong = Formulation::StrongForm { smoothing: 1.2, viscosity: 1.0, kernel: &CubicSpline };
+    let all = energy_formulations().into_iter().chain([("strong-form", strong)]);
+    for (name, formulation) in all {
+        let one = bits(formulation, 1);
+        for threads in [2, 4] {
+            assert!(bits(formulation, threads) == one, "{name}: {threads} threads give other bits");
+        }
+    }
+}
+
+/// Allocations of 200 steps after a few to warm up.
+fn allocations(threads: usize) -> usize {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let mut shell = body(Formulation::StressPoint(Reach::Cell), threads);
+        let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
+        let mut march = |steps: usize| {
+            for _ in 0..steps {
+                clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
+            }
+        };
+        march(20);
+        let region = Region::new(ALLOCATOR);
+        march(200);
+        region.change().allocations
+    })
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    for threads in [1, 2] {
+        // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
+        let counted = allocations(threads);
+        assert!(counted < 20, "{counted} allocations in 200 steps on {threads} threads");
+    }
+}
