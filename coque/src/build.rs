@@ -134,23 +134,27 @@ impl Builder<'_> {
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
             for (_, kind) in support.kinds() {
-                supports.push(Supported { particles: particles.to_vec(), support: self.support(kind) });
+                let course = amplitude(support.amplitude.as_ref());
+                supports
+                    .push(Supported { particles: particles.to_vec(), support: self.support(kind, course) });
             }
         }
         Ok(supports)
     }
 
-    fn support(&self, kind: SupportKind) -> Box<dyn sph_shell::Support> {
+    fn support(
+        &self,
+        kind: SupportKind,
+        amplitude: explicit_dynamics::Amplitude,
+    ) -> Box<dyn sph_shell::Support> {
         match kind {
             SupportKind::Clamped => Box::new(sph_shell::Clamped),
             SupportKind::Hinged => Box::new(sph_shell::Hinged),
             SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
             SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
-            SupportKind::Moved(s) => Box::new(sph_shell::Moved {
-                direction: self.turned(s.direction),
-                by: s.by,
-                amplitude: explicit_dynamics::Amplitude::Constant,
-            }),
+            SupportKind::Moved(s) => {
+                Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
+            }
         }
     }
 

@@ -120,6 +120,23 @@ fn broken_overrides() {
 }
 
 #[test]
+fn motion_without_its_course() {
+    let transient = ("analysis.explicit", "{ transient = { duration = 0.003, record_every = 0.001 } }");
+    let refusal = |more: &[(&str, &str)]| {
+        let pairs: Vec<_> = more.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+        refused(Scene::with_overrides(&text("panel.toml"), "panel.toml", &pairs))
+    };
+    let mut all = refusal(&[transient]);
+    for amplitude in ["\"constant\"", "{ table = [[0.0, 1.0], [0.003, 2.0]] }", "{ table = [] }"] {
+        all.push_str(&refusal(&[transient, ("supports[3].amplitude", amplitude)]));
+    }
+    all.push_str(&refusal(&[("supports[3].amplitude", "{ ramp = 0.003 }")]));
+    all.push_str(&refusal(&[transient, ("supports[0].amplitude", "{ ramp = 0.003 }")]));
+    insta::assert_snapshot!(all);
+    assert_eq!(refusal(&[transient, ("supports[3].amplitude", "{ ramp = 0.003 }")]), "not refused");
+}
+
+#[test]
 fn contradicting_motion() {
     let message =
         text("panel.toml").replace("direction = [0.0, 0.0, -1.0], by", "direction = [1.0, 0.0, -1.0], by");

@@ -63,6 +63,19 @@ fn threads_change_no_bit() {
 }
 
 #[test]
+fn a_motion_follows_its_course_in_time() {
+    let replaced = [
+        ("analysis.explicit", "{ transient = { duration = 0.003, record_every = 0.001 } }"),
+        ("supports[3].amplitude", "{ ramp = 0.003 }"),
+        ("geometry.cylinder.particles", "[11, 11]"),
+    ];
+    let crown = run("panel.toml", &replaced, 1).curve.column("w_crown").unwrap();
+    for (reached, wanted) in crown.iter().zip([0.0, 10.0, 20.0, 30.0]) {
+        assert!((reached - wanted).abs() < 1e-9, "{crown:?}");
+    }
+}
+
+#[test]
 fn the_ring_closes() {
     // A coarse ring; 1.04 % of L is what this spacing gave in the study of the method.
     let replaced = [("geometry.plate.particles", "[25, 3]"), ("analysis.explicit.quasi-static.levels", "4")];

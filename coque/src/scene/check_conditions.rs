@@ -13,6 +13,11 @@ impl Scene {
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        if support.amplitude.is_some() && support.moved.is_none() {
+            let repair = "remove it: only `moved` has a course in time";
+            let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
+            return Err(SceneError::Choice(fault));
+        }
         for (_, kind) in kinds {
             match kind {
                 SupportKind::Clamped | SupportKind::Hinged => {}
@@ -23,25 +28,35 @@ impl Scene {
                 SupportKind::Moved(moved) => {
                     s.direction(&format!("{at}.moved.direction"), moved.direction)?;
                     s.sized(&format!("{at}.moved.by"), moved.by)?;
-                    self.quasi_static_only(
-                        &format!("{at}.moved"),
-                        "a prescribed motion follows the load level",
-                    )?;
+                    self.check_course(at, support.amplitude.as_ref())?;
                 }
             }
         }
         Ok(())
     }
 
-    /// Refuses what has a meaning only along a load path.
-    fn quasi_static_only(&self, path: &str, why: &str) -> Checked {
+    /// A prescribed motion follows the load level, in a transient run a course that starts at nought.
+    fn check_course(&self, at: &str, amplitude: Option<&Amplitude>) -> Checked {
+        let path = format!("{at}.amplitude");
         let Analysis::Explicit(explicit) = &self.analysis;
-        if explicit.transient.is_none() {
+        let starts_at_rest = match amplitude {
+            None => explicit.transient.is_none(),
+            Some(amplitude) => {
+                self.check_amplitude(&path, amplitude)?;
+                match amplitude {
+                    Amplitude::Constant => false,
+                    Amplitude::Table(points) => points[0][1] == 0.0 && points[0][0] >= 0.0,
+                    _ => true,
+                }
+            }
+        };
+        if starts_at_rest {
             return Ok(());
         }
-        let repair = format!("{why}, which a transient run has not: use [analysis.explicit.quasi-static]");
-        let fault = self.source.fault(path, "a condition", "one that a transient run knows", &repair);
-        Err(SceneError::Choice(fault))
+        let path = if amplitude.is_none() { format!("{at}.moved") } else { path };
+        let repair = "a transient run has no load level: add amplitude = { ramp = time } beside `moved`";
+        let bound = "one with a course in time that starts at nought";
+        Err(SceneError::Choice(self.source.fault(&path, "a prescribed motion", bound, repair)))
     }
 
     pub(super) fn check_load(&self, at: &str, load: &Load) -> Checked {

@@ -20,6 +20,8 @@ pub struct Support {
     pub diaphragm: Option<Diaphragm>,
     /// Prescribed displacement in one direction.
     pub moved: Option<Moved>,
+    /// Course of a prescribed displacement in time, in transient runs.
+    pub amplitude: Option<Amplitude>,
 }
 
 /// A condition without options: `{}`.
@@ -43,7 +45,7 @@ pub struct Diaphragm {
     pub axis: [f64; 3],
 }
 
-/// Displacement `by × level` along a direction; the other directions stay free.
+/// Displacement `by × level`, in a transient run `by × amplitude`, along a direction; the others stay free.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Moved {
