@@ -28,7 +28,9 @@ pub enum JudgeError {
         text: String,
     },
     /// A case asks for a column that its scene does not record.
-    #[error("the curve has no column \"{name}\"; add a [[curve]] of that name to the scene, or use one of: {known}")]
+    #[error(
+        "the curve has no column \"{name}\"; add a [[curve]] of that name to the scene, or use one of: {known}"
+    )]
     NoColumn {
         /// What was asked for.
         name: String,

@@ -11,9 +11,8 @@ pub fn cubic_at(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
     let right = x.partition_point(|&known| known < at).max(1);
     let first = right.saturating_sub(2).min(last - 3);
     let near = first..first + 4;
-    let lagrange = |a: usize| {
-        near.clone().filter(|&b| b != a).map(|b| (at - x[b]) / (x[a] - x[b])).product::<f64>()
-    };
+    let lagrange =
+        |a: usize| near.clone().filter(|&b| b != a).map(|b| (at - x[b]) / (x[a] - x[b])).product::<f64>();
     Some(near.clone().map(|a| y[a] * lagrange(a)).sum())
 }
 

@@ -84,13 +84,7 @@ impl Metric {
         Self::new(name.into(), value, unit, Some(reference), shortfall)
     }
 
-    fn new(
-        name: String,
-        value: Option<f64>,
-        unit: &str,
-        reference: Option<f64>,
-        error: Option<f64>,
-    ) -> Self {
+    fn new(name: String, value: Option<f64>, unit: &str, reference: Option<f64>, error: Option<f64>) -> Self {
         // JSON knows no infinities: what is not a number counts as not reached.
         let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
         Self {

@@ -10,6 +10,9 @@ use crate::case::{Case, Run, Runs, Variant};
 use crate::record::{Metric, Record};
 use crate::{JudgeError, cases};
 
+/// Name of the metric that counts levels at which the motion had not died.
+pub const REST: &str = "restless levels";
+
 /// What is run, and how.
 #[derive(Clone, Debug)]
 pub struct Selection {
@@ -36,10 +39,7 @@ pub struct CaseResult {
 /// # Errors
 /// [`JudgeError`] for unknown names, refused scenes, and references that are not there. A missed tolerance is no
 /// error: it is in the records.
-pub fn judge(
-    selection: &Selection,
-    tell: &(dyn Fn(String) + Sync),
-) -> Result<Vec<CaseResult>, JudgeError> {
+pub fn judge(selection: &Selection, tell: &(dyn Fn(String) + Sync)) -> Result<Vec<CaseResult>, JudgeError> {
     let cases = choose(cases::all(), selection)?;
     let mut models = Vec::new();
     for case in &cases {
@@ -159,7 +159,7 @@ fn rest(run: &Run) -> Option<Metric> {
     let levels = &run.outcome.summary.levels;
     let restless = levels.iter().filter(|level| !level.settled).count() as f64;
     let reason = "a load that is read while the shell still moves is dragged by the damping";
-    let metric = Metric::error("restless levels", run.done().then_some(restless), "-");
+    let metric = Metric::error(REST, run.done().then_some(restless), "-");
     run.variant.settles.then(|| metric.within(0.0, reason))
 }
 

@@ -1,7 +1,7 @@
 //! The printed table: one line a run, and every missed tolerance with its reason.
 
 use crate::record::{Metric, Record};
-use crate::run::CaseResult;
+use crate::run::{CaseResult, REST};
 
 /// Four significant digits, without trailing noughts; powers of ten outside 1e-4 … 1e6.
 pub fn short(value: f64) -> String {
@@ -73,9 +73,10 @@ pub fn table(results: &[CaseResult]) -> String {
     text
 }
 
-/// `pass`, `MISSED`, or `shown` where nothing is asked.
+/// `pass`, `MISSED`, or `shown` where nothing is asked but that the shell come to rest.
 pub fn verdict(record: &Record) -> &'static str {
-    match (record.passes(), record.metrics.iter().any(|metric| metric.tolerance.is_some())) {
+    let asked = |metric: &Metric| metric.tolerance.is_some() && metric.name != REST;
+    match (record.passes(), record.metrics.iter().any(asked)) {
         (false, _) => "MISSED",
         (true, true) => "pass",
         (true, false) => "shown",
@@ -85,7 +86,7 @@ pub fn verdict(record: &Record) -> &'static str {
 /// All metrics in one cell; the unit follows the last metric that has it.
 fn metrics(record: &Record) -> String {
     let mut cell = String::new();
-    let shown: Vec<&Metric> = record.metrics.iter().filter(|m| m.name != "restless levels" || !m.pass).collect();
+    let shown: Vec<&Metric> = record.metrics.iter().filter(|m| m.name != REST || !m.pass).collect();
     for (i, metric) in shown.iter().enumerate() {
         let flag = if metric.pass { "" } else { "!! " };
         let value = metric.value.map_or_else(|| "not reached".into(), short);

@@ -2,10 +2,15 @@
 
 mod cantilever_end_shear;
 mod dial;
+mod panel;
+mod panel_figures;
+mod patch_test;
+mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
 mod strip;
 mod thin_ring;
+mod turned;
 
 use crate::Case;
 
@@ -16,6 +21,10 @@ pub fn all() -> Vec<Case> {
         ring_green_lagrange::case(),
         thin_ring::case(),
         cantilever_end_shear::case(),
+        panel::case(),
+        point_load_smoothness::case(),
+        turned::case(),
+        patch_test::case(),
     ]
 }
 

@@ -1,17 +1,12 @@
 //! What the strip cases share: the distance of the tip from where it should be, the tip's path, the rolled shapes.
 
+use crate::JudgeError;
 use crate::case::{Run, Runs};
 use crate::report::{Axis, BLACK, Chart, Colour, Line, Mark, Series, Shapes, Sheet, shade};
-use crate::JudgeError;
 use crate::table::short;
 
 /// Distance of the tip from `exact` = (shortening, deflection), both in parts of `length`: √(Δu² + Δw²)/L in percent.
-pub fn tip_error(
-    run: &Run,
-    level: f64,
-    length: f64,
-    exact: (f64, f64),
-) -> Result<Option<f64>, JudgeError> {
+pub fn tip_error(run: &Run, level: f64, length: f64, exact: (f64, f64)) -> Result<Option<f64>, JudgeError> {
     let (u, w) = (run.at("minus_U_tip", level)?, run.at("W_tip", level)?);
     Ok(u.zip(w).map(|(u, w)| 100.0 * (u / length - exact.0).hypot(w / length - exact.1)))
 }
@@ -56,7 +51,9 @@ pub fn rolled_shapes(title: &str, caption: &str, run: &Run) -> Shapes {
         .outcome
         .shapes
         .iter()
-        .map(|shape| Sheet::new(&format!("level {}", short(shape.level)), &run.outcome, shape, shade(shape.level)))
+        .map(|shape| {
+            Sheet::new(&format!("level {}", short(shape.level)), &run.outcome, shape, shade(shape.level))
+        })
         .collect();
     Shapes { title: title.into(), caption: caption.into(), view: (-62.0, 16.0), sheets }
 }

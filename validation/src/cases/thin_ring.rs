@@ -43,12 +43,12 @@ fn levels() -> impl Iterator<Item = f64> {
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let exact_errors: Vec<_> = levels()
-        .map(|level| strip::tip_error(run, level, LENGTH, exact(level)))
-        .collect::<Result<_, _>>()?;
+    let exact_errors: Vec<_> =
+        levels().map(|level| strip::tip_error(run, level, LENGTH, exact(level))).collect::<Result<_, _>>()?;
     let full = exact_errors.last().copied().flatten();
     let judged = run.variant.grid == "49×3";
-    let reason = "issue 2: 0.4 % as on the thick ring; the strip is so thin that the elastica is exact to 1e-5";
+    let reason =
+        "issue 2: 0.4 % as on the thick ring; the strip is so thin that the elastica is exact to 1e-5";
     let mut metrics = vec![
         Metric::error("tip, largest", largest(exact_errors), "% of L").within_if(judged, 0.4, reason),
         Metric::error("tip at 1", full, "% of L").within_if(judged, 0.4, reason),
@@ -83,7 +83,8 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     let moments = table.column("M/Mmax")?;
     let mut label = "Sze et al. 2004, S4R";
     for column in ["minus_U_tip_S4R", "W_tip_S4R"] {
-        let points = moments.iter().zip(table.column(column)?).map(|(&m, value)| (m, value / LENGTH)).collect();
+        let points =
+            moments.iter().zip(table.column(column)?).map(|(&m, value)| (m, value / LENGTH)).collect();
         chart.series.push(Series::marks(std::mem::take(&mut label), points, GREEN, Mark::Cross));
     }
     Ok(vec![Figure::Chart(chart)])

@@ -186,7 +186,8 @@ impl Chart {
 
     /// Points in the units of the drawing; what is not finite there is left out, and a line is cut at a fixed range.
     fn placed(&self, series: &Series) -> Vec<(f64, f64)> {
-        let inside = |axis: &Axis, value: f64| axis.range.is_none_or(|(low, high)| (low..=high).contains(&value));
+        let inside =
+            |axis: &Axis, value: f64| axis.range.is_none_or(|(low, high)| (low..=high).contains(&value));
         series
             .points
             .iter()
@@ -300,13 +301,8 @@ mod tests {
             .enumerate()
             .map(|(i, &mark)| Series::both("a", vec![(1.0, 1.0 + i as f64), (2.0, 0.0)], GREY, mark))
             .collect();
-        let chart = Chart {
-            title: "t".into(),
-            caption: "c".into(),
-            x: Axis::linear("x"),
-            y: Axis::log("y"),
-            series,
-        };
+        let chart =
+            Chart { title: "t".into(), caption: "c".into(), x: Axis::linear("x"), y: Axis::log("y"), series };
         let html = chart.html().unwrap();
         assert_eq!(html.matches("<circle").count(), 2 + 2);
         assert_eq!(html.matches("<li>").count(), marks.len());

@@ -2,7 +2,7 @@
 
 use super::Figure;
 use crate::record::{Metric, Record};
-use crate::run::{CaseResult, Selection};
+use crate::run::{CaseResult, REST, Selection};
 use crate::table::{short, unit, verdict, words};
 use crate::{JudgeError, Run};
 
@@ -10,7 +10,11 @@ const STYLE: &str = include_str!("style.css");
 
 /// Text made safe for HTML.
 pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('\'', "&#39;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('\'', "&#39;")
+        .replace('"', "&quot;")
 }
 
 /// The whole report.
@@ -86,10 +90,10 @@ fn summary(results: &[CaseResult]) -> String {
 /// The metric that uses most of its tolerance; the first one where nothing is asked.
 fn worst(run: &Run, record: &Record) -> String {
     let use_of = |metric: &&Metric| match (metric.error, metric.tolerance) {
+        _ if metric.name == REST && metric.pass => -2.0,
+        (_, None) => -1.0,
         (Some(error), Some(tolerance)) if tolerance > 0.0 => error / tolerance,
-        (Some(error), Some(_)) if error == 0.0 => -1.0,
         (_, Some(_)) => f64::INFINITY,
-        _ => -2.0,
     };
     let worst = record.metrics.iter().rev().max_by(|a, b| use_of(a).total_cmp(&use_of(b)));
     let ended = if run.done() { String::new() } else { "diverged; ".into() };

@@ -78,7 +78,9 @@ impl Mark {
         match self {
             Self::Disc => format!("<circle cx='{x}' cy='{y}' r='{size}' fill='{colour}'/>"),
             Self::Circle => {
-                format!("<circle cx='{x}' cy='{y}' r='{size}' fill='none' stroke='{colour}' stroke-width='1.6'/>")
+                format!(
+                    "<circle cx='{x}' cy='{y}' r='{size}' fill='none' stroke='{colour}' stroke-width='1.6'/>"
+                )
             }
             _ => {
                 let points: Vec<String> = self
@@ -100,7 +102,8 @@ pub fn entry(label: &str, colour: Colour, mark: Option<Mark>, line: Option<Line>
     let mut sample = String::new();
     if let Some(line) = line {
         let dash = if line == Line::Dashed { " stroke-dasharray='5 3'" } else { "" };
-        sample.push_str(&format!("<line x1='1' y1='7' x2='25' y2='7' stroke='{hex}' stroke-width='2'{dash}/>"));
+        sample
+            .push_str(&format!("<line x1='1' y1='7' x2='25' y2='7' stroke='{hex}' stroke-width='2'{dash}/>"));
     }
     if let Some(mark) = mark {
         sample.push_str(&mark.svg((13.0, 7.0), 4.2, &hex));

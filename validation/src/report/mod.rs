@@ -7,9 +7,7 @@ mod shapes;
 
 pub use charts::{Axis, Chart, Series};
 pub use html::html;
-pub use legend::{
-    BLACK, BLUE, Colour, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, VERMILION, shade,
-};
+pub use legend::{BLACK, BLUE, Colour, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, VERMILION, shade};
 pub use shapes::{Shapes, Sheet};
 
 /// Something that the report shows.

@@ -104,7 +104,9 @@ impl Shapes {
             let points: Vec<String> = face
                 .corners
                 .iter()
-                .map(|(x, y)| format!("{:.1} {:.1}", (x - left) * scale + MARGIN, (high - y) * scale + MARGIN))
+                .map(|(x, y)| {
+                    format!("{:.1} {:.1}", (x - left) * scale + MARGIN, (high - y) * scale + MARGIN)
+                })
                 .collect();
             let colour = self.sheets[face.sheet].colour.hex();
             svg.push_str(&format!("<path stroke='{colour}' d='M{}Z'/>", points.join("L")));
