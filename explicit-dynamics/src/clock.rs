@@ -138,9 +138,8 @@ impl Clock {
         limit: f64,
         level: impl Fn(f64) -> f64,
     ) -> Result<(), MarchError> {
-        system.force(self.now, false);
         let step = self.next_step(limit, level);
-        let work = system.kick_drift(&step);
+        let work = system.advance(&step);
         self.finish(system, &step, work)
     }
 

@@ -59,8 +59,9 @@ pub trait Dynamics {
     /// Advances the configuration with the velocities over [`Step::drift`].
     fn drift(&mut self, step: &Step);
 
-    /// Kick and drift in one sweep over the data; override it where that is cheaper.
-    fn kick_drift(&mut self, step: &Step) -> Work {
+    /// The whole step: forces at `step.from`, kick, drift; override it where one sweep over the data is cheaper.
+    fn advance(&mut self, step: &Step) -> Work {
+        self.force(step.from, false);
         let work = self.kick(step);
         self.drift(step);
         work

@@ -8,7 +8,8 @@
 //! | where is | look in |
 //! |---|---|
 //! | the point loop (strain → stress → force) | `point.rs`, `Shell::internal_force` |
-//! | the step of one particle (kick, drift) | `march.rs` |
+//! | the step of one particle (kick, hold, drift) | `particle.rs` |
+//! | the whole step in one sweep | `fused.rs` |
 //! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
 //! | what a clamp does | `supports.rs` |
 //! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
@@ -18,10 +19,12 @@ mod couple;
 mod dispatch;
 mod error;
 mod formulation;
+mod fused;
 mod loads;
 mod march;
 mod packs;
 mod pair_control;
+mod particle;
 mod point;
 mod pressure;
 mod reference;

@@ -25,8 +25,6 @@ pub(crate) struct PointPack {
     pub weight: Pack,
     /// Measures of the reference configuration.
     pub reference: Measures,
-    /// `E_α,βγ` of the Kirchhoff-consistent shear, `[1·11, 1·22, 1·12, 2·11, 2·22, 2·12]` \[L\].
-    pub kirchhoff: [Pack; 6],
 }
 
 /// One more particle of each of four stencils.
@@ -43,6 +41,9 @@ pub(crate) struct Entry {
 pub(crate) struct Packs {
     pub points: Vec<PointPack>,
     pub entries: Vec<Entry>,
+    /// `E_α,βγ` of the Kirchhoff-consistent shear, `[1·11, 1·22, 1·12, 2·11, 2·22, 2·12]` \[L\], for each pack;
+    /// empty where all are nought (a lattice of parallelograms).
+    pub kirchhoff: Vec<[Pack; 6]>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
     /// First slot of each particle in `slots`, and the end.
@@ -76,12 +77,18 @@ impl Packs {
         let mut packs = Self {
             points: Vec::with_capacity(count.div_ceil(LANES)),
             entries: Vec::new(),
+            kirchhoff: Vec::new(),
             order: Vec::with_capacity(count.div_ceil(LANES)),
             offsets: Vec::new(),
             slots: Vec::new(),
         };
         for lanes in order.chunks(LANES) {
             packs.push(operator, lanes, &moments);
+        }
+        // Round-off of a spacing is no bending.
+        let spacing = operator.points.iter().fold(0.0_f64, |most, p| most.max(p.weight)).sqrt();
+        if moments.iter().flatten().all(|e| e.abs() < 1e-12 * spacing) {
+            packs.kirchhoff = Vec::new();
         }
         packs.find_slots(operator);
         packs
@@ -112,8 +119,9 @@ impl Packs {
                 if lane < points.len() { operator.points[lane_points[lane] as usize].weight } else { 0.0 }
             }),
             reference: Measures::default(),
-            kirchhoff: std::array::from_fn(|i| Pack::from_fn(|lane| moments[lane_points[lane] as usize][i])),
         });
+        self.kirchhoff
+            .push(std::array::from_fn(|i| Pack::from_fn(|lane| moments[lane_points[lane] as usize][i])));
         self.order.push(lane_points);
     }
 

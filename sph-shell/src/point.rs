@@ -81,20 +81,24 @@ pub(crate) fn place<const CELL: bool>(
 #[inline(always)]
 pub(crate) fn point_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
+    kirchhoff: Option<&[Pack; 6]>,
     law: PointLaw<'_, M, S>,
     p: &Placement,
 ) -> (PlacementForces, [Pack; 3], Pack) {
     let measures = p.measures();
     let mut strains = law.strain.strains(&measures, &pack.reference);
-    let e = &pack.kirchhoff;
-    let k = strains.curvature;
-    strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
-    strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
+    if let Some(e) = kirchhoff {
+        let k = strains.curvature;
+        strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
+        strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
+    }
     let mut stress = law.section.resultants(&strains);
     let energy = if ENERGY { law.section.energy(&strains) } else { Pack::ZERO };
-    let [q1, q2] = stress.shear;
-    for i in 0..3 {
-        stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
+    if let Some(e) = kirchhoff {
+        let [q1, q2] = stress.shear;
+        for i in 0..3 {
+            stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
+        }
     }
     let forces = law.strain.transpose(&measures, &pack.reference, &stress);
     (p.transpose(&forces), measures.curvature, energy)
@@ -110,13 +114,14 @@ pub(crate) fn sweep_pack<
 >(
     pack: &PointPack,
     entries: &[Entry],
+    kirchhoff: Option<&[Pack; 6]>,
     cell: Option<&CellPack>,
     law: PointLaw<'_, M, S>,
     state: &[Row],
     slots: &mut [Row],
 ) -> f64 {
     let (p, raw) = place::<CELL>(pack, entries, state);
-    let (mut f, curvature, density) = point_forces::<ENERGY, M, S>(pack, law, &p);
+    let (mut f, curvature, density) = point_forces::<ENERGY, M, S>(pack, kirchhoff, law, &p);
     let w = pack.weight;
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;

@@ -4,6 +4,7 @@ use shell_kinematics::{LANES, Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
 use crate::cell_control::CellPack;
+use crate::fused::Fused;
 use crate::loads::{AppliedLoad, Body};
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
@@ -71,6 +72,8 @@ pub struct Shell {
     /// Work of each chunk of particles in the last kick.
     pub(crate) chunk_work: Vec<explicit_dynamics::Work>,
     pub(crate) internal_energy: f64,
+    /// The plan of a step in one sweep; cells only.
+    pub(crate) fused: Option<Fused>,
     pub(crate) threads: usize,
 }
 
@@ -128,6 +131,8 @@ impl Shell {
             }
             _ => None,
         };
+        let threads = parts.threads.max(1);
+        let fused = if cells.is_empty() { None } else { Fused::plan(&packs, count, threads) };
         let slot_rows = if strong_form.is_some() { 0 } else { packs.slot_count() };
         let direct_rows = if pairs.is_some() || strong_form.is_some() { count } else { 0 };
         let mut shell = Self {
@@ -146,7 +151,8 @@ impl Shell {
             constraints,
             loads: parts.loads,
             internal_energy: 0.0,
-            threads: parts.threads.max(1),
+            fused,
+            threads,
             reference,
             section: parts.section,
             strain: parts.strain,
@@ -275,8 +281,8 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        let law = PointLaw { strain: self.strain, section: &*self.section };
         if let Some(strong) = &mut self.strong_form {
+            let law = PointLaw { strain: self.strain, section: &*self.section };
             let total = strong.evaluate(
                 &self.reference,
                 &self.packs,
@@ -288,13 +294,21 @@ impl Shell {
             self.internal_energy = total;
             return;
         }
-        let sweep = Sweep { packs: &self.packs, cells: &self.cells, law, state: &self.state, energy };
-        sweep.run(0, &mut self.slots, &mut self.pack_energies, self.threads > 1);
+        let mut slots = std::mem::take(&mut self.slots);
+        let mut energies = std::mem::take(&mut self.pack_energies);
+        self.sweep(energy).run(0, &mut slots, &mut energies, self.threads > 1);
+        (self.slots, self.pack_energies) = (slots, energies);
         let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
         if let Some(pairs) = &self.pairs {
             total += pairs.evaluate(&self.state, &mut self.direct, self.threads > 1);
         }
         self.internal_energy = total;
+    }
+
+    /// The sweep over the points of the present state.
+    pub(crate) fn sweep(&self, energy: bool) -> Sweep<'_> {
+        let law = PointLaw { strain: self.strain, section: &*self.section };
+        Sweep { packs: &self.packs, cells: &self.cells, law, state: &self.state, energy }
     }
 
     pub(crate) fn evaluate_external(&mut self, at: explicit_dynamics::Instant) {
@@ -316,6 +330,8 @@ impl Shell {
             + size_of_val(&packs.entries[..])
             + size_of_val(&packs.slots[..])
             + size_of_val(&packs.offsets[..])
+            + size_of_val(&packs.kirchhoff[..])
+            + self.fused.as_ref().map_or(0, Fused::bytes)
             + size_of_val(&self.cells[..])
             + self.pairs.as_ref().map_or(0, PairControl::bytes)
             + size_of::<Row>()

@@ -59,10 +59,10 @@ impl StrongForm {
         forces: &mut [Row],
     ) -> f64 {
         let mut energy = 0.0;
-        for (pack, points) in packs.points.iter().zip(&packs.order) {
+        for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
-            let (f, _, density) = point_forces::<true, _, _>(pack, law, &p);
+            let (f, _, density) = point_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {
                 self.resultants[points[lane] as usize] = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(lane));

@@ -1,8 +1,9 @@
 //! The sweep over all sampling points: halves for threads, one copy for the default strain and section.
 
 use std::any::Any;
+use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{IsotropicSection, Pack, Section, StrainMeasure, StretchCorrected};
 
 use crate::cell_control::CellPack;
 use crate::dispatch::widest;
@@ -41,6 +42,54 @@ impl Sweep<'_> {
         widest(Leaf { sweep: self, first, slots, energies });
     }
 
+    /// Sweeps some packs of cells into a ring of slots; the mask is the ring's length less one.
+    #[inline(always)]
+    pub fn block(&self, packs: Range<usize>, ring: &mut [Row], mask: usize) {
+        match self.default_pair() {
+            Some(law) => self.ring(law, packs, ring, mask),
+            None => self.ring(self.law, packs, ring, mask),
+        }
+    }
+
+    #[inline(always)]
+    fn ring<M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+        &self,
+        law: PointLaw<'_, M, S>,
+        packs: Range<usize>,
+        ring: &mut [Row],
+        mask: usize,
+    ) {
+        for index in packs {
+            let pack = &self.packs.points[index];
+            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
+            let first = pack.first_slot(index) & mask;
+            let own = &mut ring[first..first + pack.slot_count()];
+            sweep_pack::<true, false, M, S>(
+                pack,
+                entries,
+                self.bent(index),
+                self.cells.get(index),
+                law,
+                self.state,
+                own,
+            );
+        }
+    }
+
+    /// The strain measure and section of most scenes, for which the sweep is compiled in.
+    #[inline(always)]
+    fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
+        let strain = (self.law.strain as &dyn Any).downcast_ref()?;
+        let section = (self.law.section as &dyn Any).downcast_ref()?;
+        Some(PointLaw { strain, section })
+    }
+
+    /// The Kirchhoff tensors of a pack, where they are not nought throughout the cloud.
+    #[inline(always)]
+    fn bent(&self, index: usize) -> Option<&[Pack; 6]> {
+        self.packs.kirchhoff.get(index)
+    }
+
     #[inline(always)]
     fn range<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
         &self,
@@ -54,7 +103,15 @@ impl Sweep<'_> {
             let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
             let (own, rest) = slots.split_at_mut(pack.slot_count());
             let cell = if CELL { self.cells.get(first + i) } else { None };
-            let found = sweep_pack::<CELL, ENERGY, M, S>(pack, entries, cell, law, self.state, own);
+            let found = sweep_pack::<CELL, ENERGY, M, S>(
+                pack,
+                entries,
+                self.bent(first + i),
+                cell,
+                law,
+                self.state,
+                own,
+            );
             if ENERGY {
                 *energy = found;
             }
@@ -77,15 +134,8 @@ impl pulp::NullaryFnOnce for Leaf<'_, '_> {
     #[inline(always)]
     fn call(self) {
         let Self { sweep, first, slots, energies } = self;
-        let PointLaw { strain, section } = sweep.law;
-        let default_pair = (
-            (strain as &dyn Any).downcast_ref::<StretchCorrected>(),
-            (section as &dyn Any).downcast_ref::<IsotropicSection>(),
-        );
-        match (default_pair, sweep.cells.is_empty(), sweep.energy) {
-            ((Some(strain), Some(section)), false, false) => {
-                sweep.range::<true, false, _, _>(PointLaw { strain, section }, first, slots, energies);
-            }
+        match (sweep.default_pair(), sweep.cells.is_empty(), sweep.energy) {
+            (Some(law), false, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
             (_, false, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
             (_, false, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
             (_, true, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
