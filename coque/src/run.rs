@@ -133,11 +133,7 @@ impl Model {
     }
 }
 
-fn march(
-    explicit: &Explicit,
-    shell: &mut Shell,
-    watcher: &mut Watcher<'_>,
-) -> Result<Clock, MarchError> {
+fn march(explicit: &Explicit, shell: &mut Shell, watcher: &mut Watcher<'_>) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
     match (&explicit.quasi_static, explicit.transient) {
         (Some(path), _) => explicit_dynamics::QuasiStatic {
