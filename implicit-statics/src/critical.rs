@@ -1,0 +1,191 @@
+//! Critical points: located between converged points, told apart, and left along another branch.
+
+use crate::newton::Constraint;
+use crate::stepper::Stepper;
+use crate::vectors::dot;
+use crate::{BalanceError, Equilibrium, Increment, Newton, NewtonOptions, Start};
+
+/// How critical points are located.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CriticalOptions {
+    /// Width of the last bracket in units of the step that crossed; default 1e-6.
+    pub tolerance: f64,
+    /// Participation of the load in the mode above which the point is a limit point; default 1e-4.
+    pub participation: f64,
+}
+
+impl Default for CriticalOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, participation: 1e-4 }
+    }
+}
+
+/// What kind a critical point is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CriticalKind {
+    /// The level is stationary: `∂external/∂λ · mode ≠ 0` \[wriggers1990\].
+    Limit,
+    /// Another branch crosses: the load does no work in the mode.
+    Bifurcation,
+}
+
+/// A point where the tangent is singular.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CriticalPoint {
+    /// The path's step in which it lies.
+    pub step: usize,
+    /// Load level, interpolated to where the eigenvalue vanishes \[–\].
+    pub level: f64,
+    /// Limit point or bifurcation.
+    pub kind: CriticalKind,
+    /// `|p·φ| / (‖p‖ ‖φ‖)` with norms scaled by the diagonal stiffness: 0 … 1, the same in any unit.
+    pub participation: f64,
+    /// Critical mode φ, its largest entry 1.
+    pub mode: Vec<f64>,
+    /// Negative pivots before and after.
+    pub negative: (usize, usize),
+    /// State at the near end of the last bracket, for [`Equilibrium::restore`].
+    pub state: Vec<f64>,
+    /// Level of that state \[–\].
+    pub state_level: f64,
+}
+
+/// One end of a bracket.
+struct End {
+    size: f64,
+    level: f64,
+    negative: usize,
+    state: Vec<f64>,
+    eigenvalue: f64,
+    mode: Vec<f64>,
+}
+
+/// Every change of the number of negative pivots within one step of the given size, by bisection of the size.
+///
+/// The state stands where the step begins and is left elsewhere. A trial that fails ends the search with what
+/// was found; pairs of changes that cancel within one step are not seen.
+pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    (first, last): (usize, usize),
+    size: f64,
+    options: &CriticalOptions,
+) -> Vec<CriticalPoint> {
+    let saved = system.save();
+    let mut found = Vec::new();
+    let (mut from, mut negative) = (0.0, first);
+    while negative != last && found.len() < first.abs_diff(last) {
+        match locate(stepper, system, &saved, (from, size), negative, options) {
+            Ok((point, after)) => {
+                (from, negative) = (after, point.negative.1);
+                found.push(point);
+            }
+            Err(_) => break,
+        }
+    }
+    found
+}
+
+/// The first change from `negative` between two sizes of a step, and the size just after it.
+fn locate<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    saved: &[f64],
+    (from, to): (f64, f64),
+    negative: usize,
+    options: &CriticalOptions,
+) -> Result<(CriticalPoint, f64), BalanceError> {
+    let mut low = probe(stepper, system, saved, from)?;
+    let mut high = probe(stepper, system, saved, to)?;
+    while high.size - low.size > options.tolerance * to {
+        let middle = probe(stepper, system, saved, 0.5 * (low.size + high.size))?;
+        if middle.negative == negative {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let share = low.eigenvalue / (low.eigenvalue - high.eigenvalue);
+    let share = if (0.0..=1.0).contains(&share) { share } else { 0.5 };
+    let level = low.level + share * (high.level - low.level);
+    let mode = if low.eigenvalue.abs() <= high.eigenvalue.abs() { &low.mode } else { &high.mode };
+
+    stepper.newton.go_back(system, &low.state);
+    let participation = participation(&mut stepper.newton, system, low.level, mode)?;
+    let kind =
+        if participation > options.participation { CriticalKind::Limit } else { CriticalKind::Bifurcation };
+    let largest = mode.iter().fold(0.0, |best: f64, &m| if m.abs() > best.abs() { m } else { best });
+    let point = CriticalPoint {
+        step: stepper.newton.step,
+        level,
+        kind,
+        participation,
+        mode: mode.iter().map(|m| m / largest).collect(),
+        negative: (low.negative, high.negative),
+        state: low.state,
+        state_level: low.level,
+    };
+    Ok((point, high.size))
+}
+
+fn probe<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    saved: &[f64],
+    size: f64,
+) -> Result<End, BalanceError> {
+    stepper.newton.go_back(system, saved);
+    let (level, inertia) = if size > 0.0 {
+        let (converged, _) = stepper.advance(system, size)?;
+        (converged.level, converged.inertia)
+    } else {
+        (stepper.level, stepper.newton.tangent(system, stepper.level)?)
+    };
+    let (mode, eigenvalue) = stepper.newton.solver.weakest_direction();
+    Ok(End { size, level, negative: inertia.negative, state: system.save(), eigenvalue, mode })
+}
+
+fn participation<E: Equilibrium + ?Sized>(
+    newton: &mut Newton,
+    system: &mut E,
+    level: f64,
+    mode: &[f64],
+) -> Result<f64, BalanceError> {
+    newton.tangent(system, level)?;
+    let mut rate = vec![0.0; mode.len()];
+    system.load_rate(level, &mut rate);
+    let scale = newton.solver.scale();
+    let load: f64 = (0..mode.len()).map(|i| (rate[i] * scale[i]).powi(2)).sum();
+    let motion: f64 = (0..mode.len()).map(|i| (mode[i] / scale[i]).powi(2)).sum();
+    Ok(dot(&rate, mode).abs() / (load * motion).sqrt())
+}
+
+/// Leaves a bifurcation along its mode: from its state, moves `amplitude` times the mode and finds the
+/// equilibrium and level with that much of the mode in the motion \[wagner1988\].
+///
+/// The system then stands on the branch, from which the returned start continues by arc length. The sign of
+/// the amplitude chooses the side. A small amplitude may be lost in rounding: a thousandth of a typical size
+/// of the structure is a good first choice.
+pub fn switch_branch<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    point: &CriticalPoint,
+    amplitude: f64,
+    options: &NewtonOptions,
+) -> Result<Start, BalanceError> {
+    let mut newton = Newton::new(system, options)?;
+    newton.step = point.step;
+    newton.go_back(system, &point.state);
+    let motion: Vec<f64> = point.mode.iter().map(|m| amplitude * m).collect();
+    let square = dot(&point.mode, &point.mode);
+    let weights: Vec<f64> = point.mode.iter().map(|m| m / square).collect();
+    let mut increment = Increment { motion, level: point.level - point.state_level };
+    newton.advance(system, &increment.motion);
+    let constraint = Constraint::Functional { weights: &weights, target: amplitude };
+    match newton.correct(system, point.level, &mut increment, &constraint) {
+        Ok(converged) => Ok(Start { level: converged.level, heading: Some(increment) }),
+        Err(error) => {
+            newton.go_back(system, &point.state);
+            Err(error)
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! What can go wrong on the way to an equilibrium, with the repair.
+
+use crate::Equilibrium;
+
+/// Why a balance was not found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BalanceError {
+    /// The list of tangent entries is not a lower triangle with its whole diagonal, each entry once.
+    #[error(
+        "tangent pattern: entry ({row}, {column}) of {unknowns} unknowns is {what}; list the lower triangle with the whole diagonal, each entry once"
+    )]
+    Pattern {
+        /// Row of the offending entry.
+        row: usize,
+        /// Its column.
+        column: usize,
+        /// Size of the system.
+        unknowns: usize,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// An option or argument is out of its bounds.
+    #[error("{name} is {value}, must be {bound}")]
+    Option {
+        /// Name of the option.
+        name: &'static str,
+        /// Value given.
+        value: f64,
+        /// What is allowed.
+        bound: &'static str,
+    },
+    /// A vector handed over has the wrong length.
+    #[error("{name} has {length} entries, must have {expected}")]
+    Length {
+        /// Name of the vector.
+        name: &'static str,
+        /// Length given.
+        length: usize,
+        /// Length wanted.
+        expected: usize,
+    },
+    /// A value of the tangent is infinite or not a number.
+    #[error("tangent value at ({row}, {column}) is not finite; take a smaller step from a sound state")]
+    Tangent {
+        /// Row of the entry.
+        row: usize,
+        /// Its column.
+        column: usize,
+    },
+    /// The tangent has eigenvalues that vanish within rounding.
+    #[error(
+        "singular tangent: {zero} eigenvalues vanish, the free motion is largest in unknown {unknown} ({share:.3} of its norm); support it"
+    )]
+    Singular {
+        /// How many eigenvalues vanish.
+        zero: usize,
+        /// Unknown with the largest share in the null direction.
+        unknown: usize,
+        /// Its share of the norm of the null direction, row-scaled.
+        share: f64,
+    },
+    /// The same with the name that the system gives to the unknown.
+    #[error(
+        "step {step}, load level {level:.6e}: the structure moves freely, mostly in {name} ({share:.3} of the motion, {zero} free motions in all); support it or leave the critical point with another step"
+    )]
+    Mechanism {
+        /// Step of the path.
+        step: usize,
+        /// Load level.
+        level: f64,
+        /// How many motions are free.
+        zero: usize,
+        /// Name of the unknown that moves most.
+        name: String,
+        /// Its index.
+        unknown: usize,
+        /// Its share of the norm of the motion.
+        share: f64,
+    },
+    /// A solve left a residual above its bound: pivoting inside supernodes did not suffice.
+    #[error(
+        "linear solve left a residual of {residual:.3e} against the bound {bound:.3e}; saddle points are not for this solver: eliminate constraints"
+    )]
+    Solve {
+        /// ‖Kx − b‖.
+        residual: f64,
+        /// What was allowed.
+        bound: f64,
+    },
+    /// Newton did not converge.
+    #[error(
+        "step {step}, load level {level:.6e}: residual {residual:.3e} above the bound {bound:.3e} after {iterations} iterations; take a smaller step or allow more iterations"
+    )]
+    NotConverged {
+        /// Step of the path.
+        step: usize,
+        /// Load level of the last iterate.
+        level: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Last residual norm \[F\].
+        residual: f64,
+        /// Bound it had to reach \[F\].
+        bound: f64,
+        /// Residual norms from the first iterate on \[F\].
+        residuals: Vec<f64>,
+    },
+    /// A force is infinite or not a number.
+    #[error("step {step}, load level {level:.6e}: the force on {name} is not finite; take a smaller step")]
+    Force {
+        /// Step of the path.
+        step: usize,
+        /// Load level.
+        level: f64,
+        /// Name of the unknown.
+        name: String,
+    },
+    /// The functional of displacement control does not move with the load.
+    #[error(
+        "step {step}, load level {level:.6e}: the controlled displacement does not answer to the load (rate {rate:.3e}); control another displacement or the arc length"
+    )]
+    Uncontrolled {
+        /// Step of the path.
+        step: usize,
+        /// Load level.
+        level: f64,
+        /// c·K⁻¹p.
+        rate: f64,
+    },
+    /// Repeated halving brought the step below its least size.
+    #[error(
+        "step {step}, load level {level:.6e}: step size {size:.3e} fell below {smallest:.3e}; the last converged state is kept; try arc-length control, a smaller first step or a looser tolerance"
+    )]
+    StepTooSmall {
+        /// Step of the path.
+        step: usize,
+        /// Load level of the last converged point.
+        level: f64,
+        /// Size reached, in the unit of the control.
+        size: f64,
+        /// Least size allowed.
+        smallest: f64,
+        /// Why the last trial failed.
+        #[source]
+        cause: Box<BalanceError>,
+    },
+    /// Eigenpairs did not converge.
+    #[error(
+        "{found} of {wanted} eigenpairs converged in {sweeps} sweeps (worst residual {residual:.3e}, bound {bound:.3e}); ask for fewer or move the shift"
+    )]
+    Modes {
+        /// How many converged.
+        found: usize,
+        /// How many were wanted.
+        wanted: usize,
+        /// Sweeps made.
+        sweeps: usize,
+        /// Worst residual among the wanted, relative to the eigenvalue.
+        residual: f64,
+        /// Its bound.
+        bound: f64,
+    },
+    /// The state from which buckling is extrapolated is not stable.
+    #[error(
+        "linearised buckling from load level {level:.6e}: {negative} negative pivots there; start below the first critical load"
+    )]
+    Unstable {
+        /// Load level of the base state.
+        level: f64,
+        /// Negative pivots of its tangent.
+        negative: usize,
+    },
+    /// The load does not change the tangent.
+    #[error(
+        "linearised buckling from load level {level:.6e}: the load rate of norm {load:.3e} does not change the tangent (relative change {change:.3e}); check the load"
+    )]
+    NoPrestress {
+        /// Load level of the base state.
+        level: f64,
+        /// Norm of the load rate \[F\].
+        load: f64,
+        /// Relative change of the tangent found.
+        change: f64,
+    },
+}
+
+impl BalanceError {
+    /// Gives a singular tangent the name of its free motion, the step and the level; leaves other errors alone.
+    pub fn named<E: Equilibrium + ?Sized>(self, system: &E, step: usize, level: f64) -> Self {
+        match self {
+            Self::Singular { zero, unknown, share } => {
+                Self::Mechanism { step, level, zero, name: system.name_unknown(unknown), unknown, share }
+            }
+            other => other,
+        }
+    }
+}
+
+/// Bounds check shared by the options.
+pub(crate) fn require(
+    holds: bool,
+    name: &'static str,
+    value: f64,
+    bound: &'static str,
+) -> Result<(), BalanceError> {
+    if holds { Ok(()) } else { Err(BalanceError::Option { name, value, bound }) }
+}

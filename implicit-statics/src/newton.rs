@@ -1,0 +1,310 @@
+//! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
+
+use crate::error::require;
+use crate::vectors::{dot, norm};
+use crate::{BalanceError, Equilibrium, Inertia, SymmetricSolver};
+
+/// A line search sets in when `|δ·r|` along the step `δ` does not fall to this share \[crisfield1981b\].
+const SLACK: f64 = 0.8;
+/// Trials of one line search.
+const TRIALS: usize = 6;
+/// Rounding of forces, in units of ε ‖|K||q|‖, below which no residual can be brought.
+const ROUNDINGS: f64 = 8.0;
+
+/// How Newton iterates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewtonOptions {
+    /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ and the internal
+    /// forces of the states found so far; default 1e-9.
+    ///
+    /// Where the stiffness is so uneven that rounding of the forces exceeds it, that rounding is the bound.
+    pub tolerance: f64,
+    /// Iterations allowed; default 15.
+    pub iterations: usize,
+    /// Whether load-controlled steps that overshoot are shortened; default true.
+    pub line_search: bool,
+}
+
+impl Default for NewtonOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-9, iterations: 15, line_search: true }
+    }
+}
+
+/// How an equilibrium was reached.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Converged {
+    /// Load level \[–\].
+    pub level: f64,
+    /// Iterations (solves) made.
+    pub iterations: usize,
+    /// ‖external − internal‖ of every iterate, the first before any correction \[F\].
+    pub residuals: Vec<f64>,
+    /// Bound that the last one met \[F\].
+    pub bound: f64,
+    /// Inertia of the tangent at the equilibrium.
+    pub inertia: Inertia,
+}
+
+/// A change of state along tangent increments, with the change of level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Increment {
+    /// Sum of the increments of the unknowns.
+    pub motion: Vec<f64>,
+    /// Change of level.
+    pub level: f64,
+}
+
+/// The equation beside equilibrium.
+pub(crate) enum Constraint<'a> {
+    /// The level is given.
+    Level,
+    /// `c·Δq = target`.
+    Functional { weights: &'a [f64], target: f64 },
+    /// `Σ wᵢ Δqᵢ² + ψ² Δλ² = R²` \[crisfield1981\], linearised consistently \[schweizerhof1986\].
+    Sphere { weights: &'a [f64], load: f64, radius: f64 },
+}
+
+/// Newton's method with its solver, its buffers and its sense of scale; keep one for all steps of a path.
+pub struct Newton {
+    /// How it iterates.
+    pub options: NewtonOptions,
+    pub(crate) solver: SymmetricSolver,
+    pub(crate) step: usize,
+    values: Vec<f64>,
+    internal: Vec<f64>,
+    external: Vec<f64>,
+    rate: Vec<f64>,
+    residual: Vec<f64>,
+    force_scale: f64,
+    travelled: Vec<f64>,
+    fresh: bool,
+}
+
+impl Newton {
+    /// Reads the pattern and analyses it once.
+    pub fn new<E: Equilibrium + ?Sized>(system: &E, options: &NewtonOptions) -> Result<Self, BalanceError> {
+        require(options.tolerance > 0.0, "newton tolerance", options.tolerance, "positive")?;
+        require(options.iterations > 0, "newton iterations", options.iterations as f64, "one at least")?;
+        let n = system.unknowns();
+        let pattern = system.pattern();
+        Ok(Self {
+            options: options.clone(),
+            solver: SymmetricSolver::new(n, &pattern)?,
+            step: 0,
+            values: vec![0.0; pattern.len()],
+            internal: vec![0.0; n],
+            external: vec![0.0; n],
+            rate: vec![0.0; n],
+            residual: vec![0.0; n],
+            force_scale: 0.0,
+            travelled: vec![0.0; n],
+            fresh: false,
+        })
+    }
+
+    /// Finds equilibrium at a load level from the present state. After a failure the state is as before.
+    pub fn at_level<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Converged, BalanceError> {
+        let saved = system.save();
+        let mut increment = Increment { motion: vec![0.0; system.unknowns()], level: 0.0 };
+        let outcome = self.correct(system, level, &mut increment, &Constraint::Level);
+        match &outcome {
+            Ok(_) => self.accept(&increment),
+            Err(_) => self.go_back(system, &saved),
+        }
+        outcome
+    }
+
+    /// Factorises the tangent of the present state, unless that was the last thing done.
+    pub(crate) fn tangent<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Inertia, BalanceError> {
+        if !self.fresh {
+            system.tangent(level, &mut self.values);
+            self.solver.factor(&self.values)?;
+            self.fresh = true;
+        }
+        Ok(self.solver.inertia())
+    }
+
+    /// `K⁻¹ ∂external/∂λ` at the present state, and `∂external/∂λ` itself \[F\].
+    pub(crate) fn response<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<(Vec<f64>, &[f64]), BalanceError> {
+        self.tangent(system, level)?;
+        system.load_rate(level, &mut self.rate);
+        let mut response = self.rate.clone();
+        self.solver.solve(&mut response).map_err(|error| error.named(system, self.step, level))?;
+        Ok((response, &self.rate))
+    }
+
+    /// Moves the state.
+    pub(crate) fn advance<E: Equilibrium + ?Sized>(&mut self, system: &mut E, motion: &[f64]) {
+        system.update(motion);
+        self.fresh = false;
+    }
+
+    /// Comes back to a saved state.
+    pub(crate) fn go_back<E: Equilibrium + ?Sized>(&mut self, system: &mut E, saved: &[f64]) {
+        system.restore(saved);
+        self.fresh = false;
+    }
+
+    /// Takes note of a step that is kept.
+    pub(crate) fn accept(&mut self, increment: &Increment) {
+        for (sum, motion) in self.travelled.iter_mut().zip(&increment.motion) {
+            *sum += motion;
+        }
+    }
+
+    /// Iterates to equilibrium and constraint from the present (predicted) state at `level`; `increment` holds
+    /// what was predicted since the last equilibrium and takes up the corrections. The state is not put back.
+    pub(crate) fn correct<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        mut level: f64,
+        increment: &mut Increment,
+        constraint: &Constraint,
+    ) -> Result<Converged, BalanceError> {
+        let mut residuals = Vec::new();
+        let mut floor = 0.0;
+        for iterations in 0.. {
+            let size = self.residual(system, level)?;
+            residuals.push(size);
+            let mut scale =
+                norm(&self.external).max(self.force_scale).max(norm(&self.rate) * increment.level.abs());
+            if scale == 0.0 {
+                scale = residuals[0];
+            }
+            let bound = (self.options.tolerance * scale).max(floor);
+            let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
+            if size <= bound && moved {
+                let inertia = self.tangent(system, level)?;
+                self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
+                return Ok(Converged { level, iterations, residuals, bound, inertia });
+            }
+            if iterations == self.options.iterations {
+                let (step, residual) = (self.step, size);
+                return Err(BalanceError::NotConverged {
+                    step,
+                    level,
+                    iterations,
+                    residual,
+                    bound,
+                    residuals,
+                });
+            }
+
+            let correction = self.correction(system, level, increment, constraint)?;
+            level += correction.level;
+            increment.level += correction.level;
+            let share = match constraint {
+                Constraint::Level if self.options.line_search => {
+                    self.search(system, level, &correction.motion)?
+                }
+                _ => {
+                    self.advance(system, &correction.motion);
+                    1.0
+                }
+            };
+            for (sum, motion) in increment.motion.iter_mut().zip(&correction.motion) {
+                *sum += share * motion;
+            }
+            let reach: Vec<f64> = self.travelled.iter().zip(&increment.motion).map(|(a, b)| a + b).collect();
+            floor = ROUNDINGS * self.solver.rounding(&reach);
+        }
+        unreachable!("the loop ends by its bound")
+    }
+
+    /// One bordered solve: `K δ = r + δλ p` with the constraint linearised, by two solves with one factor
+    /// \[batoz1979\].
+    fn correction<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        increment: &Increment,
+        constraint: &Constraint,
+    ) -> Result<Increment, BalanceError> {
+        self.tangent(system, level)?;
+        let mut motion = self.residual.clone();
+        self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
+        if let Constraint::Level = constraint {
+            return Ok(Increment { motion, level: 0.0 });
+        }
+        let response = self.response(system, level)?.0;
+        let (missing, rate) = match constraint {
+            Constraint::Level => unreachable!("returned above"),
+            Constraint::Functional { weights, target } => {
+                (target - dot(weights, &increment.motion) - dot(weights, &motion), dot(weights, &response))
+            }
+            Constraint::Sphere { weights, load, radius } => {
+                let normal: Vec<f64> = increment.motion.iter().zip(*weights).map(|(q, w)| q * w).collect();
+                let excess =
+                    dot(&normal, &increment.motion) + load * increment.level.powi(2) - radius * radius;
+                (-0.5 * excess - dot(&normal, &motion), dot(&normal, &response) + load * increment.level)
+            }
+        };
+        let change = missing / rate;
+        if !change.is_finite() {
+            return Err(BalanceError::Uncontrolled { step: self.step, level, rate });
+        }
+        for (motion, response) in motion.iter_mut().zip(&response) {
+            *motion += change * response;
+        }
+        Ok(Increment { motion, level: change })
+    }
+
+    /// Moves along `motion` by the whole of it, or by the share where `|motion·r|` has fallen enough.
+    ///
+    /// Only an overshoot (change of sign of `motion·r`, the slope of the potential) is shortened.
+    fn search<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        motion: &[f64],
+    ) -> Result<f64, BalanceError> {
+        let start = dot(motion, &self.residual);
+        let saved = system.save();
+        let mut share = 1.0;
+        let mut scaled = motion.to_vec();
+        for _ in 0..TRIALS {
+            self.advance(system, &scaled);
+            let slope = self.residual(system, level).map_or(f64::NAN, |_| dot(motion, &self.residual));
+            if slope.abs() <= SLACK * start.abs() || slope * start > 0.0 {
+                return Ok(share);
+            }
+            let crossing = start / (start - slope); // of the straight line between the slopes at 0 and here
+            share *= if crossing.is_finite() { crossing.clamp(0.1, 0.9) } else { 0.5 };
+            self.go_back(system, &saved);
+            for (scaled, motion) in scaled.iter_mut().zip(motion) {
+                *scaled = share * motion;
+            }
+        }
+        self.advance(system, &scaled);
+        Ok(share)
+    }
+
+    /// Norm of `external − internal` at the present state \[F\].
+    fn residual<E: Equilibrium + ?Sized>(&mut self, system: &mut E, level: f64) -> Result<f64, BalanceError> {
+        system.internal(&mut self.internal);
+        system.external(level, &mut self.external);
+        for i in 0..self.residual.len() {
+            self.residual[i] = self.external[i] - self.internal[i];
+        }
+        match self.residual.iter().position(|r| !r.is_finite()) {
+            None => Ok(norm(&self.residual)),
+            Some(unknown) => {
+                let (step, name) = (self.step, system.name_unknown(unknown));
+                Err(BalanceError::Force { step, level, name })
+            }
+        }
+    }
+}

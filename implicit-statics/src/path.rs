@@ -1,0 +1,313 @@
+//! Paths of equilibria: load, displacement and arc-length control with adaptive steps and restarts.
+
+use std::ops::ControlFlow;
+
+use crate::critical::{CriticalOptions, CriticalPoint, locate_all};
+use crate::error::require;
+use crate::stepper::Stepper;
+use crate::{BalanceError, Converged, Equilibrium, Increment, Inertia, NewtonOptions};
+
+/// What drives a path.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Control {
+    /// The level goes to `until` in steps of `step`; ends at the first limit point.
+    Load {
+        /// First change of level \[–\].
+        step: f64,
+        /// Last level, met exactly \[–\].
+        until: f64,
+    },
+    /// The functional `c·Δq` of the increments goes to `until`; passes limit points, not turning points of `c·q`.
+    Displacement {
+        /// The unknowns and their weights `c`.
+        functional: Vec<(usize, f64)>,
+        /// First change of the functional \[its unit\].
+        step: f64,
+        /// Total change of the functional from the start, with its sign, met exactly \[its unit\].
+        until: f64,
+    },
+    /// The spherical arc length; passes limit points and turning points \[crisfield1981\].
+    ArcLength {
+        /// Change of level of a linear first step; its sign is the first direction, its size the first radius.
+        first: f64,
+        /// The path ends when the level leaves this range; the bound that is crossed is met exactly \[–\].
+        range: (f64, f64),
+    },
+}
+
+/// Which way an arc-length step starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Direction {
+    /// Not back along the last step \[feng1996\]; passes limit, turning and bifurcation points.
+    #[default]
+    Secant,
+    /// Level rises while the number of negative pivots is even; turns back at simple bifurcations.
+    Inertia,
+    /// Level rises while the increment of work `p·K⁻¹p` is positive \[bergan1978\]; turns back at turning points
+    /// of the displacement.
+    Work,
+}
+
+/// The norm of an increment in the arc length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Measure {
+    /// Root mean square with the masses as weights, the same for any mesh and unit \[L\]; plain without masses.
+    #[default]
+    Mass,
+    /// Every unknown counts alike.
+    Plain,
+    /// Given weights, one for each unknown.
+    Given(Vec<f64>),
+}
+
+/// How a path is followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathOptions {
+    /// What drives the path.
+    pub control: Control,
+    /// How every step is corrected.
+    pub newton: NewtonOptions,
+    /// Steps grow or shrink by √(target/iterations), between halves and doubles; default 5.
+    pub target_iterations: usize,
+    /// Largest step in units of the first; default 10.
+    pub largest: f64,
+    /// Least step in units of the first, below which the path has failed; default 1e-6.
+    pub smallest: f64,
+    /// Steps allowed; default 1000.
+    pub steps: usize,
+    /// Which way arc-length steps start; default secant.
+    pub direction: Direction,
+    /// Norm of the arc length; default by mass.
+    pub measure: Measure,
+    /// What the level counts in the arc length against the linear response to it at the start; default 1.
+    pub load_share: f64,
+    /// Whether and how critical points are located where the number of negative pivots changes; default not.
+    pub critical: Option<CriticalOptions>,
+}
+
+impl PathOptions {
+    /// Defaults for a control.
+    pub fn new(control: Control) -> Self {
+        Self {
+            control,
+            newton: NewtonOptions::default(),
+            target_iterations: 5,
+            largest: 10.0,
+            smallest: 1e-6,
+            steps: 1000,
+            direction: Direction::default(),
+            measure: Measure::default(),
+            load_share: 1.0,
+            critical: None,
+        }
+    }
+
+    fn check<E: Equilibrium + ?Sized>(&self, system: &E) -> Result<(), BalanceError> {
+        let unknowns = system.unknowns();
+        let first = match &self.control {
+            Control::Load { step, .. } => *step,
+            Control::Displacement { functional, step, .. } => {
+                for &(unknown, _) in functional {
+                    let inside = unknown < unknowns;
+                    require(inside, "controlled unknown", unknown as f64, "below the number of unknowns")?;
+                }
+                *step
+            }
+            Control::ArcLength { first, .. } => *first,
+        };
+        require(first != 0.0 && first.is_finite(), "first step", first, "finite and not zero")?;
+        require(self.target_iterations > 0, "target iterations", 0.0, "one at least")?;
+        require(self.largest >= 1.0, "largest step", self.largest, "one first step at least")?;
+        require(
+            self.smallest > 0.0 && self.smallest <= 1.0,
+            "smallest step",
+            self.smallest,
+            "above 0 and at most one first step",
+        )?;
+        require(self.load_share >= 0.0, "load share", self.load_share, "not negative")
+    }
+}
+
+/// Where a path starts: the present state of the system at a level.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Start {
+    /// Level of the present state \[–\].
+    pub level: f64,
+    /// The increment that led here: gives arc length its direction and first radius.
+    pub heading: Option<Increment>,
+}
+
+/// A converged point of a path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Number, 0 at the start.
+    pub step: usize,
+    /// Level, iterations, residuals and inertia.
+    pub converged: Converged,
+    /// Step size that led here: level, functional or arc length.
+    pub size: f64,
+    /// Trials that failed before.
+    pub restarts: usize,
+}
+
+impl Point {
+    /// Load level \[–\].
+    pub fn level(&self) -> f64 {
+        self.converged.level
+    }
+
+    /// Inertia of the tangent.
+    pub fn inertia(&self) -> Inertia {
+        self.converged.inertia
+    }
+}
+
+/// Why a path ended well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The bound of the control was met.
+    Reached,
+    /// The observer stopped it.
+    Stopped,
+    /// The allowed number of steps was made.
+    Steps,
+}
+
+/// A path as far as it went; the system stands at its last converged point.
+#[derive(Debug, Clone)]
+pub struct Path {
+    /// Converged points, the start first.
+    pub points: Vec<Point>,
+    /// Critical points located, in order.
+    pub critical: Vec<CriticalPoint>,
+    /// Whence it can be continued.
+    pub restart: Start,
+    /// How it ended.
+    pub end: Result<End, BalanceError>,
+}
+
+/// Follows equilibria from the present state; the observer sees every converged point and may stop.
+///
+/// A step that fails is repeated with half the size from the last converged state. All converged points are
+/// kept whatever happens later.
+pub fn follow<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    start: &Start,
+    options: &PathOptions,
+    mut observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
+) -> Path {
+    let mut path =
+        Path { points: Vec::new(), critical: Vec::new(), restart: start.clone(), end: Ok(End::Steps) };
+    path.end = march(system, start, options, &mut observer, &mut path);
+    path
+}
+
+fn march<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    start: &Start,
+    options: &PathOptions,
+    observer: &mut dyn FnMut(&Point, &mut E) -> ControlFlow<()>,
+    path: &mut Path,
+) -> Result<End, BalanceError> {
+    options.check(system)?;
+    let (mut stepper, converged, first) = Stepper::new(system, start, options)?;
+    let point = Point { step: 0, converged, size: 0.0, restarts: 0 };
+    let stop = observer(&point, system);
+    path.points.push(point);
+    if stop.is_break() {
+        return Ok(End::Stopped);
+    }
+    let mut size = first;
+    let mut travelled = 0.0;
+    for step in 1..=options.steps {
+        stepper.newton.step = step;
+        let saved = system.save();
+        let mut restarts = 0;
+        let (converged, increment, bound) = loop {
+            let trial = clip(size, travelled, stepper.level, &options.control);
+            match step_within(&mut stepper, system, &saved, trial, &options.control) {
+                Ok(done) => break done,
+                Err(cause) => {
+                    stepper.newton.go_back(system, &saved);
+                    restarts += 1;
+                    size = 0.5 * trial;
+                    let smallest = options.smallest * first;
+                    if size < smallest {
+                        let (level, cause) = (stepper.level, Box::new(cause));
+                        return Err(BalanceError::StepTooSmall { step, level, size, smallest, cause });
+                    }
+                }
+            }
+        };
+        let made = stepper.size(&increment);
+        travelled += made;
+        if let Some(critical) = &options.critical
+            && path.points[step - 1].inertia().negative != converged.inertia.negative
+        {
+            let here = system.save();
+            stepper.newton.go_back(system, &saved);
+            let counts = (path.points[step - 1].inertia().negative, converged.inertia.negative);
+            let found = locate_all(&mut stepper, system, counts, made, critical);
+            path.critical.extend(found);
+            stepper.newton.go_back(system, &here);
+        }
+        let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
+        stepper.accept(converged.level, increment);
+        path.restart = Start { level: stepper.level, heading: stepper.last.clone() };
+        let point = Point { step, converged, size: made, restarts };
+        let stop = observer(&point, system);
+        path.points.push(point);
+        if stop.is_break() {
+            return Ok(End::Stopped);
+        }
+        if bound || reached(travelled, stepper.level, first, &options.control) {
+            return Ok(End::Reached);
+        }
+        size = (size * ratio.sqrt().clamp(0.5, 2.0)).min(options.largest * first);
+    }
+    Ok(End::Steps)
+}
+
+/// Makes one step; an arc that leaves the range of levels is replaced by a step to the bound.
+fn step_within<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    saved: &[f64],
+    size: f64,
+    control: &Control,
+) -> Result<(Converged, Increment, bool), BalanceError> {
+    let (converged, increment) = stepper.advance(system, size)?;
+    let Control::ArcLength { range: (low, high), .. } = *control else {
+        return Ok((converged, increment, false));
+    };
+    let bound = converged.level.clamp(low, high);
+    if bound == converged.level {
+        return Ok((converged, increment, false));
+    }
+    let beyond = system.save();
+    stepper.newton.go_back(system, saved);
+    match stepper.reach_level(system, bound, &increment) {
+        Ok((converged, increment)) => Ok((converged, increment, true)),
+        Err(_) => {
+            stepper.newton.go_back(system, &beyond);
+            Ok((converged, increment, true))
+        }
+    }
+}
+
+fn clip(size: f64, travelled: f64, level: f64, control: &Control) -> f64 {
+    match control {
+        Control::Load { until, .. } => size.min((until - level).abs()),
+        Control::Displacement { until, .. } => size.min(until.abs() - travelled),
+        Control::ArcLength { .. } => size,
+    }
+}
+
+fn reached(travelled: f64, level: f64, first: f64, control: &Control) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * first;
+    match control {
+        Control::Load { until, .. } => near(level, *until),
+        Control::Displacement { until, .. } => near(travelled, until.abs()),
+        Control::ArcLength { range, .. } => level <= range.0 || level >= range.1,
+    }
+}

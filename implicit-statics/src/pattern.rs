@@ -1,0 +1,52 @@
+//! The tangent's pattern as compressed columns, and products with values in the order of the pattern.
+
+use crate::BalanceError;
+use crate::error::require;
+
+/// Compressed columns of a pattern: pointers, rows, and the place of each entry of the pattern.
+pub(crate) type Columns = (Vec<usize>, Vec<usize>, Vec<usize>);
+
+pub(crate) fn columns(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Columns, BalanceError> {
+    require(unknowns > 0, "number of unknowns", 0.0, "one at least")?;
+    let refuse = |(row, column): (usize, usize), what: &'static str| {
+        Err(BalanceError::Pattern { row, column, unknowns, what })
+    };
+    let mut order: Vec<usize> = (0..pattern.len()).collect();
+    order.sort_unstable_by_key(|&k| (pattern[k].1, pattern[k].0));
+    let mut pointers = vec![0; unknowns + 1];
+    let mut rows = Vec::with_capacity(pattern.len());
+    let mut slots = vec![0; pattern.len()];
+    for (slot, &k) in order.iter().enumerate() {
+        let (row, column) = pattern[k];
+        if row >= unknowns || column >= unknowns {
+            return refuse((row, column), "outside");
+        }
+        if row < column {
+            return refuse((row, column), "above the diagonal");
+        }
+        if slot > 0 && pattern[order[slot - 1]] == (row, column) {
+            return refuse((row, column), "there twice");
+        }
+        pointers[column + 1] = slot + 1;
+        rows.push(row);
+        slots[k] = slot;
+    }
+    for column in 0..unknowns {
+        let begin = pointers[column];
+        if pointers[column + 1] <= begin || rows[begin] != column {
+            return refuse((column, column), "missing");
+        }
+    }
+    Ok((pointers, rows, slots))
+}
+
+/// `out = K x` for values in the order of a lower-triangular pattern.
+pub(crate) fn product(pattern: &[(usize, usize)], values: &[f64], x: &[f64], out: &mut [f64]) {
+    out.fill(0.0);
+    for (&(row, column), &value) in pattern.iter().zip(values) {
+        out[row] += value * x[column];
+        if row != column {
+            out[column] += value * x[row];
+        }
+    }
+}

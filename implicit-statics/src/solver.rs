@@ -1,0 +1,377 @@
+//! The sparse symmetric solver and the small dense one: the only file that sees faer.
+
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
+use faer::{Conj, Mat, MatMut, Par, Side};
+
+use crate::BalanceError;
+use crate::pattern::columns;
+use crate::vectors::{dot, norm, unstructured};
+
+/// A pivot below this, after scaling to unit rows, asks for the exact count of vanishing eigenvalues.
+const SMALL_PIVOT: f64 = 1e-13;
+/// Eigenvalues of the scaled matrix within ± this count as zero.
+const ZERO_EIGENVALUE: f64 = 1e-12;
+/// Residual guard relative to the right side.
+const GUARD: f64 = 1e-8;
+/// Residual guard in units of rounding of the product `|K||x|`: no solver can do better than that.
+const GUARD_ROUNDINGS: f64 = 256.0;
+/// Inverse iterations from a vector without structure to the null direction.
+const NULL_ITERATIONS: usize = 4;
+
+/// Signs of the eigenvalues of a symmetric matrix (Sylvester's law: of the pivots of any factor).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Inertia {
+    /// Eigenvalues above zero.
+    pub positive: usize,
+    /// Eigenvalues below zero.
+    pub negative: usize,
+    /// Eigenvalues that vanish within rounding of the row-scaled matrix.
+    pub zero: usize,
+}
+
+/// `K = L B Lᵀ` with Bunch–Kaufman pivots \[bunch1977\] inside supernodes, for one fixed sparsity.
+///
+/// Ordering and symbolic factor are made once. Values are scaled to unit rows by powers of two, which changes
+/// neither inertia nor bits of the solution's accuracy but makes "zero" independent of units. Constraints must
+/// be eliminated: pivots stay inside supernodes and saddle points lose accuracy, which the residual guard tells.
+pub struct SymmetricSolver {
+    unknowns: usize,
+    matrix: SymbolicSparseColMat<usize>,
+    slots: Vec<usize>,
+    values: Vec<f64>,
+    scale: Vec<f64>,
+    symbolic: SymbolicCholesky<usize>,
+    factor: Vec<f64>,
+    subdiagonal: Vec<f64>,
+    forward: Vec<usize>,
+    inverse: Vec<usize>,
+    memory: MemBuffer,
+    inertia: Inertia,
+}
+
+impl SymmetricSolver {
+    /// Orders and analyses a pattern: lower triangle with the whole diagonal, each entry once, any order.
+    pub fn new(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Self, BalanceError> {
+        let (pointers, rows, slots) = columns(unknowns, pattern)?;
+        let matrix = SymbolicSparseColMat::new_checked(unknowns, unknowns, pointers, None, rows);
+        // FORCE_SUPERNODAL is a ratio of 0, which a diagonal matrix (no multiplications) does not exceed.
+        let threshold = SupernodalThreshold(SupernodalThreshold::FORCE_SUPERNODAL.0 - 1.0);
+        let parameters =
+            CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..Default::default() };
+        let symbolic =
+            factorize_symbolic_cholesky(matrix.as_ref(), Side::Lower, SymmetricOrdering::Amd, parameters)
+                .expect("memory for the symbolic factor");
+        let scratch = StackReq::any_of(&[
+            symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
+            symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
+        ]);
+        Ok(Self {
+            unknowns,
+            values: vec![0.0; matrix.compute_nnz()],
+            scale: vec![1.0; unknowns],
+            factor: vec![0.0; symbolic.len_val()],
+            subdiagonal: vec![0.0; unknowns],
+            forward: vec![0; unknowns],
+            inverse: vec![0; unknowns],
+            memory: MemBuffer::new(scratch),
+            inertia: Inertia::default(),
+            matrix,
+            slots,
+            symbolic,
+        })
+    }
+
+    /// Entries of the factor, a measure of its cost.
+    pub fn factor_entries(&self) -> usize {
+        self.factor.len()
+    }
+
+    /// Factorises for values in the order of the pattern.
+    ///
+    /// A singular matrix is no error here: its zeros are counted, and [`SymmetricSolver::solve`] refuses.
+    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, BalanceError> {
+        if values.len() != self.slots.len() {
+            let (length, expected) = (values.len(), self.slots.len());
+            return Err(BalanceError::Length { name: "tangent values", length, expected });
+        }
+        for (&slot, &value) in self.slots.iter().zip(values) {
+            self.values[slot] = value;
+        }
+        self.equilibrate()?;
+        self.inertia = match self.factorise(0.0) {
+            Some(inertia) => inertia,
+            None => self.singular_inertia(),
+        };
+        Ok(self.inertia)
+    }
+
+    /// Inertia of the last factor.
+    pub fn inertia(&self) -> Inertia {
+        self.inertia
+    }
+
+    /// Row scaling `s` of the last factor: the solver sees `s_i K_ij s_j`; `v/s` and `s f` are free of units.
+    pub fn scale(&self) -> &[f64] {
+        &self.scale
+    }
+
+    /// Solves `K x = b` in place, with one step of refinement and the guard
+    /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
+    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), BalanceError> {
+        if self.inertia.zero > 0 {
+            return Err(self.singular());
+        }
+        let n = self.unknowns;
+        let scaled: Vec<f64> = (0..n).map(|i| right[i] * self.scale[i]).collect();
+        let mut solution = scaled.clone();
+        self.backsolve(&mut solution);
+        let mut residual = scaled.clone();
+        self.subtract_product(&solution, &mut residual);
+        let before = self.force_norm(&residual);
+
+        let mut refined = residual.clone();
+        self.backsolve(&mut refined);
+        for i in 0..n {
+            refined[i] += solution[i];
+        }
+        residual.copy_from_slice(&scaled);
+        self.subtract_product(&refined, &mut residual);
+        let after = self.force_norm(&residual);
+
+        let (solution, left) = if after <= before { (refined, after) } else { (solution, before) };
+        let mut bound = GUARD * self.force_norm(&scaled);
+        for i in 0..n {
+            right[i] = solution[i] * self.scale[i];
+        }
+        if left > bound {
+            bound = bound.max(GUARD_ROUNDINGS * self.rounding(right));
+        }
+        if left <= bound { Ok(()) } else { Err(BalanceError::Solve { residual: left, bound }) }
+    }
+
+    /// `out = K x` with the values of the last factor.
+    pub fn product(&self, x: &[f64], out: &mut [f64]) {
+        let scaled: Vec<f64> = x.iter().zip(&self.scale).map(|(x, s)| x / s).collect();
+        out.fill(0.0);
+        self.subtract_product(&scaled, out);
+        for i in 0..self.unknowns {
+            out[i] /= -self.scale[i];
+        }
+    }
+
+    /// ε ‖ |K| |x| ‖: rounding that evaluating forces of this stiffness at this displacement cannot avoid \[F\].
+    pub fn rounding(&self, x: &[f64]) -> f64 {
+        let mut sums = vec![0.0; self.unknowns];
+        self.for_entries(|i, j, value| {
+            sums[i] += value.abs() * (x[j] / self.scale[j]).abs();
+            if i != j {
+                sums[j] += value.abs() * (x[i] / self.scale[i]).abs();
+            }
+        });
+        f64::EPSILON * self.force_norm(&sums)
+    }
+
+    /// Unit vector towards the eigenvalue of least magnitude of the row-scaled matrix, and that eigenvalue.
+    ///
+    /// The vector is returned in unknowns (`s φ̂`), by inverse iteration with the present factor.
+    pub fn weakest_direction(&mut self) -> (Vec<f64>, f64) {
+        let n = self.unknowns;
+        let mut direction = unstructured(n, 0);
+        for _ in 0..NULL_ITERATIONS {
+            self.backsolve(&mut direction);
+            let norm = norm(&direction);
+            direction.iter_mut().for_each(|d| *d /= norm);
+        }
+        let mut image = vec![0.0; n];
+        self.subtract_product(&direction, &mut image);
+        let eigenvalue = -dot(&direction, &image);
+        for i in 0..n {
+            direction[i] *= self.scale[i];
+        }
+        (direction, eigenvalue)
+    }
+
+    fn singular(&mut self) -> BalanceError {
+        let (direction, _) = self.weakest_direction();
+        let share = |i: usize| (direction[i] / self.scale[i]).abs();
+        let unknown = (0..self.unknowns).fold(0, |best, i| if share(i) > share(best) { i } else { best });
+        BalanceError::Singular { zero: self.inertia.zero, unknown, share: share(unknown) }
+    }
+
+    /// Counts eigenvalues below −δ and below +δ by two shifted factors; keeps a factor that can be solved with.
+    fn singular_inertia(&mut self) -> Inertia {
+        let shifted = |solver: &mut Self, shift: f64| {
+            solver.factorise(shift).unwrap_or_else(|| solver.count_pivots().0).negative
+        };
+        let below_plus = shifted(self, -ZERO_EIGENVALUE);
+        let negative = shifted(self, ZERO_EIGENVALUE);
+        let zero = below_plus.saturating_sub(negative);
+        if zero == 0 {
+            self.factorise(0.0);
+        }
+        Inertia { positive: self.unknowns - negative - zero, negative, zero }
+    }
+
+    /// Scales rows to about one: by the diagonal, then twice by the largest entry of a row.
+    fn equilibrate(&mut self) -> Result<(), BalanceError> {
+        let (n, symbolic) = (self.unknowns, self.matrix.as_ref());
+        let mut largest = vec![0.0; n];
+        for j in 0..n {
+            for k in symbolic.col_range(j) {
+                let i = symbolic.row_idx()[k];
+                if !self.values[k].is_finite() {
+                    return Err(BalanceError::Tangent { row: i, column: j });
+                }
+                if i == j {
+                    largest[j] = self.values[k].abs();
+                }
+            }
+        }
+        self.scale.fill(1.0);
+        for pass in 0..3 {
+            if pass > 0 {
+                largest.fill(0.0);
+                self.for_entries(|i, j, value| {
+                    let value = (value * self.scale[i] * self.scale[j]).abs();
+                    largest[i] = value.max(largest[i]);
+                    largest[j] = value.max(largest[j]);
+                });
+            }
+            for (scale, &largest) in self.scale.iter_mut().zip(&largest) {
+                if largest > 0.0 {
+                    *scale = power_of_two(*scale / largest.sqrt());
+                }
+            }
+        }
+        for j in 0..n {
+            for k in symbolic.col_range(j) {
+                self.values[k] *= self.scale[symbolic.row_idx()[k]] * self.scale[j];
+            }
+        }
+        Ok(())
+    }
+
+    /// Factors the scaled matrix plus a multiple of one; `None` when a pivot is too small to trust its sign.
+    fn factorise(&mut self, shift: f64) -> Option<Inertia> {
+        let shifted: Vec<f64>;
+        let values = if shift == 0.0 {
+            &self.values
+        } else {
+            let mut copy = self.values.clone();
+            for j in 0..self.unknowns {
+                copy[self.matrix.as_ref().col_range(j).start] += shift; // the diagonal opens its column
+            }
+            shifted = copy;
+            &shifted
+        };
+        self.symbolic.factorize_numeric_intranode_lblt(
+            &mut self.factor,
+            &mut self.subdiagonal,
+            &mut self.forward,
+            &mut self.inverse,
+            SparseColMatRef::new(self.matrix.as_ref(), values),
+            Side::Lower,
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+            Default::default(),
+        );
+        let (inertia, smallest) = self.count_pivots();
+        (smallest > SMALL_PIVOT).then_some(inertia)
+    }
+
+    /// Signs of the 1×1 and 2×2 pivots, and the least magnitude of their eigenvalues (zero if not finite).
+    fn count_pivots(&self) -> (Inertia, f64) {
+        let SymbolicCholeskyRaw::Supernodal(supernodes) = self.symbolic.raw() else {
+            unreachable!("the supernodal factor was asked for");
+        };
+        let mut inertia = Inertia::default();
+        let mut smallest = f64::INFINITY;
+        let mut count = |pivot: f64| {
+            match pivot {
+                p if p > 0.0 => inertia.positive += 1,
+                p if p < 0.0 => inertia.negative += 1,
+                _ => inertia.zero += 1,
+            }
+            smallest = smallest.min(if pivot.is_finite() { pivot.abs() } else { 0.0 });
+        };
+        for s in 0..supernodes.n_supernodes() {
+            let (begin, end) = (supernodes.supernode_begin()[s], supernodes.supernode_end()[s]);
+            let height = end - begin + supernodes.supernode(s).pattern().len();
+            let diagonal =
+                |j: usize| self.factor[supernodes.col_ptr_for_val()[s] + (j - begin) * (height + 1)];
+            let mut j = begin;
+            while j < end {
+                let coupling = self.subdiagonal[j];
+                if coupling == 0.0 {
+                    count(diagonal(j));
+                    j += 1;
+                } else {
+                    let (mean, half) =
+                        (0.5 * (diagonal(j) + diagonal(j + 1)), 0.5 * (diagonal(j) - diagonal(j + 1)));
+                    let radius = libm::hypot(half, coupling);
+                    count(mean + radius);
+                    count(mean - radius);
+                    j += 2;
+                }
+            }
+        }
+        (inertia, smallest)
+    }
+
+    fn backsolve(&mut self, right: &mut [f64]) {
+        let permutation = PermRef::new_checked(&self.forward, &self.inverse, self.unknowns);
+        IntranodeLbltRef::new(&self.symbolic, &self.factor, &self.subdiagonal, permutation)
+            .solve_in_place_with_conj(
+                Conj::No,
+                MatMut::from_column_major_slice_mut(right, self.unknowns, 1),
+                Par::Seq,
+                MemStack::new(&mut self.memory),
+            );
+    }
+
+    /// `out −= K̂ x` with the scaled matrix.
+    fn subtract_product(&self, x: &[f64], out: &mut [f64]) {
+        self.for_entries(|i, j, value| {
+            out[i] -= value * x[j];
+            if i != j {
+                out[j] -= value * x[i];
+            }
+        });
+    }
+
+    fn for_entries(&self, mut visit: impl FnMut(usize, usize, f64)) {
+        let symbolic = self.matrix.as_ref();
+        for j in 0..self.unknowns {
+            for k in symbolic.col_range(j) {
+                visit(symbolic.row_idx()[k], j, self.values[k]);
+            }
+        }
+    }
+
+    /// Norm of a scaled force in unscaled units.
+    fn force_norm(&self, scaled: &[f64]) -> f64 {
+        scaled.iter().zip(&self.scale).map(|(f, s)| (f / s) * (f / s)).sum::<f64>().sqrt()
+    }
+}
+
+/// Eigenvalues in rising order and unit eigenvectors (one after the other) of a small dense symmetric matrix,
+/// given by its lower triangle in column-major order.
+pub fn dense_eigen(size: usize, matrix: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let eigen = Mat::from_fn(size, size, |i, j| matrix[i + j * size])
+        .self_adjoint_eigen(Side::Lower)
+        .expect("a finite symmetric matrix has its eigenpairs");
+    let values = (0..size).map(|i| eigen.S()[i]).collect();
+    let vectors = (0..size * size).map(|k| eigen.U()[(k % size, k / size)]).collect();
+    (values, vectors)
+}
+
+fn power_of_two(value: f64) -> f64 {
+    f64::from_bits(value.to_bits() & 0x7ff0_0000_0000_0000)
+}

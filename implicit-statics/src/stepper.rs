@@ -1,0 +1,193 @@
+//! One continuation step from a converged state: predictor, corrector, and what is kept between steps.
+
+use crate::newton::Constraint;
+use crate::path::{Control, Direction, Measure, PathOptions, Start};
+use crate::vectors::dot;
+use crate::{BalanceError, Converged, Equilibrium, Increment, Newton};
+
+/// Steps of a path: the state stands at the last converged point whenever no step is being made.
+pub(crate) struct Stepper<'a> {
+    pub newton: Newton,
+    pub level: f64,
+    pub last: Option<Increment>,
+    control: &'a Control,
+    direction: Direction,
+    /// Weights of the functional, or of the norm of an increment.
+    weights: Vec<f64>,
+    /// ψ², what a change of level counts in the norm.
+    load: f64,
+    sign: f64,
+}
+
+impl<'a> Stepper<'a> {
+    /// Brings the starting state to balance and measures the first step.
+    pub fn new<E: Equilibrium + ?Sized>(
+        system: &mut E,
+        start: &Start,
+        options: &'a PathOptions,
+    ) -> Result<(Self, Converged, f64), BalanceError> {
+        let newton = Newton::new(system, &options.newton)?;
+        let mut stepper = Self {
+            newton,
+            level: start.level,
+            last: start.heading.clone(),
+            control: &options.control,
+            direction: options.direction,
+            weights: Vec::new(),
+            load: 0.0,
+            sign: 1.0,
+        };
+        let converged = stepper.newton.at_level(system, start.level)?;
+        let size = match &options.control {
+            Control::Load { step, until } => {
+                stepper.sign = (until - start.level).signum();
+                step.abs()
+            }
+            Control::Displacement { functional, step, until } => {
+                stepper.weights = vec![0.0; system.unknowns()];
+                functional.iter().for_each(|&(unknown, weight)| stepper.weights[unknown] += weight);
+                stepper.sign = until.signum();
+                step.abs()
+            }
+            Control::ArcLength { first, .. } => {
+                stepper.weights = measure(system, &options.measure)?;
+                stepper.sign = first.signum();
+                let response = stepper.newton.response(system, start.level)?.0;
+                let compliance = stepper.product(&response, &response);
+                stepper.load = options.load_share * compliance;
+                match &start.heading {
+                    Some(heading) => stepper.length(heading),
+                    None => first.abs() * (compliance + stepper.load).sqrt(),
+                }
+            }
+        };
+        Ok((stepper, converged, size))
+    }
+
+    /// Tries a step of the given size; on failure the state is not put back.
+    pub fn advance<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        size: f64,
+    ) -> Result<(Converged, Increment), BalanceError> {
+        let zero = vec![0.0; system.unknowns()];
+        let mut increment = Increment { motion: zero, level: 0.0 };
+        let converged = match self.control {
+            Control::Load { .. } => {
+                increment.level = self.sign * size;
+                let level = self.level + increment.level;
+                self.newton.correct(system, level, &mut increment, &Constraint::Level)
+            }
+            Control::Displacement { .. } => {
+                let response = self.newton.response(system, self.level)?.0;
+                let rate = dot(&self.weights, &response);
+                let target = self.sign * size;
+                self.predict(system, &mut increment, target / rate, &response)?;
+                let constraint = Constraint::Functional { weights: &self.weights, target };
+                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
+            }
+            Control::ArcLength { .. } => {
+                let (response, rate) = self.newton.response(system, self.level)?;
+                let work = dot(&response, rate);
+                let length = (self.product(&response, &response) + self.load).sqrt();
+                let sign = self.heading(&response, work);
+                self.predict(system, &mut increment, sign * size / length, &response)?;
+                let constraint = Constraint::Sphere { weights: &self.weights, load: self.load, radius: size };
+                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
+            }
+        }?;
+        Ok((converged, increment))
+    }
+
+    /// Goes to a given level, predicted on the way of an increment that crosses it; the state is not put back.
+    pub fn reach_level<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        crossing: &Increment,
+    ) -> Result<(Converged, Increment), BalanceError> {
+        let share = (level - self.level) / crossing.level;
+        let motion = crossing.motion.iter().map(|q| share * q).collect();
+        let mut increment = Increment { motion, level: level - self.level };
+        self.newton.advance(system, &increment.motion);
+        let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
+        Ok((converged, increment))
+    }
+
+    /// Takes a step over as the new last point.
+    pub fn accept(&mut self, level: f64, increment: Increment) {
+        self.newton.accept(&increment);
+        self.level = level;
+        self.last = Some(increment);
+    }
+
+    /// Length of an increment in the norm of the arc.
+    pub fn length(&self, increment: &Increment) -> f64 {
+        (self.product(&increment.motion, &increment.motion) + self.load * increment.level.powi(2)).sqrt()
+    }
+
+    /// The controlled quantity of an increment: level, functional or arc length.
+    pub fn size(&self, increment: &Increment) -> f64 {
+        match self.control {
+            Control::Load { .. } => increment.level.abs(),
+            Control::Displacement { .. } => dot(&self.weights, &increment.motion).abs(),
+            Control::ArcLength { .. } => self.length(increment),
+        }
+    }
+
+    fn predict<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        increment: &mut Increment,
+        change: f64,
+        response: &[f64],
+    ) -> Result<(), BalanceError> {
+        if !change.is_finite() {
+            let (step, level) = (self.newton.step, self.level);
+            return Err(BalanceError::Uncontrolled { step, level, rate: dot(&self.weights, response) });
+        }
+        increment.level = change;
+        for (motion, response) in increment.motion.iter_mut().zip(response) {
+            *motion = change * response;
+        }
+        self.newton.advance(system, &increment.motion);
+        Ok(())
+    }
+
+    /// Sign of the predictor's change of level.
+    fn heading(&self, response: &[f64], work: f64) -> f64 {
+        let forward = match (self.direction, &self.last) {
+            (Direction::Secant, Some(last)) => self.product(&last.motion, response) + self.load * last.level,
+            (Direction::Secant, None) => self.sign,
+            (Direction::Work, _) => self.sign * work,
+            (Direction::Inertia, _) => {
+                let even = self.newton.solver.inertia().negative.is_multiple_of(2);
+                self.sign * if even { 1.0 } else { -1.0 }
+            }
+        };
+        if forward < 0.0 { -1.0 } else { 1.0 }
+    }
+
+    fn product(&self, a: &[f64], b: &[f64]) -> f64 {
+        (0..a.len()).map(|i| self.weights[i] * a[i] * b[i]).sum()
+    }
+}
+
+fn measure<E: Equilibrium + ?Sized>(system: &E, measure: &Measure) -> Result<Vec<f64>, BalanceError> {
+    let n = system.unknowns();
+    let weights = match measure {
+        Measure::Plain => vec![1.0; n],
+        Measure::Given(weights) => weights.clone(),
+        Measure::Mass => {
+            let masses = system.masses();
+            let total: f64 = masses.iter().sum();
+            if total > 0.0 { masses.iter().map(|m| m / total).collect() } else { vec![1.0; n] }
+        }
+    };
+    let length = weights.len();
+    if length == n {
+        Ok(weights)
+    } else {
+        Err(BalanceError::Length { name: "weights of the arc length", length, expected: n })
+    }
+}
