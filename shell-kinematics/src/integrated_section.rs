@@ -1,6 +1,7 @@
 //! A section integrated through the thickness by Gauss points: the seam for materials without closed form.
 
-use crate::section::{SHEAR_CORRECTION, plane_stress};
+use crate::section::{SHEAR_CORRECTION, linear_tangent, plane_stress};
+use crate::tangent::Matrix8;
 use crate::{Isotropic, IsotropicSection, MaterialError, Pack, Resultants, Section, SectionScales, Strains};
 
 /// Gauss–Legendre abscissae and weights on (−1, 1) for 2 to 5 points.
@@ -70,6 +71,10 @@ impl Section for IntegratedSection {
             }
         }
         out
+    }
+
+    fn tangent(&self, _: &Strains) -> Matrix8 {
+        linear_tangent(self)
     }
 
     fn energy(&self, strains: &Strains) -> Pack {

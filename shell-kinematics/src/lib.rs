@@ -23,6 +23,7 @@ mod placement;
 mod rotation;
 mod section;
 mod strain;
+mod tangent;
 
 pub use frame::{covariant_green_lagrange, local_green_lagrange, natural_basis};
 pub use integrated_section::IntegratedSection;
@@ -31,3 +32,4 @@ pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::{parallel_transport, rodrigues, tangent_map};
 pub use section::{Isotropic, IsotropicSection, MaterialError, Resultants, Section, SectionScales};
 pub use strain::{GreenLagrange, StrainMeasure, Strains, StretchCorrected, strain_measure, strain_measures};
+pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};

@@ -2,6 +2,7 @@
 
 use std::any::Any;
 
+use crate::tangent::{Matrix8, ZERO8};
 use crate::{Pack, Strains};
 
 /// Stress resultants, conjugate to [`Strains`] per reference area.
@@ -45,11 +46,32 @@ pub trait Section: Any + Send + Sync {
     /// Resultants from strains; they must be the derivative of [`Section::energy`].
     fn resultants(&self, strains: &Strains) -> Resultants;
 
+    /// `C = ∂σ/∂ε`, symmetric.
+    fn tangent(&self, strains: &Strains) -> Matrix8;
+
     /// Stored energy per reference area \[F/L\].
     fn energy(&self, strains: &Strains) -> Pack;
 
     /// Stiffness scales.
     fn scales(&self) -> SectionScales;
+}
+
+/// The tangent of a section whose resultants are linear in the strains: its columns are its answers to unit strains.
+pub(crate) fn linear_tangent(section: &impl Section) -> Matrix8 {
+    let mut out = ZERO8;
+    for column in 0..8 {
+        let unit: [Pack; 8] = std::array::from_fn(|i| Pack::splat(if i == column { 1.0 } else { 0.0 }));
+        let strains = Strains {
+            membrane: [unit[0], unit[1], unit[2]],
+            curvature: [unit[3], unit[4], unit[5]],
+            shear: [unit[6], unit[7]],
+        };
+        let Resultants { membrane, moment, shear } = section.resultants(&strains);
+        for (row, value) in membrane.into_iter().chain(moment).chain(shear).enumerate() {
+            out[row][column] = value;
+        }
+    }
+    out
 }
 
 /// Why a material was refused.
@@ -162,6 +184,10 @@ impl Section for IsotropicSection {
             moment: plane_stress(self.bending, self.poisson, &strains.curvature),
             shear: [strains.shear[0] * self.shear, strains.shear[1] * self.shear],
         }
+    }
+
+    fn tangent(&self, _: &Strains) -> Matrix8 {
+        linear_tangent(self)
     }
 
     #[inline(always)]

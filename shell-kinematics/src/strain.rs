@@ -2,6 +2,7 @@
 
 use std::any::Any;
 
+use crate::tangent::{Matrix8, ZERO8};
 use crate::{MeasureForces, Measures, Pack, Resultants};
 
 /// Strains of a shell point, engineering components in the local orthonormal frame.
@@ -31,6 +32,16 @@ pub trait StrainMeasure: Any + Send + Sync {
 
     /// Forces on the measures from resultants conjugate to the strains.
     fn transpose(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> MeasureForces;
+
+    /// `J = ∂ε/∂m`, the matrix whose transpose [`StrainMeasure::transpose`] applies.
+    fn gradient(&self, now: &Measures, reference: &Measures) -> Matrix8;
+
+    /// `Σ σ ∂²ε/∂m²`, symmetric.
+    fn second_gradient(&self, stress: &Resultants) -> Matrix8;
+}
+
+fn unit_matrix() -> Matrix8 {
+    std::array::from_fn(|i| std::array::from_fn(|j| Pack::splat(if i == j { 1.0 } else { 0.0 })))
 }
 
 /// The paper's split `E = E_m + ζ E_f` of the Green–Lagrange tensor (\[lin2013\] §3).
@@ -78,6 +89,14 @@ impl StrainMeasure for GreenLagrange {
     #[inline(always)]
     fn transpose(&self, _: &Measures, _: &Measures, stress: &Resultants) -> MeasureForces {
         MeasureForces { membrane: stress.membrane, curvature: stress.moment, shear: stress.shear }
+    }
+
+    fn gradient(&self, _: &Measures, _: &Measures) -> Matrix8 {
+        unit_matrix()
+    }
+
+    fn second_gradient(&self, _: &Resultants) -> Matrix8 {
+        ZERO8
     }
 }
 
@@ -132,5 +151,38 @@ impl StrainMeasure for StretchCorrected {
             ],
             shear: stress.shear,
         }
+    }
+
+    fn gradient(&self, now: &Measures, reference: &Measures) -> Matrix8 {
+        let e11 = now.membrane[0] - reference.membrane[0];
+        let e22 = now.membrane[1] - reference.membrane[1];
+        let g = now.membrane[2] - reference.membrane[2];
+        let [k11, k22, k12] = now.curvature;
+        let mut j = unit_matrix();
+        (j[3][0], j[3][2], j[3][3], j[3][5]) = (-k11, k12 * -0.25, j[3][3] - e11, g * -0.25);
+        (j[4][1], j[4][2], j[4][4], j[4][5]) = (-k22, k12 * -0.25, j[4][4] - e22, g * -0.25);
+        (j[5][0], j[5][1], j[5][2]) = (k12 * -0.5, k12 * -0.5, (k11 + k22) * -0.5);
+        (j[5][3], j[5][4], j[5][5]) = (g * -0.5, g * -0.5, j[5][5] - (e11 + e22) * 0.5);
+        j
+    }
+
+    fn second_gradient(&self, stress: &Resultants) -> Matrix8 {
+        let [m11, m22, m12] = stress.moment;
+        let mut out = ZERO8;
+        // κ11 holds −e11 k11 − ¼ g k12, κ22 likewise, κ12 holds −½[(e11+e22) k12 + g (k11+k22)].
+        let products = [
+            (0, 3, -m11),
+            (1, 4, -m22),
+            (2, 5, (m11 + m22) * -0.25),
+            (0, 5, m12 * -0.5),
+            (1, 5, m12 * -0.5),
+            (2, 3, m12 * -0.5),
+            (2, 4, m12 * -0.5),
+        ];
+        for (i, j, value) in products {
+            out[i][j] = value;
+            out[j][i] = value;
+        }
+        out
     }
 }

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 use shell_kinematics::{
     GreenLagrange, IntegratedSection, Isotropic, IsotropicSection, MaterialError, Measures, Pack, Pack3,
-    Placement, Resultants, Section, StrainMeasure, Strains, StretchCorrected, local_green_lagrange,
-    parallel_transport, rodrigues, strain_measure, strain_measures, tangent_map,
+    Placement, Resultants, Section, StrainMeasure, Strains, StretchCorrected, congruence,
+    local_green_lagrange, parallel_transport, rodrigues, strain_measure, strain_measures, tangent_map,
 };
 
 type Vectors = [Vector3<f64>; 5];
@@ -68,6 +68,42 @@ proptest! {
                 .map(|(force, v)| Vector3::from(force.lane(0)).dot(v))
                 .sum();
             prop_assert!((work - power).abs() < 1e-12 * (1.0 + work.abs()), "{}: {work} {power}", measure.name());
+        }
+    }
+
+    /// The tangent is the derivative of the forces, for every measure and section.
+    #[test]
+    fn tangents_are_the_derivatives_of_the_forces(now in vectors(), reference in vectors(), along in vectors()) {
+        let reference = placement(&reference).measures();
+        for section in sections() {
+            for measure in strain_measures() {
+                let forces = |s: f64| -> [f64; 15] {
+                    let moved: Vectors = std::array::from_fn(|i| now[i] + along[i] * s);
+                    let p = placement(&moved);
+                    let m = p.measures();
+                    let stress = section.resultants(&measure.strains(&m, &reference));
+                    let f = p.transpose(&measure.transpose(&m, &reference, &stress));
+                    let v = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(0));
+                    std::array::from_fn(|i| v[i / 3][i % 3])
+                };
+                let p = placement(&now);
+                let m = p.measures();
+                let strains = measure.strains(&m, &reference);
+                let stress = section.resultants(&strains);
+                let mut over = congruence(&measure.gradient(&m, &reference), &section.tangent(&strains));
+                for (row, add) in over.iter_mut().zip(measure.second_gradient(&stress)) {
+                    row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
+                }
+                let k = p.tangent(&over, &measure.transpose(&m, &reference, &stress));
+                let h = 1e-3;
+                let (a, b, c, d) = (forces(h), forces(-h), forces(2.0 * h), forces(-2.0 * h));
+                for i in 0..15 {
+                    let slope = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * h);
+                    let exact: f64 = (0..15).map(|j| first(k[i][j]) * along[j / 3][j % 3]).sum();
+                    // Truncation h⁴ = 1e-12 of stiffnesses of some hundred.
+                    prop_assert!((slope - exact).abs() < 1e-7, "{}: {slope} {exact}", measure.name());
+                }
+            }
         }
     }
 

@@ -16,6 +16,8 @@
 use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, SectionScales};
 use sph_core::{SamplingOperator, Vec3};
 
+use crate::stiffness::PointTangent;
+
 /// Share β_x of the full stiffness of the position hourglass \[–\].
 const POSITION_SHARE: f64 = 0.1;
 /// Share β_d of the director hourglass \[–\]. Below ⅜(kΔ)², k the total curvature, a cell that turns by kΔ
@@ -138,5 +140,50 @@ impl CellPack {
             PatternForces { position: position * Pack::splat(0.25), director: director * Pack::splat(0.25) },
             energy,
         )
+    }
+
+    /// `¼ h·ξ`, `¼ h·η` of one lane \[L\].
+    pub fn lever(&self, lane: usize) -> [f64; 2] {
+        self.lever.map(|l| l.lanes()[lane])
+    }
+
+    /// Adds the second derivatives of the control's energy over x,1 x,2 d d,1 d,2 q_x q_d.
+    pub fn add_tangent(&self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2], out: &mut PointTangent) {
+        let q = self.patterns(p, raw);
+        let now = self.components(p, curvature, &q);
+        let [kx, kd] = self.stiffness;
+        let stiffness = [kx, kx, kx, kd, kd];
+        let [h11, h22, h12] = self.twist;
+        // Each component is a product of a pattern and a vector: (pattern, vector) by number.
+        let products: [(usize, usize); 5] = [(5, 0), (5, 1), (5, 2), (6, 0), (6, 1)];
+        let vectors = [p.x1, p.x2, p.d, p.d1, p.d2, q[0], q[1]];
+        let bent = [h11 * 0.5, h22 * 0.5, h12 * 0.5];
+        for (i, &(pattern, vector)) in products.iter().enumerate() {
+            let force = (now[i] - self.reference[i]) * stiffness[i];
+            let mut gradient = [Pack::ZERO; 21];
+            for k in 0..3 {
+                gradient[3 * pattern + k] = vectors[vector].0[k];
+                gradient[3 * vector + k] = vectors[pattern].0[k];
+                out[3 * pattern + k][3 * vector + k] += force;
+                out[3 * vector + k][3 * pattern + k] += force;
+            }
+            if i == 2 {
+                // ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1.
+                let bending = [(0, 3, bent[0]), (1, 4, bent[1]), (0, 4, bent[2]), (1, 3, bent[2])];
+                for (u, v, factor) in bending {
+                    for k in 0..3 {
+                        gradient[3 * u + k] += vectors[v].0[k] * factor;
+                        gradient[3 * v + k] += vectors[u].0[k] * factor;
+                        out[3 * u + k][3 * v + k] += force * factor;
+                        out[3 * v + k][3 * u + k] += force * factor;
+                    }
+                }
+            }
+            for r in 0..21 {
+                for c in 0..21 {
+                    out[r][c] += gradient[r] * gradient[c] * stiffness[i];
+                }
+            }
+        }
     }
 }

@@ -123,6 +123,13 @@ impl PairControl {
         force
     }
 
+    /// The blocks of particle `a`: other particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d`.
+    pub fn blocks_of(&self, a: usize) -> impl Iterator<Item = (u32, [f64; 4])> + '_ {
+        self.blocks[self.offsets[a] as usize..self.offsets[a + 1] as usize]
+            .iter()
+            .map(|block| (block.particle, block.numbers))
+    }
+
     /// Bytes of the assembled matrix.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.blocks[..]) + size_of_val(&self.offsets[..])

@@ -270,10 +270,15 @@ impl Shell {
         sum
     }
 
+    /// Load on a particle for the last forces evaluated \[F, F L\].
+    pub fn external_force(&self, particle: usize) -> [f64; 6] {
+        self.external.get(particle).copied().unwrap_or([0.0; 6])
+    }
+
     /// What the supports of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated.
     pub fn reaction(&self, particle: usize) -> Vec3 {
         let f = self.internal_force(particle);
-        let e = self.external.get(particle).copied().unwrap_or([0.0; 6]);
+        let e = self.external_force(particle);
         Vec3::new(f[0] - e[0], f[1] - e[1], f[2] - e[2])
     }
 

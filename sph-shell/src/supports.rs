@@ -227,3 +227,23 @@ impl Constraint {
         self.count + rotations
     }
 }
+
+impl Constraint {
+    /// Number of held translations.
+    pub(crate) fn held_translations(&self) -> usize {
+        self.count
+    }
+
+    /// Orthonormal directions in which the particle may move.
+    pub(crate) fn free_directions(&self) -> Vec<Vec3> {
+        let mut basis: Vec<Vec3> = self.held[..self.count].to_vec();
+        for axis in axes() {
+            let rest = basis.iter().fold(axis, |rest, known| rest - known * known.dot(&rest));
+            // At least one axis of three is this far from the span of one or two directions.
+            if rest.norm() > 0.5 && basis.len() < 3 {
+                basis.push(rest.normalize());
+            }
+        }
+        basis.split_off(self.count)
+    }
+}

@@ -1,0 +1,106 @@
+//! The free freedoms of a shell as unknowns: translations that no support holds, turns of directors.
+
+use sph_core::{Frame, Vec3};
+
+use crate::Shell;
+use crate::point::Row;
+use crate::supports::DirectorHold;
+
+/// Where the unknowns of each particle start, and how many are translations.
+#[derive(Clone, Debug)]
+pub(crate) struct Freedoms {
+    /// First unknown of each particle, and the end.
+    pub offsets: Vec<u32>,
+    translations: Vec<u8>,
+}
+
+/// The directions of one particle's unknowns in `[x, d]`, up to three translations and two turns.
+pub(crate) struct Basis {
+    /// Unit vectors; those from number `translations` on turn the director.
+    pub directions: [Vec3; 5],
+    pub translations: usize,
+    pub count: usize,
+}
+
+impl Freedoms {
+    pub fn new(shell: &Shell) -> Self {
+        let mut offsets = vec![0];
+        let mut translations = Vec::with_capacity(shell.len());
+        for a in 0..shell.len() {
+            let basis = shell.basis(a);
+            translations.push(basis.translations as u8);
+            offsets.push(offsets[a] + basis.count as u32);
+        }
+        Self { offsets, translations }
+    }
+
+    pub fn count(&self) -> usize {
+        self.offsets[self.translations.len()] as usize
+    }
+
+    /// Unknowns of a particle.
+    pub fn of(&self, particle: usize) -> std::ops::Range<usize> {
+        self.offsets[particle] as usize..self.offsets[particle + 1] as usize
+    }
+
+    /// Particle of an unknown, its place among the particle's unknowns, and whether it is a translation.
+    pub fn find(&self, unknown: usize) -> (usize, usize, bool) {
+        let particle = self.offsets.partition_point(|&first| first as usize <= unknown) - 1;
+        let place = unknown - self.offsets[particle] as usize;
+        (particle, place, place < self.translations[particle] as usize)
+    }
+}
+
+impl Basis {
+    /// Components of a row `[x, d]` along the unknowns.
+    pub fn project(&self, row: &Row, out: &mut [f64]) {
+        for (i, value) in out.iter_mut().enumerate() {
+            let part = if i < self.translations { &row[..3] } else { &row[3..] };
+            *value = self.directions[i].dot(&Vec3::new(part[0], part[1], part[2]));
+        }
+    }
+
+    /// Displacement and turn of the director for components along the unknowns.
+    pub fn expand(&self, components: &[f64]) -> (Vec3, Vec3) {
+        let (mut u, mut v) = (Vec3::zeros(), Vec3::zeros());
+        for (i, &c) in components.iter().enumerate() {
+            *(if i < self.translations { &mut u } else { &mut v }) += self.directions[i] * c;
+        }
+        (u, v)
+    }
+}
+
+impl Shell {
+    /// Directions of a particle's unknowns at the present state.
+    pub(crate) fn basis(&self, particle: usize) -> Basis {
+        let d = self.director(particle);
+        let frame = Frame::from_normal(d);
+        let mut basis = Basis { directions: [Vec3::zeros(); 5], translations: 0, count: 0 };
+        let mut push = |direction: Vec3| {
+            basis.directions[basis.count] = direction;
+            basis.count += 1;
+        };
+        let Some(constraint) = self.constraint(particle) else {
+            for direction in [Vec3::x(), Vec3::y(), Vec3::z(), frame.t1, frame.t2] {
+                push(direction);
+            }
+            basis.translations = 3;
+            return basis;
+        };
+        for direction in constraint.free_directions() {
+            push(direction);
+        }
+        let translations = 3 - constraint.held_translations();
+        match constraint.director {
+            DirectorHold::Free => {
+                push(frame.t1);
+                push(frame.t2);
+            }
+            // The director turns within the plane of its normal.
+            DirectorHold::InPlane(normal) => push(normal.cross(&d).normalize()),
+            DirectorHold::Fixed => {}
+        }
+        basis.translations = translations;
+        basis
+    }
+}

@@ -1,0 +1,190 @@
+//! The shell without time: the same discrete energy as a system of `implicit-statics`.
+
+use explicit_dynamics::Instant;
+use implicit_statics::Equilibrium;
+use shell_kinematics::parallel_transport;
+
+use crate::Shell;
+use crate::freedoms::Freedoms;
+use crate::stiffness::{Block, BlockPattern};
+
+/// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
+///
+/// Built only when a static analysis asks for it.
+pub struct StaticShell {
+    shell: Shell,
+    freedoms: Freedoms,
+    pattern: BlockPattern,
+    blocks: Vec<Block>,
+}
+
+impl StaticShell {
+    /// Numbers the free freedoms of a shell.
+    pub fn new(shell: Shell) -> Self {
+        let (freedoms, pattern) = (Freedoms::new(&shell), BlockPattern::new(&shell));
+        let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
+        Self { shell, freedoms, pattern, blocks }
+    }
+
+    /// The shell in its present state; its forces are those last evaluated.
+    pub fn shell(&self) -> &Shell {
+        &self.shell
+    }
+
+    /// The shell, to read from it what needs its forces evaluated.
+    pub fn shell_mut(&mut self) -> &mut Shell {
+        &mut self.shell
+    }
+
+    /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
+    /// control prescribes. The mean over the particles.
+    pub fn functional(&self, particles: &[u32], direction: sph_core::Vec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.freedoms.count()];
+        let share = direction.normalize() / particles.len() as f64;
+        let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
+        for &a in particles {
+            self.shell.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
+        }
+        weights
+    }
+
+    /// Turns rows `[f, τ]` of all particles into components along the unknowns.
+    fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
+        for a in 0..self.shell.len() {
+            self.shell.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+        }
+    }
+
+    fn external_at(&mut self, level: f64) {
+        self.shell.evaluate_external(Instant { time: 0.0, level });
+    }
+}
+
+impl Equilibrium for StaticShell {
+    fn unknowns(&self) -> usize {
+        self.freedoms.count()
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        let mut out = Vec::new();
+        for a in 0..self.shell.len() {
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                for row in self.freedoms.of(a) {
+                    out.extend(
+                        self.freedoms.of(b).filter(|&column| column <= row).map(|column| (row, column)),
+                    );
+                }
+            }
+        }
+        out
+    }
+
+    fn internal(&mut self, out: &mut [f64]) {
+        self.shell.evaluate_internal(false);
+        self.project(|a| self.shell.internal_force(a), out);
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.external_at(level);
+        self.project(|a| self.shell.external_force(a), out);
+    }
+
+    fn load_rate(&mut self, _: f64, out: &mut [f64]) {
+        // Loads are proportional to the level.
+        self.external(1.0, out);
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.shell.evaluate_internal(false);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, &mut self.blocks);
+        let mut next = values.iter_mut();
+        for a in 0..self.shell.len() {
+            let row_basis = self.shell.basis(a);
+            let rows = self.freedoms.of(a);
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                let column_basis = self.shell.basis(b);
+                // A director that turns keeps its length: its force along itself stiffens or softens every turn.
+                let radial = if a == b { self.radial_force(a) } else { 0.0 };
+                for row in 0..rows.len() {
+                    let left = if row < row_basis.translations { 0 } else { 3 };
+                    for column in 0..self.freedoms.of(b).len() {
+                        if a == b && column > row {
+                            continue;
+                        }
+                        let top = if column < column_basis.translations { 0 } else { 3 };
+                        let mut value = 0.0;
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                value += row_basis.directions[row][i]
+                                    * self.blocks[block][left + i][top + j]
+                                    * column_basis.directions[column][j];
+                            }
+                        }
+                        if a == b && row == column && left == 3 {
+                            value -= radial;
+                        }
+                        if let Some(slot) = next.next() {
+                            *slot = value;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        for a in 0..self.shell.len() {
+            let (u, v) = self.shell.basis(a).expand(&increment[self.freedoms.of(a)]);
+            let row = &mut self.shell.state[a];
+            let (d, _) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
+            *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+        }
+    }
+
+    fn save(&self) -> Vec<f64> {
+        self.shell.state.iter().flatten().copied().collect()
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        for (row, from) in self.shell.state.iter_mut().zip(saved.chunks_exact(6)) {
+            row.copy_from_slice(from);
+        }
+    }
+
+    fn energy(&mut self) -> f64 {
+        self.shell.evaluate_internal(true);
+        self.shell.internal_energy
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        (0..self.unknowns())
+            .map(|unknown| {
+                let (particle, _, moves) = self.freedoms.find(unknown);
+                let reference = &self.shell.reference;
+                if moves { reference.masses[particle] } else { reference.inertias[particle] }
+            })
+            .collect()
+    }
+
+    fn name_unknown(&self, unknown: usize) -> String {
+        let (particle, place, moves) = self.freedoms.find(unknown);
+        let direction = self.shell.basis(particle).directions[place];
+        let x = self.shell.reference.cloud.positions[particle];
+        let what = if moves { "moving" } else { "its director turning" };
+        format!(
+            "particle {particle} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
+            x.x, x.y, x.z, direction.x, direction.y, direction.z
+        )
+    }
+}
+
+impl StaticShell {
+    /// `d·(∂U/∂d − τ)` of a particle.
+    fn radial_force(&self, a: usize) -> f64 {
+        let (f, e, row) = (self.shell.internal_force(a), self.shell.external_force(a), &self.shell.state[a]);
+        (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
+    }
+}

@@ -1,0 +1,199 @@
+//! The consistent tangent of the discrete energy, particle block by particle block.
+//!
+//! Every sampling point contributes the second derivative of its energy with respect to its vectors (the five of a
+//! placement, and the two hourglass patterns of a cell), carried to its particles by the stencil; the pair control
+//! is a constant matrix. Directors live on spheres: their blocks lose `(d·∂U/∂d) I` on the tangent plane.
+
+use shell_kinematics::{LANES, Pack, congruence};
+
+use crate::Shell;
+use crate::packs::{Entry, PointPack};
+use crate::point::place;
+
+/// A block of second derivatives between the `[x, d]` of two particles.
+pub(crate) type Block = [[f64; 6]; 6];
+
+/// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d; those made of positions.
+const VECTORS: usize = 7;
+const OF_POSITIONS: [bool; VECTORS] = [true, true, false, false, false, true, false];
+
+/// Second derivatives over the components of all vectors of a point.
+pub(crate) type PointTangent = [[Pack; 3 * VECTORS]; 3 * VECTORS];
+
+/// Which pairs of particles (row not below column) share a block, row by row.
+#[derive(Clone, Debug)]
+pub(crate) struct BlockPattern {
+    pub offsets: Vec<u32>,
+    pub columns: Vec<u32>,
+}
+
+impl BlockPattern {
+    pub fn new(shell: &Shell) -> Self {
+        let mut rows: Vec<Vec<u32>> = (0..shell.len()).map(|a| vec![a as u32]).collect();
+        let operator = &shell.reference.operator;
+        for p in 0..operator.points.len() {
+            let particles = operator.stencil(p).particles;
+            for &a in particles {
+                rows[a as usize].extend(particles.iter().filter(|&&b| b < a));
+            }
+        }
+        if let Some(pairs) = &shell.pairs {
+            for (a, row) in rows.iter_mut().enumerate() {
+                row.extend(pairs.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
+            }
+        }
+        let mut pattern = Self { offsets: vec![0], columns: Vec::new() };
+        for mut row in rows {
+            row.sort_unstable();
+            row.dedup();
+            pattern.columns.extend(row);
+            pattern.offsets.push(pattern.columns.len() as u32);
+        }
+        pattern
+    }
+
+    /// Number of the block of particles `a ≥ b`.
+    fn find(&self, a: u32, b: u32) -> Option<usize> {
+        let first = self.offsets[a as usize] as usize;
+        let row = &self.columns[first..self.offsets[a as usize + 1] as usize];
+        row.binary_search(&b).ok().map(|i| first + i)
+    }
+}
+
+impl Shell {
+    /// Second derivatives of the internal energy at the present state, into one block a pair of the pattern.
+    pub(crate) fn second_derivatives(&self, pattern: &BlockPattern, blocks: &mut [Block]) {
+        blocks.fill([[0.0; 6]; 6]);
+        for (index, pack) in self.packs.points.iter().enumerate() {
+            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
+            let tangent = self.point_tangent(index, pack, entries);
+            for lane in 0..LANES {
+                if pack.weight.lanes()[lane] == 0.0 {
+                    continue;
+                }
+                let shares = self.shares(index, pack, entries, lane);
+                scatter(&tangent, lane, &shares, pattern, blocks);
+            }
+        }
+        if let Some(pairs) = &self.pairs {
+            for a in 0..self.len() {
+                for (b, [xx, xd, dx, dd]) in pairs.blocks_of(a) {
+                    let Some(block) = (b as usize <= a).then(|| pattern.find(a as u32, b)).flatten() else {
+                        continue;
+                    };
+                    for i in 0..3 {
+                        blocks[block][i][i] += xx;
+                        blocks[block][i][3 + i] += xd;
+                        blocks[block][3 + i][i] += dx;
+                        blocks[block][3 + i][3 + i] += dd;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Second derivatives of four points over their vectors, weights included.
+    fn point_tangent(&self, index: usize, pack: &PointPack, entries: &[Entry]) -> PointTangent {
+        let (p, raw) = place::<true>(pack, entries, &self.state);
+        let now = p.measures();
+        let mut strains = self.strain.strains(&now, &pack.reference);
+        let mut gradient = self.strain.gradient(&now, &pack.reference);
+        let kirchhoff = self.packs.kirchhoff.get(index);
+        if let Some(e) = kirchhoff {
+            let k = strains.curvature;
+            for (alpha, row) in [&e[..3], &e[3..]].into_iter().enumerate() {
+                strains.shear[alpha] += row[0] * k[0] + row[1] * k[1] + row[2] * k[2];
+                for measure in 0..8 {
+                    let add = row[0] * gradient[3][measure]
+                        + row[1] * gradient[4][measure]
+                        + row[2] * gradient[5][measure];
+                    gradient[6 + alpha][measure] += add;
+                }
+            }
+        }
+        let mut stress = self.section.resultants(&strains);
+        let mut over = congruence(&gradient, &self.section.tangent(&strains));
+        if let Some(e) = kirchhoff {
+            let [q1, q2] = stress.shear;
+            for i in 0..3 {
+                stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
+            }
+        }
+        for (row, add) in over.iter_mut().zip(self.strain.second_gradient(&stress)) {
+            row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
+        }
+        let forces = self.strain.transpose(&now, &pack.reference, &stress);
+        let placement = p.tangent(&over, &forces);
+        let mut out = [[Pack::ZERO; 3 * VECTORS]; 3 * VECTORS];
+        for (row, from) in out.iter_mut().zip(&placement) {
+            for (value, v) in row.iter_mut().zip(from) {
+                *value = *v * pack.weight;
+            }
+        }
+        if let Some(cell) = self.cells.get(index) {
+            cell.add_tangent(&p, &now.curvature, raw, &mut out);
+        }
+        out
+    }
+
+    /// How each particle of a point enters its vectors: `[G₁, G₂, φ, G₁, G₂, γ, γ]`.
+    fn shares(
+        &self,
+        index: usize,
+        pack: &PointPack,
+        entries: &[Entry],
+        lane: usize,
+    ) -> Vec<(u32, [f64; VECTORS])> {
+        let lever = self.cells.get(index).map(|cell| cell.lever(lane));
+        let number = |h: f64, phi: f64, g1: f64, g2: f64| {
+            let gamma = lever.map_or(0.0, |[l1, l2]| 0.25 * h - l1 * g1 - l2 * g2);
+            [g1, g2, phi, g1, g2, gamma, gamma]
+        };
+        let mut base = (1.0, 0.0, 0.0);
+        let mut shares = Vec::with_capacity(entries.len() + 1);
+        for (k, entry) in entries.iter().enumerate() {
+            let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
+            base = (base.0 - phi, base.1 - g1, base.2 - g2);
+            let h = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
+            // Filled-up places repeat the base with nought: a triangle has no fourth particle and no pattern.
+            if entry.particles[lane] != pack.base[lane] {
+                shares.push((entry.particles[lane], number(h, phi, g1, g2)));
+            }
+        }
+        shares.push((pack.base[lane], number(1.0, base.0, base.1, base.2)));
+        shares
+    }
+}
+
+/// Adds one point's second derivatives to the blocks of its particles.
+fn scatter(
+    tangent: &PointTangent,
+    lane: usize,
+    shares: &[(u32, [f64; VECTORS])],
+    pattern: &BlockPattern,
+    blocks: &mut [Block],
+) {
+    for &(b, of_b) in shares {
+        // H times the columns of b: rows are vectors of the point, columns are [x, d] of b.
+        let mut product = [[0.0; 6]; 3 * VECTORS];
+        for (r, row) in product.iter_mut().enumerate() {
+            for z in 0..VECTORS {
+                let first = if OF_POSITIONS[z] { 0 } else { 3 };
+                for k in 0..3 {
+                    row[first + k] += of_b[z] * tangent[r][3 * z + k].lanes()[lane];
+                }
+            }
+        }
+        for &(a, of_a) in shares.iter().filter(|share| share.0 >= b) {
+            let Some(block) = pattern.find(a, b) else { continue };
+            for y in 0..VECTORS {
+                let first = if OF_POSITIONS[y] { 0 } else { 3 };
+                for k in 0..3 {
+                    for column in 0..6 {
+                        blocks[block][first + k][column] += of_a[y] * product[3 * y + k][column];
+                    }
+                }
+            }
+        }
+    }
+}
