@@ -222,6 +222,11 @@ impl Shell {
         Vec3::new(row[3], row[4], row[5])
     }
 
+    /// Internal energy found by the last evaluation that was asked for it \[F L\].
+    pub fn stored_energy(&self) -> f64 {
+        self.internal_energy
+    }
+
     /// Velocity of a particle, half a step behind its position \[L/T\].
     pub fn velocity(&self, particle: usize) -> Vec3 {
         let row = &self.rates[particle];

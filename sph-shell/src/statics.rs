@@ -31,9 +31,10 @@ impl StaticShell {
         &self.shell
     }
 
-    /// The shell, to read from it what needs its forces evaluated.
-    pub fn shell_mut(&mut self) -> &mut Shell {
-        &mut self.shell
+    /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
+    pub fn evaluate(&mut self, level: f64) {
+        self.shell.evaluate_internal(true);
+        self.external_at(level);
     }
 
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
