@@ -20,11 +20,14 @@ pub struct Case {
     pub variants: Vec<Variant>,
     /// Metrics of one run.
     pub each: fn(&Run) -> Result<Vec<Metric>, JudgeError>,
-    /// Metrics that need several runs, each with the number of the run it is booked on.
-    pub together: fn(&Runs) -> Result<Vec<(usize, Metric)>, JudgeError>,
+    /// Metrics that need several runs.
+    pub together: fn(&Runs) -> Result<Vec<Booked>, JudgeError>,
     /// What the report shows, in this order.
     pub figures: fn(&Runs) -> Result<Vec<Figure>, JudgeError>,
 }
+
+/// A metric with the number of the run in whose record it stands.
+pub type Booked = (usize, Metric);
 
 /// One run of a case: a scene with some values replaced.
 #[derive(Clone, Debug)]

@@ -10,7 +10,9 @@ pub fn short(value: f64) -> String {
     }
     let size = value.abs().log10().floor() as i32;
     if !(-4..6).contains(&size) {
-        return format!("{value:.2e}");
+        let text = format!("{value:.2e}");
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
     }
     let decimals = (3 - size).max(0) as usize;
     let text = format!("{value:.decimals$}");
@@ -131,8 +133,9 @@ mod tests {
             (0.4, "0.4"),
             (-12.0, "-12"),
             (123_456.7, "123457"),
-            (1.5e-11, "1.50e-11"),
-            (3.2e7, "3.20e7"),
+            (1.5e-11, "1.5e-11"),
+            (3.2e7, "3.2e7"),
+            (1e-9, "1e-9"),
         ] {
             assert_eq!(short(value), text);
         }

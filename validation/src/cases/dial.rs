@@ -1,6 +1,6 @@
 //! The dial of formulations: the same case run with each, from the compact cell to the published strong form.
 
-use crate::Variant;
+use crate::case::{Run, Variant};
 use crate::measure::frontier;
 use crate::report::{
     Axis, BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, Series, VERMILION,
@@ -65,7 +65,7 @@ pub fn variant(method: &str, scene: &'static str, geometry: &str, counts: [usize
     }
 }
 
-/// Error over wall time, one mark a run, runs of one method joined; points are `(method, (seconds, error))`.
+/// Error over wall time, one mark a run; points are `(method, (seconds per load level, error))`.
 pub fn cost_chart(title: &str, caption: &str, error: &str, points: &[(&str, (f64, f64))]) -> Option<Figure> {
     if points.len() < 2 {
         return None;
@@ -83,10 +83,17 @@ pub fn cost_chart(title: &str, caption: &str, error: &str, points: &[(&str, (f64
     Some(Figure::Chart(Chart {
         title: title.into(),
         caption: caption.into(),
-        x: Axis::log("wall time of the march, one thread [s]"),
+        x: Axis::log("wall time of a load level, one thread [s]"),
         y: Axis::log(error),
         series,
     }))
+}
+
+/// Wall time of the march over the load levels that came to an end \[s\].
+pub fn seconds_per_level(run: &Run) -> f64 {
+    // The first row of the curve is the start.
+    let levels = run.outcome.curve.rows.len().saturating_sub(1).max(1);
+    run.outcome.summary.wall_seconds / levels as f64
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use super::dial::{
     self, CELL, DIAL, NODAL_1, NODAL_2, NODAL_3, STRONG_12, STRONG_085, WIDE_14, WIDE_25, WIDE_30,
 };
 use super::strip;
-use crate::case::{Case, Run, Runs, Variant};
+use crate::case::{Booked, Case, Run, Runs, Variant};
 use crate::measure::{largest, order_of_convergence};
 use crate::report::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::{JudgeError, Metric};
@@ -110,7 +110,7 @@ fn mark(method: &str) -> Option<(f64, &'static str)> {
     })
 }
 
-fn together(runs: &Runs) -> Result<Vec<(usize, Metric)>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let grids = ["25×3", "50×5", "99×9"].map(|grid| runs.find(CELL, grid));
     let [Some(coarse), Some(middle), Some(fine)] = grids else { return Ok(Vec::new()) };
     let mut points = Vec::new();
@@ -193,14 +193,13 @@ fn cost(runs: &Runs) -> Result<Option<Figure>, JudgeError> {
         // Runs that do not reach the full moment are shown with what they do at a quarter of it.
         let errors = errors(run)?;
         let error = largest(errors.iter().copied()).or(errors[0]);
-        points.extend(
-            error.map(|error| (run.variant.method.as_str(), (run.outcome.summary.wall_seconds, error))),
-        );
+        points
+            .extend(error.map(|error| (run.variant.method.as_str(), (dial::seconds_per_level(run), error))));
     }
     Ok(dial::cost_chart(
         "Error against cost: the ring",
-        "Each mark is a run with eight levels (strong form: six, stopped by divergence). Left and down is better; the \
-         grey line joins the runs that none beats in both.",
+        "Each mark is a run; levels are eighths of the moment (strong form: twentieths, until it diverges). Left and \
+         down is better; the grey line joins the runs that none beats in both.",
         "largest distance of the tip at ¼, ½, ¾, 1 [% of L]",
         &points,
     ))

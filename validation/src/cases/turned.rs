@@ -1,7 +1,7 @@
 //! turned: the strip cases turned in space, which must not change their curves.
 
 use super::dial::CELL;
-use crate::case::{Case, Run, Runs, Variant};
+use crate::case::{Booked, Case, Run, Runs, Variant};
 use crate::measure::largest;
 use crate::report::Figure;
 use crate::{JudgeError, Metric};
@@ -86,7 +86,7 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn together(runs: &Runs) -> Result<Vec<(usize, Metric)>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics = Vec::new();
     for Strip { name, .. } in STRIPS {
         let Some(straight) = runs.get(&method(name, TURNS[0].0), GRID) else { continue };

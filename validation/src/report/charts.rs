@@ -102,7 +102,7 @@ impl Axis {
                 .filter(|tick| (low..=high).contains(tick))
                 .collect();
         }
-        let raw = (high - low) / 6.0;
+        let raw = (high - low) / 8.0;
         let decade = 10.0_f64.powf(raw.log10().floor());
         let step = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * decade).into_iter().find(|step| *step >= raw);
         let step = step.unwrap_or(10.0 * decade);
@@ -165,8 +165,8 @@ impl Chart {
         area.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(area)
             .margin(10)
-            .x_label_area_size(46)
-            .y_label_area_size(66)
+            .x_label_area_size(52)
+            .y_label_area_size(72)
             .build_cartesian_2d(ruler(&self.x, x_span), ruler(&self.y, y_span))?;
         chart
             .configure_mesh()
@@ -175,8 +175,8 @@ impl Chart {
             .axis_style(RGBColor(90, 90, 90))
             .x_desc(self.x.label.as_str())
             .y_desc(self.y.label.as_str())
-            .label_style(("sans-serif", 14))
-            .axis_desc_style(("sans-serif", 15))
+            .label_style(("sans-serif", 16))
+            .axis_desc_style(("sans-serif", 17))
             .draw()?;
         for (series, points) in self.series.iter().zip(placed) {
             series.draw(&mut chart, points)?;

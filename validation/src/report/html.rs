@@ -49,7 +49,8 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
         "<h1>coque: validation</h1><p class='{class} outcome'>{outcome}</p>\
          <p>{} set: {} runs, {seconds:.0} s of marching, {} at a time, one thread each. Every number on this page \
          was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
-         those of the machine that made the page: compare them with each other only.</p>",
+         those of the machine that made the page: compare them with each other only. A step of one particle counts \
+         as one particle-step (p·step).</p>",
         if selection.quick { "Quick" } else { "Full" },
         records.len(),
         selection.jobs
@@ -83,7 +84,7 @@ fn summary(results: &[CaseResult]) -> String {
     format!(
         "<h2>Summary</h2><table class='summary'><thead><tr><th>case</th><th>method</th><th>grid</th>\
          <th class='n'>particles</th><th>nearest to its tolerance</th><th class='n'>wall s</th>\
-         <th class='n'>10⁶ particle-steps/s</th><th>verdict</th></tr></thead><tbody>{rows}</tbody></table>"
+         <th class='n'>10⁶ p·steps/s</th><th>verdict</th></tr></thead><tbody>{rows}</tbody></table>"
     )
 }
 
