@@ -1,0 +1,84 @@
+//! Square plates: central deflection under pressure and frequencies, all thicknesses and edges.
+
+use super::{CaseError, Solved, solve_linear};
+use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
+use implicit_statics::{Equilibrium, natural_modes};
+use nalgebra::Vector3;
+use std::time::Instant;
+
+/// How the four edges of a plate are held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlateEdges {
+    /// SSSS, hard: no deflection, no turn along the edge.
+    SimplySupported,
+    /// CCCC: no deflection, no turn.
+    Clamped,
+    /// CFFF: one edge clamped.
+    Cantilever,
+    /// FFFF.
+    Free,
+}
+
+const SIDES: [(Side, [f64; 3]); 4] = [
+    (Side::XiStart, [0.0, 1.0, 0.0]),
+    (Side::XiEnd, [0.0, 1.0, 0.0]),
+    (Side::EtaStart, [1.0, 0.0, 0.0]),
+    (Side::EtaEnd, [1.0, 0.0, 0.0]),
+];
+
+/// Poisson's ratio of all plates.
+const POISSON: f64 = 0.3;
+
+/// A plate of side one that only bends, with D = 1 and unit density.
+fn plate(n: usize, slenderness: f64, edges: PlateEdges, loads: &[Load]) -> Result<(Mesh, Model), CaseError> {
+    let mesh = Mesh::plate(n, n, 1.0, 1.0);
+    let all: Vec<usize> = (0..mesh.positions.len()).collect();
+    let mut supports = vec![Support::roller(all.clone(), Vector3::x()), Support::roller(all, Vector3::y())];
+    for (side, along) in SIDES {
+        let director = match edges {
+            PlateEdges::SimplySupported => Turning::InPlane(Vector3::from(along)),
+            PlateEdges::Clamped => Turning::Held,
+            PlateEdges::Cantilever if side == Side::XiStart => Turning::Held,
+            PlateEdges::Cantilever | PlateEdges::Free => continue,
+        };
+        supports.push(Support { nodes: mesh.side(side), held: vec![Vector3::z()], director });
+    }
+    let young = 12.0 * (1.0 - POISSON * POISSON) / slenderness.powi(3);
+    let section = Section::isotropic(young, POISSON, slenderness, 1.0);
+    let model = Model::new(&mesh, section, Vector3::x(), &supports, loads)?;
+    Ok((mesh, model))
+}
+
+/// Deflection of the middle in q a⁴/D under uniform pressure; n elements a side, n even, `slenderness` = h/a.
+pub fn plate_deflection(n: usize, slenderness: f64, edges: PlateEdges) -> Result<Solved, CaseError> {
+    let (mesh, model) = plate(n, slenderness, edges, &[Load::Area(Vector3::z())])?;
+    let middle = mesh.node(n / 2, n / 2);
+    solve_linear(model, &["w_c [q a^4/D]"], |model, motion| vec![model.displacement_in(motion, middle).z])
+}
+
+/// The first six ω a² √(ρh/D) of bending, rigid motions left out; n elements a side.
+pub fn plate_frequencies(n: usize, slenderness: f64, edges: PlateEdges) -> Result<Solved, CaseError> {
+    let (_, mut model) = plate(n, slenderness, edges, &[])?;
+    let start = Instant::now();
+    let (rigid, shift) = if edges == PlateEdges::Free { (3, -1.0) } else { (0, 0.0) };
+    // with a = D = 1 the parameter is ω √(ρh) = ω √h
+    let scale = slenderness.sqrt();
+    let modes = natural_modes(&mut model, 0.0, 6 + rigid, shift / (scale * scale))?;
+    let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.circular_frequency() * scale).collect();
+    frequencies.sort_by(f64::total_cmp);
+    Ok(Solved {
+        columns: vec![
+            "lambda1 [-]",
+            "lambda2 [-]",
+            "lambda3 [-]",
+            "lambda4 [-]",
+            "lambda5 [-]",
+            "lambda6 [-]",
+        ],
+        rows: vec![frequencies.split_off(rigid)],
+        nodes: model.nodes(),
+        unknowns: model.unknowns(),
+        iterations: 1,
+        seconds: start.elapsed().as_secs_f64(),
+    })
+}
