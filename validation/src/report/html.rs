@@ -49,7 +49,7 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
         "<h1>coque: validation</h1><p class='{class} outcome'>{outcome}</p>\
          <p>{} set: {} runs, {seconds:.0} s of marching, {} at a time, one thread each. Every number on this page \
          was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
-         those of the machine that made the page: compare them with each other only. A step of one particle counts \
+         those of the machine that made the page: compare them with each other only, and run with one job (--jobs 1) where cost is the question. A step of one particle counts \
          as one particle-step (p·step).</p>",
         if selection.quick { "Quick" } else { "Full" },
         records.len(),
@@ -70,7 +70,7 @@ fn summary(results: &[CaseResult]) -> String {
             };
             let verdict = verdict(record);
             rows.push_str(&format!(
-                "<tr>{first}<td>{}</td><td>{}</td><td class='n'>{}</td><td>{}</td><td class='n'>{:.2}</td>\
+                "<tr>{first}<td class='m'>{}</td><td>{}</td><td class='n'>{}</td><td>{}</td><td class='n'>{:.2}</td>\
                  <td class='n'>{:.2}</td><td class='{verdict}'>{verdict}</td></tr>",
                 escape(&record.method),
                 run.variant.grid,
