@@ -20,7 +20,19 @@ pub struct Model {
     /// The scene it was built from.
     pub scene: Scene,
     pub(crate) gauges: Vec<Gauge>,
+    /// The prescribed motion whose force is sought, in analyses without time.
+    pub(crate) driven: Option<Driven>,
     pub(crate) threads: usize,
+}
+
+/// A prescribed motion of one particle that a force along it brings about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Driven {
+    pub(crate) particle: u32,
+    /// Unit vector along the motion, in the turned frame.
+    pub(crate) direction: Vec3,
+    /// Displacement at level one \[L\], positive.
+    pub(crate) by: f64,
 }
 
 impl fmt::Debug for Model {
@@ -45,7 +57,12 @@ impl Scene {
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let gauges = builder.gauges(&sets)?;
         let supports = builder.supports(&sets)?;
-        let loads = builder.loads(&sets, &cloud, weights)?;
+        let mut loads = builder.loads(&sets, &cloud, weights)?;
+        let driven = builder.driven(&sets, &supports)?;
+        if let Some(Driven { particle, direction, .. }) = driven {
+            let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
+            loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
+        }
         builder.refuse_free_motion(&cloud, &supports)?;
         let scene::Material::Elastic(elastic) = &self.material;
         let parts = Parts {
@@ -59,7 +76,7 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
-        Ok(Model { shell, scene: self.clone(), gauges, threads: threads.max(1) })
+        Ok(Model { shell, scene: self.clone(), gauges, driven, threads: threads.max(1) })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -134,12 +151,45 @@ impl Builder<'_> {
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
             for (_, kind) in support.kinds() {
+                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.driven_by_load() {
+                    continue; // its direction is left free for the force that brings it about
+                }
                 let course = amplitude(support.amplitude.as_ref());
                 supports
                     .push(Supported { particles: particles.to_vec(), support: self.support(kind, course) });
             }
         }
         Ok(supports)
+    }
+
+    /// The motion that drives an analysis without time; the checks leave at most one.
+    fn driven(&self, sets: &Sets, supports: &[Supported]) -> Result<Option<Driven>, SceneError> {
+        let moved = |(i, support): (usize, &scene::Support)| support.moved.map(|moved| (i, moved));
+        let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
+            return Ok(None);
+        };
+        if !self.scene.analysis.driven_by_load() {
+            return Ok(None);
+        }
+        let on = &self.scene.supports[i].on;
+        let path = format!("supports[{i}].on");
+        let &[particle] = sets.at(self.scene, &path, on)? else {
+            let what = self.scene.analysis.run_name();
+            let bound = format!("but in {what} a prescribed motion acts on one particle");
+            let repair = "name a corner or a set with `nearest`, or use [analysis.explicit]";
+            let fault = self.scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
+            return Err(SceneError::Set(fault));
+        };
+        let direction = self.turned(moved.direction).normalize() * moved.by.signum();
+        let others = supports.iter().filter(|s| s.particles.contains(&particle));
+        for held in others.flat_map(|s| s.support.holds().translations) {
+            let along = direction.dot(&held);
+            if along.abs() > 1e-9 {
+                let wanted = along * moved.by.abs();
+                return Err(self.refusal(&ShellError::Contradiction { particle, wanted, held: 0.0 }));
+            }
+        }
+        Ok(Some(Driven { particle, direction, by: moved.by.abs() }))
     }
 
     fn support(
@@ -190,10 +240,10 @@ impl Builder<'_> {
         }
     }
 
-    /// A static answer needs every rigid motion held; a run in real time does not.
+    /// A static answer needs every rigid motion held; a run in real time and vibration do not.
     fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
-        let scene::Analysis::Explicit(explicit) = &self.scene.analysis;
-        if explicit.quasi_static.is_none() {
+        let analysis = &self.scene.analysis;
+        if analysis.transient() || matches!(analysis, scene::Analysis::Modal(_)) {
             return Ok(());
         }
         let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
@@ -202,9 +252,9 @@ impl Builder<'_> {
             return Ok(());
         }
         let path = if supports.is_empty() { "supports" } else { "supports[0]" };
-        let bound = "every rigid motion must be held in a quasi-static run";
+        let bound = format!("every rigid motion must be held in {}", analysis.run_name());
         let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
-        Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), bound, repair)))
+        Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
     }
 
     fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {

@@ -9,13 +9,17 @@
 //! | what is refused, and why | `scene/check.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
+//! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
 
 mod build;
 mod curve;
 mod error;
+mod march;
+mod modes;
 mod nearest;
 mod overrides;
+mod path;
 mod plot;
 mod probe;
 mod render;
@@ -32,8 +36,8 @@ pub use curve::{Column, Curve};
 pub use error::{Fault, Place, SceneError};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
-pub use run::{Ended, Outcome, Progress, Shape, Silent};
+pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};
 pub use scene::Scene;
 pub use source::Source;
-pub use summary::{Energies, LevelSummary, Modelled, Summary};
+pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};

@@ -117,7 +117,8 @@ fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), Str
     };
     save("curve.csv", &|to| outcome.curve.write_csv(to))?;
     save("summary.json", &|to| Ok(serde_json::to_writer_pretty(to, &outcome.summary)?))?;
-    if let Some(plot) = &scene.output.plot {
+    // A plot of what probes measure has no place among modes.
+    if let Some(plot) = scene.output.plot.as_ref().filter(|_| !scene.analysis.gives_modes()) {
         coque::plot_svg(&outcome.curve, &plot.x, &plot.y, &scene.title, &out.join("curve.svg"))
             .map_err(|e| format!("{e}\n"))?;
     }

@@ -10,7 +10,7 @@ use crate::error::{Fault, SceneError};
 use crate::source::Source;
 
 /// Tables that hold one of several alternatives: naming another one drops the first.
-const ALTERNATIVES: [&str; 4] = ["geometry", "material", "section", "formulation"];
+const ALTERNATIVES: [&str; 5] = ["geometry", "material", "section", "formulation", "analysis"];
 
 /// Keys in the longest sensible path; bounds the recursion below.
 const DEEPEST: usize = 16;

@@ -3,21 +3,40 @@
 use sph_core::Vec3;
 use sph_shell::Shell;
 
+use crate::build::Model;
 use crate::curve::Column;
-use crate::scene::Measured;
+use crate::scene::{Analysis, Measured, Scene};
 use crate::units::{Quantity, Units};
 
-/// Columns that every curve has.
-pub(crate) const ALWAYS: [&str; 6] = ["time", "level", "kinetic", "internal", "external", "dissipated"];
+/// Columns that every curve of an analysis has.
+pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
+    match analysis {
+        Analysis::Explicit(_) => &["time", "level", "kinetic", "internal", "external", "dissipated"],
+        Analysis::Static(_) | Analysis::ArcLength(_) => {
+            &["level", "internal", "iterations", "negative_pivots"]
+        }
+        Analysis::Modal(_) => &["mode", "circular_frequency", "frequency"],
+        Analysis::Buckling(_) => &["mode", "level"],
+    }
+}
 
-/// The columns of [`ALWAYS`] with their units.
-pub(crate) fn always(units: &Units) -> Vec<Column> {
-    let unit = |name: &str| match name {
-        "time" => units.symbol(Quantity::Time),
-        "level" => units.symbol(Quantity::Ratio),
-        _ => units.symbol(Quantity::Energy),
+/// The columns of [`always`] with their units, and those of the scene's own gauges.
+///
+/// `level` is a force where a prescribed motion drives an analysis that finds the load.
+pub(crate) fn columns(model: &Model) -> Vec<Column> {
+    let Scene { analysis, units, .. } = &model.scene;
+    let force = model.driven.is_some() && !matches!(analysis, Analysis::Static(_));
+    let quantity = |name: &str| match name {
+        "time" => Quantity::Time,
+        "level" if force => Quantity::Force,
+        "level" | "iterations" | "negative_pivots" | "mode" => Quantity::Ratio,
+        "circular_frequency" | "frequency" => Quantity::Rate,
+        _ => Quantity::Energy,
     };
-    ALWAYS.map(|name| Column { name: name.into(), unit: unit(name) }).into()
+    let unit = |name: &str| units.symbol(quantity(name));
+    let always = always(analysis).iter().map(|&name| Column { name: name.into(), unit: unit(name) });
+    let own = model.gauges.iter().filter(|_| !analysis.gives_modes()).map(|gauge| gauge.column(units));
+    always.chain(own).collect()
 }
 
 /// One column, measured.

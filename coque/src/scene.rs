@@ -3,11 +3,13 @@
 mod analysis;
 mod bounds;
 mod check;
+mod check_analysis;
 mod check_conditions;
 mod conditions;
 mod formulation;
 mod geometry;
 mod read;
+mod statics;
 
 pub use analysis::{Analysis, Damping, Explicit, Levels, QuasiStatic, Transient};
 pub use conditions::{
@@ -16,6 +18,7 @@ pub use conditions::{
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere};
+pub use statics::{ArcLength, Buckling, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
 
@@ -55,7 +58,7 @@ pub struct Scene {
     /// Loads.
     #[serde(default)]
     pub loads: Vec<Load>,
-    /// How to march.
+    /// How to find answers.
     pub analysis: Analysis,
     /// Columns of the curve.
     #[serde(default)]

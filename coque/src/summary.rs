@@ -50,11 +50,22 @@ pub struct LevelSummary {
     pub steps: u64,
 }
 
+/// A singular tangent met on a path of equilibria.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CriticalSummary {
+    /// "limit point" or "bifurcation".
+    pub kind: String,
+    /// Load level; with a `moved` support the force along the motion.
+    pub level: f64,
+}
+
 /// What a run was and what it cost.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
     /// Title of the scene.
     pub title: String,
+    /// Analysis, as the scene calls it.
+    pub analysis: String,
     /// Formulation with its options.
     pub method: String,
     /// Particles.
@@ -65,21 +76,25 @@ pub struct Summary {
     pub dof: usize,
     /// Mean spacing of the particles \[L\].
     pub spacing: f64,
-    /// Steps done.
+    /// Steps done; without time the points found.
     pub steps: u64,
+    /// Newton iterations of all points found; nought in time.
+    pub newton_iterations: u64,
+    /// Critical points found on a path without time.
+    pub critical: Vec<CriticalSummary>,
     /// Threads used.
     pub threads: usize,
-    /// Greatest stable step of the reference configuration \[T\]; nought if none was found.
+    /// Greatest stable step of the reference configuration \[T\]; nought if none was found, or without time.
     pub stable_step: f64,
-    /// Fraction of the stable step that was used.
+    /// Fraction of the stable step that was used; nought without time.
     pub safety: f64,
     /// Time the march took \[s\].
     pub wall_seconds: f64,
-    /// Particles times steps per second of the march \[1/s\].
+    /// Particles times steps per second of the march \[1/s\]; nought without time.
     pub particle_steps_per_second: f64,
     /// Energies at the last record.
     pub energies: Energies,
-    /// How each load level ended; empty in a transient run.
+    /// How each load level ended; empty without levels.
     pub levels: Vec<LevelSummary>,
     /// What is modelled.
     pub modelled: Vec<String>,
@@ -129,7 +144,12 @@ impl Model {
         if scene.loads.is_empty() {
             left_out.push("loads".into());
         }
-        let Analysis::Explicit(explicit) = &scene.analysis;
+        let Analysis::Explicit(explicit) = &scene.analysis else {
+            let damping = ["damping".to_string()];
+            let inertia = (!matches!(scene.analysis, Analysis::Modal(_))).then(|| "inertia".to_string());
+            left_out.extend(inertia.into_iter().chain(damping));
+            return (modelled, left_out);
+        };
         let damping = match (&explicit.quasi_static, &explicit.transient) {
             (Some(path), _) => match path.damping {
                 Damping::Ratio(ratio) => Some(format!("mass-proportional damping, ratio {ratio}")),

@@ -91,6 +91,8 @@ pub enum Quantity {
     Energy,
     /// \[rad\].
     Angle,
+    /// \[1/T\].
+    Rate,
 }
 
 impl Length {
@@ -147,6 +149,8 @@ impl Units {
             Quantity::Length => self.length.symbol().into(),
             Quantity::Force => self.force.symbol().into(),
             Quantity::Time => self.time.symbol().into(),
+            Quantity::Rate if self.time == Time::None => "-".into(),
+            Quantity::Rate => format!("1/{}", self.time.symbol()),
             Quantity::Energy if self.length == Length::None => "-".into(),
             Quantity::Energy => format!("{} {}", self.force.symbol(), self.length.symbol()),
         }

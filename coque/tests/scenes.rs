@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use coque::Scene;
-use coque::scene::{Formulation, Geometry, LoadKind};
+use coque::scene::{Analysis, Formulation, Geometry, LoadKind};
 
 fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
@@ -76,8 +76,21 @@ fn naming_another_alternative_drops_the_first() {
 #[test]
 fn a_last_override_wins() {
     let scene = set(&[("analysis.explicit.safety", "0.5"), ("analysis.explicit.safety", "0.6")]).unwrap();
-    let coque::scene::Analysis::Explicit(explicit) = scene.analysis;
-    assert_eq!(explicit.safety, 0.6);
+    match scene.analysis {
+        Analysis::Explicit(explicit) => assert_eq!(explicit.safety, 0.6),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn naming_another_analysis_drops_the_first() {
+    let scene = set(&[("analysis.static.levels", "10"), ("analysis.static.iterations", "40")]).unwrap();
+    match scene.analysis {
+        Analysis::Static(path) => assert_eq!((path.levels.list().len(), path.iterations), (10, 40)),
+        other => panic!("{other:?}"),
+    }
+    let back = set(&[("analysis.modal.modes", "3"), ("analysis.explicit.transient.duration", "1.0")]);
+    assert!(back.unwrap_err().to_string().contains("record_every"));
 }
 
 #[test]

@@ -1,15 +1,25 @@
-//! How to march: safety of the step, and either equilibria along a load path or a run in real time.
+//! How to find answers: by marching in time, along a load path or in real time, or without time.
 
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, SeqAccess, Visitor};
 
-/// How to march.
+use super::{ArcLength, Buckling, Modal, Static};
+
+/// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Analysis {
     /// Central differences.
     Explicit(Explicit),
+    /// Equilibria at load levels.
+    Static(Static),
+    /// A path of equilibria.
+    ArcLength(ArcLength),
+    /// Modes of vibration.
+    Modal(Modal),
+    /// Modes of buckling.
+    Buckling(Buckling),
 }
 
 /// Central differences; exactly one of the two tables is given.
@@ -77,6 +87,46 @@ pub struct Transient {
     /// Mass-proportional damping \[1/T\].
     #[serde(default)]
     pub damping: f64,
+}
+
+impl Analysis {
+    /// Key of the analysis in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Explicit(_) => "explicit",
+            Self::Static(_) => "static",
+            Self::ArcLength(_) => "arc-length",
+            Self::Modal(_) => "modal",
+            Self::Buckling(_) => "buckling",
+        }
+    }
+
+    /// Whether time passes, as loads with a course in time want it.
+    pub fn transient(&self) -> bool {
+        matches!(self, Self::Explicit(explicit) if explicit.transient.is_some())
+    }
+
+    /// Whether answers are modes, not states: nothing is measured on them.
+    pub fn gives_modes(&self) -> bool {
+        matches!(self, Self::Modal(_) | Self::Buckling(_))
+    }
+
+    /// What the run is called in messages.
+    pub(crate) fn run_name(&self) -> &'static str {
+        match self {
+            Self::Explicit(explicit) if explicit.quasi_static.is_some() => "a quasi-static run",
+            Self::Explicit(_) => "a transient run",
+            Self::Static(_) => "a static analysis",
+            Self::ArcLength(_) => "an arc-length analysis",
+            Self::Modal(_) => "a modal analysis",
+            Self::Buckling(_) => "a buckling analysis",
+        }
+    }
+
+    /// Whether a load drives it without time: a prescribed motion then becomes a force that finds its size.
+    pub(crate) fn driven_by_load(&self) -> bool {
+        matches!(self, Self::Static(_) | Self::ArcLength(_) | Self::Buckling(_))
+    }
 }
 
 impl Default for Damping {

@@ -2,19 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use super::{Analysis, Damping, Formulation, Geometry, Levels, Material, Reach, Region, Scene, Section};
+use super::{Formulation, Geometry, Material, Reach, Region, Scene, Section};
 use crate::error::SceneError;
-use crate::probe::ALWAYS;
+use crate::probe::always;
 use crate::sets::BUILT_IN;
 
 type Checked = Result<(), SceneError>;
 
 /// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
 const MOST_PARTICLES: usize = 10_000_000;
-/// Every level is a ramp and a hold; more than this is a mistake.
-const MOST_LEVELS: u64 = 100_000;
-/// Rows of a curve that still fit in memory and on a plot.
-const MOST_RECORDS: f64 = 1e7;
 
 impl Scene {
     /// Refuses the first thing that is out of bounds.
@@ -198,74 +194,9 @@ impl Scene {
         Err(SceneError::Set(self.source.fault(path, &format!("\"{name}\""), "which is no set", &repair)))
     }
 
-    fn check_analysis(&self) -> Checked {
-        let s = &self.source;
-        let Analysis::Explicit(explicit) = &self.analysis;
-        let at = |key: &str| format!("analysis.explicit.{key}");
-        let repair = "0.8 is usual; at 1 the step is at the limit of stability";
-        s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
-        let known = ["quasi-static", "transient"];
-        let mut given = Vec::new();
-        given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
-        given.extend(explicit.transient.map(|_| known[1]));
-        s.exactly_one("analysis.explicit", "table", &given, &known)?;
-        if let Some(path) = &explicit.quasi_static {
-            let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
-            self.check_levels(&at("levels"), &path.levels)?;
-            s.positive(&at("period"), path.period)?;
-            s.positive(&at("ramp"), path.ramp)?;
-            s.positive(&at("hold"), path.hold)?;
-            s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
-            if let Damping::Ratio(ratio) = path.damping {
-                s.positive(&at("damping.ratio"), ratio)?;
-            }
-        }
-        if let Some(run) = explicit.transient {
-            let at = |key: &str| format!("analysis.explicit.transient.{key}");
-            s.positive(&at("duration"), run.duration)?;
-            s.positive(&at("record_every"), run.record_every)?;
-            s.not_negative(&at("damping"), run.damping)?;
-            if run.record_every > run.duration || run.duration / run.record_every > MOST_RECORDS {
-                let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
-                let repair = "a hundredth of the duration gives a smooth curve";
-                return Err(s.value(&at("record_every"), run.record_every, &bound, repair));
-            }
-        }
-        Ok(())
-    }
-
-    fn check_levels(&self, at: &str, levels: &Levels) -> Checked {
-        let s = &self.source;
-        match levels {
-            Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
-            Levels::Equal(count) => {
-                Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual"))
-            }
-            Levels::List(list) if list.is_empty() => Err(s.value(
-                at,
-                "empty",
-                "a list of at least one level",
-                "levels = [1.0] goes to the full load",
-            )),
-            Levels::List(list) => {
-                let mut last = 0.0;
-                for (i, &level) in list.iter().enumerate() {
-                    let path = format!("{at}[{i}]");
-                    s.sized(&path, level)?;
-                    if level <= last {
-                        let bound = format!("greater than the level {last} before it");
-                        return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
-                    }
-                    last = level;
-                }
-                Ok(())
-            }
-        }
-    }
-
     fn check_curve(&self) -> Checked {
         let s = &self.source;
-        let mut names: BTreeSet<&str> = ALWAYS.into_iter().collect();
+        let mut names: BTreeSet<&str> = always(&self.analysis).iter().copied().collect();
         for (i, probe) in self.curve.iter().enumerate() {
             let at = |key: &str| format!("curve[{i}].{key}");
             let name = probe.name.as_str();

@@ -1,6 +1,6 @@
 //! Checks of supports and loads that need no particles.
 
-use super::{Amplitude, Analysis, Axis, Load, LoadKind, Scene, Support, SupportKind};
+use super::{Amplitude, Axis, Load, LoadKind, Scene, Support, SupportKind};
 use crate::error::SceneError;
 use crate::sets::EDGES;
 
@@ -38,9 +38,8 @@ impl Scene {
     /// A prescribed motion follows the load level, in a transient run a course that starts at nought.
     fn check_course(&self, at: &str, amplitude: Option<&Amplitude>) -> Checked {
         let path = format!("{at}.amplitude");
-        let Analysis::Explicit(explicit) = &self.analysis;
         let starts_at_rest = match amplitude {
-            None => explicit.transient.is_none(),
+            None => !self.analysis.transient(),
             Some(amplitude) => {
                 self.check_amplitude(&path, amplitude)?;
                 match amplitude {
@@ -105,10 +104,10 @@ impl Scene {
 
     fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
         let s = &self.source;
-        let Analysis::Explicit(explicit) = &self.analysis;
-        if explicit.quasi_static.is_some() {
-            let repair = "remove it: in a quasi-static run the load level takes its place";
-            let fault = s.fault(at, "a course in time", "none in a quasi-static run", repair);
+        if !self.analysis.transient() {
+            let what = self.analysis.run_name();
+            let repair = format!("remove it: in {what} the load level takes its place");
+            let fault = s.fault(at, "a course in time", &format!("none in {what}"), &repair);
             return Err(SceneError::Choice(fault));
         }
         match amplitude {

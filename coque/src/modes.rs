@@ -1,0 +1,74 @@
+//! Analyses that give modes: free vibration and linearised buckling of the unloaded shell.
+
+use std::f64::consts::TAU;
+
+use implicit_statics::{BalanceError, Equilibrium, linear_buckling, natural_modes};
+use sph_core::Vec3;
+use sph_shell::{Shell, StaticShell};
+
+use crate::march::reference_step;
+use crate::run::{Ended, Failure, Findings};
+
+/// Largest displacement of a mode shape in units of the extent.
+const SCALE: f64 = 0.1;
+/// Shift below nought where rigid motions are free, in units of the largest ω²: rounding of the stiffness is 1e-16
+/// of that, bending of a thin shell some 1e-8.
+const SHIFT: f64 = 1e-10;
+
+/// Finds the lowest modes of vibration.
+pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings) {
+    found.stable_step = reference_step(&mut shell);
+    let fastest = 2.0 / found.stable_step;
+    let mut system = StaticShell::new(shell);
+    let modes = match natural_modes(&mut system, 0.0, count, 0.0) {
+        Err(BalanceError::Mechanism { .. } | BalanceError::Singular { .. }) => {
+            natural_modes(&mut system, 0.0, count, -SHIFT * fastest * fastest)
+        }
+        other => other,
+    };
+    match modes {
+        Err(cause) => failed(found, cause),
+        Ok(modes) => {
+            for (number, mode) in modes.iter().enumerate() {
+                let omega = mode.circular_frequency();
+                found.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU]);
+                keep(&mut system, &mode.shape, omega / TAU, found);
+            }
+        }
+    }
+}
+
+/// Finds the lowest buckling levels.
+pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings) {
+    let mut system = StaticShell::new(shell);
+    match linear_buckling(&mut system, 0.0, count) {
+        Err(cause) => failed(found, cause),
+        Ok(modes) => {
+            for (number, mode) in modes.iter().enumerate() {
+                found.curve.rows.push(vec![number as f64 + 1.0, mode.level]);
+                keep(&mut system, &mode.shape, mode.level, found);
+            }
+        }
+    }
+}
+
+fn failed(found: &mut Findings, cause: BalanceError) {
+    found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+}
+
+/// Counts a mode and keeps its shape about the unloaded one.
+fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings) {
+    let rest = system.save();
+    system.update(mode);
+    let shell = system.shell();
+    let motion: Vec<Vec3> = (0..shell.len()).map(|a| shell.displacement(a)).collect();
+    system.restore(&rest);
+    let start = &system.shell().reference().cloud.positions;
+    let corner = |pick: fn(f64, f64) -> f64| start.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
+    let largest = motion.iter().map(|u| u.norm()).fold(0.0, f64::max);
+    let factor = if largest > 0.0 { SCALE * (high - low).norm() / largest } else { 0.0 };
+    let positions = start.iter().zip(&motion).map(|(x, u)| x + u * factor).collect();
+    found.steps += 1;
+    found.keep_positions(positions, 0.0, level);
+}

@@ -1,0 +1,190 @@
+//! Analyses along a path of equilibria: at given levels, or by arc length.
+
+use std::ops::ControlFlow;
+
+use explicit_dynamics::{Balance, Instant, Record};
+use implicit_statics::{
+    BalanceError, Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Path, PathOptions,
+    Point, Start, SymmetricSolver, follow,
+};
+use sph_shell::StaticShell;
+
+use crate::build::Driven;
+use crate::probe::Gauge;
+use crate::run::{Ended, Failure, Findings, Progress};
+use crate::scene::{ArcLength, Static};
+use crate::summary::{CriticalSummary, Energies, LevelSummary};
+
+/// Finds the equilibrium at every level, by way of others where Newton's method does not reach it in one.
+pub(crate) fn levels(
+    wanted: &Static,
+    system: &mut StaticShell,
+    driven: Option<Driven>,
+    gauges: Vec<Gauge>,
+    found: &mut Findings,
+    progress: &mut dyn Progress,
+) {
+    let newton = newton(wanted.tolerance, wanted.iterations);
+    let mut reader = Reader { driven, gauges };
+    let list = wanted.levels.list();
+    let last = list.last().copied().unwrap_or(1.0);
+    let mut start = Start::default();
+    let mut before = 0.0;
+    for (number, &level) in list.iter().enumerate() {
+        let control = match driven {
+            None => Control::Load { step: level - before, until: level },
+            Some(driven) => {
+                let moved = system.shell().displacement(driven.particle as usize).dot(&driven.direction);
+                let rest = driven.by * level - moved;
+                Control::Displacement { functional: functional(system, &driven), step: rest, until: rest }
+            }
+        };
+        let mut iterations = 0;
+        let mut row = Vec::new();
+        let path = follow(system, &start, &options(control, &newton), |point, system| {
+            iterations += if point.step > 0 { point.converged.iterations } else { 0 };
+            // Every point is read: rotations are counted on from one reading to the next.
+            row = reader.row(system, point, iterations);
+            if point.step == 0 && number == 0 {
+                found.curve.rows.push(row.clone());
+                found.keep_shape(system.shell(), 0.0, 0.0);
+            }
+            ControlFlow::Continue(())
+        });
+        note(&path, found);
+        if let Err(cause) = path.end {
+            found.ended = Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause });
+            return;
+        }
+        if path.end != Ok(End::Reached) {
+            found.ended = Ended::Diverged(Failure::Steps { steps: path.points.len() - 1, level: before });
+            return;
+        }
+        row[0] = level;
+        progress.update(level / last, &record(found.steps, level, row[1]));
+        found.energies = energies(row[1]);
+        found.curve.rows.push(row);
+        found.keep_shape(system.shell(), 0.0, level);
+        let steps = path.points.len() as u64 - 1;
+        found.levels.push(LevelSummary { level, settled: true, kinetic_over_internal: 0.0, steps });
+        (start, before) = (path.restart, level);
+    }
+}
+
+/// Follows the path by arc length to its end, over limit and turning points.
+pub(crate) fn arc_length(
+    wanted: &ArcLength,
+    system: &mut StaticShell,
+    driven: Option<Driven>,
+    gauges: Vec<Gauge>,
+    found: &mut Findings,
+    progress: &mut dyn Progress,
+) {
+    let first = match driven.map(|driven| (driven, stiffness(system, &driven))) {
+        None => wanted.radius,
+        Some((driven, Ok(stiffness))) => wanted.radius * driven.by * stiffness,
+        Some((_, Err(cause))) => {
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            return;
+        }
+    };
+    let stop = wanted.stop.as_ref().and_then(|stop| {
+        let at = found.curve.columns.iter().position(|column| column.name == stop.column)?;
+        Some((at, stop.above))
+    });
+    let until = wanted.until.unwrap_or(f64::INFINITY);
+    let control = Control::ArcLength { first, range: (f64::NEG_INFINITY, until) };
+    let mut options = options(control, &newton(wanted.tolerance, wanted.iterations));
+    options.steps = wanted.steps;
+    let mut reader = Reader { driven, gauges };
+    let path = follow(system, &Start::default(), &options, |point, system| {
+        let row = reader.row(system, point, point.converged.iterations);
+        let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
+        progress.update(done.clamp(0.0, 1.0), &record(point.step as u64, point.level(), row[1]));
+        found.energies = energies(row[1]);
+        found.keep_shape(system.shell(), 0.0, point.level());
+        let reached = stop.is_some_and(|(at, above)| row[at] > above);
+        found.curve.rows.push(row);
+        if reached { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    note(&path, found);
+    let level = path.restart.level;
+    found.ended = match path.end {
+        Ok(End::Reached | End::Stopped) => Ended::Done,
+        Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level }),
+        Err(cause) => Ended::Diverged(Failure::Balance { points: found.steps, level, cause }),
+    };
+}
+
+fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
+    NewtonOptions { tolerance, iterations, ..NewtonOptions::default() }
+}
+
+fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
+    let mut options = PathOptions::new(control);
+    options.newton = newton.clone();
+    options.critical = Some(CriticalOptions::default());
+    options
+}
+
+/// The displacement along the prescribed motion, by unknowns and weights.
+fn functional(system: &StaticShell, driven: &Driven) -> Vec<(usize, f64)> {
+    let weights = system.functional(&[driven.particle], driven.direction);
+    weights.into_iter().enumerate().filter(|&(_, weight)| weight != 0.0).collect()
+}
+
+/// Force along the prescribed motion for a unit of displacement, linear at the present state \[F/L\].
+fn stiffness(system: &mut StaticShell, driven: &Driven) -> Result<f64, BalanceError> {
+    let pattern = system.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    system.tangent(0.0, &mut values);
+    let mut response = vec![0.0; system.unknowns()];
+    system.load_rate(0.0, &mut response);
+    let mut solver = SymmetricSolver::new(response.len(), &pattern)?;
+    solver.factor(&values)?;
+    solver.solve(&mut response).map_err(|error| error.named(system, 0, 0.0))?;
+    let moved: f64 = functional(system, driven).into_iter().map(|(i, weight)| weight * response[i]).sum();
+    Ok(1.0 / moved)
+}
+
+/// Counts what a path took and takes over its critical points.
+fn note(path: &Path, found: &mut Findings) {
+    let made = path.points.iter().skip(1);
+    found.newton_iterations += made.clone().map(|point| point.converged.iterations as u64).sum::<u64>();
+    found.steps += made.count() as u64;
+    found.critical.extend(path.critical.iter().map(|critical| CriticalSummary {
+        kind: match critical.kind {
+            CriticalKind::Limit => "limit point".into(),
+            CriticalKind::Bifurcation => "bifurcation".into(),
+        },
+        level: critical.level,
+    }));
+}
+
+/// Reads rows of the curve.
+struct Reader {
+    driven: Option<Driven>,
+    gauges: Vec<Gauge>,
+}
+
+impl Reader {
+    fn row(&mut self, system: &mut StaticShell, point: &Point, iterations: usize) -> Vec<f64> {
+        // The force that brings a prescribed motion about is the reaction that is sought, not a load.
+        system.evaluate(if self.driven.is_some() { 0.0 } else { point.level() });
+        let shell = system.shell();
+        let negative = point.inertia().negative;
+        let mut row = vec![point.level(), shell.stored_energy(), iterations as f64, negative as f64];
+        row.extend(self.gauges.iter_mut().map(|gauge| gauge.read(shell)));
+        row
+    }
+}
+
+/// Along equilibria that start unloaded the work of the loads is the internal energy.
+fn energies(internal: f64) -> Energies {
+    Energies { internal, external: internal, ..Energies::default() }
+}
+
+fn record(step: u64, level: f64, internal: f64) -> Record {
+    let energy = Balance { internal, external: internal, ..Balance::default() };
+    Record { step, at: Instant { time: 0.0, level }, energy, balance_error: 0.0, settled: true }
+}

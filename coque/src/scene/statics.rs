@@ -1,0 +1,92 @@
+//! Analyses without time: equilibria at levels, paths by arc length, vibration and buckling modes.
+
+use serde::Deserialize;
+
+use super::Levels;
+
+/// Equilibria at load levels, by Newton's method.
+///
+/// A `moved` support makes it displacement control: its particle goes to `by × level`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Static {
+    /// Load levels to stop at.
+    pub levels: Levels,
+    /// Residual over load at which an equilibrium counts as found \[–\].
+    #[serde(default = "usual_tolerance")]
+    pub tolerance: f64,
+    /// Iterations allowed before the way to a level is cut in halves.
+    #[serde(default = "usual_iterations")]
+    pub iterations: usize,
+}
+
+/// A path of equilibria past limit and turning points; ends by exactly one of `until` and `stop`.
+///
+/// With a `moved` support the load is a force along the motion and the level is that force \[F\].
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ArcLength {
+    /// Largest level, met exactly.
+    pub until: Option<f64>,
+    /// A column of the curve that ends the path.
+    pub stop: Option<Stop>,
+    /// First step: what a linear answer to this part of the full load (or of `by`) would be \[–\].
+    #[serde(default = "usual_radius")]
+    pub radius: f64,
+    /// Steps allowed.
+    #[serde(default = "usual_steps")]
+    pub steps: usize,
+    /// Residual over load at which an equilibrium counts as found \[–\].
+    #[serde(default = "usual_tolerance")]
+    pub tolerance: f64,
+    /// Iterations allowed before a step is cut in halves.
+    #[serde(default = "usual_iterations")]
+    pub iterations: usize,
+}
+
+/// Ends a path when a column of its curve exceeds a bound.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stop {
+    /// Name of the column.
+    pub column: String,
+    /// The path ends at the first point above this.
+    pub above: f64,
+}
+
+/// Modes of free vibration of the unloaded shell; `moved` supports stand still.
+///
+/// Rigid motions that no support holds are modes too, of frequency nought within rounding.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Modal {
+    /// Number of modes, the lowest ones.
+    pub modes: usize,
+}
+
+/// Buckling levels, linearised about the unloaded shell.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Buckling {
+    /// Number of modes, those of the lowest positive levels.
+    pub modes: usize,
+}
+
+/// As Newton's method has it.
+fn usual_tolerance() -> f64 {
+    implicit_statics::NewtonOptions::default().tolerance
+}
+
+/// A thin strip that rolls up takes some fifteen an eighth of a turn: its tangent holds the stretch of the last guess.
+fn usual_iterations() -> usize {
+    30
+}
+
+/// A twentieth of the load: steps adapt from there on.
+fn usual_radius() -> f64 {
+    0.05
+}
+
+fn usual_steps() -> usize {
+    1000
+}
