@@ -38,7 +38,7 @@ pub struct CriticalPoint {
     pub level: f64,
     /// Limit point or bifurcation.
     pub kind: CriticalKind,
-    /// `|p·φ| / (‖p‖ ‖φ‖)` with norms scaled by the diagonal stiffness: 0 … 1, the same in any unit.
+    /// `|p·φ| / (‖p‖ ‖φ‖)` (0 where p vanishes) with norms scaled by the diagonal stiffness: 0 … 1, the same in any unit.
     pub participation: f64,
     /// Critical mode φ, its largest entry 1.
     pub mode: Vec<f64>,
@@ -56,8 +56,6 @@ struct End {
     level: f64,
     negative: usize,
     state: Vec<f64>,
-    eigenvalue: f64,
-    mode: Vec<f64>,
 }
 
 /// Every change of the number of negative pivots within one step of the given size, by bisection of the size.
@@ -105,13 +103,17 @@ fn locate<E: Equilibrium + ?Sized>(
             high = middle;
         }
     }
-    let share = low.eigenvalue / (low.eigenvalue - high.eigenvalue);
+    stepper.newton.go_back(system, &low.state);
+    stepper.newton.tangent(system, low.level)?;
+    let mode = stepper.newton.solver.weakest_direction();
+    let below = stepper.newton.solver.quadratic(&mode);
+    let participation = participation(&stepper.newton, system, low.level, &mode);
+    stepper.newton.go_back(system, &high.state);
+    stepper.newton.tangent(system, high.level)?;
+    let above = stepper.newton.solver.quadratic(&mode);
+    let share = below / (below - above);
     let share = if (0.0..=1.0).contains(&share) { share } else { 0.5 };
     let level = low.level + share * (high.level - low.level);
-    let mode = if low.eigenvalue.abs() <= high.eigenvalue.abs() { &low.mode } else { &high.mode };
-
-    stepper.newton.go_back(system, &low.state);
-    let participation = participation(&mut stepper.newton, system, low.level, mode)?;
     let kind =
         if participation > options.participation { CriticalKind::Limit } else { CriticalKind::Bifurcation };
     let largest = mode.iter().fold(0.0, |best: f64, &m| if m.abs() > best.abs() { m } else { best });
@@ -141,23 +143,17 @@ fn probe<E: Equilibrium + ?Sized>(
     } else {
         (stepper.level, stepper.newton.tangent(system, stepper.level)?)
     };
-    let (mode, eigenvalue) = stepper.newton.solver.weakest_direction();
-    Ok(End { size, level, negative: inertia.negative, state: system.save(), eigenvalue, mode })
+    Ok(End { size, level, negative: inertia.negative, state: system.save() })
 }
 
-fn participation<E: Equilibrium + ?Sized>(
-    newton: &mut Newton,
-    system: &mut E,
-    level: f64,
-    mode: &[f64],
-) -> Result<f64, BalanceError> {
-    newton.tangent(system, level)?;
+/// Share of the load in a mode at the state whose tangent was factorised last.
+fn participation<E: Equilibrium + ?Sized>(newton: &Newton, system: &mut E, level: f64, mode: &[f64]) -> f64 {
     let mut rate = vec![0.0; mode.len()];
     system.load_rate(level, &mut rate);
     let scale = newton.solver.scale();
     let load: f64 = (0..mode.len()).map(|i| (rate[i] * scale[i]).powi(2)).sum();
     let motion: f64 = (0..mode.len()).map(|i| (mode[i] / scale[i]).powi(2)).sum();
-    Ok(dot(&rate, mode).abs() / (load * motion).sqrt())
+    if load > 0.0 { dot(&rate, mode).abs() / (load * motion).sqrt() } else { 0.0 }
 }
 
 /// Leaves a bifurcation along its mode: from its state, moves `amplitude` times the mode and finds the

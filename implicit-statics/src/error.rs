@@ -127,6 +127,18 @@ pub enum BalanceError {
         /// c·K⁻¹p.
         rate: f64,
     },
+    /// A load-controlled step landed on the falling side of a limit point.
+    #[error(
+        "step {step}, load level {level:.6e}: the step leapt over a limit point (the response turned by {cosine:.2} in cosine, must stay above 0); go on with displacement or arc-length control"
+    )]
+    Fold {
+        /// Step of the path.
+        step: usize,
+        /// Load level tried.
+        level: f64,
+        /// Cosine between the step and the response to the load after it.
+        cosine: f64,
+    },
     /// Repeated halving brought the step below its least size.
     #[error(
         "step {step}, load level {level:.6e}: step size {size:.3e} fell below {smallest:.3e}; the last converged state is kept; try arc-length control, a smaller first step or a looser tolerance"

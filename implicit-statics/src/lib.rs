@@ -5,6 +5,7 @@
 //!
 //! | to | use |
 //! |---|---|
+//! | solve a linear problem | [`linear_response`] |
 //! | find equilibrium at a load | [`Newton::at_level`] |
 //! | follow a path past limit and turning points | [`follow`] with a [`Control`] |
 //! | locate critical points on the way | [`CriticalOptions`] in [`PathOptions`] |
@@ -28,6 +29,6 @@ pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
 pub use equilibrium::Equilibrium;
 pub use error::BalanceError;
 pub use modal::{BucklingMode, Mode, linear_buckling, lowest_modes, natural_modes};
-pub use newton::{Converged, Increment, Newton, NewtonOptions};
+pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
 pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
 pub use solver::{Inertia, SymmetricSolver};

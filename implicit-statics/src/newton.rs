@@ -4,12 +4,14 @@ use crate::error::require;
 use crate::vectors::{dot, norm};
 use crate::{BalanceError, Equilibrium, Inertia, SymmetricSolver};
 
-/// A line search sets in when `|δ·r|` along the step `δ` does not fall to this share \[crisfield1981b\].
+/// A line search sets in when `|δ·r|` along the step `δ` does not fall to this share \[matthies1979, crisfield1991\].
 const SLACK: f64 = 0.8;
 /// Trials of one line search.
 const TRIALS: usize = 6;
-/// Rounding of forces, in units of ε ‖|K||q|‖, below which no residual can be brought.
-const ROUNDINGS: f64 = 8.0;
+/// A residual above this share of the one before no longer converges …
+const STALLED: f64 = 0.25;
+/// … and is rounding of the forces when the correction is below this share of the way: one more would square it.
+const AT_REST: f64 = 1e-8;
 
 /// How Newton iterates.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +19,8 @@ pub struct NewtonOptions {
     /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ and the internal
     /// forces of the states found so far; default 1e-9.
     ///
-    /// Where the stiffness is so uneven that rounding of the forces exceeds it, that rounding is the bound.
+    /// Where rounding of the forces exceeds it (a thin shell is stiff against stretching, its load small), a
+    /// residual that no longer falls while corrections are below 1e-8 of the way counts as converged.
     pub tolerance: f64,
     /// Iterations allowed; default 15.
     pub iterations: usize,
@@ -65,6 +68,14 @@ pub(crate) enum Constraint<'a> {
     Sphere { weights: &'a [f64], load: f64, radius: f64 },
 }
 
+/// `K⁻¹ ∂external/∂λ` at the present state: the linear answer to a unit of level. The state stays.
+pub fn linear_response<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+) -> Result<Vec<f64>, BalanceError> {
+    Ok(Newton::new(system, &NewtonOptions::default())?.response(system, level)?.0)
+}
+
 /// Newton's method with its solver, its buffers and its sense of scale; keep one for all steps of a path.
 pub struct Newton {
     /// How it iterates.
@@ -78,7 +89,9 @@ pub struct Newton {
     residual: Vec<f64>,
     force_scale: f64,
     travelled: Vec<f64>,
-    fresh: bool,
+    first_way: f64,
+    /// Level at which the tangent of the present state was factorised, if it was.
+    factored: Option<f64>,
 }
 
 impl Newton {
@@ -99,7 +112,8 @@ impl Newton {
             residual: vec![0.0; n],
             force_scale: 0.0,
             travelled: vec![0.0; n],
-            fresh: false,
+            first_way: 0.0,
+            factored: None,
         })
     }
 
@@ -125,10 +139,10 @@ impl Newton {
         system: &mut E,
         level: f64,
     ) -> Result<Inertia, BalanceError> {
-        if !self.fresh {
+        if self.factored != Some(level) {
             system.tangent(level, &mut self.values);
             self.solver.factor(&self.values)?;
-            self.fresh = true;
+            self.factored = Some(level);
         }
         Ok(self.solver.inertia())
     }
@@ -146,16 +160,22 @@ impl Newton {
         Ok((response, &self.rate))
     }
 
+    /// Tells what forces and motions to expect before any are known: those of the linear first step.
+    pub(crate) fn expect(&mut self, change: f64, response: &[f64]) {
+        self.force_scale = (change * norm(&self.rate)).abs();
+        self.first_way = (change * self.length(response)).abs();
+    }
+
     /// Moves the state.
     pub(crate) fn advance<E: Equilibrium + ?Sized>(&mut self, system: &mut E, motion: &[f64]) {
         system.update(motion);
-        self.fresh = false;
+        self.factored = None;
     }
 
     /// Comes back to a saved state.
     pub(crate) fn go_back<E: Equilibrium + ?Sized>(&mut self, system: &mut E, saved: &[f64]) {
         system.restore(saved);
-        self.fresh = false;
+        self.factored = None;
     }
 
     /// Takes note of a step that is kept.
@@ -175,7 +195,7 @@ impl Newton {
         constraint: &Constraint,
     ) -> Result<Converged, BalanceError> {
         let mut residuals = Vec::new();
-        let mut floor = 0.0;
+        let mut rest = f64::INFINITY;
         for iterations in 0.. {
             let size = self.residual(system, level)?;
             residuals.push(size);
@@ -184,7 +204,9 @@ impl Newton {
             if scale == 0.0 {
                 scale = residuals[0];
             }
-            let bound = (self.options.tolerance * scale).max(floor);
+            let asked = self.options.tolerance * scale;
+            let at_rest = rest <= AT_REST && size > STALLED * residuals[iterations - 1];
+            let bound = if at_rest { asked.max(size) } else { asked };
             let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
             if size <= bound && moved {
                 let inertia = self.tangent(system, level)?;
@@ -218,10 +240,37 @@ impl Newton {
             for (sum, motion) in increment.motion.iter_mut().zip(&correction.motion) {
                 *sum += share * motion;
             }
-            let reach: Vec<f64> = self.travelled.iter().zip(&increment.motion).map(|(a, b)| a + b).collect();
-            floor = ROUNDINGS * self.solver.rounding(&reach);
+            rest = share * self.length(&correction.motion) / self.way(increment);
         }
         unreachable!("the loop ends by its bound")
+    }
+
+    /// Refuses a step under load after which the response to the load points back: it passed a limit point.
+    pub(crate) fn same_side<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        increment: &Increment,
+    ) -> Result<(), BalanceError> {
+        let response = self.response(system, level)?.0;
+        let unit = |v: &[f64]| v.iter().zip(self.solver.scale()).map(|(q, s)| q / s).collect::<Vec<f64>>();
+        let (way, response) = (unit(&increment.motion), unit(&response));
+        let product = dot(&way, &response) * increment.level.signum();
+        let cosine = product / (norm(&way) * norm(&response));
+        let step = self.step;
+        if cosine < 0.0 { Err(BalanceError::Fold { step, level, cosine }) } else { Ok(()) }
+    }
+
+    /// Length of a motion with every unknown in the unit of its own stiffness.
+    fn length(&self, motion: &[f64]) -> f64 {
+        let scale = self.solver.scale();
+        motion.iter().zip(scale).map(|(q, s)| (q / s) * (q / s)).sum::<f64>().sqrt()
+    }
+
+    /// Length of the way from the start of the path, of the present step or of the first, whichever is longest.
+    fn way(&self, increment: &Increment) -> f64 {
+        let sum: Vec<f64> = self.travelled.iter().zip(&increment.motion).map(|(a, b)| a + b).collect();
+        self.length(&sum).max(self.length(&increment.motion)).max(self.first_way)
     }
 
     /// One bordered solve: `K δ = r + δλ p` with the constraint linearised, by two solves with one factor
@@ -233,7 +282,9 @@ impl Newton {
         increment: &Increment,
         constraint: &Constraint,
     ) -> Result<Increment, BalanceError> {
-        self.tangent(system, level)?;
+        if self.factored.is_none() {
+            self.tangent(system, level)?; // else a load step starts: the tangent before it serves
+        }
         let mut motion = self.residual.clone();
         self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
         if let Constraint::Level = constraint {

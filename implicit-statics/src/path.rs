@@ -113,7 +113,10 @@ impl PathOptions {
                 }
                 *step
             }
-            Control::ArcLength { first, .. } => *first,
+            Control::ArcLength { first, range } => {
+                require(range.0 < range.1, "range of levels, its upper bound", range.1, "above the lower")?;
+                *first
+            }
         };
         require(first != 0.0 && first.is_finite(), "first step", first, "finite and not zero")?;
         require(self.target_iterations > 0, "target iterations", 0.0, "one at least")?;
@@ -178,7 +181,7 @@ pub enum End {
 pub struct Path {
     /// Converged points, the start first.
     pub points: Vec<Point>,
-    /// Critical points located, in order.
+    /// Critical points located, in order; where locating failed, only the points' inertia tells of one.
     pub critical: Vec<CriticalPoint>,
     /// Whence it can be continued.
     pub restart: Start,
@@ -210,14 +213,13 @@ fn march<E: Equilibrium + ?Sized>(
     path: &mut Path,
 ) -> Result<End, BalanceError> {
     options.check(system)?;
-    let (mut stepper, converged, first) = Stepper::new(system, start, options)?;
+    let (mut stepper, converged, (mut size, first)) = Stepper::new(system, start, options)?;
     let point = Point { step: 0, converged, size: 0.0, restarts: 0 };
     let stop = observer(&point, system);
     path.points.push(point);
     if stop.is_break() {
         return Ok(End::Stopped);
     }
-    let mut size = first;
     let mut travelled = 0.0;
     for step in 1..=options.steps {
         stepper.newton.step = step;

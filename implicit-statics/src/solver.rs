@@ -14,10 +14,12 @@ use crate::BalanceError;
 use crate::pattern::columns;
 use crate::vectors::{dot, norm, unstructured};
 
-/// A pivot below this, after scaling to unit rows, asks for the exact count of vanishing eigenvalues.
+/// A pivot below this, after scaling to a unit diagonal, asks for the exact count of vanishing eigenvalues.
 const SMALL_PIVOT: f64 = 1e-13;
 /// Eigenvalues of the scaled matrix within ± this count as zero.
 const ZERO_EIGENVALUE: f64 = 1e-12;
+/// A diagonal entry below this share of the largest is rounding, not the stiffness of an unknown in other units.
+const NO_STIFFNESS: f64 = 1e-15;
 /// Residual guard relative to the right side.
 const GUARD: f64 = 1e-8;
 /// Residual guard in units of rounding of the product `|K||x|`: no solver can do better than that.
@@ -32,21 +34,23 @@ pub struct Inertia {
     pub positive: usize,
     /// Eigenvalues below zero.
     pub negative: usize,
-    /// Eigenvalues that vanish within rounding of the row-scaled matrix.
+    /// Eigenvalues that vanish within rounding of the scaled matrix.
     pub zero: usize,
 }
 
 /// `K = L B Lᵀ` with Bunch–Kaufman pivots \[bunch1977\] inside supernodes, for one fixed sparsity.
 ///
-/// Ordering and symbolic factor are made once. Values are scaled to unit rows by powers of two, which changes
-/// neither inertia nor bits of the solution's accuracy but makes "zero" independent of units. Constraints must
+/// Ordering and symbolic factor are made once. Rows and columns are scaled by powers of two towards a unit
+/// diagonal, which leaves the inertia and makes "zero" independent of units. Constraints must
 /// be eliminated: pivots stay inside supernodes and saddle points lose accuracy, which the residual guard tells.
 pub struct SymmetricSolver {
     unknowns: usize,
     matrix: SymbolicSparseColMat<usize>,
     slots: Vec<usize>,
     values: Vec<f64>,
+    first: Vec<f64>,
     scale: Vec<f64>,
+    peak: f64,
     symbolic: SymbolicCholesky<usize>,
     factor: Vec<f64>,
     subdiagonal: Vec<f64>,
@@ -75,7 +79,9 @@ impl SymmetricSolver {
         Ok(Self {
             unknowns,
             values: vec![0.0; matrix.compute_nnz()],
+            first: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
+            peak: 1.0,
             factor: vec![0.0; symbolic.len_val()],
             subdiagonal: vec![0.0; unknowns],
             forward: vec![0; unknowns],
@@ -117,7 +123,7 @@ impl SymmetricSolver {
         self.inertia
     }
 
-    /// Row scaling `s` of the last factor: the solver sees `s_i K_ij s_j`; `v/s` and `s f` are free of units.
+    /// Scaling `s` of the last factor: the solver sees `s_i K_ij s_j`; `v/s` and `s f` are free of units.
     pub fn scale(&self) -> &[f64] {
         &self.scale
     }
@@ -178,28 +184,28 @@ impl SymmetricSolver {
         f64::EPSILON * self.force_norm(&sums)
     }
 
-    /// Unit vector towards the eigenvalue of least magnitude of the row-scaled matrix, and that eigenvalue.
-    ///
-    /// The vector is returned in unknowns (`s φ̂`), by inverse iteration with the present factor.
-    pub fn weakest_direction(&mut self) -> (Vec<f64>, f64) {
-        let n = self.unknowns;
-        let mut direction = unstructured(n, 0);
+    /// `xᵀ K x` with the values of the last factor.
+    pub fn quadratic(&self, x: &[f64]) -> f64 {
+        let mut image = vec![0.0; self.unknowns];
+        self.product(x, &mut image);
+        dot(x, &image)
+    }
+
+    /// Direction of the eigenvalue of least magnitude of the scaled matrix, by inverse iteration with the
+    /// present factor: `s φ̂` with ‖φ̂‖ = 1.
+    pub fn weakest_direction(&mut self) -> Vec<f64> {
+        let mut direction = unstructured(self.unknowns, 0);
         for _ in 0..NULL_ITERATIONS {
             self.backsolve(&mut direction);
             let norm = norm(&direction);
             direction.iter_mut().for_each(|d| *d /= norm);
         }
-        let mut image = vec![0.0; n];
-        self.subtract_product(&direction, &mut image);
-        let eigenvalue = -dot(&direction, &image);
-        for i in 0..n {
-            direction[i] *= self.scale[i];
-        }
-        (direction, eigenvalue)
+        direction.iter_mut().zip(&self.scale).for_each(|(d, s)| *d *= s);
+        direction
     }
 
     fn singular(&mut self) -> BalanceError {
-        let (direction, _) = self.weakest_direction();
+        let direction = self.weakest_direction();
         let share = |i: usize| (direction[i] / self.scale[i]).abs();
         let unknown = (0..self.unknowns).fold(0, |best, i| if share(i) > share(best) { i } else { best });
         BalanceError::Singular { zero: self.inertia.zero, unknown, share: share(unknown) }
@@ -210,8 +216,8 @@ impl SymmetricSolver {
         let shifted = |solver: &mut Self, shift: f64| {
             solver.factorise(shift).unwrap_or_else(|| solver.count_pivots().0).negative
         };
-        let below_plus = shifted(self, -ZERO_EIGENVALUE);
-        let negative = shifted(self, ZERO_EIGENVALUE);
+        let below_plus = shifted(self, -ZERO_EIGENVALUE * self.peak);
+        let negative = shifted(self, ZERO_EIGENVALUE * self.peak);
         let zero = below_plus.saturating_sub(negative);
         if zero == 0 {
             self.factorise(0.0);
@@ -219,41 +225,29 @@ impl SymmetricSolver {
         Inertia { positive: self.unknowns - negative - zero, negative, zero }
     }
 
-    /// Scales rows to about one: by the diagonal, then twice by the largest entry of a row.
+    /// Scales by the first stiffness each unknown had, so that one that loses its stiffness later is seen.
     fn equilibrate(&mut self) -> Result<(), BalanceError> {
-        let (n, symbolic) = (self.unknowns, self.matrix.as_ref());
-        let mut largest = vec![0.0; n];
-        for j in 0..n {
-            for k in symbolic.col_range(j) {
-                let i = symbolic.row_idx()[k];
-                if !self.values[k].is_finite() {
-                    return Err(BalanceError::Tangent { row: i, column: j });
-                }
-                if i == j {
-                    largest[j] = self.values[k].abs();
-                }
+        let symbolic = self.matrix.as_ref();
+        for j in 0..self.unknowns {
+            let column = symbolic.col_range(j);
+            if let Some(k) = column.clone().find(|&k| !self.values[k].is_finite()) {
+                return Err(BalanceError::Tangent { row: symbolic.row_idx()[k], column: j });
+            }
+            if self.first[j] == 0.0 {
+                self.first[j] = self.values[column.start].abs(); // the diagonal opens its column
             }
         }
-        self.scale.fill(1.0);
-        for pass in 0..3 {
-            if pass > 0 {
-                largest.fill(0.0);
-                self.for_entries(|i, j, value| {
-                    let value = (value * self.scale[i] * self.scale[j]).abs();
-                    largest[i] = value.max(largest[i]);
-                    largest[j] = value.max(largest[j]);
-                });
-            }
-            for (scale, &largest) in self.scale.iter_mut().zip(&largest) {
-                if largest > 0.0 {
-                    *scale = power_of_two(*scale / largest.sqrt());
-                }
-            }
+        self.peak = 1.0;
+        let top = self.first.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        for (scale, &first) in self.scale.iter_mut().zip(&self.first) {
+            let stiffness = if first > NO_STIFFNESS * top { first } else { top };
+            *scale = power_of_two(1.0 / stiffness.sqrt());
         }
-        for j in 0..n {
+        for j in 0..self.unknowns {
             for k in symbolic.col_range(j) {
                 self.values[k] *= self.scale[symbolic.row_idx()[k]] * self.scale[j];
             }
+            self.peak = self.peak.max(self.values[symbolic.col_range(j).start].abs());
         }
         Ok(())
     }
@@ -266,7 +260,7 @@ impl SymmetricSolver {
         } else {
             let mut copy = self.values.clone();
             for j in 0..self.unknowns {
-                copy[self.matrix.as_ref().col_range(j).start] += shift; // the diagonal opens its column
+                copy[self.matrix.as_ref().col_range(j).start] += shift;
             }
             shifted = copy;
             &shifted
@@ -283,7 +277,7 @@ impl SymmetricSolver {
             Default::default(),
         );
         let (inertia, smallest) = self.count_pivots();
-        (smallest > SMALL_PIVOT).then_some(inertia)
+        (smallest > SMALL_PIVOT * self.peak).then_some(inertia)
     }
 
     /// Signs of the 1×1 and 2×2 pivots, and the least magnitude of their eigenvalues (zero if not finite).

@@ -20,12 +20,12 @@ pub(crate) struct Stepper<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    /// Brings the starting state to balance and measures the first step.
+    /// Brings the starting state to balance; measures the first step, and the step that bounds are relative to.
     pub fn new<E: Equilibrium + ?Sized>(
         system: &mut E,
         start: &Start,
         options: &'a PathOptions,
-    ) -> Result<(Self, Converged, f64), BalanceError> {
+    ) -> Result<(Self, Converged, (f64, f64)), BalanceError> {
         let newton = Newton::new(system, &options.newton)?;
         let mut stepper = Self {
             newton,
@@ -37,31 +37,34 @@ impl<'a> Stepper<'a> {
             load: 0.0,
             sign: 1.0,
         };
-        let converged = stepper.newton.at_level(system, start.level)?;
-        let size = match &options.control {
+        let response = stepper.newton.response(system, start.level)?.0;
+        let (change, sizes) = match &options.control {
             Control::Load { step, until } => {
                 stepper.sign = (until - start.level).signum();
-                step.abs()
+                (*step, (step.abs(), step.abs()))
             }
             Control::Displacement { functional, step, until } => {
                 stepper.weights = vec![0.0; system.unknowns()];
                 functional.iter().for_each(|&(unknown, weight)| stepper.weights[unknown] += weight);
                 stepper.sign = until.signum();
-                step.abs()
+                (step / dot(&stepper.weights, &response), (step.abs(), step.abs()))
             }
             Control::ArcLength { first, .. } => {
                 stepper.weights = measure(system, &options.measure)?;
                 stepper.sign = first.signum();
-                let response = stepper.newton.response(system, start.level)?.0;
                 let compliance = stepper.product(&response, &response);
-                stepper.load = options.load_share * compliance;
-                match &start.heading {
-                    Some(heading) => stepper.length(heading),
-                    None => first.abs() * (compliance + stepper.load).sqrt(),
-                }
+                // a load that moves nothing yet (a column before it buckles) leaves the level alone as the arc
+                stepper.load = if compliance > 0.0 { options.load_share * compliance } else { 1.0 };
+                let linear = first.abs() * (compliance + stepper.load).sqrt();
+                let heading = start.heading.as_ref().map(|heading| stepper.length(heading));
+                (*first, (heading.unwrap_or(linear), linear.max(heading.unwrap_or(0.0))))
             }
         };
-        Ok((stepper, converged, size))
+        if change.is_finite() {
+            stepper.newton.expect(change, &response);
+        }
+        let converged = stepper.newton.at_level(system, start.level)?;
+        Ok((stepper, converged, sizes))
     }
 
     /// Tries a step of the given size; on failure the state is not put back.
@@ -76,7 +79,12 @@ impl<'a> Stepper<'a> {
             Control::Load { .. } => {
                 increment.level = self.sign * size;
                 let level = self.level + increment.level;
-                self.newton.correct(system, level, &mut increment, &Constraint::Level)
+                let before = self.newton.tangent(system, self.level)?;
+                let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
+                if converged.inertia.negative != before.negative {
+                    self.newton.same_side(system, level, &increment)?;
+                }
+                Ok(converged)
             }
             Control::Displacement { .. } => {
                 let response = self.newton.response(system, self.level)?.0;

@@ -1,0 +1,245 @@
+//! Newton's method: quadratic convergence, manifolds, line search, rounding, and what it refuses.
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::pendulum::Pendulum;
+use common::{Arch, Flat, Hencky, Potential};
+use implicit_statics::{
+    BalanceError, Control, Equilibrium, Newton, NewtonOptions, PathOptions, Start, follow, linear_response,
+};
+
+fn tight() -> NewtonOptions {
+    NewtonOptions { tolerance: 1e-13, ..Default::default() }
+}
+
+/// r_{k+1}/r_k² over the iterates that are near the solution and above rounding.
+fn ratios(residuals: &[f64], scale: f64) -> Vec<f64> {
+    let near = |r: &&[f64]| r[0] < 0.1 * scale && r[1] > 1e-13 * scale;
+    residuals.windows(2).filter(near).map(|r| r[1] / (r[0] * r[0])).collect()
+}
+
+#[test]
+fn residuals_fall_quadratically() {
+    let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
+    let limit = arch.potential.limit();
+    let converged = Newton::new(&arch, &tight()).unwrap().at_level(&mut arch, 0.7 * limit).unwrap();
+    let seen = ratios(&converged.residuals, limit);
+    assert!(seen.len() >= 2, "{:?}", converged.residuals);
+    assert!(seen.iter().all(|r| r * limit < 1.5), "{seen:?}");
+
+    let mut pendulum = Pendulum::new(12);
+    let converged = Newton::new(&pendulum, &tight()).unwrap().at_level(&mut pendulum, 0.02).unwrap();
+    let scale = converged.residuals[0];
+    let seen = ratios(&converged.residuals, scale);
+    assert!(seen.len() >= 2, "{:?}", converged.residuals);
+    assert!(seen.iter().all(|r| r * scale < 1.0), "{seen:?}");
+}
+
+#[test]
+fn bordered_steps_converge_quadratically_too() {
+    for control in [
+        Control::ArcLength { first: 0.002, range: (-1.0, 0.02) },
+        Control::Displacement { functional: vec![(22, 1.0), (23, 0.5)], step: 0.2, until: 1.0 },
+    ] {
+        let mut pendulum = Pendulum::new(12);
+        let options = PathOptions { newton: tight(), ..PathOptions::new(control) };
+        let softest = (std::f64::consts::PI / 24.0).powi(2); // eigenvalue of the straight chain
+        let mut count = 0;
+        let path = follow(&mut pendulum, &Start::default(), &options, |point, _| {
+            let seen = ratios(&point.converged.residuals, point.level() * Pendulum::load());
+            assert!(seen.iter().all(|r| r * softest * softest < 5.0), "{:?}", point.converged.residuals);
+            count += seen.len();
+            ControlFlow::Continue(())
+        });
+        assert!(path.end.is_ok());
+        assert!(count >= 3, "{count}");
+    }
+}
+
+/// Every director turns in the plane of e_z and the load; the last balance of moments is
+/// sin(φᵢ − φᵢ₋₁) − sin(φᵢ₊₁ − φᵢ) = λ f cos φᵢ.
+#[test]
+fn directors_turn_far_on_their_spheres() {
+    let mut pendulum = Pendulum::new(10);
+    let options =
+        PathOptions { newton: tight(), ..PathOptions::new(Control::Load { step: 0.02, until: 2.0 }) };
+    let path = follow(&mut pendulum, &Start::default(), &options, |_, _| ControlFlow::Continue(()));
+    assert!(path.end.is_ok(), "{:?}", path.end);
+    let force = 2.0 * Pendulum::load();
+    let angle = |i: usize| pendulum.angle(i);
+    for i in 0..10 {
+        let below = angle(i) - if i == 0 { 0.0 } else { angle(i - 1) };
+        let above = if i == 9 { 0.0 } else { angle(i + 1) - angle(i) };
+        assert!((below.sin() - above.sin() - force * angle(i).cos()).abs() < 1e-12);
+        assert!((pendulum.director(i).norm() - 1.0).abs() < 1e-13);
+    }
+    assert!(angle(9) > 1.5, "{}", angle(9));
+    assert!(path.points.iter().all(|p| p.inertia().negative == 0));
+
+    // one director alone: tan φ = λ f
+    let mut single = Pendulum::new(1);
+    Newton::new(&single, &tight()).unwrap().at_level(&mut single, 3.0).unwrap();
+    assert!((single.angle(0).tan() - 3.0 * Pendulum::load()).abs() < 1e-11);
+}
+
+#[test]
+fn tangents_of_the_test_systems_are_derivatives() {
+    let mut chain = Flat::new(Hencky { links: 6 });
+    chain.q = vec![0.02, 0.05, 0.04, -0.01, 0.03];
+    check_tangent(&mut chain, 3.0);
+    let mut arch = Flat::new(Arch { half: 1.0, height: 2.0, sideways: true });
+    arch.q = vec![0.3, 0.2];
+    check_tangent(&mut arch, 0.1);
+    let mut pendulum = Pendulum::new(3);
+    pendulum.update(&[0.3, 0.2, -0.4, 0.9, 0.1, 1.1]);
+    let balanced = Newton::new(&pendulum, &tight()).unwrap().at_level(&mut pendulum, 0.5).unwrap();
+    check_tangent(&mut pendulum, balanced.level);
+}
+
+fn check_tangent<E: Equilibrium>(system: &mut E, level: f64) {
+    let n = system.unknowns();
+    let pattern = system.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    system.tangent(level, &mut values);
+    let saved = system.save();
+    let residual = |system: &mut E| {
+        let (mut a, mut b) = (vec![0.0; n], vec![0.0; n]);
+        system.internal(&mut a);
+        system.external(level, &mut b);
+        a.iter().zip(&b).map(|(a, b)| a - b).collect::<Vec<f64>>()
+    };
+    let step = 1e-5;
+    for j in 0..n {
+        let ends = [step, -step].map(|h| {
+            system.restore(&saved);
+            let mut motion = vec![0.0; n];
+            motion[j] = h;
+            system.update(&motion);
+            residual(system)
+        });
+        for (&(row, column), value) in pattern.iter().zip(&values).filter(|((_, c), _)| *c == j) {
+            let slope = (ends[0][row] - ends[1][row]) / (2.0 * step);
+            assert!((slope - value).abs() < 1e-7 * (1.0 + value.abs()), "({row}, {column}): {slope} {value}");
+        }
+    }
+    system.restore(&saved);
+}
+
+#[test]
+fn a_linear_answer_is_the_slope_of_the_path() {
+    let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
+    let slope = linear_response(&mut arch, 0.0).unwrap()[0];
+    let stiffness = 2.0 * arch.potential.height.powi(2) / arch.potential.bar().powi(3); // λ'(0)
+    assert!((slope * stiffness - 1.0).abs() < 1e-12);
+    assert_eq!(arch.q, vec![0.0]);
+}
+
+#[test]
+fn a_line_search_shortens_what_overshoots() {
+    let solve = |line_search| {
+        let mut stiff = Flat::new(Stiffening);
+        let options = NewtonOptions { line_search, iterations: 40, ..tight() };
+        let converged = Newton::new(&stiff, &options).unwrap().at_level(&mut stiff, 100.0);
+        (converged, stiff.q[0])
+    };
+    let (with, q) = solve(true);
+    let (without, _) = solve(false);
+    assert!((q.sinh() - 100.0).abs() < 1e-10);
+    let (with, without) = (with.unwrap().iterations, without.map_or(usize::MAX, |c| c.iterations));
+    assert!(with < without, "{with} {without}");
+}
+
+/// λ = sinh q: the tangent at rest is far too soft for a large load.
+struct Stiffening;
+
+impl Potential for Stiffening {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        q[0].cosh() - 1.0
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        out[0] = q[0].sinh();
+    }
+    fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, q[0].cosh());
+    }
+    fn load(&self, _q: &[f64], out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+}
+
+/// Two points on a stiff link, far from the origin, held by soft springs: the force of the link is a difference
+/// of positions, and its rounding is larger than the tolerance asks for.
+struct StiffLink;
+
+const AWAY: f64 = 1000.0;
+
+impl Potential for StiffLink {
+    fn unknowns(&self) -> usize {
+        2
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        0.5e8 * (q[1] - q[0]).powi(2) + 0.5 * (q[0] * q[0] + q[1] * q[1])
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        let force = 1e8 * ((q[1] + AWAY) - (q[0] + AWAY));
+        out.copy_from_slice(&[q[0] - force, q[1] + force]);
+    }
+    fn hessian(&self, _q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, 1e8 + 1.0);
+        add(1, 0, -1e8);
+        add(1, 1, 1e8 + 1.0);
+    }
+    fn load(&self, _q: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(&[1.0, 0.3]);
+    }
+}
+
+#[test]
+fn rounding_of_the_forces_ends_the_iteration() {
+    let mut link = Flat::new(StiffLink);
+    let converged = Newton::new(&link, &tight()).unwrap().at_level(&mut link, 1.0).unwrap();
+    assert!(converged.bound > 1e-12 && converged.bound < 1e-4, "{converged:?}");
+    assert!(converged.iterations <= 5, "{converged:?}");
+    assert!((link.q[0] - 0.65).abs() < 1e-6 && (link.q[1] - 0.65).abs() < 1e-6, "{:?}", link.q);
+}
+
+#[test]
+fn a_mechanism_is_named() {
+    // two bars in a line: nothing holds their joint downwards
+    let mut flat = Flat::new(Arch { half: 1.0, height: 0.0, sideways: true });
+    let error = Newton::new(&flat, &tight()).unwrap().at_level(&mut flat, 0.1).unwrap_err();
+    let BalanceError::Mechanism { zero: 1, unknown: 0, ref name, .. } = error else { panic!("{error}") };
+    assert_eq!(name, "apex, down");
+    let message = error.to_string();
+    assert!(message.starts_with("step 0, load level 1.0"), "{message}");
+    assert!(message.contains("the structure moves freely, mostly in apex, down"), "{message}");
+
+    let control = Control::ArcLength { first: 0.1, range: (0.0, 1.0) };
+    let path =
+        follow(&mut flat, &Start::default(), &PathOptions::new(control), |_, _| ControlFlow::Continue(()));
+    assert!(matches!(path.end, Err(BalanceError::Mechanism { step: 0, .. })), "{:?}", path.end);
+}
+
+#[test]
+fn failures_say_where_and_leave_the_state() {
+    let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
+    let options = NewtonOptions { iterations: 2, ..tight() };
+    let limit = arch.potential.limit();
+    let error = Newton::new(&arch, &options).unwrap().at_level(&mut arch, 0.9 * limit).unwrap_err();
+    let BalanceError::NotConverged { iterations: 2, ref residuals, residual, bound, .. } = error else {
+        panic!("{error}")
+    };
+    assert_eq!((residuals.len(), residuals[2]), (3, residual));
+    assert!(residual > bound);
+    assert_eq!(arch.q, vec![0.0]);
+    assert!(error.to_string().contains("above the bound"), "{error}");
+
+    let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
+    let error = Newton::new(&arch, &tight()).unwrap().at_level(&mut arch, f64::NAN).unwrap_err();
+    assert!(matches!(error, BalanceError::Force { ref name, .. } if name == "apex, down"), "{error}");
+}

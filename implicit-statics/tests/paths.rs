@@ -1,0 +1,243 @@
+//! Paths with closed forms: snap-through, snap-back, softening; every control and what it can pass.
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::{Arch, ArchWithSpring, Flat, Potential, Softening};
+use implicit_statics::{
+    BalanceError, Control, Direction, End, Equilibrium, Measure, NewtonOptions, Path, PathOptions, Start,
+    follow,
+};
+
+const TIGHT: f64 = 1e-13; // Newton's last step squares the error: what is asked for is below 1e-10
+
+fn options(control: Control) -> PathOptions {
+    let newton = NewtonOptions { tolerance: TIGHT, ..Default::default() };
+    PathOptions { newton, ..PathOptions::new(control) }
+}
+
+fn trace<P: Potential>(system: &mut Flat<P>, options: &PathOptions) -> (Path, Vec<(f64, Vec<f64>)>) {
+    let mut curve = Vec::new();
+    let path = follow(system, &Start::default(), options, |point, system| {
+        curve.push((point.level(), system.q.clone()));
+        ControlFlow::Continue(())
+    });
+    (path, curve)
+}
+
+fn shallow() -> Arch {
+    Arch { half: 10.0, height: 1.0, sideways: false }
+}
+
+#[test]
+fn load_control_follows_the_arch_up_to_its_limit() {
+    let mut system = Flat::new(shallow());
+    let limit = system.potential.limit();
+    let (path, curve) =
+        trace(&mut system, &options(Control::Load { step: 0.1 * limit, until: 0.999 * limit }));
+    assert_eq!(path.end, Ok(End::Reached));
+    let last = path.points.last().unwrap();
+    assert_eq!(last.level(), 0.999 * limit);
+    assert_eq!(last.inertia().negative, 0);
+    for (level, q) in curve {
+        assert!(q[0] < 1.0 - 1.0 / 3.0_f64.sqrt());
+        assert!((level - system.potential.level(q[0])).abs() < 1e-10 * limit);
+    }
+}
+
+#[test]
+fn displacement_control_goes_through_both_limit_points() {
+    let mut system = Flat::new(shallow());
+    let limit = system.potential.limit();
+    let control = Control::Displacement { functional: vec![(0, 1.0)], step: 0.05, until: 2.4 };
+    let (path, curve) = trace(&mut system, &PathOptions { largest: 1.0, ..options(control) });
+    assert_eq!(path.end, Ok(End::Reached));
+    assert!((system.q[0] - 2.4).abs() < 1e-14);
+    assert_eq!(path.points.len(), 49);
+    for (level, q) in &curve {
+        assert!((level - system.potential.level(q[0])).abs() < 1e-10 * limit, "{level} at {}", q[0]);
+    }
+    let unstable = path.points.iter().filter(|p| p.inertia().negative == 1).count();
+    let between = curve.iter().filter(|(_, q)| (1.0 - q[0]).abs() < 1.0 / 3.0_f64.sqrt()).count();
+    assert_eq!(unstable, between);
+}
+
+#[test]
+fn arc_length_goes_through_both_limit_points_and_ends_at_the_bound() {
+    for direction in [Direction::Secant, Direction::Inertia, Direction::Work] {
+        let mut system = Flat::new(shallow());
+        let limit = system.potential.limit();
+        let control = Control::ArcLength { first: 0.05 * limit, range: (-2.0 * limit, 1.5 * limit) };
+        let (path, curve) = trace(&mut system, &PathOptions { direction, ..options(control) });
+        assert_eq!(path.end, Ok(End::Reached), "{direction:?}");
+        assert_eq!(path.points.last().unwrap().level(), 1.5 * limit);
+        assert!(system.q[0] > 2.0, "beyond the snapped state");
+        for (level, q) in &curve {
+            assert!((level - system.potential.level(q[0])).abs() < 1e-10 * limit);
+        }
+        assert!(curve.iter().any(|(level, _)| *level < -0.9 * limit));
+    }
+}
+
+/// u(w) = w + λ(w)/k turns where λ'(w) = −k.
+fn snap_back() -> ArchWithSpring {
+    let arch = shallow();
+    let spring = 0.4 * arch.height.powi(2) / arch.bar().powi(3);
+    ArchWithSpring { arch, spring }
+}
+
+#[test]
+fn arc_length_passes_both_turning_points_of_the_displacement() {
+    for direction in [Direction::Secant, Direction::Inertia] {
+        let mut system = Flat::new(snap_back());
+        let limit = system.potential.arch.limit();
+        let control = Control::ArcLength { first: 0.05 * limit, range: (-2.0 * limit, 1.5 * limit) };
+        let (path, curve) = trace(&mut system, &PathOptions { direction, largest: 3.0, ..options(control) });
+        assert_eq!(path.end, Ok(End::Reached), "{direction:?}");
+        for (level, q) in &curve {
+            let exact = system.potential.arch.level(q[0]);
+            assert!((level - exact).abs() < 1e-10 * limit);
+            assert!((q[1] - q[0] - exact / system.potential.spring).abs() < 1e-10);
+        }
+        let turns = curve.windows(3).filter(|t| (t[1].1[1] - t[0].1[1]) * (t[2].1[1] - t[1].1[1]) < 0.0);
+        assert_eq!(turns.count(), 2, "{direction:?}");
+    }
+}
+
+#[test]
+fn the_sign_of_work_turns_back_at_a_turning_point_of_the_displacement() {
+    let mut system = Flat::new(snap_back());
+    let limit = system.potential.arch.limit();
+    let control = Control::ArcLength { first: 0.05 * limit, range: (-2.0 * limit, 1.5 * limit) };
+    let options = PathOptions { direction: Direction::Work, steps: 300, largest: 3.0, ..options(control) };
+    let (path, curve) = trace(&mut system, &options);
+    assert_eq!(path.end, Ok(End::Steps));
+    assert!(
+        curve.iter().all(|(_, q)| q[0] < 1.0),
+        "known failure of this rule: it never passes the flat state"
+    );
+}
+
+#[test]
+fn displacement_control_stops_at_a_turning_point_and_keeps_the_curve() {
+    let mut system = Flat::new(snap_back());
+    let control = Control::Displacement { functional: vec![(1, 1.0)], step: 0.05, until: 4.0 };
+    let small = PathOptions { largest: 1.0, ..options(control) };
+    let (path, curve) = trace(&mut system, &small);
+    // at the turning point the displacement has the value u(w) with λ'(w) = −k
+    let z = ((1.0 - 0.4) / 3.0_f64).sqrt();
+    let arch = shallow();
+    let highest = 1.0 - z + arch.level(1.0 - z) / system.potential.spring;
+    for (point, (level, q)) in path.points.iter().zip(&curve) {
+        assert_eq!(point.level(), *level);
+        if q[0] < 1.0 {
+            assert!(q[1] < highest + 1e-9);
+        }
+    }
+    assert!(curve.iter().filter(|(_, q)| q[0] < 1.0).any(|(_, q)| q[1] > highest - 0.051));
+}
+
+#[test]
+fn a_failed_path_keeps_its_points_its_state_and_a_restart() {
+    let mut system = Flat::new(Softening);
+    let control = Control::Load { step: 0.05, until: 0.5 };
+    let (path, curve) = trace(&mut system, &options(control));
+    let limit = (-1.0_f64).exp();
+    let Err(BalanceError::StepTooSmall { level, size, smallest, .. }) = &path.end else {
+        panic!("{:?}", path.end)
+    };
+    assert!(size < smallest);
+    let last = path.points.last().unwrap();
+    assert_eq!((last.level(), *level), (path.restart.level, path.restart.level));
+    assert_eq!(system.q, curve.last().unwrap().1, "the system stands at the last converged state");
+    assert!(*level < limit && *level > limit - 1e-5, "{level} {limit}");
+    assert!(path.points.iter().any(|p| p.restarts > 0));
+
+    let range = (0.2, 1.0);
+    let on = options(Control::ArcLength { first: 0.01, range });
+    let path = follow(&mut system, &path.restart, &on, |_, _| ControlFlow::Continue(()));
+    assert_eq!(path.end, Ok(End::Reached));
+    let w = system.q[0];
+    assert!(w > 1.0 && (w * (-w).exp() - 0.2).abs() < 1e-12);
+}
+
+/// λ = cos 0.3 − cos(q + 0.3) stiffens before it turns at q = π − 0.3: a step of 1 leaps over the limit point.
+struct Swing;
+
+impl Potential for Swing {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        q[0] * 0.3_f64.cos() - (q[0] + 0.3).sin() + 0.3_f64.sin()
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        out[0] = 0.3_f64.cos() - (q[0] + 0.3).cos();
+    }
+    fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, (q[0] + 0.3).sin());
+    }
+    fn load(&self, _q: &[f64], out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+}
+
+#[test]
+fn a_load_step_that_leaps_over_a_limit_point_is_refused() {
+    let mut system = Flat::new(Swing);
+    let mut load = options(Control::Load { step: 1.0, until: 1.5 });
+    load.newton.line_search = false;
+    let (path, curve) = trace(&mut system, &load);
+    assert_eq!(path.end, Ok(End::Reached));
+    assert!(path.points[1].restarts > 0, "the first trial leaps");
+    assert!(curve.iter().all(|(_, q)| q[0] < std::f64::consts::PI - 0.3));
+    // with no smaller step allowed the reason is told
+    let mut system = Flat::new(Swing);
+    let (path, _) = trace(&mut system, &PathOptions { smallest: 1.0, ..load });
+    let Err(BalanceError::StepTooSmall { cause, .. }) = path.end else { panic!("{:?}", path.end) };
+    assert!(
+        matches!(*cause, BalanceError::Fold { step: 1, level: 1.0, cosine } if cosine == -1.0),
+        "{cause}"
+    );
+}
+
+#[test]
+fn the_norm_of_the_arc_changes_the_points_not_the_curve() {
+    for measure in [Measure::Plain, Measure::Mass, Measure::Given(vec![0.0, 1.0])] {
+        let mut system = Flat::new(snap_back());
+        system.masses = vec![0.0, 3.0];
+        let limit = system.potential.arch.limit();
+        let control = Control::ArcLength { first: 0.05 * limit, range: (-2.0 * limit, 1.5 * limit) };
+        let (path, curve) = trace(&mut system, &PathOptions { measure, largest: 2.0, ..options(control) });
+        assert_eq!(path.end, Ok(End::Reached));
+        for (level, q) in &curve {
+            assert!((level - system.potential.arch.level(q[0])).abs() < 1e-10 * limit);
+        }
+    }
+    let control = Control::ArcLength { first: 0.1, range: (-1.0, 1.0) };
+    let short = PathOptions { measure: Measure::Given(vec![1.0]), ..options(control) };
+    let (path, _) = trace(&mut Flat::new(snap_back()), &short);
+    let message = "weights of the arc length has 1 entries, must have 2";
+    assert_eq!(path.end.unwrap_err().to_string(), message);
+    let empty = options(Control::ArcLength { first: 0.1, range: (1.0, 1.0) });
+    assert!(matches!(trace(&mut Flat::new(snap_back()), &empty).0.end, Err(BalanceError::Option { .. })));
+}
+
+#[test]
+fn the_observer_may_stop_and_bad_options_are_refused() {
+    let mut system = Flat::new(shallow());
+    let control = Control::Displacement { functional: vec![(0, 1.0)], step: 0.1, until: 2.0 };
+    let path = follow(&mut system, &Start::default(), &options(control), |point, system| {
+        assert_eq!(point.step > 0, system.energy() > 0.0);
+        if point.step == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!((path.end, path.points.len()), (Ok(End::Stopped), 4));
+
+    let outside = Control::Displacement { functional: vec![(7, 1.0)], step: 0.1, until: 2.0 };
+    let path = follow(&mut system, &Start::default(), &options(outside), |_, _| ControlFlow::Continue(()));
+    assert_eq!(
+        path.end.unwrap_err().to_string(),
+        "controlled unknown is 7, must be below the number of unknowns"
+    );
+}
