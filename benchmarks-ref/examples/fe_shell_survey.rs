@@ -27,7 +27,8 @@ fn main() {
     for n in [8, 16, 24] {
         println!("n = {n}");
         show("Scordelis-Lo", scordelis_lo(n), &[0.3024]);
-        show("pinched cylinder", pinched_cylinder(n), &[1.8248e-5]);
+        show("pinched cylinder", pinched_cylinder(n, 1.0), &[1.8248e-5]);
+        show("pinched cylinder, graded 1.3", pinched_cylinder(n, 1.3), &[1.8248e-5]);
         show("hemisphere with hole", hemisphere_with_hole(n), &[0.0940, 0.0940]);
         for (thickness, force, references) in
             [(0.32, 1.0, [0.005424, 0.001754]), (0.0032, 1.0e-6, [0.005256, 0.001294])]

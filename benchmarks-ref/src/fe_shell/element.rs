@@ -5,6 +5,7 @@ use super::geometry::{
 };
 use super::membrane::Ties;
 use super::point::{self, Measures};
+use super::rows::{self, Rows};
 use super::section::Stiffness;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
@@ -13,12 +14,6 @@ pub type Forces = SVector<f64, 24>;
 
 /// Second derivatives of the energy in the order of [`Forces`], directors taken as free vectors.
 pub type Tangent = SMatrix<f64, 24, 24>;
-
-/// Sign with which an edge counts a node.
-fn sign(edge: usize, node: usize) -> f64 {
-    let (from, to) = EDGES[edge];
-    f64::from(u8::from(node == to)) - f64::from(u8::from(node == from))
-}
 
 /// The motion as the strains see it: vectors along the edges.
 struct Motion {
@@ -38,7 +33,7 @@ struct Motion {
 
 /// Resultants of the whole element, conjugate to the quantities of [`Motion`].
 #[derive(Default)]
-struct Resultants {
+struct Sums {
     /// To the tied membrane strains.
     ties: Ties,
     /// To Δx_e·(arc)_f, row e, column f.
@@ -57,6 +52,22 @@ impl Motion {
         Self { edges, chords, arcs: chords.map(|chord| arc(&chord)), middles, ties, shears }
     }
 
+    /// First derivatives of the motion along an increment; its ties and shears change linearly with it.
+    fn rate(&self, increment: &Corners) -> Self {
+        let edges = differences(&increment.positions);
+        let chords = differences(&increment.directors);
+        let middles = means(&increment.directors);
+        let arcs = std::array::from_fn(|edge| arc_derivative(&self.chords[edge]) * chords[edge]);
+        let shears = std::array::from_fn(|edge| {
+            edges[edge].dot(&self.middles[edge]) + self.edges[edge].dot(&middles[edge])
+        });
+        let stretch = |edge: usize| 0.25 * self.edges[edge].dot(&edges[edge]);
+        let ((r, s), (of_r, of_s)) = (mid_lines(&self.edges), mid_lines(&edges));
+        let shear = 0.5 * (r.dot(&of_s) + s.dot(&of_r));
+        let ties = Ties::from([stretch(0), stretch(1), stretch(2), stretch(3), shear]);
+        Self { edges, chords, arcs, middles, ties, shears }
+    }
+
     /// Measures of a point, with the derivatives of the position and of the director.
     fn measures(&self, point: &Point) -> (Measures, [Vector3<f64>; 2], [Vector3<f64>; 2]) {
         let membrane = point.spread * self.ties;
@@ -70,7 +81,7 @@ impl Motion {
     }
 }
 
-impl Resultants {
+impl Sums {
     /// Adds what a point contributes.
     fn add(&mut self, point: &Point, force: &Measures) {
         let membrane = Vector3::new(force[0], force[1], force[2]);
@@ -191,93 +202,64 @@ pub fn energy(geometry: &Geometry, corners: &Corners, stiffness: &Stiffness) -> 
     geometry.points.iter().map(of_point).sum()
 }
 
+/// Resultants of the four quadrature points.
+pub type Stresses = [point::Resultants; 4];
+
 /// Forces on positions \[F\] and directors \[F L\].
 pub fn forces(geometry: &Geometry, corners: &Corners, stiffness: &Stiffness) -> Forces {
     let motion = Motion::new(geometry, corners);
-    let mut resultants = Resultants::default();
+    let mut sums = Sums::default();
     for point in &geometry.points {
         let (z, ..) = motion.measures(point);
-        resultants.add(point, &point::gradient(&z, &point.curvature, stiffness));
+        sums.add(point, &point::gradient(&z, &point::resultants(&z, &point.curvature, stiffness)));
     }
-    resultants.forces(&motion)
+    sums.forces(&motion)
 }
 
-/// Forces and their derivatives.
-pub fn tangent(geometry: &Geometry, corners: &Corners, stiffness: &Stiffness) -> (Forces, Tangent) {
+/// Second derivatives of the energy, and the forces; with the given resultants in the place of the state's own.
+pub fn tangent(
+    geometry: &Geometry,
+    corners: &Corners,
+    stiffness: &Stiffness,
+    given: Option<&Stresses>,
+) -> (Forces, Tangent) {
     let motion = Motion::new(geometry, corners);
-    let tie_rows = tie_rows(&motion.edges);
+    let tie_rows = rows::of_ties(&motion.edges);
     let turns_of_arcs = motion.chords.map(|chord| arc_derivative(&chord));
-    let mut resultants = Resultants::default();
+    let mut sums = Sums::default();
     let mut tangent = Tangent::zeros();
-    for point in &geometry.points {
+    for (index, point) in geometry.points.iter().enumerate() {
         let (z, tangents, turns) = motion.measures(point);
-        let (force, second) = point::hessian(&z, &point.curvature, stiffness);
-        resultants.add(point, &force);
-        let mut rows = SMatrix::<f64, 9, 24>::zeros();
-        rows.fixed_view_mut::<3, 12>(0, 0).copy_from(&(point.spread * tie_rows));
-        add_bending_rows(point, &tangents, &turns, &turns_of_arcs, &mut rows);
-        add_shear_rows(point, &motion, &mut rows);
-        let weighted = (second * point.area) * rows;
-        tangent.gemm_tr(1.0, &rows, &weighted, 1.0);
+        let resultants =
+            given.map_or_else(|| point::resultants(&z, &point.curvature, stiffness), |given| given[index]);
+        sums.add(point, &point::gradient(&z, &resultants));
+        let second = point::hessian(&z, &resultants, stiffness);
+        let mut rows = Rows::default();
+        rows.set_membrane(&point.spread, &tie_rows);
+        rows.add_bending(&point.slopes, &tangents, &turns, &turns_of_arcs);
+        rows.add_shear(&point.slopes, &motion.edges, &motion.middles);
+        rows.add_product(&(second * point.area), &mut tangent);
     }
-    resultants.add_geometric(&motion, &mut tangent);
-    (resultants.forces(&motion), tangent)
+    sums.add_geometric(&motion, &mut tangent);
+    (sums.forces(&motion), tangent)
 }
 
-/// Derivatives of the tied membrane strains by the positions.
-fn tie_rows(edges: &[Vector3<f64>; 4]) -> SMatrix<f64, 5, 12> {
-    let (r, s) = mid_lines(edges);
-    let mut rows = SMatrix::<f64, 5, 12>::zeros();
-    for edge in 0..4 {
-        for node in [EDGES[edge].0, EDGES[edge].1] {
-            let sign = sign(edge, node);
-            let mid_line = if edge < 2 { s } else { r };
-            for axis in 0..3 {
-                rows[(edge, 3 * node + axis)] += 0.25 * sign * edges[edge][axis];
-                rows[(4, 3 * node + axis)] += 0.125 * sign * mid_line[axis];
-            }
-        }
-    }
-    rows
-}
-
-/// Derivatives of k_ab = a_a·d,_b.
-fn add_bending_rows(
-    point: &Point,
-    tangents: &[Vector3<f64>; 2],
-    turns: &[Vector3<f64>; 2],
-    turns_of_arcs: &[Matrix3<f64>; 4],
-    rows: &mut SMatrix<f64, 9, 24>,
-) {
-    for edge in 0..4 {
-        let of_arc = tangents.map(|tangent| turns_of_arcs[edge] * tangent);
-        for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let row = 3 + 2 * a + b;
-            let (by_position, by_director) =
-                (turns[b] * point.slopes[a][edge], of_arc[a] * point.slopes[b][edge]);
-            for node in [EDGES[edge].0, EDGES[edge].1] {
-                let sign = sign(edge, node);
-                for axis in 0..3 {
-                    rows[(row, 3 * node + axis)] += sign * by_position[axis];
-                    rows[(row, 12 + 3 * node + axis)] += sign * by_director[axis];
-                }
-            }
-        }
-    }
-}
-
-/// Derivatives of the shear strains γ_b = Σ slopes (Δx·d̄).
-fn add_shear_rows(point: &Point, motion: &Motion, rows: &mut SMatrix<f64, 9, 24>) {
-    for edge in 0..4 {
-        for b in 0..2 {
-            let slope = point.slopes[b][edge];
-            for node in [EDGES[edge].0, EDGES[edge].1] {
-                let signed = sign(edge, node) * slope;
-                for axis in 0..3 {
-                    rows[(7 + b, 3 * node + axis)] += signed * motion.middles[edge][axis];
-                    rows[(7 + b, 12 + 3 * node + axis)] += 0.5 * slope * motion.edges[edge][axis];
-                }
-            }
-        }
-    }
+/// The resultants to which an increment of positions and directors leads by first order.
+pub fn predicted(
+    geometry: &Geometry,
+    corners: &Corners,
+    increment: &Corners,
+    stiffness: &Stiffness,
+) -> Stresses {
+    let motion = Motion::new(geometry, corners);
+    let rate = motion.rate(increment);
+    std::array::from_fn(|index| {
+        let point = &geometry.points[index];
+        let (z, tangents, turns) = motion.measures(point);
+        let (change, of_tangents, of_turns) = rate.measures(point);
+        let k = |a: usize, b: usize| of_tangents[a].dot(&turns[b]) + tangents[a].dot(&of_turns[b]);
+        let [e1, e2, e3, _, _, _, _, s1, s2] = <[f64; 9]>::from(change);
+        let change = Measures::from([e1, e2, e3, k(0, 0), k(0, 1), k(1, 0), k(1, 1), s1, s2]);
+        point::predicted(&z, &change, &point.curvature, stiffness)
+    })
 }

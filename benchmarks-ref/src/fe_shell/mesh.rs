@@ -48,9 +48,11 @@ impl Mesh {
     }
 
     /// A cylinder's part with axis x: ξ along the axis from 0 to `length` \[L\], η over the angle φ from the z axis
-    /// towards y, from 0 to `angle` \[rad\]; director outward.
-    pub fn cylinder(columns: usize, rows: usize, radius: f64, length: f64, angle: f64) -> Self {
+    /// towards y, from 0 to `angle` \[rad\]; director outward. Both run with the power `grading` of the lattice:
+    /// 1 is uniform, more crowds the corner ξ = η = 0.
+    pub fn cylinder(columns: usize, rows: usize, radius: f64, length: f64, angle: f64, grading: f64) -> Self {
         Self::patch(columns, rows, |xi, eta| {
+            let (xi, eta) = (libm::pow(xi, grading), libm::pow(eta, grading));
             let normal = Vector3::new(0.0, libm::sin(angle * eta), libm::cos(angle * eta));
             (normal * radius + Vector3::x() * (length * xi), normal)
         })
@@ -116,7 +118,7 @@ mod tests {
     fn directors_are_unit_normals_on_the_counter_clockwise_side() {
         let meshes = [
             Mesh::plate(3, 4, 2.0, 1.0),
-            Mesh::cylinder(5, 6, 3.0, 2.0, 1.2),
+            Mesh::cylinder(5, 6, 3.0, 2.0, 1.2, 1.5),
             Mesh::belt(6, 5, 2.0, 1.2),
             Mesh::twisted(12, 3, 12.0, 1.1),
         ];

@@ -26,6 +26,7 @@ mod membrane;
 mod mesh;
 mod model;
 mod point;
+mod rows;
 mod section;
 mod support;
 

@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use super::director::Director;
-use super::element::{self, Forces, Tangent};
+use super::element::{self, Forces, Stresses, Tangent};
 use super::geometry::{Corners, Geometry};
 use super::load::{Load, shares};
 use super::mesh::Mesh;
@@ -60,6 +60,9 @@ pub struct Model {
     positions: Vec<Vector3<f64>>,
     directors: Vec<Director>,
     assembly: Assembly,
+    /// Whether increments are followed by predicted resultants, and those of the last one.
+    predicts: bool,
+    predicted: Vec<Stresses>,
 }
 
 impl Model {
@@ -113,7 +116,20 @@ impl Model {
             positions,
             directors,
             assembly,
+            predicts: false,
+            predicted: Vec::new(),
         })
+    }
+
+    /// Lets the tangent take its resultants from the last increment by first order instead of from the state.
+    ///
+    /// Newton's method on displacements and resultants together, the resultants eliminated at each point
+    /// \[magisano2017\]: the same equilibria, but steps are not cut short by the spurious stretch of large linear
+    /// rotations. The tangent equals the derivative of the forces only once the iteration has converged (and after
+    /// [`Equilibrium::restore`]); line searches on the forces must be off.
+    pub fn predict_resultants(mut self) -> Self {
+        self.predicts = true;
+        self
     }
 
     /// Number of nodes.
@@ -139,8 +155,18 @@ impl Model {
 
     /// The displacement of a node as it follows from an increment of the unknowns, to first order \[L\].
     pub fn displacement_in(&self, increment: &[f64], node: usize) -> Vector3<f64> {
-        let along = |axis: usize| self.assembly.unknown(node, axis).map_or(0.0, |unknown| increment[unknown]);
-        (0..3).map(|axis| self.frames[node].axes[axis] * along(axis)).sum()
+        (0..3).map(|axis| self.frames[node].axes[axis] * self.part(increment, node, axis)).sum()
+    }
+
+    /// The change of a director by first order.
+    fn turn_in(&self, increment: &[f64], node: usize) -> Vector3<f64> {
+        let [first, second] = self.directors[node].axes();
+        first * self.part(increment, node, 3) + second * self.part(increment, node, 4)
+    }
+
+    /// A freedom's part of an increment; zero where it is held.
+    fn part(&self, increment: &[f64], node: usize, freedom: usize) -> f64 {
+        self.assembly.unknown(node, freedom).map_or(0.0, |unknown| increment[unknown])
     }
 
     fn corners(&self, nodes: &[usize; 4]) -> Corners {
@@ -171,7 +197,7 @@ impl Model {
         }
     }
 
-    /// The element's tangent by its twenty freedoms.
+    /// The element's tangent by its twenty freedoms: the lower triangle.
     ///
     /// Directors move on spheres: the second derivative along a great circle is −d, hence −(f_d·d) on the diagonal.
     fn project(&self, nodes: &[usize; 4], forces: &Forces, tangent: &Tangent) -> [[f64; 20]; 20] {
@@ -184,7 +210,7 @@ impl Model {
         for (j, basis) in bases.iter().enumerate() {
             for (b, direction) in basis.iter().enumerate() {
                 let column: Forces = tangent.fixed_columns::<3>(start(j, b)) * direction;
-                for (i, other) in bases.iter().enumerate() {
+                for (i, other) in bases.iter().enumerate().skip(j) {
                     for (a, direction) in other.iter().enumerate() {
                         out[5 * i + a][5 * j + b] = direction.dot(&column.fixed_rows::<3>(start(i, a)));
                     }
@@ -261,19 +287,28 @@ impl Equilibrium for Model {
     fn tangent(&mut self, _level: f64, values: &mut [f64]) {
         values.fill(0.0);
         for (index, (nodes, geometry)) in self.elements.iter().enumerate() {
-            let (forces, tangent) = element::tangent(geometry, &self.corners(nodes), &self.section.stiffness);
+            let (corners, given) = (self.corners(nodes), self.predicted.get(index));
+            let (forces, tangent) = element::tangent(geometry, &corners, &self.section.stiffness, given);
             self.assembly.scatter(index, &self.project(nodes, &forces, &tangent), values);
         }
     }
 
     fn update(&mut self, increment: &[f64]) {
-        for node in 0..self.nodes() {
-            let part = |freedom: usize| {
-                self.assembly.unknown(node, freedom).map_or(0.0, |unknown| increment[unknown])
+        if self.predicts {
+            let of_element = |(nodes, geometry): &([usize; 4], Geometry)| {
+                let change = Corners {
+                    positions: nodes.map(|node| self.displacement_in(increment, node)),
+                    directors: nodes.map(|node| self.turn_in(increment, node)),
+                };
+                element::predicted(geometry, &self.corners(nodes), &change, &self.section.stiffness)
             };
-            let frame = &self.frames[node];
-            self.positions[node] += (0..3).map(|axis| frame.axes[axis] * part(axis)).sum::<Vector3<f64>>();
-            self.directors[node].turn([part(3), part(4)]);
+            self.predicted = self.elements.iter().map(of_element).collect();
+        }
+        for node in 0..self.nodes() {
+            let moved = self.displacement_in(increment, node);
+            self.positions[node] += moved;
+            let turn = [3, 4].map(|freedom| self.part(increment, node, freedom));
+            self.directors[node].turn(turn);
         }
     }
 
@@ -286,6 +321,7 @@ impl Equilibrium for Model {
     }
 
     fn restore(&mut self, saved: &[f64]) {
+        self.predicted.clear();
         let nodes = self.positions.iter_mut().zip(&mut self.directors);
         for ((x, director), values) in nodes.zip(saved.chunks_exact(SAVED)) {
             let vector = |start: usize| Vector3::from_column_slice(&values[start..start + 3]);

@@ -15,6 +15,9 @@ pub type Curvature = SMatrix<f64, 9, 9>;
 /// The strains of the section: ε, κ, γ as in [`Stiffness`].
 type Strains = SVector<f64, 8>;
 
+/// The resultants of the section, conjugate to them \[F/L\], \[F\].
+pub type Resultants = SVector<f64, 8>;
+
 /// κ_ab = sym(k_ab − E_ac k_cb) − B_ab, with γ and ε as they stand.
 ///
 /// The director's change per reference length is seen from the rotated, unstretched mid-surface:
@@ -68,22 +71,36 @@ pub fn energy(z: &Measures, reference: &Vector3<f64>, stiffness: &Stiffness) -> 
     0.5 * strain.dot(&(stiffness * strain))
 }
 
-/// ∂(energy)/∂(measures).
-pub fn gradient(z: &Measures, reference: &Vector3<f64>, stiffness: &Stiffness) -> Measures {
-    derivative(z).tr_mul(&(stiffness * strains(z, reference)))
+/// The section's resultants.
+pub fn resultants(z: &Measures, reference: &Vector3<f64>, stiffness: &Stiffness) -> Resultants {
+    stiffness * strains(z, reference)
 }
 
-/// Gradient and second derivatives of the energy.
-pub fn hessian(z: &Measures, reference: &Vector3<f64>, stiffness: &Stiffness) -> (Measures, Curvature) {
+/// The resultants that a change of the measures leads to by first order.
+pub fn predicted(
+    z: &Measures,
+    change: &Measures,
+    reference: &Vector3<f64>,
+    stiffness: &Stiffness,
+) -> Resultants {
+    stiffness * (strains(z, reference) + derivative(z) * change)
+}
+
+/// ∂(energy)/∂(measures) from the resultants.
+pub fn gradient(z: &Measures, resultants: &Resultants) -> Measures {
+    derivative(z).tr_mul(resultants)
+}
+
+/// Second derivatives of the energy for given resultants.
+pub fn hessian(z: &Measures, resultants: &Resultants, stiffness: &Stiffness) -> Curvature {
     let derivative = derivative(z);
-    let resultants = stiffness * strains(z, reference);
     let mut second = derivative.transpose() * (stiffness * derivative);
     for (membrane, bending, strain, factor) in PRODUCTS {
         let value = factor * resultants[strain];
         second[(membrane, bending)] += value;
         second[(bending, membrane)] += value;
     }
-    (derivative.tr_mul(&resultants), second)
+    second
 }
 
 #[cfg(test)]
@@ -106,8 +123,9 @@ mod tests {
         let stiffness = Section::layered(&material, &plies).stiffness;
         let z = Measures::from([0.1, -0.2, 0.15, 0.7, -0.3, 0.2, 0.5, 0.05, -0.1]);
         let reference = Vector3::new(0.1, -0.2, 0.3);
-        let (first, second) = hessian(&z, &reference, &stiffness);
-        assert_eq!(first, gradient(&z, &reference, &stiffness));
+        let gradient = |z: &Measures| gradient(z, &resultants(z, &reference, &stiffness));
+        let first = gradient(&z);
+        let second = hessian(&z, &resultants(&z, &reference, &stiffness), &stiffness);
         let step = 1e-6;
         for i in 0..9 {
             let mut sides = [z, z];
@@ -115,7 +133,7 @@ mod tests {
             sides[1][i] += step;
             let [low, high] = sides.map(|z| energy(&z, &reference, &stiffness));
             assert_relative_eq!((high - low) / (2.0 * step), first[i], epsilon = 1e-8);
-            let [low, high] = sides.map(|z| gradient(&z, &reference, &stiffness));
+            let [low, high] = sides.map(|z| gradient(&z));
             let column = (high - low) / (2.0 * step);
             assert_relative_eq!(column, second.column(i).into_owned(), epsilon = 1e-7);
         }
@@ -127,7 +145,7 @@ mod tests {
         let stiffness = Section::isotropic(12.0, 0.0, thickness, 1.0).stiffness;
         let mut z = Measures::zeros();
         z[3] = turn;
-        let (force, _) = hessian(&z, &Vector3::zeros(), &stiffness);
+        let force = gradient(&z, &resultants(&z, &Vector3::zeros(), &stiffness));
         // λ enters through E = (λ² − 1)/2 and k = λθ′: dU/dλ = λ ∂U/∂E + θ′ ∂U/∂k at λ = 1
         assert_relative_eq!(force[0] + turn * force[3], 0.0, epsilon = 1e-14);
         assert_relative_eq!(force[3], turn, epsilon = 1e-14);

@@ -22,7 +22,7 @@ pub fn hemisphere_with_hole_large(n: usize, steps: usize) -> Result<Solved, Case
 /// displacement under the force is driven to `until` in equal steps.
 pub fn open_cylinder(elements: [usize; 2], until: f64, steps: usize) -> Result<Solved, CaseError> {
     let [columns, rows] = elements;
-    let mesh = Mesh::cylinder(columns, rows, 4.953, 5.175, FRAC_PI_2);
+    let mesh = Mesh::cylinder(columns, rows, 4.953, 5.175, FRAC_PI_2, 1.0);
     let supports = [
         Support::symmetry(mesh.side(Side::XiStart), Vector3::x()),
         Support::symmetry(mesh.side(Side::EtaStart), Vector3::y()),
@@ -45,7 +45,7 @@ pub fn open_cylinder(elements: [usize; 2], until: f64, steps: usize) -> Result<S
 /// Cylinder between diaphragms pinched to large displacements, one eighth, as [`open_cylinder`].
 pub fn pinched_cylinder_large(elements: [usize; 2], until: f64, steps: usize) -> Result<Solved, CaseError> {
     let [columns, rows] = elements;
-    let mesh = Mesh::cylinder(columns, rows, 100.0, 100.0, FRAC_PI_2);
+    let mesh = Mesh::cylinder(columns, rows, 100.0, 100.0, FRAC_PI_2, 1.0);
     let section = Section::isotropic(3.0e4, 0.3, 1.0, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &eighth(&mesh), &[quarter_force(&mesh)])?;
     let (a, b) = (mesh.node(0, 0), mesh.node(0, rows));

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 /// Scordelis–Lo roof, one quarter: downward displacement of the middle of the free edge \[ft\]; reference 0.3024.
 pub fn scordelis_lo(n: usize) -> Result<Solved, CaseError> {
     let (radius, half_length, angle) = (25.0, 25.0, 40.0_f64.to_radians());
-    let mesh = Mesh::cylinder(n, n, radius, half_length, angle);
+    let mesh = Mesh::cylinder(n, n, radius, half_length, angle, 1.0);
     let supports = [
         Support::symmetry(mesh.side(Side::XiStart), Vector3::x()),
         Support::diaphragm(mesh.side(Side::XiEnd), Vector3::x()),
@@ -22,8 +22,10 @@ pub fn scordelis_lo(n: usize) -> Result<Solved, CaseError> {
 }
 
 /// Cylinder between diaphragms pinched by two forces, one eighth: displacement under a force; reference 1.8248e-5.
-pub fn pinched_cylinder(n: usize) -> Result<Solved, CaseError> {
-    let mesh = Mesh::cylinder(n, n, 300.0, 300.0, std::f64::consts::FRAC_PI_2);
+///
+/// Places along and around go with the power `grading` of the lattice: 1 is uniform, more crowds the force.
+pub fn pinched_cylinder(n: usize, grading: f64) -> Result<Solved, CaseError> {
+    let mesh = Mesh::cylinder(n, n, 300.0, 300.0, std::f64::consts::FRAC_PI_2, grading);
     let section = Section::isotropic(3.0e6, 0.3, 3.0, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &eighth(&mesh), &[quarter_force(&mesh)])?;
     let loaded = mesh.node(0, 0);

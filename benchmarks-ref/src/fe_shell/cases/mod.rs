@@ -89,14 +89,17 @@ fn solve_linear(
 ///
 /// The second part tells how the path ended: a failure on the way keeps the rows before it.
 fn solve_path(
-    mut model: Model,
+    model: Model,
     options: &PathOptions,
     columns: &[&'static str],
     read: impl Fn(f64, &Model) -> Vec<f64>,
 ) -> Result<(Solved, Path), CaseError> {
     let start = Instant::now();
     let mut rows = Vec::new();
-    let path = follow(&mut model, &Start::default(), options, |point, model| {
+    let mut options = options.clone();
+    options.newton.line_search = false;
+    let mut model = model.predict_resultants();
+    let path = follow(&mut model, &Start::default(), &options, |point, model| {
         rows.push(read(point.level(), model));
         ControlFlow::Continue(())
     });

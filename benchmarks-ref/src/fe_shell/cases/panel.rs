@@ -41,7 +41,7 @@ const NAMES: [&str; 3] = ["P [N]", "minus_W_C [mm]", "minus_W_D [mm]"];
 
 /// One quarter of the panel; the level is the whole force \[N\].
 fn quarter(n: usize, thickness: f64, section: PanelSection) -> Result<(Mesh, Model), CaseError> {
-    let mesh = Mesh::cylinder(n, n, 2540.0, 254.0, 0.1);
+    let mesh = Mesh::cylinder(n, n, 2540.0, 254.0, 0.1, 1.0);
     let supports = [
         Support::symmetry(mesh.side(Side::XiStart), Vector3::x()),
         Support::symmetry(mesh.side(Side::EtaStart), Vector3::y()),
@@ -77,7 +77,7 @@ pub fn panel(
 pub fn panel_path(n: usize, thickness: f64, section: PanelSection, bound: f64) -> Result<Solved, CaseError> {
     let (mesh, model) = quarter(n, thickness, section)?;
     let mut options = PathOptions::new(Control::ArcLength { first: 0.01 * bound, range: (-bound, bound) });
-    options.largest = 4.0;
+    options.largest = 6.0;
     let (solved, path) = solve_path(model, &options, &NAMES, reader(&mesh, n))?;
     path.end?;
     Ok(solved)
