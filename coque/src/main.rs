@@ -56,11 +56,13 @@ Examples:
   coque run scenes/ring.toml --out out/coarse --set 'geometry.plate.particles=[25, 3]'
   coque run scenes/ring.toml --set formulation.nodal.order=2
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
+  coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
+  coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
-  summary.json   method, particles, steps, speed, energies, how each level ended
+  summary.json   method, particles, steps, speed, energies, how each level ended, critical points
 
 Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
 
@@ -134,11 +136,17 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
             level.level, level.kinetic_over_internal
         );
     }
+    for critical in &summary.critical {
+        eprintln!("{} at load level {}", critical.kind, critical.level);
+    }
+    let effort = match summary.newton_iterations {
+        0 => format!("{:.2e} particle-steps/s", summary.particle_steps_per_second),
+        iterations => format!("{iterations} Newton iterations"),
+    };
     eprintln!(
-        "{} steps in {:.2} s, {:.2e} particle-steps/s; results in {}",
+        "{} steps in {:.2} s, {effort}; results in {}",
         summary.steps,
         summary.wall_seconds,
-        summary.particle_steps_per_second,
         out.display()
     );
     match &outcome.ended {

@@ -15,6 +15,13 @@ use crate::run::{Ended, Failure, Findings, Progress};
 use crate::scene::{ArcLength, Static};
 use crate::summary::{CriticalSummary, Energies, LevelSummary};
 
+/// Width of the bracket of a critical point in units of the step: within it the eigenvalue is interpolated, which
+/// leaves the square of this.
+const BRACKET: f64 = 1e-3;
+
+const MORE: &str = "allow more `steps`, or a larger `radius`";
+const CLOSER: &str = "use [analysis.arc-length], or more `iterations`";
+
 /// Finds the equilibrium at every level, by way of others where Newton's method does not reach it in one.
 pub(crate) fn levels(
     wanted: &Static,
@@ -57,7 +64,11 @@ pub(crate) fn levels(
             return;
         }
         if path.end != Ok(End::Reached) {
-            found.ended = Ended::Diverged(Failure::Steps { steps: path.points.len() - 1, level: before });
+            found.ended = Ended::Diverged(Failure::Steps {
+                steps: path.points.len() - 1,
+                level: before,
+                repair: CLOSER,
+            });
             return;
         }
         row[0] = level;
@@ -111,7 +122,7 @@ pub(crate) fn arc_length(
     let level = path.restart.level;
     found.ended = match path.end {
         Ok(End::Reached | End::Stopped) => Ended::Done,
-        Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level }),
+        Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level, repair: MORE }),
         Err(cause) => Ended::Diverged(Failure::Balance { points: found.steps, level, cause }),
     };
 }
@@ -123,7 +134,7 @@ fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
 fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
     let mut options = PathOptions::new(control);
     options.newton = newton.clone();
-    options.critical = Some(CriticalOptions::default());
+    options.critical = Some(CriticalOptions { tolerance: BRACKET, ..CriticalOptions::default() });
     options
 }
 

@@ -73,14 +73,14 @@ pub enum Failure {
         cause: BalanceError,
     },
     /// A path was still under way.
-    #[error(
-        "the path is still under way after {steps} steps, at level {level}; allow more `steps`, or a larger `radius`"
-    )]
+    #[error("the path is still under way after {steps} steps, at level {level}; {repair}")]
     Steps {
         /// Steps made.
         steps: usize,
         /// Level of the last point.
         level: f64,
+        /// What to do about it.
+        repair: &'static str,
     },
 }
 
