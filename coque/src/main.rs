@@ -139,12 +139,13 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
     for critical in &summary.critical {
         eprintln!("{} at load level {}", critical.kind, critical.level);
     }
-    let effort = match summary.newton_iterations {
-        0 => format!("{:.2e} particle-steps/s", summary.particle_steps_per_second),
-        iterations => format!("{iterations} Newton iterations"),
+    let effort = match summary.analysis.as_str() {
+        "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),
+        "static" | "arc-length" => format!(", {} Newton iterations", summary.newton_iterations),
+        _ => String::new(),
     };
     eprintln!(
-        "{} steps in {:.2} s, {effort}; results in {}",
+        "{} steps in {:.2} s{effort}; results in {}",
         summary.steps,
         summary.wall_seconds,
         out.display()
