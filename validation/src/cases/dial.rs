@@ -25,6 +25,9 @@ pub const STRONG_12: &str = "strong-form 1.2";
 /// The published equations with a narrower kernel.
 pub const STRONG_085: &str = "strong-form 0.85";
 
+/// The default formulation without time: the same discrete energy, solved by Newton's method.
+pub const STATIC: &str = "stress-point cell, static";
+
 /// One position of the dial.
 pub struct Setting {
     /// Name in table and report.
@@ -39,8 +42,9 @@ pub struct Setting {
 
 /// The dial. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const DIAL: [Setting; 9] = [
+pub const DIAL: [Setting; 10] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
+    Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
     Setting { method: WIDE_14, set: Some(("stress-point.support", "1.4")), colour: SKY, mark: Mark::Circle },
     Setting { method: WIDE_25, set: Some(("stress-point.support", "2.5")), colour: SKY, mark: Mark::Square },
     Setting { method: WIDE_30, set: Some(("stress-point.support", "3.0")), colour: SKY, mark: Mark::Triangle },
@@ -63,6 +67,13 @@ pub fn variant(method: &str, scene: &'static str, geometry: &str, counts: [usize
         Some((path, value)) => variant.set(&format!("formulation.{path}"), value),
         None => variant,
     }
+}
+
+/// A variant of a scene without time, at some load levels.
+pub fn static_variant(scene: &'static str, geometry: &str, counts: [usize; 2], levels: &[f64]) -> Variant {
+    let levels: Vec<String> = levels.iter().map(|level| format!("{level:?}")).collect();
+    Variant::new(STATIC, scene, geometry, counts)
+        .set("analysis.static.levels", format!("[{}]", levels.join(", ")))
 }
 
 /// Error over wall time, one mark a run; points are `(method, (seconds per load level, error))`.
