@@ -122,6 +122,21 @@ fn end_shear_lifts_a_strip_as_the_elastica_says() {
 }
 
 #[test]
+fn buckling_loads_of_column_and_plate() {
+    let column = column_buckling(40).unwrap();
+    measured("column, first", figure(&column, 0) - 1.0, 0.005);
+    measured("column, second", figure(&column, 1) / 9.0 - 1.0, 0.005);
+    for (held, references) in [(false, [11.057, 11.959]), (true, [6.863, 9.325])] {
+        let plate = plate_buckling(14, held).unwrap();
+        println!("{} unknowns {:.2} s", plate.unknowns, plate.seconds);
+        for (mode, reference) in references.into_iter().enumerate() {
+            let name = format!("plate, sides {}, mode {}", if held { "held" } else { "free" }, mode + 1);
+            measured(&name, figure(&plate, mode) / reference - 1.0, 0.005);
+        }
+    }
+}
+
+#[test]
 fn the_panel_snaps_through() {
     let solved = panel(16, 12.7, PanelSection::Isotropic, 30.0, 100).unwrap();
     println!("{} iterations, {:.2} s", solved.iterations, solved.seconds);

@@ -1,11 +1,13 @@
 //! The reference problems on the finite-element shell: one function per case, resolution in, figures out.
 
+mod buckling;
 mod curved;
 mod linear;
 mod panel;
 mod plates;
 mod strips;
 
+pub use buckling::{column_buckling, plate_buckling};
 pub use curved::{hemisphere_with_hole_large, open_cylinder, pinched_cylinder_large};
 pub use linear::{TwistedBeam, hemisphere_with_hole, pinched_cylinder, scordelis_lo, twisted_beam};
 pub use panel::{PanelSection, panel, panel_path};
