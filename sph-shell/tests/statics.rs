@@ -21,9 +21,11 @@ fn quadratic(pattern: &[(usize, usize)], values: &[f64], v: &[f64]) -> f64 {
 
 #[test]
 fn the_tangent_is_the_second_derivative_of_the_energy() {
-    for (cloud_name, cloud) in
-        [("flat", flat([7, 6], [2.0, 1.5])), ("curved", curved([7, 6])), ("disordered", disordered_curved([7, 6]))]
-    {
+    for (cloud_name, cloud) in [
+        ("flat", flat([7, 6], [2.0, 1.5])),
+        ("curved", curved([7, 6])),
+        ("disordered", disordered_curved([7, 6])),
+    ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {
                 let lattice = cloud.lattice.unwrap();
@@ -35,7 +37,8 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
                     },
                 ];
                 let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
-                let loads: Vec<Box<dyn Load>> = vec![Box::new(Force { shares, total: Vec3::new(1.0, 2.0, 3.0) })];
+                let loads: Vec<Box<dyn Load>> =
+                    vec![Box::new(Force { shares, total: Vec3::new(1.0, 2.0, 3.0) })];
                 let mut body = shell(cloud.clone(), formulation, 0.2, strain, supports, loads);
                 shake(&mut body, 0.05, 17);
                 let mut system = StaticShell::new(body);
@@ -59,7 +62,11 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
                 let exact = quadratic(&pattern, &values, &v);
                 let error = (found / exact - 1.0).abs();
                 // Truncation h⁴, round-off 1e-16 U/h² with U of the order of vᵀKv h²·1e3.
-                assert!(error < 1e-6, "{name} on {cloud_name}, {}: {found} {exact}: {error:.1e}", strain.name());
+                assert!(
+                    error < 1e-6,
+                    "{name} on {cloud_name}, {}: {found} {exact}: {error:.1e}",
+                    strain.name()
+                );
             }
         }
     }
