@@ -99,8 +99,7 @@ struct Run<'a, 'b> {
 }
 
 impl Run<'_, '_> {
-    #[inline(always)]
-    fn blocks<const LOADED: bool>(self) {
+    fn blocks(self) {
         let Self { sweep, update, part, next, rates, work } = self;
         let Part { particles, packs, ready, ring } = part;
         let mask = ring.len() - 1;
@@ -109,25 +108,73 @@ impl Run<'_, '_> {
         let mut done = first;
         for (block, &ready) in ready.iter().enumerate() {
             let start = packs.start + block * BLOCK;
-            sweep.block(start..(start + BLOCK).min(packs.end), ring, mask);
-            let slots = Slots { rows: ring, mask };
-            for a in done..ready as usize {
-                let own = a - first;
-                let tally = &mut work[own / PARTICLE_CHUNK];
-                next[own] =
-                    update.particle::<true, LOADED>(a, &sweep.state[a], &mut rates[own], slots, tally);
-            }
+            let packs = start..(start + BLOCK).min(packs.end);
+            widest(Points { sweep, packs, ring, mask });
+            let particles = done..ready as usize;
+            let own = done - first..ready as usize - first;
+            widest(Particles {
+                update,
+                state: sweep.state,
+                slots: Slots { rows: ring, mask },
+                first,
+                particles,
+                next: &mut next[own.clone()],
+                rates: &mut rates[own],
+                work,
+            });
             done = ready as usize;
         }
     }
 }
 
-impl pulp::NullaryFnOnce for Run<'_, '_> {
+/// A block of points on its way through the sweep.
+struct Points<'a, 'b> {
+    sweep: &'b Sweep<'a>,
+    packs: Range<usize>,
+    ring: &'b mut [Row],
+    mask: usize,
+}
+
+impl pulp::NullaryFnOnce for Points<'_, '_> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        if self.update.external.is_empty() { self.blocks::<false>() } else { self.blocks::<true>() }
+        self.sweep.block(self.packs, self.ring, self.mask);
+    }
+}
+
+/// The particles that a block has completed.
+struct Particles<'a, 'b> {
+    update: &'b Update<'a>,
+    state: &'b [Row],
+    slots: Slots<'b>,
+    /// First particle of the part, from which chunks of work are counted.
+    first: usize,
+    particles: Range<usize>,
+    next: &'b mut [Row],
+    rates: &'b mut [Row],
+    work: &'b mut [Work],
+}
+
+impl Particles<'_, '_> {
+    #[inline(always)]
+    fn run<const LOADED: bool>(self) {
+        let Self { update, state, slots, first, particles, next, rates, work } = self;
+        let rows = state[particles.clone()].iter().zip(next).zip(rates);
+        for (a, ((row, new), rate)) in particles.zip(rows) {
+            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
+            *new = update.particle::<true, LOADED>(a, row, rate, slots, tally);
+        }
+    }
+}
+
+impl pulp::NullaryFnOnce for Particles<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        if self.update.external.is_empty() { self.run::<false>() } else { self.run::<true>() }
     }
 }
 
@@ -142,7 +189,7 @@ fn run_parts(
 ) {
     match parts {
         [] => {}
-        [part] => widest(Run { sweep, update, part, next, rates, work }),
+        [part] => Run { sweep, update, part, next, rates, work }.blocks(),
         _ => {
             let half = parts.len() / 2;
             let cut = parts[half].particles.start - parts[0].particles.start;

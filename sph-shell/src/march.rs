@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::Shell;
 use crate::dispatch::widest;
-use crate::particle::{Slots, Update, drifted};
+use crate::particle::{Decay, Slots, Update, drifted};
 use crate::point::Row;
 use crate::shell::PARTICLE_CHUNK;
 
@@ -56,6 +56,7 @@ impl Shell {
             constraint_of: &self.constraint_of,
             constraints: &self.constraints,
             step,
+            decay: Decay::of(step),
         }
     }
 
@@ -116,7 +117,7 @@ impl Dynamics for Shell {
 
     fn drift(&mut self, step: &Step) {
         for (row, rate) in self.state.iter_mut().zip(&mut self.rates) {
-            *row = drifted(row, rate, step.drift());
+            (*row, *rate) = drifted(row, rate, step.drift());
         }
     }
 

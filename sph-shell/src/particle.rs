@@ -27,6 +27,21 @@ pub(crate) struct Update<'a> {
     pub constraint_of: &'a [u32],
     pub constraints: &'a [Constraint],
     pub step: &'a Step,
+    pub decay: Decay,
+}
+
+/// What damping leaves of a velocity: `1 − ½cκ` before the kick, `1/(1 + ½cκ)` after it.
+#[derive(Clone, Copy)]
+pub(crate) struct Decay {
+    before: f64,
+    after: f64,
+}
+
+impl Decay {
+    pub fn of(step: &Step) -> Self {
+        let half = 0.5 * step.damping * step.kick;
+        Self { before: 1.0 - half, after: 1.0 / (1.0 + half) }
+    }
 }
 
 impl Update<'_> {
@@ -58,7 +73,7 @@ impl Update<'_> {
         work: &mut Work,
     ) -> Row {
         let Step { kick, damping, .. } = *self.step;
-        let (before, after) = (1.0 - 0.5 * damping * kick, 1.0 / (1.0 + 0.5 * damping * kick));
+        let Decay { before, after } = self.decay;
         let internal = self.internal(a, slots);
         let external = if LOADED { self.external[a] } else { [0.0; 6] };
         let (m, inertia) = (self.masses[a], self.inertias[a]);
@@ -99,12 +114,18 @@ impl Update<'_> {
                 work.external += kick * lack * mean[k];
             }
         }
-        *rate = new;
-        if DRIFT { drifted(row, rate, self.step.drift()) } else { *row }
+        if DRIFT {
+            let (place, carried) = drifted(row, &new, self.step.drift());
+            *rate = carried;
+            place
+        } else {
+            *rate = new;
+            *row
+        }
     }
 
     /// Takes out what a support holds and puts in what it prescribes; true if it prescribes a motion.
-    #[inline(never)]
+    #[inline(always)]
     fn hold(&self, constraint: &Constraint, new: Row) -> (Row, bool) {
         let mut v = constraint.free_translation([new[0], new[1], new[2]]);
         let motion = constraint.velocity(self.step.from, self.step.to);
@@ -118,10 +139,10 @@ impl Update<'_> {
     }
 }
 
-/// A row after `dt`: the position moves along its velocity, the director along its great circle.
+/// Row and rate after `dt`: the position moves along its velocity, the director along its great circle.
 #[inline(always)]
-pub(crate) fn drifted(row: &Row, rate: &mut Row, dt: f64) -> Row {
+pub(crate) fn drifted(row: &Row, rate: &Row, dt: f64) -> (Row, Row) {
     let (d, w) = parallel_transport([row[3], row[4], row[5]], [rate[3], rate[4], rate[5]], dt);
-    *rate = [rate[0], rate[1], rate[2], w[0], w[1], w[2]];
-    [row[0] + dt * rate[0], row[1] + dt * rate[1], row[2] + dt * rate[2], d[0], d[1], d[2]]
+    let place = [row[0] + dt * rate[0], row[1] + dt * rate[1], row[2] + dt * rate[2], d[0], d[1], d[2]];
+    (place, [rate[0], rate[1], rate[2], w[0], w[1], w[2]])
 }
