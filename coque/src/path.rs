@@ -127,8 +127,12 @@ pub(crate) fn arc_length(
     };
 }
 
+/// Full steps, and smaller load steps where they fail.
+///
+/// In bending a line search on the residual answers to the membrane stiffness and holds back steps that are right:
+/// the thin ring (t/L = 1/120) takes 96 iterations in 8 levels without it, 2611 in 432 cut-back steps with it.
 fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
-    NewtonOptions { tolerance, iterations, ..NewtonOptions::default() }
+    NewtonOptions { tolerance, iterations, line_search: false }
 }
 
 fn options(control: Control, newton: &NewtonOptions) -> PathOptions {

@@ -265,6 +265,8 @@ impl SymmetricSolver {
             shifted = copy;
             &shifted
         };
+        // faer writes the subdiagonal of 2×2 pivots only: those of the last factor would stay.
+        self.subdiagonal.fill(0.0);
         self.symbolic.factorize_numeric_intranode_lblt(
             &mut self.factor,
             &mut self.subdiagonal,
