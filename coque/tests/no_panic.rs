@@ -112,7 +112,13 @@ fn replace_number(text: &str, at: usize, by: &str) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2048, ..ProptestConfig::default() })]
+    // The same scenes on every run.
+    #![proptest_config(ProptestConfig {
+        cases: 2048,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn damaged_scenes_never_panic(number in 0..SCENES.len(), damages in prop::collection::vec(damage(), 1..4)) {

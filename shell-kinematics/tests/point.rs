@@ -4,6 +4,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use shell_kinematics::{
     GreenLagrange, IntegratedSection, Isotropic, IsotropicSection, MaterialError, Measures, Pack, Pack3,
     Placement, Resultants, Section, StrainMeasure, Strains, StretchCorrected, congruence,
@@ -38,7 +39,13 @@ fn vectors() -> impl Strategy<Value = Vectors> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    // The same cases on every run.
+    #![proptest_config(ProptestConfig {
+        cases: 256,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(20130826),
+        ..ProptestConfig::default()
+    })]
 
     /// `stress · δstrain = forces · δvectors` for every measure: the transpose is that of the derivative.
     #[test]
@@ -114,7 +121,8 @@ proptest! {
         let reference = placement(&now).measures();
         for measure in strain_measures() {
             for value in numbers(&measure.strains(&placement(&turned).measures(), &reference)) {
-                prop_assert!(value.abs() < 1e-14);
+                // Round-off of products of some units.
+                prop_assert!(value.abs() < 1e-13);
             }
         }
     }
@@ -152,7 +160,7 @@ proptest! {
     fn rodrigues_is_the_exponential(axis in prop::array::uniform3(-2.0..2.0_f64), scale in -9.0..0.0_f64) {
         let theta = Vector3::from(axis) * 10.0_f64.powf(scale);
         let exact = Rotation3::from_scaled_axis(theta);
-        prop_assert!((rodrigues(&theta) - exact.matrix()).norm() < 1e-14);
+        prop_assert!((rodrigues(&theta) - exact.matrix()).norm() < 1e-13);
     }
 
     /// `𝕎` carries the rate of the rotation vector to the spatial angular velocity.
@@ -185,10 +193,11 @@ proptest! {
         let omega = d.cross(&rate);
         let step = rodrigues(&(omega * dt));
         let (new_d, new_rate) = parallel_transport(d.into(), rate.into(), dt);
-        prop_assert!((Vector3::from(new_d) - step * d).norm() < 1e-14);
+        // Round-off of some tens of operations on numbers of size one.
+        prop_assert!((Vector3::from(new_d) - step * d).norm() < 1e-13);
         // 𝕎 leaves a vector along its own axis alone: the angular velocity of a great circle stays.
         let carried = tangent_map(&(omega * dt)) * omega;
-        prop_assert!((Vector3::from(new_rate) - carried.cross(&(step * d))).norm() < 1e-14);
+        prop_assert!((Vector3::from(new_rate) - carried.cross(&(step * d))).norm() < 1e-13);
     }
 }
 
