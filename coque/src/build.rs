@@ -8,10 +8,11 @@ use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
+use crate::imported::Imported;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
 use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
-use crate::sets::{self, Sets};
+use crate::sets::{self, Origin, Sets};
 
 /// A shell ready to be marched, with what its curve measures.
 pub struct Model {
@@ -19,6 +20,8 @@ pub struct Model {
     pub shell: Shell,
     /// The scene it was built from.
     pub scene: Scene,
+    /// Where the surface comes from and what became of its faces, if it was read from a file.
+    pub(crate) surface: Option<String>,
     pub(crate) gauges: Vec<Gauge>,
     /// The prescribed motion whose force is sought, in analyses without time.
     pub(crate) driven: Option<Driven>,
@@ -52,12 +55,20 @@ impl Scene {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = builder.end_weights();
-        let flat = builder.cloud(weights)?;
-        let sets = Sets::find(self, &flat, Lattice { counts: self.geometry.particles() })?;
+        let imported = Imported::read(self)?;
+        let (flat, origin) = match (&imported, self.geometry.particles()) {
+            (None, Some(counts)) => (builder.cloud(counts, weights)?, Origin::Lattice(Lattice { counts })),
+            (Some(imported), _) => (imported.cloud.clone(), Origin::Mesh(imported)),
+            (None, None) => {
+                return Err(builder.model_error("geometry", "it names neither a shape nor a file"));
+            }
+        };
+        let sets = Sets::find(self, &flat, origin)?;
+        let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let gauges = builder.gauges(&sets)?;
         let supports = builder.supports(&sets)?;
-        let mut loads = builder.loads(&sets, &cloud, weights)?;
+        let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, &supports)?;
         if let Some(Driven { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
@@ -76,7 +87,8 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
-        Ok(Model { shell, scene: self.clone(), gauges, driven, threads: threads.max(1) })
+        let surface = imported.map(|imported| imported.describe());
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1) })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -106,7 +118,7 @@ impl Builder<'_> {
     }
 
     /// The particles, not turned yet.
-    fn cloud(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
+    fn cloud(&self, counts: [usize; 2], weights: EndWeights) -> Result<Cloud, SceneError> {
         let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
         let patch: Box<dyn sph_core::Patch> = match &self.scene.geometry {
             Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
@@ -118,8 +130,10 @@ impl Builder<'_> {
                 polar: radians(s.polar),
                 azimuth: radians(s.azimuth),
             }),
+            Geometry::Mesh(_) => {
+                return Err(self.model_error("geometry.mesh", "a mesh has no rows of particles"));
+            }
         };
-        let counts = self.scene.geometry.particles();
         let (cloud, key) = match self.scene.geometry.disorder() {
             None => (sph_core::lattice(&*patch, counts, weights), "particles"),
             Some(d) => (sph_core::jittered_lattice(&*patch, counts, d.fraction, d.seed), "disorder"),
@@ -208,11 +222,21 @@ impl Builder<'_> {
         }
     }
 
-    fn loads(&self, sets: &Sets, cloud: &Cloud, weights: EndWeights) -> Result<Vec<AppliedLoad>, SceneError> {
+    fn loads(
+        &self,
+        sets: &Sets,
+        cloud: &Cloud,
+        weights: EndWeights,
+        imported: Option<&Imported>,
+    ) -> Result<Vec<AppliedLoad>, SceneError> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
-            let particles = sets.at(self.scene, &format!("loads[{i}].on"), &load.on)?;
-            let edge = sets::edge(&load.on, particles, cloud, weights);
+            let path = format!("loads[{i}].on");
+            let particles = sets.at(self.scene, &path, &load.on)?;
+            let edge = match imported {
+                None => sets::edge(&load.on, particles, cloud, weights),
+                Some(imported) => imported.edge(self.scene, &path, load, particles)?,
+            };
             let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());

@@ -8,6 +8,7 @@
 //! | what a scene may say | `scene/*.rs` |
 //! | what is refused, and why | `scene/check.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs` |
+//! | files of surfaces | `mesh/*.rs`; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
@@ -15,7 +16,9 @@
 mod build;
 mod curve;
 mod error;
+mod imported;
 mod march;
+pub mod mesh;
 mod modes;
 mod nearest;
 mod overrides;

@@ -26,6 +26,9 @@ enum Command {
     /// Run a scene and write its curve.
     #[command(after_help = RUN_HELP)]
     Run(Run),
+    /// Read a surface and print what was found: sizes, boundary, sets, quality.
+    #[command(after_help = MESH_HELP)]
+    Mesh(Mesh),
 }
 
 #[derive(Args)]
@@ -43,10 +46,17 @@ struct Run {
     replaced: Vec<(String, String)>,
 }
 
+#[derive(Args)]
+struct Mesh {
+    /// The file: .msh (Gmsh 2.2, 4.1 ASCII), .inp (Abaqus), .stl, .obj, .vtu, or .csv (points).
+    file: PathBuf,
+}
+
 const START: &str = "\
 Start here:
   coque run scenes/ring.toml        results in out/ring
   coque run --help                  options, examples, where results are
+  coque mesh panel.msh              what a mesh holds, and what is wrong with it
 
 Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
 
@@ -66,6 +76,36 @@ Results, in DIR:
 
 Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
 
+const MESH_HELP: &str = "\
+Examples:
+  coque mesh panel.msh
+  coque mesh hull.inp
+
+In a scene, beside it:
+  [geometry.mesh]
+  file = \"panel.msh\"     # relative to the scene
+  scale = 0.001           # lengths of the file times this; 1 without
+  flip = true             # normals to the other side; false without
+
+Sets for supports, loads and curves: `all`, the groups of the file by their names, the boundary loops
+`boundary0`, `boundary1`, ... (the longest first), and what the scene declares:
+  [sets]
+  crown = { nearest = [0.0, 0.0, 2540.0] }
+  end = { plane = { point = [254.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }
+  foot = { box = { min = [0.0, 0.0, 0.0], max = [1.0, 9.0, 0.1] } }
+A force on a set along the boundary is shared by length, a couple wants one such line.
+
+Where sets and normals come from:
+  .msh  physical groups; a view of three components called normals
+  .inp  *Nset and *Elset; direction cosines after the coordinates of a *Node
+  .stl  solids, if there are several; vertices that coincide are merged
+  .obj  groups and objects; vn
+  .vtu  point data of whole numbers 0 and 1; point data Normals
+  .csv  points with columns x,y,z,nx,ny,nz,area[,thickness], for formulation.nodal alone
+Other formats: `meshio convert FILE surface.vtu --ascii`.
+
+Exit codes: 0 sound, 2 refused.";
+
 fn replacement(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((path, value)) if !path.trim().is_empty() => Ok((path.trim().into(), value.trim().into())),
@@ -74,8 +114,11 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
-    let Command::Run(run) = Cli::parse().command;
-    match carry_out(&run) {
+    let done = match Cli::parse().command {
+        Command::Run(run) => carry_out(&run),
+        Command::Mesh(mesh) => look(&mesh.file),
+    };
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(message) => {
             eprint!("{message}");
@@ -100,6 +143,14 @@ fn carry_out(run: &Run) -> Result<u8, String> {
     bar.0.finish_and_clear();
     write_results(&scene, &outcome, &out)?;
     Ok(report(&outcome, &out))
+}
+
+/// Reads a surface and prints what was found.
+fn look(file: &Path) -> Result<u8, String> {
+    let text = coque::mesh::read(file).and_then(|surface| coque::mesh::report(&surface));
+    let text = text.map_err(|error| format!("{error}\n"))?;
+    io::stdout().write_all(text.as_bytes()).map_err(|error| format!("cannot print: {error}\n"))?;
+    Ok(DONE)
 }
 
 fn default_out(scene: &Path) -> PathBuf {

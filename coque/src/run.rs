@@ -145,7 +145,7 @@ impl Model {
     fn analyse(self, progress: &mut dyn Progress) -> Outcome {
         let described = self.describe();
         let curve = Curve { columns: columns(&self), rows: Vec::new() };
-        let Self { mut shell, scene, gauges, driven, threads } = self;
+        let Self { mut shell, scene, gauges, driven, threads, .. } = self;
         let (cells, spacing) = (shell.reference().cloud.cells.clone(), shell.reference().cloud.spacing());
         let mut found = Findings { curve, ..Findings::default() };
         let started = Instant::now();

@@ -8,6 +8,7 @@ mod check_conditions;
 mod conditions;
 mod formulation;
 mod geometry;
+mod mesh;
 mod read;
 mod statics;
 
@@ -17,7 +18,8 @@ pub use conditions::{
     SupportKind, Symmetry,
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
-pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere};
+pub use geometry::{Box3, Cylinder, Disorder, Geometry, OnPlane, Orientation, Plate, Region, Sphere};
+pub use mesh::Mesh;
 pub use statics::{ArcLength, Buckling, Modal, Static, Stop};
 
 use std::collections::BTreeMap;

@@ -62,8 +62,9 @@ impl Scene {
                 s.sized_all(&at("azimuth"), &sphere.azimuth)?;
                 s.range(&at("azimuth"), sphere.azimuth, 360.0)?;
             }
+            Geometry::Mesh(mesh) => s.positive(&at("scale"), mesh.scale)?,
         }
-        let [n1, n2] = self.geometry.particles();
+        let [n1, n2] = self.geometry.particles().unwrap_or([2, 2]);
         for (i, n) in [n1, n2].into_iter().enumerate() {
             if n < 2 {
                 let repair = "particles lie on both edges: at least two";
@@ -100,7 +101,7 @@ impl Scene {
             s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
         }
         let radius = match &self.geometry {
-            Geometry::Plate(_) => f64::INFINITY,
+            Geometry::Plate(_) | Geometry::Mesh(_) => f64::INFINITY,
             Geometry::Cylinder(cylinder) => cylinder.radius,
             Geometry::Sphere(sphere) => sphere.radius,
         };
@@ -153,7 +154,7 @@ impl Scene {
 
     fn check_sets(&self) -> Checked {
         let s = &self.source;
-        for (name, Region { nearest, inside }) in &self.sets {
+        for (name, Region { nearest, inside, plane }) in &self.sets {
             let at = format!("sets.{name}");
             if BUILT_IN.contains(&name.as_str()) {
                 let fault = s.fault(
@@ -167,9 +168,15 @@ impl Scene {
             let mut given = Vec::new();
             given.extend(nearest.map(|_| "nearest"));
             given.extend(inside.map(|_| "box"));
-            s.exactly_one(&at, "region", &given, &["nearest", "box"])?;
+            given.extend(plane.map(|_| "plane"));
+            s.exactly_one(&at, "region", &given, &["nearest", "box", "plane"])?;
             if let Some(point) = nearest {
                 s.sized_all(&format!("{at}.nearest"), point)?;
+            }
+            if let Some(plane) = plane {
+                s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
+                s.direction(&format!("{at}.plane.normal"), plane.normal)?;
+                s.positive(&format!("{at}.plane.within"), plane.within.unwrap_or(1.0))?;
             }
             if let Some(region) = inside {
                 s.sized_all(&format!("{at}.box.min"), &region.min)?;
@@ -184,8 +191,11 @@ impl Scene {
         Ok(())
     }
 
-    /// Refuses a name that is no set.
+    /// Refuses a name that is no set; those of a mesh are known when its file has been read.
     pub(super) fn check_set_name(&self, path: &str, name: &str) -> Checked {
+        if self.geometry.mesh().is_some() {
+            return Ok(());
+        }
         let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
         if known.contains(&name) {
             return Ok(());

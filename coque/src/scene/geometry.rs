@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::Mesh;
+
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -12,6 +14,8 @@ pub enum Geometry {
     Cylinder(Cylinder),
     /// Part of a sphere about the origin.
     Sphere(Sphere),
+    /// Surface from a file.
+    Mesh(Mesh),
 }
 
 /// Rectangle in the plane z = 0 from the origin, u along x, v along y.
@@ -78,7 +82,7 @@ pub struct Orientation {
     pub degrees: f64,
 }
 
-/// Picks particles; exactly one of the two is given, in the un-turned frame.
+/// Picks particles; exactly one of the three is given, in the un-turned frame.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
@@ -87,6 +91,8 @@ pub struct Region {
     /// All particles in a box, its faces included.
     #[serde(rename = "box")]
     pub inside: Option<Box3>,
+    /// All particles on a plane.
+    pub plane: Option<OnPlane>,
 }
 
 /// Axis-parallel box.
@@ -99,6 +105,18 @@ pub struct Box3 {
     pub max: [f64; 3],
 }
 
+/// Plane.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OnPlane {
+    /// A point of the plane \[L\].
+    pub point: [f64; 3],
+    /// Its normal; the length does not matter.
+    pub normal: [f64; 3],
+    /// Greatest distance from the plane \[L\]; a thousandth of the spacing without.
+    pub within: Option<f64>,
+}
+
 impl Geometry {
     /// Key of the shape in a scene.
     pub fn word(&self) -> &'static str {
@@ -106,15 +124,25 @@ impl Geometry {
             Self::Plate(_) => "plate",
             Self::Cylinder(_) => "cylinder",
             Self::Sphere(_) => "sphere",
+            Self::Mesh(_) => "mesh",
         }
     }
 
-    /// Particles along u and v.
-    pub fn particles(&self) -> [usize; 2] {
+    /// Particles along u and v; none where they are not in rows.
+    pub fn particles(&self) -> Option<[usize; 2]> {
         match self {
-            Self::Plate(s) => s.particles,
-            Self::Cylinder(s) => s.particles,
-            Self::Sphere(s) => s.particles,
+            Self::Plate(s) => Some(s.particles),
+            Self::Cylinder(s) => Some(s.particles),
+            Self::Sphere(s) => Some(s.particles),
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// The file of a mesh.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            _ => None,
         }
     }
 
@@ -124,6 +152,7 @@ impl Geometry {
             Self::Plate(s) => s.disorder,
             Self::Cylinder(s) => s.disorder,
             Self::Sphere(s) => s.disorder,
+            Self::Mesh(_) => None,
         }
     }
 }

@@ -1,0 +1,134 @@
+//! The boundary of a sheet: loops, chains of it, nodes that lie on a foreign edge, open seams.
+
+use std::collections::{HashMap, HashSet};
+
+use sph_core::{Cell, CellList, Vec3};
+
+use super::MeshError;
+
+/// Distance below which a node lies on an edge, and two nodes on one place, in units of the edge.
+const TOUCHING: f64 = 1e-6;
+
+/// A closed line of boundary nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Nodes in order, with the surface to the left seen against the normal; the lowest comes first.
+    pub nodes: Vec<u32>,
+    /// Length `[L]`.
+    pub length: f64,
+}
+
+/// Edges of one face only, in its direction, by their first node.
+///
+/// The faces fit together: each boundary node begins one such edge.
+pub(crate) fn boundary_edges(faces: &[Cell]) -> HashMap<u32, u32> {
+    let all: HashSet<(u32, u32)> = faces.iter().flat_map(Cell::edges).collect();
+    faces.iter().flat_map(Cell::edges).filter(|&(a, b)| !all.contains(&(b, a))).collect()
+}
+
+/// All loops, the longest first.
+pub(super) fn loops(positions: &[Vec3], edges: &HashMap<u32, u32>) -> Vec<Loop> {
+    let mut starts: Vec<u32> = edges.keys().copied().collect();
+    starts.sort_unstable();
+    let mut seen = HashSet::new();
+    let mut loops = Vec::new();
+    for start in starts {
+        let mut nodes = Vec::new();
+        let mut node = start;
+        while seen.insert(node) {
+            nodes.push(node);
+            node = edges.get(&node).copied().unwrap_or(start);
+        }
+        if nodes.is_empty() {
+            continue;
+        }
+        let ends = nodes.iter().zip(nodes.iter().cycle().skip(1));
+        let length = ends.map(|(&a, &b)| (positions[b as usize] - positions[a as usize]).norm()).sum();
+        loops.push(Loop { nodes, length });
+    }
+    loops.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.nodes.cmp(&b.nodes)));
+    loops
+}
+
+/// Cuts a set of nodes into lines along the boundary, each node with its tributary length `[L]`.
+///
+/// None unless every node is the end of a boundary edge whose other end is in the set too. A closed line
+/// has its first node at both ends, with half its length at each.
+pub(crate) fn chains(
+    set: &[u32],
+    positions: &[Vec3],
+    edges: &HashMap<u32, u32>,
+) -> Option<Vec<Vec<(u32, f64)>>> {
+    let inside: HashSet<u32> = set.iter().copied().collect();
+    let next = |node: u32| edges.get(&node).copied().filter(|end| inside.contains(end));
+    let reached: HashSet<u32> = set.iter().filter_map(|&node| next(node)).collect();
+    let mut sorted = set.to_vec();
+    sorted.sort_unstable();
+    // Open lines begin where no edge of the set arrives; what is left then is closed.
+    let (open, closed): (Vec<u32>, Vec<u32>) = sorted.into_iter().partition(|node| !reached.contains(node));
+    let mut seen = HashSet::new();
+    let mut chains = Vec::new();
+    for start in open.into_iter().chain(closed) {
+        if !seen.insert(start) {
+            continue;
+        }
+        let mut line = vec![(start, 0.0)];
+        while let Some((&(node, _), end)) = line.last().and_then(|last| Some((last, next(last.0)?))) {
+            let half = 0.5 * (positions[end as usize] - positions[node as usize]).norm();
+            if let Some(last) = line.last_mut() {
+                last.1 += half;
+            }
+            line.push((end, half));
+            if !seen.insert(end) {
+                break;
+            }
+        }
+        if line.len() < 2 {
+            return None;
+        }
+        chains.push(line);
+    }
+    Some(chains)
+}
+
+/// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones.
+pub(super) fn refuse_hanging(
+    positions: &[Vec3],
+    edges: &HashMap<u32, u32>,
+    name: &dyn Fn(u32) -> String,
+) -> Result<usize, MeshError> {
+    let mut nodes: Vec<u32> = edges.keys().copied().collect();
+    nodes.sort_unstable();
+    let places: Vec<Vec3> = nodes.iter().map(|&node| positions[node as usize]).collect();
+    let ends = |&node: &u32| edges.get(&node).map(|end| (node, *end));
+    let length = |(a, b): (u32, u32)| (positions[b as usize] - positions[a as usize]).norm();
+    let mean = nodes.iter().filter_map(ends).map(length).sum::<f64>() / nodes.len().max(1) as f64;
+    let list = CellList::new(&places, mean);
+    let (mut near, mut seams) = (Vec::new(), 0);
+    for (a, b) in nodes.iter().filter_map(ends) {
+        let (start, along) = (positions[a as usize], positions[b as usize] - positions[a as usize]);
+        let size = along.norm();
+        list.within(&(start + 0.5 * along), (0.5 + TOUCHING) * size, &mut near);
+        for node in near.iter().map(|&i| nodes[i as usize]).filter(|&node| node != a && node != b) {
+            let arm = positions[node as usize] - start;
+            let part = arm.dot(&along) / (size * size);
+            let distance = (arm - along * part).norm();
+            if distance > TOUCHING * size {
+                continue;
+            }
+            if part.abs() <= TOUCHING {
+                seams += 1;
+            } else if part > TOUCHING && part < 1.0 - TOUCHING {
+                let what = format!(
+                    "{} lies on the edge between {} and {} without being joined to it",
+                    name(node),
+                    name(a),
+                    name(b)
+                );
+                let repair = "mesh the surfaces with common nodes along their common line";
+                return Err(MeshError::whole(what, repair));
+            }
+        }
+    }
+    Ok(seams)
+}
