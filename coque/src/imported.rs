@@ -140,7 +140,7 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
     let plain = matches!(&scene.formulation, Formulation::Nodal(f) if !f.divergence_consistent());
     if !plain {
         let value = format!("{} has points without faces", surface.file);
-        let repair = "set formulation.nodal.divergence_consistent = false, or bring a mesh with faces";
+        let repair = "set formulation.nodal.consistent = false, or bring a mesh with faces";
         let bound = "a surface with faces: cells and edges are found from them";
         return Err(SceneError::Mesh(scene.source.fault("geometry.mesh.file", &value, bound, repair)));
     }

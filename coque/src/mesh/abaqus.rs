@@ -94,12 +94,12 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
             let Some((more, _)) = lines.next() else { break };
             whole.push_str(more.trim());
         }
-        found.close()?;
+        found.close(line)?;
         let next = Keyword::read(line, &whole);
         found.begin(&next)?;
         keyword = Some(next);
     }
-    found.close()?;
+    found.close(text.lines().count())?;
     Ok(found.finish())
 }
 
@@ -158,12 +158,13 @@ impl Found {
 
     fn data(&mut self, keyword: &Keyword, line: usize, text: &str) -> Result<(), MeshError> {
         let mut fields: Vec<&str> = text.split(',').map(str::trim).collect();
-        if fields.last() == Some(&"") {
-            fields.pop(); // a comma ends the line
+        let goes_on = fields.last() == Some(&"");
+        if goes_on {
+            fields.pop();
         }
         match keyword.name.as_str() {
             "node" => self.node(keyword, line, &fields),
-            "element" => self.element(keyword, line, &fields),
+            "element" => self.element(keyword, line, &fields, goes_on),
             "nset" => self.node_set(keyword, line, &fields),
             "elset" => self.element_set(keyword, line, &fields),
             "instance" if fields.iter().any(|field| field.parse() != Ok(0.0)) => {
@@ -197,14 +198,20 @@ impl Found {
         Ok(())
     }
 
-    /// Number and nodes, perhaps over several lines.
-    fn element(&mut self, keyword: &Keyword, line: usize, fields: &[&str]) -> Result<(), MeshError> {
+    /// Number and nodes, perhaps over several lines that end with a comma.
+    fn element(
+        &mut self,
+        keyword: &Keyword,
+        line: usize,
+        fields: &[&str],
+        goes_on: bool,
+    ) -> Result<(), MeshError> {
         for field in fields {
             self.open.push(count(line, "a number of an element", field)?);
         }
         let needed = corners(keyword)?;
         if self.open.len() <= needed {
-            return Ok(());
+            return if goes_on { Ok(()) } else { self.close(line) };
         }
         let (label, user) = (self.open[0], format!("element {}", self.open[0]));
         if self.open.len() > needed + 1 {
@@ -228,12 +235,12 @@ impl Found {
     }
 
     /// Refuses an element whose nodes end too early.
-    fn close(&mut self) -> Result<(), MeshError> {
+    fn close(&self, line: usize) -> Result<(), MeshError> {
         match self.open[..] {
             [] => Ok(()),
             [label, ref nodes @ ..] => {
                 let what = format!("element {label} has only {}", counted(nodes.len(), "node"));
-                Err(MeshError::whole(what, "the file is cut off, or the type of the element is wrong"))
+                Err(MeshError::at(line, what, "add the others, or correct the type of the element"))
             }
         }
     }

@@ -94,31 +94,28 @@ pub(crate) fn chains(
 /// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones.
 pub(super) fn refuse_hanging(
     positions: &[Vec3],
-    edges: &HashMap<u32, u32>,
+    edges: &[(u32, u32)],
     name: &dyn Fn(u32) -> String,
 ) -> Result<usize, MeshError> {
-    let mut nodes: Vec<u32> = edges.keys().copied().collect();
+    let mut nodes: Vec<u32> = edges.iter().flat_map(|&(a, b)| [a, b]).collect();
     nodes.sort_unstable();
+    nodes.dedup();
     let places: Vec<Vec3> = nodes.iter().map(|&node| positions[node as usize]).collect();
-    let ends = |&node: &u32| edges.get(&node).map(|end| (node, *end));
-    let length = |(a, b): (u32, u32)| (positions[b as usize] - positions[a as usize]).norm();
-    let mean = nodes.iter().filter_map(ends).map(length).sum::<f64>() / nodes.len().max(1) as f64;
+    let along = |(a, b): (u32, u32)| positions[b as usize] - positions[a as usize];
+    let mean = edges.iter().map(|&edge| along(edge).norm()).sum::<f64>() / edges.len().max(1) as f64;
     let list = CellList::new(&places, mean);
-    let (mut near, mut seams) = (Vec::new(), 0);
-    for (a, b) in nodes.iter().filter_map(ends) {
-        let (start, along) = (positions[a as usize], positions[b as usize] - positions[a as usize]);
+    let (mut near, mut seams) = (Vec::new(), HashSet::new());
+    for &(a, b) in edges {
+        let (start, along) = (positions[a as usize], along((a, b)));
         let size = along.norm();
         list.within(&(start + 0.5 * along), (0.5 + TOUCHING) * size, &mut near);
         for node in near.iter().map(|&i| nodes[i as usize]).filter(|&node| node != a && node != b) {
             let arm = positions[node as usize] - start;
             let part = arm.dot(&along) / (size * size);
-            let distance = (arm - along * part).norm();
-            if distance > TOUCHING * size {
+            if (arm - along * part).norm() > TOUCHING * size {
                 continue;
             }
-            if part.abs() <= TOUCHING {
-                seams += 1;
-            } else if part > TOUCHING && part < 1.0 - TOUCHING {
+            if part > TOUCHING && part < 1.0 - TOUCHING {
                 let what = format!(
                     "{} lies on the edge between {} and {} without being joined to it",
                     name(node),
@@ -128,7 +125,8 @@ pub(super) fn refuse_hanging(
                 let repair = "mesh the surfaces with common nodes along their common line";
                 return Err(MeshError::whole(what, repair));
             }
+            seams.insert(node);
         }
     }
-    Ok(seams)
+    Ok(seams.len())
 }

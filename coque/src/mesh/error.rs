@@ -17,9 +17,14 @@ pub struct MeshError {
 }
 
 impl MeshError {
-    /// A fault in a line; the file is named by [`super::parse`].
+    /// A fault in a line, nought for none; the file is named by [`super::parse`].
     pub(super) fn at(line: usize, what: impl Into<String>, repair: impl Into<String>) -> Self {
-        Self { file: String::new(), line: Some(line), what: what.into(), repair: repair.into() }
+        Self {
+            file: String::new(),
+            line: Some(line).filter(|line| *line > 0),
+            what: what.into(),
+            repair: repair.into(),
+        }
     }
 
     /// A fault of the surface as a whole.

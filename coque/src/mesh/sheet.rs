@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use sph_core::{Cell, Vec3};
 
 use super::MeshError;
+use super::boundary::refuse_hanging;
 use super::raw::{Face, Raw};
 
 /// Area below which a face has none, in units of its longest edge squared; the bound of the cloud.
@@ -27,6 +28,8 @@ pub(super) struct Turned {
     pub pieces: usize,
     /// Faces turned round.
     pub faces: usize,
+    /// Boundary nodes that stand on the place of another one.
+    pub seams: usize,
 }
 
 /// The same face seen from the other side, starting at the same corner.
@@ -47,12 +50,12 @@ pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
         sorted.sort_unstable();
         if let Some(first) = known.insert(sorted, face.label) {
             let what = format!("faces {first} and {} have the same nodes", face.label);
-            return Err(fault(face, what, "remove one of them"));
+            return Err(MeshError::at(face.line, what, "remove one of them"));
         }
         let repeated = corners.iter().enumerate().find(|(i, node)| corners[..*i].contains(node));
         if let Some((_, &node)) = repeated {
             let what = format!("face {} has {} twice", face.label, raw.name(node));
-            return Err(fault(face, what, "write it as a triangle, or remove it"));
+            return Err(MeshError::at(face.line, what, "write it as a triangle, or remove it"));
         }
         let length =
             |(a, b): (u32, u32)| (raw.positions[b as usize] - raw.positions[a as usize]).norm_squared();
@@ -62,29 +65,30 @@ pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
         if area.is_nan() || area <= FLAT * longest {
             let at = super::error::place(&raw.positions[corners[0] as usize]);
             let what = format!("face {} at {at} has no area", face.label);
-            return Err(fault(face, what, "move its nodes apart, or remove it and close the gap"));
+            return Err(MeshError::at(
+                face.line,
+                what,
+                "move its nodes apart, or remove it and close the gap",
+            ));
         }
     }
     Ok(())
 }
 
-fn fault(face: &Face, what: String, repair: &str) -> MeshError {
-    match face.line {
-        0 => MeshError::whole(what, repair),
-        line => MeshError::at(line, what, repair),
-    }
-}
-
 /// Turns faces so that neighbours run opposite ways along their common edge, by a flood through every piece.
 ///
 /// The smaller part of a piece is turned; faces agree with given normals where these are known. Refuses
-/// edges of three faces, surfaces that have one side only, and fans that meet at a node.
+/// edges of three faces, nodes that hang on a foreign edge, surfaces that have one side only, and fans that meet
+/// at a node.
 pub(super) fn orient(raw: &mut Raw) -> Result<Turned, MeshError> {
     let sides = sides(&raw.faces);
     let neighbours = neighbours(raw, &sides)?;
+    let alone = sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high)).filter(|shared| shared.len() == 1);
+    let edges: Vec<(u32, u32)> = alone.map(|shared| (shared[0].low, shared[0].high)).collect();
+    let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node))?;
     refuse_pinched(raw, &sides)?;
     let mut turned = vec![None; raw.faces.len()];
-    let mut result = Turned::default();
+    let mut result = Turned { seams, ..Turned::default() };
     let mut piece = Vec::new();
     for start in 0..raw.faces.len() {
         if turned[start].is_some() {

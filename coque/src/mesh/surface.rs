@@ -5,7 +5,7 @@ use std::fmt;
 
 use sph_core::{Cell, Cloud, Frame, SpaceError, Vec3, pair_triangles};
 
-use super::boundary::{Loop, boundary_edges, loops, refuse_hanging};
+use super::boundary::{Loop, boundary_edges, loops};
 use super::raw::{Raw, counted, node_name};
 use super::sheet::{Turned, check_faces, orient, reversed};
 use super::{Format, MeshError};
@@ -89,10 +89,9 @@ impl Surface {
         if raw.areas.is_empty() {
             drop_unused(&mut raw);
         }
-        let Turned { pieces, faces: turned } = orient(&mut raw)?;
+        let Turned { pieces, faces: turned, seams } = orient(&mut raw)?;
         let faces: Vec<Cell> = raw.faces.iter().map(|face| face.cell).collect();
         let edges = boundary_edges(&faces);
-        let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node))?;
         if seams > 0 {
             let note =
                 format!("coincident nodes on the boundary: {seams}; the surface is open there, as at a slit");
