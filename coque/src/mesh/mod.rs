@@ -106,8 +106,9 @@ pub fn read(file: &Path) -> Result<Surface, MeshError> {
     let name = file.display().to_string();
     let format = Format::of(file)?;
     let bytes = fs::read(file).map_err(|error| {
-        MeshError::whole(format!("cannot be read: {error}"), "check the path and the permissions")
-            .named(&name)
+        // The kind alone: the words of the system differ from one to the other.
+        let what = format!("cannot be read: {}", error.kind());
+        MeshError::whole(what, "check the path and the permissions").named(&name)
     })?;
     parse(&name, format, &bytes)
 }
