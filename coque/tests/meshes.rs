@@ -224,6 +224,53 @@ fn stl_vertices_that_nearly_coincide_are_merged() {
 }
 
 #[test]
+fn nodes_are_numbered_along_the_surface() {
+    let n = 33; // 32 gaps: places are exact
+    // 331 has no divisor in common with 33²: every number once, neighbours far apart.
+    let scattered = |a: usize| (331 * a) % (n * n);
+    let mut nodes = vec![String::new(); n * n];
+    for a in 0..n * n {
+        nodes[scattered(a)] = format!("v {} {} 0\n", a / n, a % n);
+    }
+    let mut text = nodes.concat();
+    for (i, j) in (0..n - 1).flat_map(|i| (0..n - 1).map(move |j| (i, j))) {
+        let corners = [i * n + j, (i + 1) * n + j, (i + 1) * n + j + 1, i * n + j + 1];
+        let [a, b, c, d] = corners.map(|a| scattered(a) + 1);
+        text.push_str(&format!("g row{i}\nf {a} {b} {c} {d}\n"));
+    }
+    let surface = obj(&text);
+    let lengths = [(n - 1) as f64; 2];
+    let native = lattice(&Plate { lengths }, [n, n], EndWeights::Trapezoid).unwrap();
+    assert!(canonical(&cloud(&surface)) == canonical(&native));
+    // A row of the lattice spans n + 1 numbers, a front of a flood from a corner at most two diagonals.
+    let reach = |cloud: &Cloud| {
+        let spans = cloud
+            .cells
+            .iter()
+            .map(|cell| cell.corners.iter().max().unwrap() - cell.corners.iter().min().unwrap());
+        spans.max().unwrap() as usize
+    };
+    assert!(reach(&cloud(&surface)) <= 3 * n, "{}", reach(&cloud(&surface)));
+    // Sets and numbers go with the nodes.
+    let row = surface.set("row3").unwrap();
+    assert_eq!(row.len(), 2 * n);
+    for &a in row {
+        let x = surface.positions[a as usize];
+        assert!(x.x == 3.0 || x.x == 4.0);
+        assert_eq!(surface.labels[a as usize], scattered(x.x as usize * n + x.y as usize) as u64 + 1);
+    }
+    // A lattice in good order keeps its numbers.
+    let plain: String = (0..n * n).map(|a| format!("v {} {} 0\n", a / n, a % n)).collect();
+    let faces = |(i, j): (usize, usize)| {
+        format!("f {} {} {}\n", i * n + j + 1, (i + 1) * n + j + 1, (i + 1) * n + j + 2)
+            + &format!("f {} {} {}\n", i * n + j + 1, (i + 1) * n + j + 2, i * n + j + 2)
+    };
+    let faces: String = (0..n - 1).flat_map(|i| (0..n - 1).map(move |j| (i, j))).map(faces).collect();
+    let kept = cloud(&obj(&(plain + &faces)));
+    assert!((kept.positions, kept.cells) == (native.positions, native.cells));
+}
+
+#[test]
 fn quality_has_its_schoolbook_figures() {
     // A right triangle 3-4-5 and a square of side 3: angles 36.87°, 53.13°, 90°.
     let surface = obj("v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 7 0 0\nf 1 2 3 4\nf 2 5 3\n");

@@ -18,6 +18,7 @@ mod csv;
 mod error;
 mod gmsh;
 mod obj;
+mod order;
 mod quality;
 mod raw;
 mod report;

@@ -6,6 +6,7 @@ use std::fmt;
 use sph_core::{Cell, Cloud, Frame, SpaceError, Vec3, pair_triangles};
 
 use super::boundary::{Loop, boundary_edges, loops};
+use super::order::{along_the_surface, renumber};
 use super::raw::{Raw, counted, node_name};
 use super::sheet::{Turned, check_faces, orient, reversed};
 use super::{Format, MeshError};
@@ -88,6 +89,10 @@ impl Surface {
         check_faces(&raw)?;
         if raw.areas.is_empty() {
             drop_unused(&mut raw);
+            if along_the_surface(&mut raw) {
+                raw.notes
+                    .push("nodes numbered along the surface; messages keep the numbers of the file".into());
+            }
         }
         let Turned { pieces, faces: turned, seams } = orient(&mut raw)?;
         let faces: Vec<Cell> = raw.faces.iter().map(|face| face.cell).collect();
@@ -210,6 +215,8 @@ impl Surface {
         let joined = triangles.len() - paired.len();
         let counts = Cells { quadrangles: cells.len(), triangles: triangles.len(), joined };
         cells.extend(paired);
+        // In the order of the particles: a step then sweeps both together.
+        cells.sort_by_key(|cell| cell.particles().iter().copied().min());
         let cloud = Cloud::from_cells(self.positions.clone(), Some(normals), cells);
         cloud.map(|cloud| (cloud, counts)).map_err(|error| self.refusal(&error))
     }
@@ -249,22 +256,11 @@ fn drop_unused(raw: &mut Raw) {
     for (number, slot) in (0..).zip(new.iter_mut().flatten()) {
         *slot = number;
     }
-    let used = |node: usize| new.get(node).is_some_and(Option::is_some);
     let unused = new.iter().filter(|slot| slot.is_none()).count();
     if unused == 0 {
         return;
     }
-    let (mut node, mut label) = (0, 0);
-    raw.positions.retain(|_| (used(node), node += 1).0);
-    raw.labels.retain(|_| (used(label), label += 1).0);
-    let at = |node: u32| new[node as usize];
-    for cell in raw.faces.iter_mut().map(|face| &mut face.cell) {
-        cell.corners = cell.corners.map(|node| at(node).unwrap_or(node));
-    }
-    for nodes in raw.sets.values_mut() {
-        *nodes = nodes.iter().filter_map(|&node| at(node)).collect();
-    }
-    raw.normals = raw.normals.iter().filter_map(|(&node, &normal)| Some((at(node)?, normal))).collect();
+    renumber(raw, &new, new.len() - unused);
     raw.notes.push(format!("nodes that no face uses, left out: {unused}"));
 }
 
