@@ -138,6 +138,81 @@ fn band(n: usize, half_turns: f64) -> String {
 }
 
 #[test]
+fn abaqus_parts_and_assemblies() {
+    let text = fs::read_to_string(folder().join("plate.inp")).unwrap();
+    // As a pre-processor writes it: the part, its instance, a reference point with a number of its own.
+    let assembly = "*End Part\n*Assembly, name=A\n*Instance, name=P-1, part=PLATE\n*End Instance\n*Node\n 10, 5., 5., 5.\n\
+        *Nset, nset=RP\n 10,\n*Nset, nset=loaded, instance=P-1\n 10, 20\n*Nset, nset=corner, elset=first, instance=P-1\n\
+        *End Assembly";
+    let surface = parse("a.inp", Format::Abaqus, text.replace("*End Part", assembly).as_bytes()).unwrap();
+    assert_eq!(surface.positions.len(), 9);
+    assert_eq!((surface.set("RP"), surface.set("loaded")), (None, Some(&[0, 1][..])));
+    assert_eq!(surface.set("corner"), surface.set("first"));
+    assert!(surface.notes[0].contains("*node of the assembly"), "{:?}", surface.notes);
+}
+
+#[test]
+fn short_lines_cannot_ask_for_long_sets() {
+    let mut text = String::from("*Node\n");
+    (0..300).for_each(|i| text.push_str(&format!("{}, {}, {}, 0.\n", i + 1, i / 2, i % 2)));
+    text.push_str("*Element, type=S4\n");
+    (0..149).for_each(|i| {
+        text.push_str(&format!("{}, {}, {}, {}, {}\n", i + 1, 2 * i + 1, 2 * i + 3, 2 * i + 4, 2 * i + 2))
+    });
+    text.push_str("*Nset, nset=s0, generate\n1, 300, 1\n");
+    assert!(parse("a.inp", Format::Abaqus, text.as_bytes()).is_ok());
+    (1..300).for_each(|i| text.push_str(&format!("*Nset, nset=s{i}\ns0\n")));
+    let error = parse("a.inp", Format::Abaqus, text.as_bytes()).unwrap_err();
+    assert!(error.what.contains("all sets together"), "{error}");
+    // Every face in a thousand groups.
+    let groups: String = (0..1000).map(|i| format!(" g{i}")).collect();
+    let mut text = format!("g{groups}\n");
+    (0..300).for_each(|i| text.push_str(&format!("v {} {} 0\n", i / 2, i % 2)));
+    (0..149)
+        .for_each(|i| text.push_str(&format!("f {} {} {} {}\n", 2 * i + 1, 2 * i + 3, 2 * i + 4, 2 * i + 2)));
+    let error = parse("a.obj", Format::Obj, text.as_bytes()).unwrap_err();
+    assert!(error.what.contains("all sets together"), "{error}");
+}
+
+#[test]
+fn crowds_and_needles_are_answered_soon() {
+    // Triangles that all have a corner of their own on one place.
+    let mut crowd = String::new();
+    for i in 0..3000 {
+        let corner = |part: f64| {
+            let turn = std::f64::consts::TAU * (f64::from(i) + part) / 3000.0;
+            format!("v {} {} 0\n", turn.cos(), turn.sin())
+        };
+        let [a, b, c] = [1, 2, 3].map(|corner| 3 * i + corner);
+        crowd.push_str(&format!("v 0 0 0\n{}{}f {a} {b} {c}\n", corner(0.0), corner(0.5)));
+    }
+    let error = parse("crowd.obj", Format::Obj, crowd.as_bytes()).unwrap_err();
+    assert!(error.what.contains("nodes stand on the place"), "{error}");
+    // A comb of needles: long edges beside each other.
+    let mut comb = String::new();
+    for i in 0..20_000 {
+        let y = 1e-3 * i as f64;
+        comb.push_str(&format!(
+            "v 0 {y} 0\nv 30 {y} 0\nv 0 {} 0\nf {} {} {}\n",
+            y + 5e-4,
+            3 * i + 1,
+            3 * i + 2,
+            3 * i + 3
+        ));
+    }
+    assert_eq!(obj(&comb).pieces, 20_000);
+    // One vertex far out makes the tolerance of STL larger than all the rest.
+    let mut far = String::from(
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e9 0 0\nvertex 0 1e9 0\nendloop\nendfacet\n",
+    );
+    for i in 0..10_000 {
+        far.push_str(&format!("facet normal 0 0 1\nouter loop\nvertex {i}e-3 0 0\nvertex {i}e-3 1 0\nvertex {i}.5e-3 1 0\nendloop\nendfacet\n"));
+    }
+    let surface = parse("far.stl", Format::Stl, far.as_bytes()).unwrap();
+    assert_eq!(surface.faces.len(), 1);
+}
+
+#[test]
 fn faces_are_turned_to_agree() {
     // The second and third faces of a row of four run the other way round.
     let mut text = String::new();

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::MeshError;
+use super::keyword::{Keyword, corners, generated, unknown};
 use super::raw::{Raw, counted};
 use super::words::{count, float, shortened};
 
@@ -23,42 +24,6 @@ const SILENT: [&str; 9] = [
     "end step",
 ];
 
-/// A keyword line: name and parameters in small letters, values as written.
-struct Keyword {
-    line: usize,
-    name: String,
-    parameters: BTreeMap<String, String>,
-}
-
-impl Keyword {
-    fn read(line: usize, text: &str) -> Self {
-        let mut parts = text.trim_start_matches('*').split(',').map(str::trim);
-        // Blanks within a name count once.
-        let name = parts.next().unwrap_or_default().to_lowercase();
-        let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-        let parameters = parts.filter(|part| !part.is_empty()).map(|part| {
-            let (key, value) = part.split_once('=').unwrap_or((part, ""));
-            (key.trim().to_lowercase(), value.trim().trim_matches('"').to_string())
-        });
-        Self { line, name, parameters: parameters.collect() }
-    }
-
-    fn has(&self, key: &str) -> bool {
-        self.parameters.contains_key(key)
-    }
-
-    fn get(&self, key: &str) -> Option<&str> {
-        self.parameters.get(key).map(String::as_str)
-    }
-
-    fn needs(&self, key: &str) -> Result<&str, MeshError> {
-        self.get(key).filter(|value| !value.is_empty()).ok_or_else(|| {
-            let what = format!("*{} gives no {key}", self.name);
-            MeshError::at(self.line, what, format!("write *{}, {key}=NAME", self.name))
-        })
-    }
-}
-
 /// What is gathered on the way; sets are by their name in small letters.
 #[derive(Default)]
 struct Found {
@@ -71,6 +36,8 @@ struct Found {
     element_sets: BTreeMap<String, (String, Vec<u64>)>,
     parts: usize,
     instances: usize,
+    /// Inside *assembly but outside *instance: nodes and elements there are none of the surface.
+    loose: bool,
     ignored: BTreeSet<String>,
     /// Numbers of the element whose data go on in the next line.
     open: Vec<u64>,
@@ -108,6 +75,15 @@ impl Found {
     fn begin(&mut self, keyword: &Keyword) -> Result<(), MeshError> {
         let refuse = |what: String, repair: &str| Err(MeshError::at(keyword.line, what, repair));
         match keyword.name.as_str() {
+            "assembly" | "end instance" => self.loose = true,
+            "end assembly" | "instance" => self.loose = false,
+            _ => {}
+        }
+        if self.passes_over(keyword) {
+            self.ignored.insert(format!("*{} of the assembly", keyword.name));
+            return Ok(());
+        }
+        match keyword.name.as_str() {
             "node" if keyword.has("system") && keyword.get("system") != Some("R") => {
                 refuse("*node, system=… gives coordinates that are not Cartesian".into(), "write x, y, z")
             }
@@ -121,7 +97,13 @@ impl Found {
                 corners(keyword).map(|_| ())
             }
             "node" => Ok(()),
-            "nset" => keyword.needs("nset").map(|_| ()),
+            "nset" => {
+                let name = keyword.needs("nset")?;
+                match keyword.get("elset") {
+                    None => Ok(()),
+                    Some(elements) => self.nodes_of_elements(keyword.line, name, elements),
+                }
+            }
             "elset" => keyword.needs("elset").map(|_| ()),
             "part" => {
                 self.parts += 1;
@@ -156,7 +138,31 @@ impl Found {
         }
     }
 
+    /// Whether a keyword speaks of nodes and elements of the assembly, such as reference points.
+    fn passes_over(&self, keyword: &Keyword) -> bool {
+        match keyword.name.as_str() {
+            "node" | "element" => self.loose,
+            "nset" | "elset" => self.loose && !keyword.has("instance"),
+            _ => false,
+        }
+    }
+
+    /// A node set that is given as the nodes of an element set.
+    fn nodes_of_elements(&mut self, line: usize, name: &str, elements: &str) -> Result<(), MeshError> {
+        let Some((_, labels)) = self.element_sets.get(&elements.to_lowercase()) else {
+            return Err(unknown(line, &format!("the set {name}"), elements));
+        };
+        let found = labels.iter().filter_map(|label| self.elements.get(label)).flatten();
+        let nodes: Vec<u32> = found.copied().filter(|&node| node != u32::MAX).collect();
+        self.raw.make_room(line, nodes.len())?;
+        self.nodes_of(name).extend(nodes);
+        Ok(())
+    }
+
     fn data(&mut self, keyword: &Keyword, line: usize, text: &str) -> Result<(), MeshError> {
+        if self.passes_over(keyword) {
+            return Ok(());
+        }
         let mut fields: Vec<&str> = text.split(',').map(str::trim).collect();
         let goes_on = fields.last() == Some(&"");
         if goes_on {
@@ -260,20 +266,17 @@ impl Found {
                 match field.parse() {
                     Ok(label) => nodes.push(self.raw.find(line, &user, label)?),
                     Err(_) => match self.node_sets.get(&field.to_lowercase()) {
-                        Some((_, members)) => nodes.extend_from_slice(members),
+                        Some((_, members)) => {
+                            self.raw.make_room(line, members.len())?;
+                            nodes.extend_from_slice(members);
+                        }
                         None => return Err(unknown(line, &user, field)),
                     },
                 }
             }
         }
-        let bound = self.raw.positions.len();
-        let set = self.nodes_of(name);
-        set.extend(nodes);
-        // Sets named in sets could double without end.
-        if set.len() > 2 * bound {
-            set.sort_unstable();
-            set.dedup();
-        }
+        self.raw.make_room(line, nodes.len())?;
+        self.nodes_of(name).extend(nodes);
         Ok(())
     }
 
@@ -297,19 +300,17 @@ impl Found {
                         ));
                     }
                     Err(_) => match self.element_sets.get(&field.to_lowercase()) {
-                        Some((_, members)) => labels.extend_from_slice(members),
+                        Some((_, members)) => {
+                            self.raw.make_room(line, members.len())?;
+                            labels.extend_from_slice(members);
+                        }
                         None => return Err(unknown(line, &user, field)),
                     },
                 }
             }
         }
-        let bound = self.elements.len();
-        let set = self.elements_of(name);
-        set.extend(labels);
-        if set.len() > 2 * bound {
-            set.sort_unstable();
-            set.dedup();
-        }
+        self.raw.make_room(line, labels.len())?;
+        self.elements_of(name).extend(labels);
         Ok(())
     }
 
@@ -340,52 +341,4 @@ impl Found {
         }
         self.raw
     }
-}
-
-/// Number of nodes of the element type that a keyword names.
-fn corners(keyword: &Keyword) -> Result<usize, MeshError> {
-    let kind = keyword.needs("type")?;
-    let refuse = |why: &str, repair: &str| {
-        let what = format!("elements of type {}: {why}", shortened(kind));
-        Err(MeshError::at(keyword.line, what, repair))
-    };
-    match kind.to_uppercase().as_str() {
-        "S3" | "S3R" | "STRI3" => Ok(3),
-        "S4" | "S4R" => Ok(4),
-        "STRI65" | "S8R" | "S8R5" | "S9R5" => {
-            refuse("their sides are curved", "mesh with linear elements, S3 and S4R")
-        }
-        _ => refuse("S3, S3R, STRI3, S4 and S4R are read", "mesh the surface with S3 and S4R"),
-    }
-}
-
-/// The numbers first, first + step … last.
-struct Generated {
-    first: u64,
-    last: u64,
-    step: u64,
-}
-
-impl Generated {
-    fn contain(&self, label: u64) -> bool {
-        (self.first..=self.last).contains(&label) && (label - self.first).is_multiple_of(self.step)
-    }
-}
-
-fn generated(line: usize, user: &str, fields: &[&str]) -> Result<Generated, MeshError> {
-    let number = |i: usize| match fields.get(i) {
-        Some(word) => count(line, &format!("a number of {user}"), word),
-        None => Ok(1),
-    };
-    let range = Generated { first: number(0)?, last: number(1)?, step: number(2)? };
-    if fields.len() < 2 || range.step == 0 || range.last < range.first {
-        let what = format!("{user} is generated from \"{}\"", shortened(&fields.join(", ")));
-        return Err(MeshError::at(line, what, "write first, last, step with first ≤ last and step ≥ 1"));
-    }
-    Ok(range)
-}
-
-fn unknown(line: usize, user: &str, name: &str) -> MeshError {
-    let what = format!("{user} names \"{}\", which is neither a number nor a set above", shortened(name));
-    MeshError::at(line, what, "declare the set before it is used")
 }

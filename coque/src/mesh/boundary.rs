@@ -9,6 +9,9 @@ use super::MeshError;
 /// Distance below which a node lies on an edge, and two nodes on one place, in units of the edge.
 const TOUCHING: f64 = 1e-6;
 
+/// Nodes on one place beyond which they are taken for a file whose nodes were never joined.
+const CROWD: usize = 1000;
+
 /// A closed line of boundary nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
@@ -91,6 +94,23 @@ pub(crate) fn chains(
     Some(chains)
 }
 
+/// Nodes of a list close to an edge, which is looked at in pieces of about `step` `[L]`.
+fn near_edge(list: &CellList, start: &Vec3, along: &Vec3, step: f64, near: &mut Vec<u32>) {
+    let size = along.norm();
+    // As a whole number the quotient saturates; the bound is far beyond the steps that the extent allows.
+    let pieces = ((size / step).ceil() as u32).clamp(1, 100_000);
+    let radius = (0.5 / f64::from(pieces) + TOUCHING) * size;
+    let mut found = Vec::new();
+    near.clear();
+    for piece in 0..pieces {
+        let middle = (f64::from(piece) + 0.5) / f64::from(pieces);
+        list.within(&(start + middle * along), radius, &mut found);
+        near.extend_from_slice(&found);
+    }
+    near.sort_unstable();
+    near.dedup();
+}
+
 /// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones.
 pub(super) fn refuse_hanging(
     positions: &[Vec3],
@@ -103,12 +123,20 @@ pub(super) fn refuse_hanging(
     let places: Vec<Vec3> = nodes.iter().map(|&node| positions[node as usize]).collect();
     let along = |(a, b): (u32, u32)| positions[b as usize] - positions[a as usize];
     let mean = edges.iter().map(|&edge| along(edge).norm()).sum::<f64>() / edges.len().max(1) as f64;
-    let list = CellList::new(&places, mean);
+    let low = places.iter().copied().reduce(|a, b| a.inf(&b)).unwrap_or_default();
+    let high = places.iter().copied().reduce(|a, b| a.sup(&b)).unwrap_or_default();
+    // Boxes no longer than those of one node each on a sheet: needles do not see each other whole.
+    let step = mean.min((high - low).norm() / (nodes.len() as f64).sqrt().max(1.0));
+    let list = CellList::new(&places, step);
     let (mut near, mut seams) = (Vec::new(), HashSet::new());
     for &(a, b) in edges {
         let (start, along) = (positions[a as usize], along((a, b)));
         let size = along.norm();
-        list.within(&(start + 0.5 * along), (0.5 + TOUCHING) * size, &mut near);
+        near_edge(&list, &start, &along, step, &mut near);
+        if near.len() > CROWD && near.iter().filter(|&&i| places[i as usize] == start).count() > CROWD {
+            let what = format!("more than {CROWD} nodes stand on the place of {}", name(a));
+            return Err(MeshError::whole(what, "merge nodes that coincide"));
+        }
         for node in near.iter().map(|&i| nodes[i as usize]).filter(|&node| node != a && node != b) {
             let arm = positions[node as usize] - start;
             let part = arm.dot(&along) / (size * size);

@@ -211,6 +211,7 @@ impl Found {
         } else if groups.is_empty() {
             self.loose += 1;
         }
+        self.raw.make_room(words.line, groups.len() * count)?;
         for group in groups {
             // A negative number says that the group turns the element round.
             let members = self.members.entry((dimension, group.saturating_abs())).or_default();

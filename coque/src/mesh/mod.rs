@@ -17,6 +17,7 @@ mod boundary;
 mod csv;
 mod error;
 mod gmsh;
+mod keyword;
 mod obj;
 mod order;
 mod quality;

@@ -51,6 +51,7 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
                     corners.push(node);
                 }
                 raw.face(line, label, &corners)?;
+                raw.make_room(line, groups.len() * corners.len())?;
                 for group in &groups {
                     raw.add_to_set(group, &corners);
                 }

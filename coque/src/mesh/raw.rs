@@ -9,6 +9,12 @@ use super::MeshError;
 /// Coordinates beyond this leave the range of `f64` in products.
 const GREATEST: f64 = 1e30;
 
+/// Entries that all sets together may have, in units of nodes and faces: short lines can ask for long sets.
+const MOST_IN_SETS: usize = 100;
+
+/// What every file may have in its sets, however small it is.
+const ALWAYS_IN_SETS: usize = 10_000;
+
 /// A face as the file has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Face {
@@ -28,6 +34,8 @@ pub(super) struct Raw {
     /// Numbers of the nodes in the file; empty where they have none.
     pub labels: Vec<u64>,
     index: HashMap<u64, u32>,
+    /// Entries of all sets so far.
+    entries: usize,
     pub faces: Vec<Face>,
     /// Nodes of every set, in any order, possibly more than once.
     pub sets: BTreeMap<String, Vec<u32>>,
@@ -84,6 +92,17 @@ impl Raw {
         };
         self.faces.push(Face { cell, label, line });
         Ok(())
+    }
+
+    /// Refuses sets that grow beyond all measure by `more` entries.
+    pub fn make_room(&mut self, line: usize, more: usize) -> Result<(), MeshError> {
+        self.entries = self.entries.saturating_add(more);
+        let size = self.positions.len() + self.faces.len();
+        if self.entries <= MOST_IN_SETS * size + ALWAYS_IN_SETS {
+            return Ok(());
+        }
+        let what = format!("all sets together hold more than {MOST_IN_SETS} times the nodes and faces");
+        Err(MeshError::at(line, what, "leave out sets that the scene does not use"))
     }
 
     /// Adds nodes to a set.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use sph_core::{CellList, Vec3};
+use sph_core::Vec3;
 
 use super::MeshError;
 use super::raw::{Raw, counted};
@@ -165,19 +165,30 @@ fn merged(triangles: &[Loose], names: &[String]) -> Result<Raw, MeshError> {
     Ok(raw)
 }
 
-/// For each position the lowest one that is nearer than the tolerance, itself if there is none.
+/// For each position the first one that is nearer than the tolerance and stands for others, itself if there is none.
 fn representatives(positions: &[Vec3]) -> Vec<u32> {
     let low = positions.iter().copied().reduce(|a, b| a.inf(&b)).unwrap_or_default();
     let high = positions.iter().copied().reduce(|a, b| a.sup(&b)).unwrap_or_default();
-    let extent = (high - low).norm();
-    // Boxes of about one vertex each on a sheet.
-    let list = CellList::new(positions, extent / (positions.len() as f64).sqrt().max(1.0));
-    let mut near = Vec::new();
-    let mut first: Vec<u32> = Vec::new();
+    // A surface without extent has one place; any box will do.
+    let near = (SAME * (high - low).norm()).max(f64::MIN_POSITIVE);
+    // Only representatives are kept in the boxes; they stand apart, so a box holds few of them.
+    let mut boxes: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    let mut first = Vec::new();
     for (node, x) in (0..).zip(positions) {
-        list.within(x, SAME * extent, &mut near);
-        let lowest = near.iter().copied().find(|&other| other <= node).unwrap_or(node);
-        first.push(first.get(lowest as usize).copied().unwrap_or(node));
+        // At most a million boxes lie along an edge of the extent.
+        let [i, j, k] = [0, 1, 2].map(|c| ((x[c] - low[c]) / near).floor() as i64);
+        let around =
+            (-1..=1).flat_map(|a| (-1..=1).flat_map(move |b| (-1..=1).map(move |c| [i + a, j + b, k + c])));
+        let found = around
+            .filter_map(|place| boxes.get(&place))
+            .flatten()
+            .copied()
+            .filter(|&other| (positions[other as usize] - x).norm() <= near)
+            .min();
+        if found.is_none() {
+            boxes.entry([i, j, k]).or_default().push(node);
+        }
+        first.push(found.unwrap_or(node));
     }
     first
 }

@@ -141,14 +141,15 @@ impl<'a, 'i> File<'a, 'i> {
     }
 
     fn numbers(&self, array: Node<'a, 'i>) -> Result<Numbers, MeshError> {
-        let line = array.document().text_pos_at(array.range().start).row as usize;
+        // Only where it is told: counting lines takes as long as the file.
+        let line = || array.document().text_pos_at(array.range().start).row as usize;
         let kind = array.attribute("type").unwrap_or_default();
         let text = array.text().unwrap_or_default();
         let name = shortened(array.attribute("Name").unwrap_or("Points"));
         match array.attribute("format").unwrap_or("ascii") {
             "ascii" => ascii(kind, text).ok_or_else(|| {
                 let what = format!("array {name} has a word that is no {} number", shortened(kind));
-                MeshError::at(line, what, "write the file again")
+                MeshError::at(line(), what, "write the file again")
             }),
             "binary" => {
                 let bytes = decode(text).filter(|bytes| bytes.len() >= self.header);
@@ -156,14 +157,18 @@ impl<'a, 'i> File<'a, 'i> {
                 let block = block.filter(|(length, data)| unsigned(length) == data.len() as u64);
                 block.and_then(|(_, data)| binary(kind, data)).ok_or_else(|| {
                     let what = format!("array {name} is not inline base64 of {} numbers", shortened(kind));
-                    MeshError::at(line, what, "write the file again, as ASCII or uncompressed inline base64")
+                    MeshError::at(
+                        line(),
+                        what,
+                        "write the file again, as ASCII or uncompressed inline base64",
+                    )
                 })
             }
             other => {
                 let what =
                     format!("array {name} is stored as {}; ascii and binary are read", shortened(other));
                 Err(MeshError::at(
-                    line,
+                    line(),
                     what,
                     "write the data inline, not appended: in ParaView data mode Binary",
                 ))
