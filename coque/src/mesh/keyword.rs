@@ -54,7 +54,10 @@ pub(super) fn corners(keyword: &Keyword) -> Result<usize, MeshError> {
         "STRI65" | "S8R" | "S8R5" | "S9R5" => {
             refuse("their sides are curved", "mesh with linear elements, S3 and S4R")
         }
-        _ => refuse("S3, S3R, STRI3, S4 and S4R are read", "mesh the surface with S3 and S4R"),
+        _ => refuse(
+            "S3, S3R, STRI3, S4 and S4R are read",
+            "mesh the surface with S3 and S4R; from Gmsh and meshio bring .msh or .vtu",
+        ),
     }
 }
 
