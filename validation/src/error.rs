@@ -1,6 +1,7 @@
 //! What keeps the judge from judging; a missed tolerance is not among it.
 
 use benchmarks_ref::ReferenceError;
+use benchmarks_ref::fe_shell::cases::CaseError;
 use thiserror::Error;
 
 /// Why there is no verdict.
@@ -26,6 +27,16 @@ pub enum JudgeError {
         method: String,
         /// The refusal, with the line underlined.
         text: String,
+    },
+    /// The finite-element shell found no answer.
+    #[error("case {case}, {method}: {cause}")]
+    Elements {
+        /// The case.
+        case: &'static str,
+        /// The method of the variant.
+        method: String,
+        /// What happened.
+        cause: CaseError,
     },
     /// A case asks for a column that its scene does not record.
     #[error(

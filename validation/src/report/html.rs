@@ -1,6 +1,8 @@
 //! The page: one file, no scripts, drawings inline.
 
 use super::Figure;
+use crate::answers::side_by_side;
+use crate::cases::dial;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
 use crate::table::{short, unit, verdict, words};
@@ -112,6 +114,9 @@ fn case(result: &CaseResult) -> Result<String, JudgeError> {
         escape(case.citation)
     );
     for figure in (case.figures)(&result.runs)? {
+        text.push_str(&show(&figure)?);
+    }
+    for figure in dial::cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
         text.push_str(&show(&figure)?);
     }
     text.push_str(&metrics(result));

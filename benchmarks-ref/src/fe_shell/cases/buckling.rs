@@ -15,6 +15,7 @@ fn lowest_two(mut model: Model, columns: &[&'static str]) -> Result<Solved, Case
         columns: columns.to_vec(),
         rows: vec![levels],
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),

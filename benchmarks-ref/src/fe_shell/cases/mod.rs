@@ -47,6 +47,8 @@ pub struct Solved {
     pub rows: Vec<Vec<f64>>,
     /// Nodes of the mesh.
     pub nodes: usize,
+    /// Mean spacing of the nodes: the square root of their mean area \[L\].
+    pub spacing: f64,
     /// Free freedoms.
     pub unknowns: usize,
     /// Tangents factorised; one for a linear case.
@@ -81,6 +83,7 @@ fn solve_linear(
         columns: columns.to_vec(),
         rows: vec![read(&model, &motion)],
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),
@@ -109,6 +112,7 @@ fn solve_path(
         columns: columns.to_vec(),
         rows,
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: path.points.iter().map(|point| point.converged.iterations + 1).sum(),
         seconds: start.elapsed().as_secs_f64(),

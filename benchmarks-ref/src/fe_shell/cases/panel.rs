@@ -37,7 +37,7 @@ impl PanelSection {
     }
 }
 
-const NAMES: [&str; 3] = ["P [N]", "minus_W_C [mm]", "minus_W_D [mm]"];
+const NAMES: [&str; 3] = ["P [N]", "w_crown [mm]", "w_edge [mm]"];
 
 /// One quarter of the panel; the level is the whole force \[N\].
 fn quarter(n: usize, thickness: f64, section: PanelSection) -> Result<(Mesh, Model), CaseError> {

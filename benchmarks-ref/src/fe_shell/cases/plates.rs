@@ -77,6 +77,7 @@ pub fn plate_frequencies(n: usize, slenderness: f64, edges: PlateEdges) -> Resul
         ],
         rows: vec![frequencies.split_off(rigid)],
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),
