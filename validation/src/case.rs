@@ -60,7 +60,7 @@ pub struct Published {
 pub struct Variant {
     /// Formulation, and what else sets the run apart; with [`Variant::grid`] unique in the case.
     pub method: String,
-    /// Number of particles or nodes along u and v, as in `50×5`.
+    /// Number of particles or nodes along u and v, as in `50×5`, and what else is set in the problem, as in `21×21 clamped`.
     pub grid: String,
     /// What is run.
     pub source: Problem,
@@ -129,6 +129,13 @@ impl Variant {
         if let Problem::Scene { set, .. } = &mut self.source {
             set.push((path.into(), value.to_string()));
         }
+        self
+    }
+
+    /// Adds what sets a run apart beside its lattice: a load, a thickness.
+    #[must_use]
+    pub fn on(mut self, what: &str) -> Self {
+        self.grid = format!("{} {what}", self.grid);
         self
     }
 

@@ -1,16 +1,30 @@
 //! The list of cases; a new one is a file and two lines here.
 
+mod buckling;
 mod cantilever_end_shear;
 pub(crate) mod dial;
+mod hemisphere;
+mod hemisphere_large;
+mod linear;
+mod open_cylinder;
 mod panel;
 mod panel_figures;
+mod panel_laminated;
+mod panel_snap_back;
 mod patch_test;
+mod path;
+mod pinched_cylinder;
+mod pinched_cylinder_large;
+mod plate;
+mod plate_frequencies;
 mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
+mod scordelis_lo;
 mod strip;
 mod thin_ring;
 mod turned;
+mod twisted_beam;
 
 use crate::Case;
 
@@ -22,6 +36,18 @@ pub fn all() -> Vec<Case> {
         thin_ring::case(),
         cantilever_end_shear::case(),
         panel::case(),
+        panel_snap_back::case(),
+        panel_laminated::case(),
+        scordelis_lo::case(),
+        pinched_cylinder::case(),
+        hemisphere::case(),
+        twisted_beam::case(),
+        plate::case(),
+        plate_frequencies::case(),
+        buckling::case(),
+        hemisphere_large::case(),
+        open_cylinder::case(),
+        pinched_cylinder_large::case(),
         point_load_smoothness::case(),
         turned::case(),
         patch_test::case(),

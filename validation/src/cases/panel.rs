@@ -18,7 +18,8 @@ use crate::case::{Booked, Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::{cubic_at, largest};
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../scenes/panel.toml");
+/// The scene of the hinged panel.
+pub const SCENE: &str = include_str!("../../../scenes/panel.toml");
 /// The transient run of the paper.
 pub const FAST: &str = "stress-point cell, 3 ms";
 /// Limit load \[kN\] to which two different formulations converged in study 1 §2.2 (stress points and nodal order 3, 41²).

@@ -90,6 +90,11 @@ fn solve_linear(
     })
 }
 
+/// Values of modes as rows `mode, value`, counted from one.
+fn numbered(values: Vec<f64>) -> Vec<Vec<f64>> {
+    values.into_iter().enumerate().map(|(i, value)| vec![(i + 1) as f64, value]).collect()
+}
+
 /// The path from rest under a control; every converged state becomes a row.
 ///
 /// The second part tells how the path ended: a failure on the way keeps the rows before it.
