@@ -133,7 +133,7 @@ pub enum SpaceError {
     },
     /// A direction has no projection on the surface at some point.
     #[error(
-        "the axis stands on the surface at ({x:.6}, {y:.6}, {z:.6}): its unit vector has a projection of {projection:e} there, at least {bound:e} is needed; choose an axis that lies along the surface everywhere",
+        "the axis stands on the surface at ({x:.4e}, {y:.4e}, {z:.4e}): its unit vector has a projection of {projection:e} there, at least {bound:e} is needed; choose an axis that lies along the surface everywhere",
         x = .position[0], y = .position[1], z = .position[2]
     )]
     AxisNormal {

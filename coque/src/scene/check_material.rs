@@ -50,18 +50,19 @@ impl Scene {
 
     fn check_section(&self) -> Checked {
         let s = &self.source;
-        let thickness = match &self.section {
+        let total = self.section.thickness();
+        let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
                 s.positive("section.homogeneous.thickness", section.thickness)?;
                 if let Some(points) = section.gauss_points {
                     let repair = "one point carries no bending; leave it out for the closed form";
                     s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
                 }
-                "section.homogeneous.thickness"
+                ("section.homogeneous.thickness", total.to_string())
             }
             Section::Layered(section) => {
                 self.check_layered(section)?;
-                "section.layered.plies"
+                ("section.layered.plies", format!("{total} thick altogether"))
             }
         };
         let radius = match &self.geometry {
@@ -69,11 +70,10 @@ impl Scene {
             Geometry::Cylinder(cylinder) => cylinder.radius,
             Geometry::Sphere(sphere) => sphere.radius,
         };
-        let value = self.section.thickness();
-        if value >= radius {
+        if total >= radius {
             let bound = format!("less than the radius {radius} of the surface");
             let repair = "a thin shell wants a thickness of at most a fifth of the radius";
-            return Err(s.value(thickness, value, &bound, repair));
+            return Err(s.value(path, value, &bound, repair));
         }
         Ok(())
     }
