@@ -3,14 +3,16 @@
 use std::fmt;
 
 use nalgebra::Rotation3;
-use shell_kinematics::{IntegratedSection, Isotropic, IsotropicSection, MaterialError};
+use shell_kinematics::{
+    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply,
+};
 use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
-use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
+use crate::scene::{self, Axis, Geometry, LoadKind, Matter, Scene, SupportKind};
 use crate::sets::{self, Sets};
 
 /// A shell ready to be marched, with what its curve measures.
@@ -64,12 +66,12 @@ impl Scene {
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
         builder.refuse_free_motion(&cloud, &supports)?;
-        let scene::Material::Elastic(elastic) = &self.material;
         let parts = Parts {
             cloud,
             section: builder.section()?,
             strain: builder.strain()?,
-            density: elastic.density,
+            material_axis: builder.material_axis(),
+            density: self.material.density(),
             formulation: builder.formulation(),
             supports,
             loads,
@@ -258,17 +260,39 @@ impl Builder<'_> {
     }
 
     fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let scene::Material::Elastic(elastic) = &self.scene.material;
-        let scene::Section::Homogeneous(section) = &self.scene.section;
-        let refuse = |e: MaterialError| self.model_error("section.homogeneous", &e.to_string());
-        let material = Isotropic::new(elastic.young, elastic.poisson)
-            .map_err(|e| self.model_error("material.elastic", &e.to_string()))?;
-        Ok(match section.gauss_points {
-            None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
-            Some(points) => {
-                Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
+        let refuse = |path: &'static str| move |e: MaterialError| self.model_error(path, &e.to_string());
+        Ok(match self.scene.matter()? {
+            Matter::Homogeneous(elastic, section) => {
+                let material =
+                    Isotropic::new(elastic.young, elastic.poisson).map_err(refuse("material.elastic"))?;
+                let refuse = refuse("section.homogeneous");
+                match section.gauss_points {
+                    None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
+                    Some(points) => {
+                        Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
+                    }
+                }
+            }
+            Matter::Layered(m, section) => {
+                let across = m.shear_across.unwrap_or(m.shear);
+                let material = Orthotropic::new(m.young_along, m.young_across, m.poisson, m.shear, across)
+                    .map_err(refuse("material.orthotropic"))?;
+                let ply = |ply: &scene::Ply| Ply {
+                    material,
+                    thickness: ply.thickness,
+                    angle: ply.angle.to_radians(),
+                };
+                let plies: Vec<Ply> = section.plies.iter().map(ply).collect();
+                Box::new(LayeredSection::new(&plies).map_err(refuse("section.layered"))?)
             }
         })
+    }
+
+    fn material_axis(&self) -> Option<Vec3> {
+        match &self.scene.section {
+            scene::Section::Homogeneous(_) => None,
+            scene::Section::Layered(section) => Some(self.turned(section.axis)),
+        }
     }
 
     fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
@@ -310,10 +334,11 @@ impl Builder<'_> {
             ShellError::Space(
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => reach.to_string(),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => "section.layered.axis".into(),
             ShellError::Space(_) | ShellError::Area { .. } => {
                 format!("geometry.{}", self.scene.geometry.word())
             }
-            ShellError::Density(_) => "material.elastic.density".into(),
+            ShellError::Density(_) => format!("material.{}.density", self.scene.material.word()),
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
             }

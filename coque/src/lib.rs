@@ -6,7 +6,7 @@
 //! | where is | look in |
 //! |---|---|
 //! | what a scene may say | `scene/*.rs` |
-//! | what is refused, and why | `scene/check.rs`, `rigid.rs` |
+//! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |

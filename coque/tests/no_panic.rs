@@ -8,7 +8,8 @@ use std::path::Path;
 use coque::{Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 
-const SCENES: [&str; 4] = ["ring.toml", "panel.toml", "patch-test.toml", "cantilever-end-shear.toml"];
+const SCENES: [&str; 5] =
+    ["ring.toml", "panel.toml", "panel-laminated.toml", "patch-test.toml", "cantilever-end-shear.toml"];
 
 /// Numbers that break things.
 const NUMBERS: [&str; 14] = [

@@ -131,6 +131,19 @@ pub enum SpaceError {
         /// Polynomial order asked for.
         order: usize,
     },
+    /// A direction has no projection on the surface at some point.
+    #[error(
+        "the axis stands on the surface at ({x:.4e}, {y:.4e}, {z:.4e}): its unit vector has a projection of {projection:e} there, at least {bound:e} is needed; choose an axis that lies along the surface everywhere",
+        x = .position[0], y = .position[1], z = .position[2]
+    )]
+    AxisNormal {
+        /// Where `[L]`.
+        position: [f64; 3],
+        /// Length of the projection found.
+        projection: f64,
+        /// Shortest projection accepted.
+        bound: f64,
+    },
     /// The conjugate gradients for the divergence-consistent operator did not arrive.
     #[error(
         "divergence consistency: residual {residual:e} after {iterations} iterations, {bound:e} is needed; widen the support or use cell stencils"

@@ -2,7 +2,7 @@
 
 use shell_kinematics::SectionScales;
 use sph_core::{
-    Cloud, CubicSpline, SamplingOperator, cell_operator, kernel_operator, make_divergence_consistent,
+    Cloud, CubicSpline, SamplingOperator, Vec3, cell_operator, kernel_operator, make_divergence_consistent,
     nodal_operator,
 };
 
@@ -19,7 +19,7 @@ pub struct Reference {
     pub masses: Vec<f64>,
     /// Rotary inertias of the directors \[M L²\], see [`Reference::new`].
     pub inertias: Vec<f64>,
-    /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))` \[L/T\].
+    /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
 }
 
@@ -30,13 +30,18 @@ impl Reference {
     /// thin shells it is scaled up so that the stable step does not collapse with the thickness (statics are
     /// untouched, bending waves shorter than a few spacings are slowed).
     ///
+    /// With a material axis the first direction of every sampling point is its projection on the surface; without, it is
+    /// whatever the stencils chose.
+    ///
     /// # Errors
-    /// [`ShellError`] for unsound clouds, stencils that cannot be corrected, and density out of bounds.
+    /// [`ShellError`] for unsound clouds, stencils that cannot be corrected, density out of bounds, and a material axis
+    /// that stands on the surface somewhere.
     pub fn new(
         cloud: Cloud,
         formulation: &Formulation,
         section: &SectionScales,
         density: f64,
+        material_axis: Option<&Vec3>,
     ) -> Result<Self, ShellError> {
         if !(density > 0.0 && density.is_finite()) {
             return Err(ShellError::Density(density));
@@ -45,7 +50,10 @@ impl Reference {
         if let Some((particle, &area)) = cloud.areas.iter().enumerate().find(|(_, a)| **a <= 0.0) {
             return Err(ShellError::Area { particle, area });
         }
-        let operator = operator(&cloud, formulation)?;
+        let mut operator = operator(&cloud, formulation)?;
+        if let Some(axis) = material_axis {
+            operator.align(axis)?;
+        }
         let t = section.thickness;
         let masses: Vec<f64> = cloud.areas.iter().map(|area| density * t * area).collect();
         let cell_areas = mean_cell_areas(&cloud);

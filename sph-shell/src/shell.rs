@@ -30,6 +30,9 @@ pub struct Parts {
     pub section: Box<dyn Section>,
     /// Strain measure.
     pub strain: &'static dyn StrainMeasure,
+    /// Direction whose projection on the surface is the section's first axis; without, the axes of the sampling points are
+    /// arbitrary, and the section must not care.
+    pub material_axis: Option<Vec3>,
     /// Mass density \[M/L³\].
     pub density: f64,
     /// Where strains are sampled.
@@ -88,7 +91,13 @@ impl Shell {
     /// supports that contradict each other.
     pub fn new(parts: Parts) -> Result<Self, ShellError> {
         let scales = parts.section.scales();
-        let reference = Reference::new(parts.cloud, &parts.formulation, &scales, parts.density)?;
+        let reference = Reference::new(
+            parts.cloud,
+            &parts.formulation,
+            &scales,
+            parts.density,
+            parts.material_axis.as_ref(),
+        )?;
         for load in &parts.loads {
             load.load.check(&reference)?;
         }

@@ -4,7 +4,9 @@
 
 mod common;
 
-use common::{curved, disordered_curved, disordered_flat, energy_formulations, flat, free_shell};
+use common::{
+    AXIS, curved, disordered_curved, disordered_flat, energy_formulations, flat, free_shell, laminated,
+};
 use explicit_dynamics::LinearisedDynamics;
 use nalgebra::{DMatrix, SymmetricEigen};
 use sph_core::Cloud;
@@ -59,6 +61,19 @@ fn free_shells_have_exactly_six_zero_modes() {
                     "{name}, {cloud_name}: negative stiffness"
                 );
             }
+        }
+    }
+}
+
+#[test]
+fn laminated_free_shells_have_exactly_six_zero_modes() {
+    for (cloud_name, cloud) in clouds() {
+        for (name, formulation) in energy_formulations() {
+            let values = spectrum(&mut laminated(cloud.clone(), formulation, AXIS));
+            let (sixth, seventh) = (values[5].abs(), values[6].abs());
+            // As for one material; the softest direction is a fifth as stiff as the stiffest.
+            assert!(sixth < 1e-3 * seventh, "{name}, {cloud_name}: {:?}", &values[..9]);
+            assert!(values.iter().all(|&v| v > -1e-3 * seventh), "{name}, {cloud_name}: negative stiffness");
         }
     }
 }

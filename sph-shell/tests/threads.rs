@@ -40,6 +40,7 @@ fn body(formulation: Formulation, threads: usize) -> Shell {
         cloud,
         section: Box::new(IsotropicSection::new(Isotropic::new(1200.0, 0.3).unwrap(), 0.05).unwrap()),
         strain: &StretchCorrected,
+        material_axis: None,
         density: 1.0,
         formulation,
         supports,

@@ -1,8 +1,8 @@
-//! Every check of a scene that needs no particles.
+//! The checks of a scene that need no particles, first to last.
 
 use std::collections::BTreeSet;
 
-use super::{Formulation, Geometry, Material, Reach, Region, Scene, Section};
+use super::{Formulation, Geometry, Reach, Region, Scene};
 use crate::error::SceneError;
 use crate::probe::always;
 use crate::sets::BUILT_IN;
@@ -81,33 +81,6 @@ impl Scene {
         if let Some(turn) = self.orientation {
             s.direction("orientation.axis", turn.axis)?;
             s.within("orientation.degrees", turn.degrees, [-360.0, 360.0], "give the angle within one turn")?;
-        }
-        Ok(())
-    }
-
-    fn check_material(&self) -> Checked {
-        let s = &self.source;
-        let Material::Elastic(elastic) = &self.material;
-        s.positive("material.elastic.young", elastic.young)?;
-        s.positive("material.elastic.density", elastic.density)?;
-        let repair =
-            "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
-        s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)?;
-        let Section::Homogeneous(section) = &self.section;
-        s.positive("section.homogeneous.thickness", section.thickness)?;
-        if let Some(points) = section.gauss_points {
-            let repair = "one point carries no bending; leave it out for the closed form";
-            s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
-        }
-        let radius = match &self.geometry {
-            Geometry::Plate(_) => f64::INFINITY,
-            Geometry::Cylinder(cylinder) => cylinder.radius,
-            Geometry::Sphere(sphere) => sphere.radius,
-        };
-        if section.thickness >= radius {
-            let bound = format!("less than the radius {radius} of the surface");
-            let repair = "a thin shell wants a thickness of at most a fifth of the radius";
-            return Err(s.value("section.homogeneous.thickness", section.thickness, &bound, repair));
         }
         Ok(())
     }
