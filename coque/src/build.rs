@@ -120,6 +120,9 @@ impl Builder<'_> {
                 polar: radians(s.polar),
                 azimuth: radians(s.azimuth),
             }),
+            Geometry::Twisted(s) => {
+                Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
+            }
         };
         let counts = self.scene.geometry.particles();
         let (cloud, key) = match self.scene.geometry.disorder() {
@@ -204,6 +207,10 @@ impl Builder<'_> {
             SupportKind::Hinged => Box::new(sph_shell::Hinged),
             SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
             SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
+            SupportKind::Held(s) => Box::new(sph_shell::Held {
+                displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
+                director: s.director.first().map(|&v| self.turned(v)),
+            }),
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
@@ -341,6 +348,14 @@ impl Builder<'_> {
             ShellError::Density(_) => format!("material.{}.density", self.scene.material.word()),
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
+            }
+            &ShellError::OutOfPlane { support, .. } => {
+                let present = |(_, s): &(usize, &scene::Support)| {
+                    s.moved.is_none() || !self.scene.analysis.driven_by_load()
+                };
+                let supports = self.scene.supports.iter().enumerate();
+                let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
+                format!("supports[{number}]")
             }
             ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
                 "loads".into()

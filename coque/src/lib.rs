@@ -9,12 +9,13 @@
 //! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
-//! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
+//! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
 
 mod build;
 mod curve;
 mod error;
+mod linear;
 mod march;
 mod modes;
 mod nearest;

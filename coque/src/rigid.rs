@@ -89,7 +89,7 @@ fn text(v: &Vec3) -> String {
 mod tests {
     use super::*;
     use sph_core::{EndWeights, Plate, lattice};
-    use sph_shell::{Clamped, Hinged, Support, SymmetryPlane};
+    use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
@@ -122,5 +122,20 @@ mod tests {
         let x = (vec![0, 1, 2], SymmetryPlane { normal: Vec3::x() }.holds());
         let y = (vec![0, 3, 6, 9, 12], SymmetryPlane { normal: Vec3::y() }.holds());
         assert_eq!(free(&[x, y]), ["translation along z"]);
+    }
+
+    #[test]
+    fn held_directions_count_one_by_one() {
+        let held = |displacement, director| Held { displacement, director }.holds();
+        let down = (vec![0, 2, 14], held(vec![Vec3::z()], None));
+        assert_eq!(
+            free(std::slice::from_ref(&down)),
+            ["translation along x", "translation along y", "rotation about z"]
+        );
+        let wall = (vec![0, 2], held(vec![Vec3::x()], None));
+        assert_eq!(free(&[down, wall]), ["translation along y"]);
+        // A director in the plane normal to x does not turn about y.
+        let turn = (vec![0], held(vec![Vec3::x(), Vec3::y(), Vec3::z()], Some(Vec3::x())));
+        assert_eq!(free(&[turn]).len(), 2);
     }
 }

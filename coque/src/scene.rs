@@ -16,13 +16,13 @@ mod statics;
 pub use analysis::{Analysis, Damping, Explicit, Levels, QuasiStatic, Transient};
 pub(crate) use check_material::Matter;
 pub use conditions::{
-    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Load, LoadKind, Moved, Pressure, Support,
-    SupportKind, Symmetry,
+    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Held, Load, LoadKind, Moved, Pressure,
+    Support, SupportKind, Symmetry,
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
-pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere};
+pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere, Twisted};
 pub use material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
-pub use statics::{ArcLength, Buckling, Modal, Static, Stop};
+pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
 

@@ -279,3 +279,37 @@ fn the_command_runs_a_scene_without_time() {
     assert_eq!(early.status.code(), Some(3));
     assert!(String::from_utf8_lossy(&early.stderr).contains("allow more `steps`"));
 }
+
+#[test]
+fn a_run_that_cannot_converge_tells_where_and_keeps_its_rows() {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("absurd");
+    let _ = fs::remove_dir_all(&out);
+    // A millionth of an absurd force is found, all of it is not within two iterations a step.
+    let replaced = [
+        "geometry.plate.particles=[11, 3]",
+        "loads[0].force.total=[0, 0, 4e6]",
+        "analysis.static.levels=[1e-12, 1]",
+        "analysis.static.iterations=2",
+    ];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
+    command.args(["run", "scenes/cantilever-end-shear.toml", "--out", &out.to_string_lossy()]);
+    for pair in replaced {
+        command.args(["--set", pair]);
+    }
+    let failed = command.current_dir(folder().join("..")).output().unwrap();
+    assert_eq!(failed.status.code(), Some(3));
+    let message = String::from_utf8_lossy(&failed.stderr).into_owned();
+    for part in [
+        "the last at level 0.000000000001",
+        "step 1, load level",
+        "residual ",
+        "above the bound",
+        "after 2 iterations",
+    ] {
+        assert!(message.contains(part), "{part} is missing: {message}");
+    }
+    let curve = fs::read_to_string(out.join("curve.csv")).unwrap();
+    let rows: Vec<&str> = curve.lines().collect();
+    assert_eq!(rows.len(), 3, "{curve}");
+    assert!(rows[2].starts_with("1e-12,"), "{curve}");
+}

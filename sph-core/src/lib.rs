@@ -47,7 +47,7 @@ pub use lattice::{EndWeights, Lattice, Side, lattice};
 pub use neighbours::CellList;
 pub use nodal_operator::nodal_operator;
 pub use pairing::pair_triangles;
-pub use patch::{Cylinder, Parametric, Patch, Plate, Sphere};
+pub use patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
 pub use sampling::{SamplingOperator, SamplingPoint, Stencil, Transposed};
 
 /// A point or vector of space; positions are in `[L]`.

@@ -10,7 +10,7 @@ use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
 use crate::strong_form::StrongForm;
-use crate::supports::{Constraint, Holds};
+use crate::supports::{Constraint, DirectorHold, Holds};
 use crate::sweep::Sweep;
 use crate::{Formulation, Reach, Reference, ShellError, Support};
 
@@ -80,6 +80,9 @@ pub struct Shell {
     pub(crate) threads: usize,
 }
 
+/// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
+const OUT_OF_PLANE: f64 = 1e-6;
+
 /// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
 pub(crate) const PARTICLE_CHUNK: usize = 512;
 
@@ -101,7 +104,7 @@ impl Shell {
         for load in &parts.loads {
             load.load.check(&reference)?;
         }
-        let (constraint_of, constraints) = constraints(reference.cloud.len(), &parts.supports)?;
+        let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
         let count = reference.cloud.len();
         let packs = Packs::new(&reference.operator, &reference.cloud.positions);
         let state: Vec<Row> = reference
@@ -196,6 +199,11 @@ impl Shell {
     /// The strain measure in use.
     pub fn strain_measure(&self) -> &'static dyn StrainMeasure {
         self.strain
+    }
+
+    /// Thickness \[L\].
+    pub fn thickness(&self) -> f64 {
+        self.section.scales().thickness
     }
 
     /// Number of particles.
@@ -366,9 +374,10 @@ impl Shell {
 }
 
 /// Joins all supports of each particle.
-fn constraints(count: usize, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+fn constraints(cloud: &Cloud, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+    let count = cloud.len();
     let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
-    for supported in supports {
+    for (support, supported) in supports.iter().enumerate() {
         if supported.particles.is_empty() {
             return Err(ShellError::EmptySet("a support"));
         }
@@ -378,7 +387,15 @@ fn constraints(count: usize, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Co
                 particle,
                 count,
             })?;
-            list.push(supported.support.holds());
+            let holds = supported.support.holds();
+            if let DirectorHold::InPlane(normal) = holds.director {
+                // The turn that is left free runs along ν × d.
+                let along = normal.dot(&cloud.frames[particle as usize].n);
+                if along.abs() > OUT_OF_PLANE {
+                    return Err(ShellError::OutOfPlane { support, particle, along });
+                }
+            }
+            list.push(holds);
         }
     }
     let mut number = vec![0; count];

@@ -160,12 +160,16 @@ impl Equilibrium for StaticShell {
         self.shell.internal_energy
     }
 
+    /// Turning directors carry the rotary inertia `ρ t A_a t²/12` of the shell itself: the one scaled up in
+    /// [`crate::Reference`] serves the stable step, which nothing here has.
     fn masses(&self) -> Vec<f64> {
+        let turning = self.shell.thickness().powi(2) / 12.0;
         (0..self.unknowns())
             .map(|unknown| {
                 let (particle, _, moves) = self.freedoms.find(unknown);
                 let reference = &self.shell.reference;
-                if moves { reference.masses[particle] } else { reference.inertias[particle] }
+                let mass = reference.masses[particle];
+                if moves { mass } else { mass * turning }
             })
             .collect()
     }

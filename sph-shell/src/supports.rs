@@ -1,4 +1,4 @@
-//! Supports: clamp, hinge, symmetry plane, diaphragm, prescribed motion; and what they leave a particle free to do.
+//! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion; and what they leave free.
 
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
@@ -65,6 +65,18 @@ pub struct Diaphragm {
     pub axis: Vec3,
 }
 
+/// Displacements along some directions and one turn of the director are held; the rest is free.
+///
+/// The general support, of which the clamp, the hinge, the symmetry plane and the diaphragm are special cases with
+/// names of their own (but for the clamped director, which keeps both turns).
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// Directions of no displacement (any length, linearly independent).
+    pub displacement: Vec<Vec3>,
+    /// Normal (any length) of the plane in which the director stays.
+    pub director: Option<Vec3>,
+}
+
 /// Displacement along a direction is prescribed; the rest is free.
 #[derive(Clone, Debug)]
 pub struct Moved {
@@ -99,6 +111,17 @@ impl Support for Diaphragm {
     fn holds(&self) -> Holds {
         let frame = sph_core::Frame::from_normal(self.axis.normalize());
         Holds { translations: vec![frame.t1, frame.t2], ..Holds::default() }
+    }
+}
+
+impl Support for Held {
+    fn holds(&self) -> Holds {
+        let director = self.director.map_or(DirectorHold::Free, |n| DirectorHold::InPlane(n.normalize()));
+        Holds {
+            translations: self.displacement.iter().map(Vec3::normalize).collect(),
+            director,
+            motion: None,
+        }
     }
 }
 

@@ -62,6 +62,12 @@ impl Scene {
                 s.sized_all(&at("azimuth"), &sphere.azimuth)?;
                 s.range(&at("azimuth"), sphere.azimuth, 360.0)?;
             }
+            Geometry::Twisted(strip) => {
+                s.positive(&at("length"), strip.length)?;
+                s.positive(&at("width"), strip.width)?;
+                s.sized(&at("twist"), strip.twist)?;
+                s.within(&at("twist"), strip.twist, [-360.0, 360.0], "give the angle within one turn")?;
+            }
         }
         let [n1, n2] = self.geometry.particles();
         for (i, n) in [n1, n2].into_iter().enumerate() {

@@ -69,6 +69,8 @@ impl Scene {
             Geometry::Plate(_) => f64::INFINITY,
             Geometry::Cylinder(cylinder) => cylinder.radius,
             Geometry::Sphere(sphere) => sphere.radius,
+            // On the centre line the curvatures are ± twist / length.
+            Geometry::Twisted(strip) => strip.length / strip.twist.to_radians().abs(),
         };
         if total >= radius {
             let bound = format!("less than the radius {radius} of the surface");

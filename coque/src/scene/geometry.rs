@@ -12,6 +12,8 @@ pub enum Geometry {
     Cylinder(Cylinder),
     /// Part of a sphere about the origin.
     Sphere(Sphere),
+    /// Strip twisted about the x axis.
+    Twisted(Twisted),
 }
 
 /// Rectangle in the plane z = 0 from the origin, u along x, v along y.
@@ -52,6 +54,24 @@ pub struct Sphere {
     pub polar: [f64; 2],
     /// First and last azimuth \[degrees\].
     pub azimuth: [f64; 2],
+    /// Particles along u and v, those on the edges included.
+    pub particles: [usize; 2],
+    /// Moves particles at random in the surface.
+    pub disorder: Option<Disorder>,
+}
+
+/// Strip twisted uniformly about the x axis, its centre line; `u` runs along x, `v` across.
+///
+/// At the root `u = 0` the width lies along +y and the normal is +z; at the tip both are turned by `twist`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Twisted {
+    /// Length along x \[L\].
+    pub length: f64,
+    /// Width across \[L\].
+    pub width: f64,
+    /// Angle from root to tip, right-handed about +x \[degrees\].
+    pub twist: f64,
     /// Particles along u and v, those on the edges included.
     pub particles: [usize; 2],
     /// Moves particles at random in the surface.
@@ -106,6 +126,7 @@ impl Geometry {
             Self::Plate(_) => "plate",
             Self::Cylinder(_) => "cylinder",
             Self::Sphere(_) => "sphere",
+            Self::Twisted(_) => "twisted",
         }
     }
 
@@ -115,6 +136,7 @@ impl Geometry {
             Self::Plate(s) => s.particles,
             Self::Cylinder(s) => s.particles,
             Self::Sphere(s) => s.particles,
+            Self::Twisted(s) => s.particles,
         }
     }
 
@@ -124,6 +146,7 @@ impl Geometry {
             Self::Plate(s) => s.disorder,
             Self::Cylinder(s) => s.disorder,
             Self::Sphere(s) => s.disorder,
+            Self::Twisted(s) => s.disorder,
         }
     }
 }

@@ -35,6 +35,7 @@ fn mixed_cells(cloud: &Cloud) -> Vec<Cell> {
 pub fn curved_clouds() -> Vec<(&'static str, Cloud)> {
     let roof = Cylinder { radius: 2.0, angles: [-0.6, 0.9], length: 3.0 };
     let dome = Sphere { radius: 10.0, polar: [0.4, 1.5], azimuth: [0.0, 1.5] };
+    let strip = Twisted { length: 3.0, width: 1.0, twist: 1.5 };
     let wave = Parametric {
         position: |u: f64, v: f64| Vec3::new(u, v, 0.2 * (2.0 * u).sin() * v),
         range: [[0.0, 2.0], [0.0, 1.0]],
@@ -43,6 +44,7 @@ pub fn curved_clouds() -> Vec<(&'static str, Cloud)> {
         ("roof", lattice(&roof, [9, 11], EndWeights::Trapezoid).unwrap()),
         ("dome", jittered_lattice(&dome, [11, 11], 0.25, 1).unwrap()),
         ("wave", jittered_lattice(&wave, [13, 8], 0.2, 5).unwrap()),
+        ("strip", jittered_lattice(&strip, [15, 7], 0.2, 2).unwrap()),
     ]
 }
 

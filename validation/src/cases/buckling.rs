@@ -51,7 +51,10 @@ fn variants() -> Vec<Variant> {
         variants.push(Variant::elements(ELEMENTS, [31, 21], move || plate_buckling(10, sides)).on(name));
         variants.push(Variant::elements(ELEMENTS, [43, 29], move || plate_buckling(14, sides)).on(name));
     }
-    variants.into_iter().map(|variant| if variant.grid.starts_with('4') { variant } else { variant.quick() }).collect()
+    variants
+        .into_iter()
+        .map(|variant| if variant.grid.starts_with('4') { variant } else { variant.quick() })
+        .collect()
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {

@@ -57,8 +57,12 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         errors.push(compared.largest(run, 1.0, None)?.map(|error| 100.0 * error / LARGEST));
     }
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (ELEMENTS, "25×25" | "31×31") => Some((1.0, "issue 3: finite elements within 1 % of the largest displacement")),
-        (STATIC, "21×21" | "31×31") => Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²")),
+        (ELEMENTS, "25×25" | "31×31") => {
+            Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))
+        }
+        (STATIC, "21×21" | "31×31") => {
+            Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²"))
+        }
         _ => None,
     };
     let metric = Metric::error(NAME, largest(errors.iter().copied()), UNIT);

@@ -58,13 +58,18 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     }
     let snap = value_at(&run.column("minus_U_B")?, &run.column("load")?, SNAP.1);
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (ELEMENTS, "25×17") => Some((1.0, "issue 3: finite elements within 1 % of the largest displacement")),
-        (STATIC, "25×17" | "37×25") => Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²")),
+        (ELEMENTS, "25×17") => {
+            Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))
+        }
+        (STATIC, "25×17" | "37×25") => {
+            Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²"))
+        }
         _ => None,
     };
     let metric = Metric::error(NAME, largest(errors.iter().copied()), UNIT);
     let load = Metric::compared("load in the snap", snap, "-", SNAP.0);
-    let reason = "two rows that hold the snap are a fifth of the displacement apart; bricks lie 0.9 % from the later";
+    let reason =
+        "two rows that hold the snap are a fifth of the displacement apart; bricks lie 0.9 % from the later";
     let mut metrics = match judged {
         Some((percent, why)) => vec![metric.within(percent, why), load.within(0.02 * SNAP.0, reason)],
         None => vec![metric.because("judged on other lattices"), load],
@@ -76,7 +81,8 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 fn published() -> Result<Vec<Published>, JudgeError> {
     let checks = &reference(TABLE)?.cross_check;
     let columns = checks[1]["columns"].as_array().map_or(&[][..], Vec::as_slice);
-    let worst = columns.iter().filter_map(|column| column["percent_of_table_maximum"].as_f64()).reduce(f64::max);
+    let worst =
+        columns.iter().filter_map(|column| column["percent_of_table_maximum"].as_f64()).reduce(f64::max);
     Ok(vec![
         Published { source: "Sze et al. 2004, S4R", error: None },
         Published { source: "CalculiX, 16×24 bricks (each of its own largest)", error: worst },

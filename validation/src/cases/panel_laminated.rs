@@ -51,7 +51,9 @@ fn variants() -> Vec<Variant> {
     for stack in &STACKS {
         let section = stack.section;
         let axis = if section == PanelSection::AxialAroundAxial { "[0, 1, 0]" } else { "[1, 0, 0]" };
-        let scene = |method: &str, n| Variant::new(method, SCENE, "cylinder", [n, n]).set("section.layered.axis", axis);
+        let scene = |method: &str, n| {
+            Variant::new(method, SCENE, "cylinder", [n, n]).set("section.layered.axis", axis)
+        };
         for n in [11, 21] {
             let nodes = Variant::elements(ELEMENTS, [n, n], move || elements(n - 1, 12.7, section, 30.0, 60));
             let particles = scene(STATIC, n).set("analysis.static.levels", 60);
@@ -113,7 +115,8 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let differences =
             pairs.map(|(at, load)| value_at(&w, &p, at).map(|own| 100.0 * (load - own).abs() / limit));
         let reason = "issue 3: static equals the explicit ramp–hold loads to 0.2 %";
-        metrics.push((at, Metric::error(DYNAMICS, largest(differences), "% of limit load").within(0.2, reason)));
+        metrics
+            .push((at, Metric::error(DYNAMICS, largest(differences), "% of limit load").within(0.2, reason)));
     }
     Ok(metrics)
 }
@@ -138,7 +141,8 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         series.push(Series::marks(&format!("Sze et al. 2004, {}", stack.name), points, colour, Mark::Cross));
         for (method, colour, line) in [(STATIC, colour, Line::Solid), (ELEMENTS, BLACK, Line::Dashed)] {
             let Some(run) = runs.get(method, &format!("21×21 {}", stack.name)) else { continue };
-            let points = run.column("w_crown")?.into_iter().zip(run.column("P")?.into_iter().map(|p| 1e-3 * p));
+            let points =
+                run.column("w_crown")?.into_iter().zip(run.column("P")?.into_iter().map(|p| 1e-3 * p));
             series.push(Series::line(&format!("{method}, {}", stack.name), points.collect(), colour, line));
         }
     }

@@ -51,8 +51,9 @@ fn variants() -> Vec<Variant> {
                 "analysis.arc-length",
                 "{ radius = 0.004, stop = { column = \"P\", above = 3100.0 }, steps = 400 }",
             );
-        let nodes =
-            Variant::elements(ELEMENTS, [n, n], move || panel_path(n - 1, 6.35, PanelSection::Isotropic, 3100.0));
+        let nodes = Variant::elements(ELEMENTS, [n, n], move || {
+            panel_path(n - 1, 6.35, PanelSection::Isotropic, 3100.0)
+        });
         variants.extend([particles.quick(), nodes.quick()]);
     }
     variants
@@ -82,7 +83,8 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "issue 3: the whole path within 1 % path distance of the table, both turning points passed";
     Ok(vec![
         Metric::error(NAME, path::distance(&own, &confirmed, SCALE), UNIT).within_if(judged, 1.0, reason),
-        Metric::error("whole table", path::distance(&own, &table()?, SCALE), UNIT).within_if(judged, 1.0, reason),
+        Metric::error("whole table", path::distance(&own, &table()?, SCALE), UNIT)
+            .within_if(judged, 1.0, reason),
         Metric::error("bricks", path::distance(&own, &low, SCALE), UNIT)
             .because("bricks and table differ by 0.8 % themselves"),
     ])

@@ -39,8 +39,12 @@ pub fn case() -> Case {
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (ELEMENTS, GRADED) => (Some(2.0), "issue 3: finite elements within 2 % at 24 a side, the load being singular"),
-        (ELEMENTS, "25×25") => (None, "asked 2 %: a uniform mesh of 24² is too coarse for the dimple; see the graded one"),
+        (ELEMENTS, GRADED) => {
+            (Some(2.0), "issue 3: finite elements within 2 % at 24 a side, the load being singular")
+        }
+        (ELEMENTS, "25×25") => {
+            (None, "asked 2 %: a uniform mesh of 24² is too coarse for the dimple; see the graded one")
+        }
         (STATIC, "21×21") => (Some(3.0), "issue 3: particles within 3 % at 21²"),
         _ => (None, "judged at 21² and at 24 graded elements a side"),
     };
@@ -51,6 +55,9 @@ fn published() -> Result<Vec<Published>, JudgeError> {
     // The file holds a text: 16×16 uniform 1.8272e-5; graded 40×40 1.8647e-5.
     Ok(vec![
         Published { source: "series, Kirchhoff", error: None },
-        Published { source: "CalculiX, bricks 40×40 graded", error: Some(100.0 * (1.8647e-5 / DEFLECTION - 1.0)) },
+        Published {
+            source: "CalculiX, bricks 40×40 graded",
+            error: Some(100.0 * (1.8647e-5 / DEFLECTION - 1.0)),
+        },
     ])
 }

@@ -51,7 +51,9 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         errors.push(compared.largest(run, CONFIRMED.0, None)?.map(|error| 100.0 * error / CONFIRMED.1));
     }
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (ELEMENTS, "33×33") => Some((1.0, "issue 3: finite elements within 1 % of the largest displacement")),
+        (ELEMENTS, "33×33") => {
+            Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))
+        }
         (STATIC, "31×31") => Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²")),
         _ => None,
     };

@@ -118,7 +118,9 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     for (method, edges, colour, mark) in looks {
         let mut points = Vec::new();
         for (thickness, ..) in DEFLECTIONS {
-            let Some(run) = runs.get(method, &format!("21×21 {}", named(edges, thickness))) else { continue };
+            let Some(run) = runs.get(method, &format!("21×21 {}", named(edges, thickness))) else {
+                continue;
+            };
             let ratio = run.column("w_centre")?.last().copied().zip(expected(run));
             points.extend(ratio.map(|(value, expected)| (thickness, value / expected)));
         }
@@ -127,7 +129,9 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     }
     Ok(vec![Figure::Chart(Chart {
         title: "Deflection over Mindlin's, against the thickness".into(),
-        caption: "Flat lines: neither particles nor elements lock, over three and a half decades of thickness.".into(),
+        caption:
+            "Flat lines: neither particles nor elements lock, over three and a half decades of thickness."
+                .into(),
         x: Axis::log("thickness over side"),
         y: Axis::linear("central deflection / exact").between(0.985, 1.015),
         series,

@@ -39,7 +39,8 @@ fn variants() -> Vec<Variant> {
             let modes = MODES + rigid(edges);
             let particles =
                 supported(of_thickness(STATIC, 21, thickness), edges).set("analysis.modal.modes", modes);
-            let nodes = Variant::elements(ELEMENTS, [21, 21], move || plate_frequencies(20, thickness, edges));
+            let nodes =
+                Variant::elements(ELEMENTS, [21, 21], move || plate_frequencies(20, thickness, edges));
             variants.extend([particles, nodes].map(|variant| {
                 let variant = variant.on(&named(edges, thickness));
                 if thickness == 0.01 { variant.quick() } else { variant }
