@@ -1,6 +1,6 @@
 //! What the large-deflection problems share: distances from published tables and paths.
 
-use benchmarks_ref::reference;
+use benchmarks_ref::{Curve, reference};
 
 use crate::JudgeError;
 use crate::case::Run;
@@ -17,19 +17,24 @@ pub struct Compared<'a> {
 }
 
 impl Compared<'_> {
-    /// The largest difference at the table's rows up to a load, leaving out one load; none if the run ended before.
+    /// The largest difference at the table's rows up to a load, leaving out one load, on the run's part of first rise;
+    /// none if that ended before.
     pub fn largest(&self, run: &Run, until: f64, without: Option<f64>) -> Result<Option<f64>, JudgeError> {
         let table = reference(self.table)?;
         let rows = table.column(self.known[0])?.into_iter().zip(table.column(self.known[1])?);
-        let (x, y) = (run.column(self.found[0])?, run.column(self.found[1])?);
+        // Straight pieces: a cubic would swing where the load hardly grows and the displacement runs.
+        let (loads, values) = (run.column(self.found[0])?, run.column(self.found[1])?);
+        let rising = 1 + loads.windows(2).take_while(|pair| pair[1] > pair[0]).count();
+        let own = Curve::new(loads[..rising.min(loads.len())].to_vec(), values[..rising.min(values.len())].to_vec());
+        let at = |load: f64| own.as_ref().ok().and_then(|curve| curve.at(load).ok());
         let differences = rows
             .filter(|&(load, _)| load <= until && without.is_none_or(|left_out| left_out != load))
-            .map(|(load, known)| value_at(&x, &y, load).map(|found| (found - known).abs()));
+            .map(|(load, known)| at(load).map(|found| (found - known).abs()));
         Ok(largest(differences))
     }
 }
 
-/// The value at a load of a path whose load grows; the last digits of a load that was stepped to do not count.
+/// The value at a place of a path whose abscissa grows; the last digits of one that was stepped to do not count.
 pub fn value_at(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
     let last = x.last().copied()?;
     let slack = 1e-6 * last.abs();
