@@ -55,7 +55,7 @@ pub struct Published {
     pub error: Option<f64>,
 }
 
-/// One run of a case: a scene with some values replaced, or a model of the finite-element shell.
+/// One run of a case: a scene with some values replaced, or a study.
 #[derive(Clone, Debug)]
 pub struct Variant {
     /// Formulation, and what else sets the run apart; with [`Variant::grid`] unique in the case.
@@ -70,6 +70,9 @@ pub struct Variant {
     pub settles: bool,
 }
 
+/// A run that is no scene; an error says why there is no outcome.
+pub type Study = Arc<dyn Fn() -> Result<Outcome, String> + Send + Sync>;
+
 /// What a variant runs.
 #[derive(Clone)]
 pub enum Problem {
@@ -80,15 +83,15 @@ pub enum Problem {
         /// Values replaced, as in `coque run --set`.
         set: Vec<(String, String)>,
     },
-    /// A case of the finite-element shell.
-    Elements(Arc<dyn Fn() -> Result<Solved, CaseError> + Send + Sync>),
+    /// Anything else that leaves an outcome behind: the finite-element shell, a study on a bare shell.
+    Study(Study),
 }
 
 impl fmt::Debug for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scene { set, .. } => f.debug_struct("Scene").field("set", set).finish_non_exhaustive(),
-            Self::Elements(_) => f.write_str("Elements"),
+            Self::Study(_) => f.write_str("Study"),
         }
     }
 }
@@ -114,13 +117,18 @@ impl Variant {
         solve: impl Fn() -> Result<Solved, CaseError> + Send + Sync + 'static,
     ) -> Self {
         let [u, v] = counts;
-        Self {
-            method: method.into(),
-            grid: format!("{u}×{v}"),
-            source: Problem::Elements(Arc::new(solve)),
-            quick: false,
-            settles: true,
-        }
+        let solve = move || solve().map(Outcome::from).map_err(|cause| cause.to_string());
+        Self::study(method, &format!("{u}×{v}"), solve)
+    }
+
+    /// A run that is no scene.
+    pub fn study(
+        method: &str,
+        grid: &str,
+        run: impl Fn() -> Result<Outcome, String> + Send + Sync + 'static,
+    ) -> Self {
+        let (method, grid) = (method.into(), grid.into());
+        Self { method, grid, source: Problem::Study(Arc::new(run)), quick: false, settles: false }
     }
 
     /// Replaces a value of the scene.

@@ -1,7 +1,6 @@
 //! What keeps the judge from judging; a missed tolerance is not among it.
 
 use benchmarks_ref::ReferenceError;
-use benchmarks_ref::fe_shell::cases::CaseError;
 use thiserror::Error;
 
 /// Why there is no verdict.
@@ -28,15 +27,15 @@ pub enum JudgeError {
         /// The refusal, with the line underlined.
         text: String,
     },
-    /// The finite-element shell found no answer.
+    /// A study left no outcome.
     #[error("case {case}, {method}: {cause}")]
-    Elements {
+    Study {
         /// The case.
         case: &'static str,
         /// The method of the variant.
         method: String,
         /// What happened.
-        cause: CaseError,
+        cause: String,
     },
     /// A case asks for a column that its scene does not record.
     #[error(

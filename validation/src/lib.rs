@@ -9,6 +9,7 @@
 //! | how runs share the cores | `run.rs` |
 //! | what a run leaves behind, whoever solved it | `outcome.rs` |
 //! | what a verdict is | `record.rs` |
+//! | the table of the hard cases | `survival.rs` |
 //! | explicit, static, finite elements and published side by side | `answers.rs` |
 //! | interpolation, order of convergence, frontier | `measure.rs` |
 //! | the printed table, the HTML report | `table.rs`, `report/*.rs` |
@@ -21,6 +22,7 @@ pub mod outcome;
 pub mod record;
 pub mod report;
 pub mod run;
+pub mod survival;
 pub mod table;
 
 mod error;

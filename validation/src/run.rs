@@ -1,13 +1,12 @@
 //! Running: all chosen scenes on all cores, one thread a scene, then the verdicts case by case.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
 
-use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 use coque::scene::{Formulation, Reach};
 use coque::{Model, Rendering, Scene, Silent, render};
 
-use crate::case::{Case, Problem, Run, Runs, Variant};
+use crate::case::{Case, Problem, Run, Runs, Study, Variant};
 use crate::outcome::{Outcome, Solver};
 use crate::record::{Metric, Record};
 use crate::{JudgeError, cases};
@@ -20,6 +19,8 @@ pub const REST: &str = "restless levels";
 pub struct Selection {
     /// Only the quick runs.
     pub quick: bool,
+    /// The hard cases in place of the usual ones.
+    pub hard: bool,
     /// Only these cases; all if empty.
     pub names: Vec<String>,
     /// Scenes that run at the same time.
@@ -42,7 +43,8 @@ pub struct CaseResult {
 /// [`JudgeError`] for unknown names, refused scenes, and references that are not there. A missed tolerance is no
 /// error: it is in the records.
 pub fn judge(selection: &Selection, tell: &(dyn Fn(String) + Sync)) -> Result<Vec<CaseResult>, JudgeError> {
-    let cases = choose(cases::all(), selection)?;
+    let all = if selection.hard { cases::hard() } else { cases::all() };
+    let cases = choose(all, selection)?;
     let mut works = Vec::new();
     for case in &cases {
         for variant in &case.variants {
@@ -89,14 +91,14 @@ fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<Case>, JudgeError
 enum Work {
     /// Runs a scene.
     Particles(Box<Model>),
-    /// Solves a case of the finite-element shell.
-    Elements(Arc<dyn Fn() -> Result<Solved, CaseError> + Send + Sync>),
+    /// Does something else.
+    Study(Study),
 }
 
 fn build(case: &'static str, variant: &Variant) -> Result<Work, JudgeError> {
     let (text, set) = match &variant.source {
         Problem::Scene { text, set } => (*text, set),
-        Problem::Elements(solve) => return Ok(Work::Elements(solve.clone())),
+        Problem::Study(study) => return Ok(Work::Study(study.clone())),
     };
     let how = Rendering { width: 110, colour: false };
     let origin = format!("scene of {case}");
@@ -124,7 +126,7 @@ fn run_all(
     let grids: Vec<String> = works.iter().map(|(_, v, _)| v.grid.clone()).collect();
     let queue: Vec<Mutex<Option<Work>>> =
         works.into_iter().map(|(_, _, work)| Mutex::new(Some(work))).collect();
-    let outcomes: Vec<Mutex<Option<Result<Outcome, CaseError>>>> =
+    let outcomes: Vec<Mutex<Option<Result<Outcome, String>>>> =
         (0..count).map(|_| Mutex::new(None)).collect();
     let (next, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
     std::thread::scope(|scope| {
@@ -133,14 +135,14 @@ fn run_all(
                 while let Some(&at) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let outcome = match take(&queue[at]) {
                         Some(Work::Particles(model)) => Ok(Outcome::from(model.run(&mut Silent))),
-                        Some(Work::Elements(solve)) => solve().map(Outcome::from),
+                        Some(Work::Study(study)) => study(),
                         None => continue,
                     };
                     let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
                     let how = match &outcome {
                         Ok(Outcome { failure: Some(failure), .. }) => failure.clone(),
                         Ok(outcome) => format!("{:.1} s", outcome.wall_seconds),
-                        Err(cause) => cause.to_string(),
+                        Err(cause) => cause.clone(),
                     };
                     let (case, method) = &labels[at];
                     tell(format!("[{number}/{count}] {case}: {method} {}: {how}", grids[at]));
@@ -151,9 +153,7 @@ fn run_all(
     });
     let outcomes = outcomes.iter().filter_map(take).zip(labels);
     outcomes
-        .map(|(outcome, (case, method))| {
-            outcome.map_err(|cause| JudgeError::Elements { case, method, cause })
-        })
+        .map(|(outcome, (case, method))| outcome.map_err(|cause| JudgeError::Study { case, method, cause }))
         .collect()
 }
 
@@ -163,7 +163,7 @@ fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
 
 /// Orders runs by time, not more: particles × points of a stencil × steps, where steps grow as the spacing falls.
 fn rough_cost(work: &Work) -> f64 {
-    // Finite elements have no time steps: they take about as long as an explicit run of this many particles.
+    // Finite elements take about as long as an explicit run of this many particles.
     let Work::Particles(model) = work else { return 100.0_f64.powf(1.5) };
     let particles = model.shell.len() as f64;
     // A wide stencil takes about five times as long as a cell of four particles.
@@ -262,6 +262,7 @@ mod tests {
     fn cases_are_chosen_by_name_and_by_what_is_quick() {
         let selection = |quick, names: &[&str]| Selection {
             quick,
+            hard: false,
             names: names.iter().map(ToString::to_string).collect(),
             jobs: 1,
         };

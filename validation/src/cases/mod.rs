@@ -3,6 +3,7 @@
 mod buckling;
 mod cantilever_end_shear;
 pub(crate) mod dial;
+mod hard;
 mod hemisphere;
 mod hemisphere_large;
 mod linear;
@@ -54,6 +55,11 @@ pub fn all() -> Vec<Case> {
     ]
 }
 
+/// The hard cases, in the order of the survival table.
+pub fn hard() -> Vec<Case> {
+    hard::all()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,7 +68,7 @@ mod tests {
     #[test]
     fn cases_and_their_runs_can_be_told_apart() {
         let mut names = BTreeSet::new();
-        for case in all() {
+        for case in all().into_iter().chain(hard()) {
             assert!(names.insert(case.name), "two cases are called {}", case.name);
             let mut runs = BTreeSet::new();
             for variant in &case.variants {

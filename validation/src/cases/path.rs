@@ -25,7 +25,10 @@ impl Compared<'_> {
         // Straight pieces: a cubic would swing where the load hardly grows and the displacement runs.
         let (loads, values) = (run.column(self.found[0])?, run.column(self.found[1])?);
         let rising = 1 + loads.windows(2).take_while(|pair| pair[1] > pair[0]).count();
-        let own = Curve::new(loads[..rising.min(loads.len())].to_vec(), values[..rising.min(values.len())].to_vec());
+        let own = Curve::new(
+            loads[..rising.min(loads.len())].to_vec(),
+            values[..rising.min(values.len())].to_vec(),
+        );
         let at = |load: f64| own.as_ref().ok().and_then(|curve| curve.at(load).ok());
         let differences = rows
             .filter(|&(load, _)| load <= until && without.is_none_or(|left_out| left_out != load))

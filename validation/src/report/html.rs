@@ -5,6 +5,7 @@ use crate::answers::side_by_side;
 use crate::cases::dial;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
+use crate::survival::survival;
 use crate::table::{short, unit, verdict, words};
 use crate::{JudgeError, Run};
 
@@ -30,6 +31,9 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
          <title>coque: validation</title><style>{STYLE}</style></head><body><main>"
     );
     page.push_str(&head(results, selection));
+    if selection.hard {
+        page.push_str(&format!("<h2>Hard cases</h2>{}", show(&Figure::Numbers(survival(results)))?));
+    }
     page.push_str(&summary(results));
     for result in results {
         page.push_str(&case(result)?);
@@ -53,7 +57,12 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
          was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
          those of the machine that made the page: compare them with each other only, and run with one job (--jobs 1) where cost is the question. A step of one particle counts \
          as one particle-step (p·step).</p>",
-        if selection.quick { "Quick" } else { "Full" },
+        match (selection.hard, selection.quick) {
+            (false, true) => "Quick",
+            (false, false) => "Full",
+            (true, true) => "Quick hard",
+            (true, false) => "Hard",
+        },
         records.len(),
         selection.jobs
     )
