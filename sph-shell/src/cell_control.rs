@@ -22,7 +22,11 @@ use crate::stiffness::PointTangent;
 const POSITION_SHARE: f64 = 0.1;
 /// Share β_d of the director hourglass \[–\]. Below ⅜(kΔ)², k the total curvature, a cell that turns by kΔ
 /// releases more bending energy than the control holds; one is the fully integrated value.
-const DIRECTOR_SHARE: f64 = 1.0;
+const DIRECTOR_SHARE: f64 = 0.1;
+/// Share of 1 − d·d.
+const CHORD: f64 = 1.0 / 6.0;
+/// Share of s4² + s5².
+const HOURGLASS: f64 = 1.0 / 3.0;
 
 /// Constants of the control of four cells.
 #[derive(Clone, Debug, Default)]
@@ -33,8 +37,31 @@ pub(crate) struct CellPack {
     twist: [Pack; 3],
     /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; nought for triangles.
     stiffness: [Pack; 2],
+    /// Share of s4² + s5² in the scale of the curvature \[–\]; nought for triangles.
+    hourglass: Pack,
     /// Reference values of s1…s5.
     reference: [Pack; 5],
+}
+
+/// The hourglass of four cells as it is now.
+pub(crate) struct CellState {
+    q: [Pack3; 2],
+    /// s1…s5 less their reference values.
+    s: [Pack; 5],
+    /// Arc over chord c \[–\].
+    pub scale: Pack,
+    /// Curvature by chords \[1/L\].
+    pub curvature: [Pack; 3],
+}
+
+/// What the tangent needs of the scaled curvature `k̂ = c k`, weights included.
+pub(crate) struct ScaleTangent {
+    /// Coupling of the scale with the five vectors.
+    pub mixed: [Pack; 15],
+    /// Second derivative over the scale itself.
+    pub twice: Pack,
+    /// First derivative over the scale, w M:k.
+    pub released: Pack,
 }
 
 /// What the control adds: forces on the patterns, to be spread by ±¼.
@@ -78,11 +105,13 @@ impl CellPack {
                 sum(&|b| gamma(b) * xi[b] * eta[b]),
                 8.0 / 3.0 * POSITION_SHARE * shear,
                 8.0 / 3.0 * DIRECTOR_SHARE * section.bending,
+                HOURGLASS,
             ];
             let [l1, l2] = &mut pack.lever;
             let [h11, h22, h12] = &mut pack.twist;
             let [kx, kd] = &mut pack.stiffness;
-            for (slot, value) in [l1, l2, h11, h22, h12, kx, kd].into_iter().zip(values) {
+            let slots = [l1, l2, h11, h22, h12, kx, kd, &mut pack.hourglass];
+            for (slot, value) in slots.into_iter().zip(values) {
                 let mut lanes = slot.lanes();
                 lanes[lane] = value;
                 *slot = Pack::new(lanes);
@@ -99,6 +128,7 @@ impl CellPack {
         [raw[0] * quarter - p.x1 * l1 - p.x2 * l2, raw[1] * quarter - p.d1 * l1 - p.d2 * l2]
     }
 
+    /// s1…s5 before their reference values are taken off.
     #[inline(always)]
     fn components(&self, p: &Placement, curvature: &[Pack; 3], q: &[Pack3; 2]) -> [Pack; 5] {
         let [h11, h22, h12] = self.twist;
@@ -106,36 +136,49 @@ impl CellPack {
         [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2)]
     }
 
-    /// Takes the present state as the reference.
-    pub fn rest(&mut self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) {
-        self.reference = self.components(p, curvature, &self.patterns(p, raw));
+    /// Patterns, their components and the scale of the curvature in the present placement.
+    #[inline(always)]
+    pub fn state(&self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) -> CellState {
+        let q = self.patterns(p, raw);
+        let now = self.components(p, curvature, &q);
+        let s: [Pack; 5] = std::array::from_fn(|i| now[i] - self.reference[i]);
+        let spread = Pack::splat(1.0) - p.d.dot(p.d);
+        let scale = Pack::splat(1.0) + spread * CHORD + (s[3] * s[3] + s[4] * s[4]) * self.hourglass;
+        CellState { q, s, scale, curvature: *curvature }
     }
 
-    /// Adds the control's forces to those of the point; returns the pattern forces and the energy \[F L\].
+    /// Takes the present state as the reference; returns its curvature by arcs.
+    pub fn rest(&mut self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) -> [Pack; 3] {
+        self.reference = self.components(p, curvature, &self.patterns(p, raw));
+        self.state(p, curvature, raw).arc(*curvature)
+    }
+
+    /// Adds the control's forces to those of the point; returns the pattern forces and the control's energy \[F L\].
+    ///
+    /// `released` is w M:k of [`CellState::released`].
     #[inline(always)]
     pub fn add(
         &self,
         p: &Placement,
-        curvature: &[Pack; 3],
-        raw: [Pack3; 2],
+        state: &CellState,
+        released: Pack,
         f: &mut PlacementForces,
     ) -> (PatternForces, Pack) {
-        let q = self.patterns(p, raw);
-        let now = self.components(p, curvature, &q);
+        let CellState { q, s, .. } = state;
         let [kx, kd] = self.stiffness;
         let [h11, h22, h12] = self.twist;
-        let s: [Pack; 5] = std::array::from_fn(|i| now[i] - self.reference[i]);
-        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * kd, s[4] * kd];
+        let held = kd + self.hourglass * released * 2.0;
+        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held];
         let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
         let director = p.x1 * r4 + p.x2 * r5;
         let half3 = r3 * 0.5;
         let [l1, l2] = self.lever;
         f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 - position * l1;
         f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - position * l2;
-        f.q += q[0] * r3;
+        f.q += q[0] * r3 - p.d * (released * (2.0 * CHORD));
         f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - director * l1;
         f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 - director * l2;
-        let energy = (s[0] * r1 + s[1] * r2 + s[2] * r3 + s[3] * r4 + s[4] * r5) * 0.5;
+        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + (s[3] * s[3] + s[4] * s[4]) * kd) * 0.5;
         (
             PatternForces { position: position * Pack::splat(0.25), director: director * Pack::splat(0.25) },
             energy,
@@ -147,19 +190,31 @@ impl CellPack {
         self.lever.map(|l| l.lanes()[lane])
     }
 
-    /// Adds the second derivatives of the control's energy over x,1 x,2 d d,1 d,2 q_x q_d.
-    pub fn add_tangent(&self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2], out: &mut PointTangent) {
-        let q = self.patterns(p, raw);
-        let now = self.components(p, curvature, &q);
+    /// Adds the second derivatives of the control's energy, and those of the curvature's scale, over
+    /// x,1 x,2 d d,1 d,2 q_x q_d.
+    pub fn add_tangent(
+        &self,
+        p: &Placement,
+        state: &CellState,
+        scale: &ScaleTangent,
+        out: &mut PointTangent,
+    ) {
+        let CellState { q, s, .. } = state;
         let [kx, kd] = self.stiffness;
-        let stiffness = [kx, kx, kx, kd, kd];
+        let held = kd + self.hourglass * scale.released * 2.0;
+        let stiffness = [kx, kx, kx, held, held];
         let [h11, h22, h12] = self.twist;
         // Each component is a product of a pattern and a vector: (pattern, vector) by number.
         let products: [(usize, usize); 5] = [(5, 0), (5, 1), (5, 2), (6, 0), (6, 1)];
         let vectors = [p.x1, p.x2, p.d, p.d1, p.d2, q[0], q[1]];
         let bent = [h11 * 0.5, h22 * 0.5, h12 * 0.5];
+        let mut of_scale = [Pack::ZERO; 21];
+        for k in 0..3 {
+            of_scale[6 + k] = p.d.0[k] * (-2.0 * CHORD);
+            out[6 + k][6 + k] += scale.released * (-2.0 * CHORD);
+        }
         for (i, &(pattern, vector)) in products.iter().enumerate() {
-            let force = (now[i] - self.reference[i]) * stiffness[i];
+            let force = s[i] * stiffness[i];
             let mut gradient = [Pack::ZERO; 21];
             for k in 0..3 {
                 gradient[3 * pattern + k] = vectors[vector].0[k];
@@ -183,7 +238,32 @@ impl CellPack {
                 for c in 0..21 {
                     out[r][c] += gradient[r] * gradient[c] * stiffness[i];
                 }
+                if i > 2 {
+                    of_scale[r] += gradient[r] * s[i] * self.hourglass * 2.0;
+                }
             }
         }
+        for r in 0..21 {
+            let mixed = scale.mixed.get(r).copied().unwrap_or(Pack::ZERO);
+            for c in 0..21 {
+                let other = scale.mixed.get(c).copied().unwrap_or(Pack::ZERO);
+                out[r][c] += mixed * of_scale[c] + of_scale[r] * (other + of_scale[c] * scale.twice);
+            }
+        }
+    }
+}
+
+impl CellState {
+    /// The curvature measured along arcs: a chord's, times the scale.
+    #[inline(always)]
+    pub fn arc(&self, curvature: [Pack; 3]) -> [Pack; 3] {
+        curvature.map(|k| k * self.scale)
+    }
+
+    /// M:k, what a unit of shortening would release per area, from forces on the curvature by arcs \[F/L\].
+    #[inline(always)]
+    pub fn released(&self, moment: &[Pack; 3]) -> Pack {
+        let [k11, k22, k12] = self.curvature;
+        k11 * moment[0] + k22 * moment[1] + k12 * moment[2]
     }
 }
