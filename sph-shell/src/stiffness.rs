@@ -151,9 +151,9 @@ impl Shell {
         entries: &[Entry],
         lane: usize,
     ) -> Vec<(u32, [f64; VECTORS])> {
-        let lever = self.cells.get(index).map(|cell| cell.lever(lane));
+        let cell = self.cells.get(index);
         let number = |h: f64, phi: f64, g1: f64, g2: f64| {
-            let gamma = lever.map_or(0.0, |[l1, l2]| 0.25 * h - l1 * g1 - l2 * g2);
+            let gamma = cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
             [g1, g2, phi, g1, g2, gamma, gamma]
         };
         let mut base = (1.0, 0.0, 0.0);
@@ -186,7 +186,7 @@ fn scale_tangent(
     let along: [Pack; 8] = std::array::from_fn(|i| over[i][3] * k[0] + over[i][4] * k[1] + over[i][5] * k[2]);
     let twice = along[3] * k[0] + along[4] * k[1] + along[5] * k[2];
     let released = state.released(&forces.curvature);
-    let mut mixed = [Pack::ZERO; 15];
+    let mut mixed = [Pack::ZERO; 3 * VECTORS];
     for (i, row) in p.measure_gradients().iter().enumerate() {
         let direct = if (3..6).contains(&i) { forces.curvature[i - 3] } else { Pack::ZERO };
         let factor = (along[i] * of(i) + direct) * weight;
