@@ -178,7 +178,7 @@ impl Shell {
             let (p, raw) = place::<true>(pack, entries, &self.state);
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
-                cell.rest(&p, &pack.reference.curvature, raw);
+                pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
             }
         }
     }
