@@ -313,3 +313,16 @@ fn a_run_that_cannot_converge_tells_where_and_keeps_its_rows() {
     assert_eq!(rows.len(), 3, "{curve}");
     assert!(rows[2].starts_with("1e-12,"), "{curve}");
 }
+
+#[test]
+fn rolled_strips_are_stable_whatever_their_rows() {
+    // Narrow lattices leave the loaded end few neighbours: without the swirl of directors and the thick shell's share of
+    // the control it gives way (docs/zero-energy-control.md).
+    for particles in ["[25, 3]", "[49, 3]", "[99, 3]", "[50, 5]"] {
+        let levels = ("analysis.static.levels", "8");
+        let outcome = run("ring.toml", &[levels, ("geometry.plate.particles", particles)]);
+        assert_eq!(outcome.ended, Ended::Done, "{particles}: {}", outcome.summary.ended);
+        assert_eq!(column(&outcome, "negative_pivots").last(), Some(&0.0), "{particles}");
+        assert!(outcome.summary.critical.is_empty(), "{particles}: {:?}", outcome.summary.critical);
+    }
+}

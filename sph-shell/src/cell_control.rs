@@ -13,6 +13,15 @@
 //! |∇|² of the bilinear hourglass times the squared side; `k_s = (5/6)Gt·t²/(t²+w)` keeps the penalty at bending
 //! scale for thin shells, where one at shear scale would lock like (Δ/t)².
 //!
+//! # Swirl of directors
+//!
+//! Tilts α = c y about one axis and β = −c x about the other leave no strain at the middle of a cell: κ12 is the
+//! *symmetric* part of `x,α·d,β`. Where directors stand upright on the surface the antisymmetric part is nought
+//! (`x,α·d,β = −x,αβ·d`), so `s6 = x,1·d,2 − x,2·d,1` is curl of shear alone, whose energy `½ w (5/6)Gt c² (Δ1²+Δ2²)/12`
+//! over the cell the one point does not see. It is put back: `½ w k_a s6²`, `k_a = (5/6)Gt·t²/(t²+w)·ρ²/12` with ρ² the
+//! mean of ξ² + η² over the particles, at bending scale for thin shells as above. Without it coarse strips under a
+//! couple lose their loaded end: the mode releases `⅓ w M:k ρ² c²`, and is held by neighbours alone.
+//!
 //! # Curvature along arcs
 //!
 //! Directors are unit vectors, their differences chords. Where a cell turns by ψ = kΔ and its directors swing by
@@ -39,10 +48,10 @@ use sph_core::{SamplingOperator, Vec3};
 
 use crate::stiffness::PointTangent;
 
-/// Share β_x of the full stiffness of the position hourglass \[–\].
-const POSITION_SHARE: f64 = 0.1;
+/// Share β_x of the full stiffness of the position hourglass, for shells thin and thick against the spacing \[–\].
+const POSITION_SHARE: [f64; 2] = [0.1, 0.5];
 /// Share β_d of the director hourglass \[–\]. One would be the fully integrated value and costs 0.3 % on a plate, 1.3 %
-/// on the pinched cylinder; 0.1 lets a thick strip of three rows leave its rolled shape (docs/zero-energy-control.md).
+/// on the pinched cylinder.
 const DIRECTOR_SHARE: f64 = 0.2;
 /// Coefficients of u and u² in the scale c \[–\].
 const CHORD: [f64; 2] = [1.0 / 6.0, 3.0 / 40.0];
@@ -58,17 +67,19 @@ pub(crate) struct CellPack {
     twist: [Pack; 3],
     /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; nought for triangles.
     stiffness: [Pack; 2],
+    /// `w k_a` \[F L\]; nought for triangles.
+    swirl: Pack,
     /// One quarter; nought for triangles, which have no pattern.
     quarter: Pack,
-    /// Reference values of s1…s5.
-    reference: [Pack; 5],
+    /// Reference values of s1…s6.
+    reference: [Pack; 6],
 }
 
 /// The hourglass of four cells as it is now.
 pub(crate) struct CellState {
     q: [Pack3; 2],
-    /// s1…s5 less their reference values.
-    s: [Pack; 5],
+    /// s1…s6 less their reference values.
+    s: [Pack; 6],
     /// 1 − d·d, the spread of the directors \[–\].
     u: Pack,
     /// s4² + s5² \[–\].
@@ -123,21 +134,24 @@ impl CellPack {
             let lever = [sum(&|b| 0.25 * pattern[b] * xi[b]), sum(&|b| 0.25 * pattern[b] * eta[b])];
             let gamma = |b: usize| 0.25 * pattern[b] - stencil.g1[b] * lever[0] - stencil.g2[b] * lever[1];
             let (t, w) = (section.thickness, point.weight);
-            let shear = section.shear * t * t / (t * t + w);
+            let thick = t * t / (t * t + w);
+            let shear = section.shear * thick;
+            let share = POSITION_SHARE[0] + (POSITION_SHARE[1] - POSITION_SHARE[0]) * thick;
             let values = [
                 lever[0],
                 lever[1],
                 sum(&|b| gamma(b) * xi[b] * xi[b]),
                 sum(&|b| gamma(b) * eta[b] * eta[b]),
                 sum(&|b| gamma(b) * xi[b] * eta[b]),
-                8.0 / 3.0 * POSITION_SHARE * shear,
+                8.0 / 3.0 * share * shear,
                 8.0 / 3.0 * DIRECTOR_SHARE * section.bending,
+                w * shear * sum(&|b| 0.25 * (xi[b] * xi[b] + eta[b] * eta[b])) / 12.0,
                 0.25,
             ];
             let [l1, l2] = &mut pack.lever;
             let [h11, h22, h12] = &mut pack.twist;
             let [kx, kd] = &mut pack.stiffness;
-            let slots = [l1, l2, h11, h22, h12, kx, kd, &mut pack.quarter];
+            let slots = [l1, l2, h11, h22, h12, kx, kd, &mut pack.swirl, &mut pack.quarter];
             for (slot, value) in slots.into_iter().zip(values) {
                 let mut lanes = slot.lanes();
                 lanes[lane] = value;
@@ -154,12 +168,13 @@ impl CellPack {
         [raw[0] * self.quarter - p.x1 * l1 - p.x2 * l2, raw[1] * self.quarter - p.d1 * l1 - p.d2 * l2]
     }
 
-    /// s1…s5 before their reference values are taken off.
+    /// s1…s6 before their reference values are taken off.
     #[inline(always)]
-    fn components(&self, p: &Placement, curvature: &[Pack; 3], q: &[Pack3; 2]) -> [Pack; 5] {
+    fn components(&self, p: &Placement, curvature: &[Pack; 3], q: &[Pack3; 2]) -> [Pack; 6] {
         let [h11, h22, h12] = self.twist;
         let bent = h11 * curvature[0] + h22 * curvature[1] + h12 * curvature[2];
-        [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2)]
+        let swirl = p.x1.dot(p.d2) - p.x2.dot(p.d1);
+        [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2), swirl]
     }
 
     /// Patterns, their components and the scale of the curvature in the present placement.
@@ -167,7 +182,7 @@ impl CellPack {
     pub fn state(&self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) -> CellState {
         let q = self.patterns(p, raw);
         let now = self.components(p, curvature, &q);
-        let s: [Pack; 5] = std::array::from_fn(|i| now[i] - self.reference[i]);
+        let s: [Pack; 6] = std::array::from_fn(|i| now[i] - self.reference[i]);
         let one = Pack::splat(1.0);
         let u = one - p.d.dot(p.d);
         let z = s[3] * s[3] + s[4] * s[4];
@@ -200,14 +215,14 @@ impl CellPack {
         let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held];
         let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
         let director = p.x1 * r4 + p.x2 * r5;
-        let half3 = r3 * 0.5;
+        let (half3, r6) = (r3 * 0.5, s[5] * self.swirl);
         let [l1, l2] = self.lever;
-        f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 - position * l1;
-        f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - position * l2;
+        f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 + p.d2 * r6 - position * l1;
+        f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - p.d1 * r6 - position * l2;
         f.q += q[0] * r3 - p.d * (state.by_u() * released * 2.0);
-        f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - director * l1;
-        f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 - director * l2;
-        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + state.z * kd) * 0.5;
+        f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - p.x2 * r6 - director * l1;
+        f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 + p.x1 * r6 - director * l2;
+        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + state.z * kd + s[5] * r6) * 0.5;
         (PatternForces { position: position * self.quarter, director: director * self.quarter }, energy)
     }
 
@@ -229,10 +244,10 @@ impl CellPack {
         let CellState { q, s, .. } = state;
         let [kx, kd] = self.stiffness;
         let held = kd + state.by_z * scale.released * 2.0;
-        let stiffness = [kx, kx, kx, held, held];
+        let stiffness = [kx, kx, kx, held, held, self.swirl];
         let [h11, h22, h12] = self.twist;
-        // Each component is a product of a pattern and a vector: (pattern, vector) by number.
-        let products: [(usize, usize); 5] = [(5, 0), (5, 1), (5, 2), (6, 0), (6, 1)];
+        // Each component is a product of a pattern and a vector, or of two vectors: by number.
+        let products: [(usize, usize); 6] = [(5, 0), (5, 1), (5, 2), (6, 0), (6, 1), (4, 0)];
         let vectors = [p.x1, p.x2, p.d, p.d1, p.d2, q[0], q[1]];
         let bent = [h11 * 0.5, h22 * 0.5, h12 * 0.5];
         // Gradients of u and z; c has second derivatives 2·CHORD[1] over u, u and HOURGLASS[1] over u, z.
@@ -250,23 +265,26 @@ impl CellPack {
                 out[3 * pattern + k][3 * vector + k] += force;
                 out[3 * vector + k][3 * pattern + k] += force;
             }
-            if i == 2 {
+            // Products of vectors that belong to the component, too.
+            let further: &[(usize, usize, Pack)] = match i {
                 // ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1.
-                let bending = [(0, 3, bent[0]), (1, 4, bent[1]), (0, 4, bent[2]), (1, 3, bent[2])];
-                for (u, v, factor) in bending {
-                    for k in 0..3 {
-                        gradient[3 * u + k] += vectors[v].0[k] * factor;
-                        gradient[3 * v + k] += vectors[u].0[k] * factor;
-                        out[3 * u + k][3 * v + k] += force * factor;
-                        out[3 * v + k][3 * u + k] += force * factor;
-                    }
+                2 => &[(0, 3, bent[0]), (1, 4, bent[1]), (0, 4, bent[2]), (1, 3, bent[2])],
+                5 => &[(1, 3, -Pack::splat(1.0))],
+                _ => &[],
+            };
+            for &(u, v, factor) in further {
+                for k in 0..3 {
+                    gradient[3 * u + k] += vectors[v].0[k] * factor;
+                    gradient[3 * v + k] += vectors[u].0[k] * factor;
+                    out[3 * u + k][3 * v + k] += force * factor;
+                    out[3 * v + k][3 * u + k] += force * factor;
                 }
             }
             for r in 0..21 {
                 for c in 0..21 {
                     out[r][c] += gradient[r] * gradient[c] * stiffness[i];
                 }
-                if i > 2 {
+                if i == 3 || i == 4 {
                     of_z[r] += gradient[r] * s[i] * 2.0;
                 }
             }
