@@ -5,6 +5,7 @@ mod bounds;
 mod check;
 mod check_analysis;
 mod check_conditions;
+mod check_geometry;
 mod conditions;
 mod formulation;
 mod geometry;
@@ -17,7 +18,7 @@ pub use conditions::{
     SupportKind, Symmetry,
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
-pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere};
+pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Scattered, Sphere};
 pub use statics::{ArcLength, Buckling, Modal, Static, Stop};
 
 use std::collections::BTreeMap;

@@ -3,7 +3,7 @@
 use nalgebra::Rotation3;
 
 use crate::boundary::boundary;
-use crate::{Cell, CellList, Frame, Lattice, SpaceError, Vec3};
+use crate::{Cell, CellList, Frame, Lattice, Sides, SpaceError, Vec3};
 
 /// Distance, in units of the spacing, below which two particles count as one: far below any sensible disorder,
 /// far above rounding.
@@ -28,6 +28,8 @@ pub struct Cloud {
     pub edge_lengths: Vec<f64>,
     /// Quadrangles and triangles between the particles.
     pub cells: Vec<Cell>,
+    /// The four edges, if the cloud covers a patch.
+    pub sides: Option<Sides>,
     /// The lattice behind the numbering, if there is one.
     pub lattice: Option<Lattice>,
 }
@@ -83,6 +85,7 @@ impl Cloud {
             edge_normals: edges.normals,
             edge_lengths: edges.lengths,
             cells,
+            sides: None,
             lattice: None,
         };
         cloud.check()?;

@@ -117,6 +117,18 @@ pub enum SpaceError {
         /// Range in words.
         bound: &'static str,
     },
+    /// A spacing is too large for the edges of a patch or too small for any machine.
+    #[error(
+        "spacing = {value} is outside [{least:.3e}, {greatest:.6}], from ten million particles to the length of the shortest edge; choose a spacing in that range"
+    )]
+    Spacing {
+        /// Value found `[L]`.
+        value: f64,
+        /// Least spacing accepted `[L]`.
+        least: f64,
+        /// Greatest spacing accepted `[L]`.
+        greatest: f64,
+    },
     /// No support made the moment matrix of a point invertible.
     #[error(
         "point {point}: {neighbours} neighbours within {radius:e} do not determine a gradient of order {order} (condition bound 1e7); spread the particles over two directions"

@@ -28,15 +28,15 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
     ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {
-                let lattice = cloud.lattice.unwrap();
+                let sides = cloud.sides.clone().unwrap();
                 let supports = vec![
-                    Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) },
+                    Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },
                     Supported {
-                        particles: lattice.edge(Side::V0),
+                        particles: sides.edge(Side::V0).to_vec(),
                         support: Box::new(SymmetryPlane { normal: Vec3::y() }),
                     },
                 ];
-                let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
+                let shares = sides.edge(Side::U1).iter().map(|&a| (a, 1.0)).collect();
                 let loads: Vec<Box<dyn Load>> =
                     vec![Box::new(Force { shares, total: Vec3::new(1.0, 2.0, 3.0) })];
                 let mut body = shell(cloud.clone(), formulation, 0.2, strain, supports, loads);
