@@ -7,8 +7,9 @@ use libm::atan2;
 use crate::matching::{Bond, matching};
 use crate::{Cell, Vec3};
 
-/// Corner angles of a quadrangle lie between 20° and 160°; else the two triangles stay apart.
-const LARGEST_DEVIATION: f64 = 70.0 * PI / 180.0;
+/// Corner angles of a quadrangle lie between 10° and 170°; else the two triangles stay apart. A poor quadrangle locks less
+/// than two triangles: thin clamped plates on Poisson clouds lose 1.3 % at 20°, 0.9 % here, no less at 2°.
+const LARGEST_DEVIATION: f64 = 80.0 * PI / 180.0;
 
 /// Cosine of the largest angle between the normals of two triangles that may share a cell (45°): a fold is no cell.
 const FLATNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;

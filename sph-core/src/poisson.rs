@@ -210,7 +210,8 @@ impl<'a> Scatter<'a> {
 fn in_strips(patch: &dyn Patch, spacing: f64, mut parameters: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let [first, last] = patch.range()[0];
     let strips = (mean_lengths(patch)[0] / spacing).max(1.0);
-    let strip = |x: &[f64; 2]| (strips * (x[0] - first) / (last - first)) as u64;
+    // Particles on the edges stand a spacing apart: in the middle of strips, where rounding moves none to another.
+    let strip = |x: &[f64; 2]| (strips * (x[0] - first) / (last - first)).round() as u64;
     parameters
         .sort_by(|x, y| strip(x).cmp(&strip(y)).then(x[1].total_cmp(&y[1])).then(x[0].total_cmp(&y[0])));
     parameters
