@@ -56,8 +56,7 @@ impl Scene {
                 [("disorder", geometry.disorder().is_some()), ("grading", geometry.grading().is_some())];
             for (key, _) in of_lattice.into_iter().filter(|(_, given)| *given) {
                 let repair = format!("remove `{key}`, or give `particles = [n, m]` in place of `scattered`");
-                let bound = "only with a lattice of particles";
-                let fault = s.fault(&at(key), "given with `scattered`", bound, &repair);
+                let fault = s.fault(&at(key), key, "none with `scattered` particles", &repair);
                 return Err(SceneError::Choice(fault));
             }
         }
