@@ -144,12 +144,22 @@ fn every_formulation_runs_on_scattered_particles() {
 }
 
 #[test]
-fn edges_and_corners_of_scattered_particles_are_sets() {
-    let scene =
-        text("panel.toml").replace("particles = [21, 21]", "scattered = { spacing = 25.4, seed = 1 }");
-    // Limit load 2.222 kN at 11 mm; the lattice 11² gives 2.223, these 123 particles 2.218.
-    let outcome = run(&scene, &[("supports[3].moved.by", "11.0"), ("analysis.static.levels", "4")]);
-    assert_eq!(outcome.ended, Ended::Done);
-    let load = last(&outcome, "P");
-    assert!((load / 2222.0 - 1.0).abs() < 0.005, "{load}");
+fn disordered_panels_reach_the_same_loads_with_and_without_time() {
+    // Limit load 2.222 kN at 11 mm; the lattice 11² gives 2.223, jitter 2.2224 and the 123 scattered particles 2.2183.
+    for places in [
+        "scattered = { spacing = 25.4, seed = 1 }",
+        "particles = [11, 11]\ndisorder = { fraction = 0.25, seed = 1 }",
+    ] {
+        let scene = text("panel.toml").replace("particles = [21, 21]", places);
+        let by = ("supports[3].moved.by", "11.0");
+        let direct = run(&scene, &[by, ("analysis.static.levels", "4")]);
+        let marched = run(&scene, &[by, ("analysis.explicit.quasi-static.levels", "2")]);
+        assert_eq!((&direct.ended, &marched.ended), (&Ended::Done, &Ended::Done));
+        assert!(marched.summary.levels.iter().all(|level| level.settled), "{places}");
+        let (found, slow) = (last(&direct, "P"), last(&marched, "P"));
+        println!("{places}: {found:.1} {slow:.1}");
+        assert!((found / 2222.0 - 1.0).abs() < 0.005, "{places}: {found}");
+        // The lattice's own difference is .007 % over the path (report).
+        assert!((slow / found - 1.0).abs() < 1e-3, "{places}: {slow} after {found}");
+    }
 }

@@ -71,7 +71,7 @@ fn one_sided(cells: usize, inner: &[Bond]) -> Option<Bond> {
         while let Some(cell) = stack.pop() {
             for bond in &at[cell] {
                 let next = if bond.cell == cell { bond.other } else { bond.cell };
-                let needed = reversed[cell].map(|reversed| reversed != !bond.agree);
+                let needed = reversed[cell].map(|reversed| reversed == bond.agree);
                 match reversed[next] {
                     None => {
                         reversed[next] = needed;

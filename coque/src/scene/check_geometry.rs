@@ -54,7 +54,7 @@ impl Scene {
             s.positive(&at("scattered.spacing"), scattered.spacing)?;
             let of_lattice =
                 [("disorder", geometry.disorder().is_some()), ("grading", geometry.grading().is_some())];
-            for (key, _) in of_lattice.into_iter().filter(|(_, given)| *given) {
+            if let Some((key, _)) = of_lattice.into_iter().find(|(_, given)| *given) {
                 let repair = format!("remove `{key}`, or give `particles = [n, m]` in place of `scattered`");
                 let fault = s.fault(&at(key), key, "none with `scattered` particles", &repair);
                 return Err(SceneError::Choice(fault));
