@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Dice, curved, disordered_curved, energy_formulations, flat, shake, shell};
+use common::{Dice, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
 use implicit_statics::Equilibrium;
 use shell_kinematics::strain_measures;
 use sph_core::{Side, Vec3};
@@ -25,6 +25,7 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
         ("flat", flat([7, 6], [2.0, 1.5])),
         ("curved", curved([7, 6])),
         ("disordered", disordered_curved([7, 6])),
+        ("scattered", scattered_curved(0.45)),
     ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {

@@ -114,7 +114,12 @@ fn recorded(cloud: Cloud, every: bool) -> Vec<[u64; 6]> {
 fn one_sweep_and_two_passes_give_the_same_bits() {
     // A step without a record runs in one fused sweep, a recorded one in two passes with a stop between.
     let _alone = ALONE.lock().unwrap();
-    for cloud in [flat([27, 23], [2.0, 1.5]), common::disordered_curved([24, 31]), common::curved([5, 4])] {
+    for cloud in [
+        flat([27, 23], [2.0, 1.5]),
+        common::disordered_curved([24, 31]),
+        common::curved([5, 4]),
+        common::scattered_curved(0.1),
+    ] {
         assert!(recorded(cloud.clone(), false) == recorded(cloud, true));
     }
 }
