@@ -14,9 +14,9 @@ use sph_shell::{Clamped, Force, StaticShell, Supported};
 /// A strip clamped on one edge, bent by a force on the other.
 fn cantilever(formulation: usize) -> StaticShell {
     let cloud = flat([9, 3], [4.0, 1.0]);
-    let lattice = cloud.lattice.unwrap();
-    let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
-    let clamp = Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) };
+    let sides = cloud.sides.clone().unwrap();
+    let shares = sides.edge(Side::U1).iter().map(|&a| (a, 1.0)).collect();
+    let clamp = Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) };
     let force = Force { shares, total: Vec3::new(0.0, 0.0, 5e-3) };
     let body = shell(
         cloud,
@@ -58,8 +58,10 @@ fn negative_pivots_are_negative_eigenvalues() {
     for (number, (name, formulation)) in energy_formulations().into_iter().enumerate() {
         for (size, thickness) in [(0.0, 0.2), (0.1, 0.2), (0.2, 0.05), (0.4, 0.02)] {
             let cloud = curved([5, 4]);
-            let clamp =
-                Supported { particles: cloud.lattice.unwrap().edge(Side::U0), support: Box::new(Clamped) };
+            let clamp = Supported {
+                particles: cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(),
+                support: Box::new(Clamped),
+            };
             let mut body = shell(cloud, formulation, thickness, strain_measures()[0], vec![clamp], vec![]);
             // A crumpled shell is pressed here and there: its tangent has negative eigenvalues.
             shake(&mut body, size, 5 + number as u64);
