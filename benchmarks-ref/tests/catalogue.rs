@@ -133,3 +133,36 @@ fn spread_of_the_panel_sources() {
         assert_abs_diff_eq!(100.0 * (high - low) / low, percent, epsilon = 0.06);
     }
 }
+
+/// Buckling loads of thin-plate theory \[timoshenko1961\], against the digits stored: three decimals of a kilonewton.
+#[test]
+fn the_plate_buckles_by_its_closed_forms() {
+    let table = reference("plate_stability").unwrap();
+    let number = |value: &serde_json::Value, key: &str| value[key].as_f64().unwrap();
+    let [a, b] = ["length_a", "width_b"].map(|key| number(&table.geometry, key));
+    let (young, nu) = (number(&table.material, "E"), number(&table.material, "nu"));
+    let bending = young * number(&table.geometry, "thickness").powi(3) / (12.0 * (1.0 - nu * nu));
+    for row in 0..table.rows.len() {
+        let quantity = table.rows[row][0].as_str().unwrap();
+        let Some(edges) = quantity.strip_prefix("critical load, side edges ") else { continue };
+        let waves: f64 = if edges.ends_with("m=1") { 1.0 } else { 2.0 };
+        let ratio = waves * b / a;
+        let k = match edges.starts_with("free") {
+            true => (ratio + 1.0 / ratio).powi(2),
+            false => (ratio * ratio + 1.0).powi(2) / (ratio * ratio + nu),
+        };
+        let load = 1e-3 * k * PI * PI * bending / b;
+        assert_abs_diff_eq!(load, table.number(row, "value").unwrap(), epsilon = 0.51e-3);
+    }
+}
+
+/// The thin plates are those of Timoshenko's tables \[timoshenko1959\]: 0.00406 and 0.00126, five decimals.
+#[test]
+fn thin_square_plates_are_those_of_the_tables() {
+    let table = reference("plate_static_square").unwrap();
+    for (bc, thin) in [("SSSS", 0.00406), ("CCCC", 0.00126)] {
+        let row = (0..table.rows.len()).find(|&row| table.rows[row][0] == bc).unwrap();
+        assert_eq!(table.number(row, "h/a").unwrap(), 0.001);
+        assert_abs_diff_eq!(table.number(row, "w_c D/(q a^4)").unwrap(), thin, epsilon = 0.6e-5);
+    }
+}

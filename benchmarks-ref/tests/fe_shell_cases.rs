@@ -59,7 +59,8 @@ fn the_linear_obstacle_course() {
     {
         for (direction, reference) in [Vector3::z(), Vector3::y()].into_iter().zip(references) {
             let beam = TwistedBeam { thickness, direction, force };
-            let tip = figure(&twisted_beam(24, 4, &beam).unwrap(), 0);
+            let column = if direction == Vector3::y() { 0 } else { 1 };
+            let tip = figure(&twisted_beam(24, 4, &beam).unwrap(), column);
             measured(&format!("twisted beam t = {thickness}, {direction:?}"), tip / reference - 1.0, 0.01);
         }
     }
@@ -91,7 +92,7 @@ fn first_six_frequencies_of_square_plates() {
     ] {
         let solved = plate_frequencies(20, slenderness, edges).unwrap();
         let worst =
-            solved.rows[0].iter().zip(references).fold(0.0_f64, |w, (f, r)| w.max((f / r - 1.0).abs()));
+            solved.rows.iter().zip(references).fold(0.0_f64, |w, (row, r)| w.max((row[1] / r - 1.0).abs()));
         measured(&format!("{edges:?} frequencies h/a = {slenderness}"), worst, 0.015);
     }
 }
@@ -124,14 +125,14 @@ fn end_shear_lifts_a_strip_as_the_elastica_says() {
 #[test]
 fn buckling_loads_of_column_and_plate() {
     let column = column_buckling(40).unwrap();
-    measured("column, first", figure(&column, 0) - 1.0, 0.005);
-    measured("column, second", figure(&column, 1) / 9.0 - 1.0, 0.005);
+    measured("column, first", column.rows[0][1] - 1.0, 0.005);
+    measured("column, second", column.rows[1][1] / 9.0 - 1.0, 0.005);
     for (held, references) in [(false, [11.057, 11.959]), (true, [6.863, 9.325])] {
         let plate = plate_buckling(14, held).unwrap();
         println!("{} unknowns {:.2} s", plate.unknowns, plate.seconds);
         for (mode, reference) in references.into_iter().enumerate() {
             let name = format!("plate, sides {}, mode {}", if held { "held" } else { "free" }, mode + 1);
-            measured(&name, figure(&plate, mode) / reference - 1.0, 0.005);
+            measured(&name, plate.rows[mode][1] / reference - 1.0, 0.005);
         }
     }
 }

@@ -3,16 +3,18 @@
 use std::fmt;
 
 use nalgebra::Rotation3;
-use shell_kinematics::{IntegratedSection, Isotropic, IsotropicSection, MaterialError};
-use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
+use shell_kinematics::{
+    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply,
+};
+use sph_core::{Cloud, CubicSpline, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
 use crate::imported::Imported;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
-use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
-use crate::sets::{self, Origin, Sets};
+use crate::scene::{self, Axis, LoadKind, Matter, Scene, SupportKind};
+use crate::sets::{self, Sets};
 
 /// A shell ready to be marched, with what its curve measures.
 pub struct Model {
@@ -54,16 +56,13 @@ impl Scene {
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
-        let weights = builder.end_weights();
+        let weights = self.end_weights();
         let imported = Imported::read(self)?;
-        let (flat, origin) = match (&imported, self.geometry.particles()) {
-            (None, Some(counts)) => (builder.cloud(counts, weights)?, Origin::Lattice(Lattice { counts })),
-            (Some(imported), _) => (imported.cloud.clone(), Origin::Mesh(imported)),
-            (None, None) => {
-                return Err(builder.model_error("geometry", "it names neither a shape nor a file"));
-            }
+        let flat = match &imported {
+            Some(imported) => imported.cloud.clone(),
+            None => self.place(weights)?,
         };
-        let sets = Sets::find(self, &flat, origin)?;
+        let sets = Sets::find(self, &flat, imported.as_ref())?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let gauges = builder.gauges(&sets)?;
@@ -75,12 +74,12 @@ impl Scene {
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
         builder.refuse_free_motion(&cloud, &supports)?;
-        let scene::Material::Elastic(elastic) = &self.material;
         let parts = Parts {
             cloud,
             section: builder.section()?,
             strain: builder.strain()?,
-            density: elastic.density,
+            material_axis: builder.material_axis(),
+            density: self.material.density(),
             formulation: builder.formulation(),
             supports,
             loads,
@@ -107,41 +106,6 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Cubic end weights where gradients are cubic; disorder has areas of its own.
-    fn end_weights(&self) -> EndWeights {
-        match &self.scene.formulation {
-            scene::Formulation::Nodal(f) if f.order == 3 && self.scene.geometry.disorder().is_none() => {
-                EndWeights::Gregory
-            }
-            _ => EndWeights::Trapezoid,
-        }
-    }
-
-    /// The particles, not turned yet.
-    fn cloud(&self, counts: [usize; 2], weights: EndWeights) -> Result<Cloud, SceneError> {
-        let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
-        let patch: Box<dyn sph_core::Patch> = match &self.scene.geometry {
-            Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
-            Geometry::Cylinder(c) => {
-                Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
-            }
-            Geometry::Sphere(s) => Box::new(sph_core::Sphere {
-                radius: s.radius,
-                polar: radians(s.polar),
-                azimuth: radians(s.azimuth),
-            }),
-            Geometry::Mesh(_) => {
-                return Err(self.model_error("geometry.mesh", "a mesh has no rows of particles"));
-            }
-        };
-        let (cloud, key) = match self.scene.geometry.disorder() {
-            None => (sph_core::lattice(&*patch, counts, weights), "particles"),
-            Some(d) => (sph_core::jittered_lattice(&*patch, counts, d.fraction, d.seed), "disorder"),
-        };
-        let path = format!("geometry.{}.{key}", self.scene.geometry.word());
-        cloud.map_err(|e| self.model_error(&path, &e.to_string()))
-    }
-
     fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {
         let gauge = |(i, probe): (usize, &scene::Probe)| {
             Ok(Gauge {
@@ -216,6 +180,10 @@ impl Builder<'_> {
             SupportKind::Hinged => Box::new(sph_shell::Hinged),
             SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
             SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
+            SupportKind::Held(s) => Box::new(sph_shell::Held {
+                displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
+                director: s.director.first().map(|&v| self.turned(v)),
+            }),
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
@@ -282,24 +250,47 @@ impl Builder<'_> {
     }
 
     fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let scene::Material::Elastic(elastic) = &self.scene.material;
-        let scene::Section::Homogeneous(section) = &self.scene.section;
-        let refuse = |e: MaterialError| self.model_error("section.homogeneous", &e.to_string());
-        let material = Isotropic::new(elastic.young, elastic.poisson)
-            .map_err(|e| self.model_error("material.elastic", &e.to_string()))?;
-        Ok(match section.gauss_points {
-            None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
-            Some(points) => {
-                Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
+        let refuse =
+            |path: &'static str| move |e: MaterialError| self.scene.model_error(path, &e.to_string());
+        Ok(match self.scene.matter()? {
+            Matter::Homogeneous(elastic, section) => {
+                let material =
+                    Isotropic::new(elastic.young, elastic.poisson).map_err(refuse("material.elastic"))?;
+                let refuse = refuse("section.homogeneous");
+                match section.gauss_points {
+                    None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
+                    Some(points) => {
+                        Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
+                    }
+                }
+            }
+            Matter::Layered(m, section) => {
+                let across = m.shear_across.unwrap_or(m.shear);
+                let material = Orthotropic::new(m.young_along, m.young_across, m.poisson, m.shear, across)
+                    .map_err(refuse("material.orthotropic"))?;
+                let ply = |ply: &scene::Ply| Ply {
+                    material,
+                    thickness: ply.thickness,
+                    angle: ply.angle.to_radians(),
+                };
+                let plies: Vec<Ply> = section.plies.iter().map(ply).collect();
+                Box::new(LayeredSection::new(&plies).map_err(refuse("section.layered"))?)
             }
         })
+    }
+
+    fn material_axis(&self) -> Option<Vec3> {
+        match &self.scene.section {
+            scene::Section::Homogeneous(_) => None,
+            scene::Section::Layered(section) => Some(self.turned(section.axis)),
+        }
     }
 
     fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
         let name = self.scene.formulation.curvature();
         let path = format!("formulation.{}.curvature", self.scene.formulation.word());
         shell_kinematics::strain_measure(name)
-            .ok_or_else(|| self.model_error(&path, &format!("no strain measure is called {name}")))
+            .ok_or_else(|| self.scene.model_error(&path, &format!("no strain measure is called {name}")))
     }
 
     fn formulation(&self) -> Formulation {
@@ -334,24 +325,27 @@ impl Builder<'_> {
             ShellError::Space(
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => reach.to_string(),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => "section.layered.axis".into(),
             ShellError::Space(_) | ShellError::Area { .. } => {
                 format!("geometry.{}", self.scene.geometry.word())
             }
-            ShellError::Density(_) => "material.elastic.density".into(),
+            ShellError::Density(_) => format!("material.{}.density", self.scene.material.word()),
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
+            }
+            &ShellError::OutOfPlane { support, .. } => {
+                let present = |(_, s): &(usize, &scene::Support)| {
+                    s.moved.is_none() || !self.scene.analysis.driven_by_load()
+                };
+                let supports = self.scene.supports.iter().enumerate();
+                let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
+                format!("supports[{number}]")
             }
             ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
                 "loads".into()
             }
         };
-        self.model_error(&path, &error.to_string())
-    }
-
-    /// Messages from below end with their repair, after the last semicolon.
-    fn model_error(&self, path: &str, message: &str) -> SceneError {
-        let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
-        SceneError::Model(self.scene.source.fault(path, value, "", repair))
+        self.scene.model_error(&path, &error.to_string())
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use sph_core::{Cloud, Vec3};
 
 use crate::error::SceneError;
-use crate::mesh::{Cells, Surface, boundary_edges, chains, read};
+use crate::mesh::{Cells, MeshError, Surface, boundary_edges, chains, read};
 use crate::scene::{Formulation, Load, Mesh, Scene, Section};
 use crate::sets::{BUILT_IN, Sets};
 
@@ -31,13 +31,7 @@ impl Imported {
     /// Reads the file of a scene, if it names one.
     pub(crate) fn read(scene: &Scene) -> Result<Option<Self>, SceneError> {
         let Some(Mesh { file, scale, flip }) = scene.geometry.mesh() else { return Ok(None) };
-        let refuse = |error: &crate::mesh::MeshError| {
-            let mut said = error.clone();
-            let repair = std::mem::take(&mut said.repair);
-            let value = said.to_string();
-            let value = value.trim_end_matches([';', ' ']);
-            SceneError::Mesh(scene.source.fault("geometry.mesh.file", value, "a sound surface", &repair))
-        };
+        let refuse = |error: &MeshError| refuse(scene, error);
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
         let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
         let surface = if *flip { surface.flipped() } else { surface };
@@ -114,14 +108,8 @@ impl Imported {
             }
         }
         let Cloud { positions, cells, .. } = self.cloud.clone();
-        Cloud::from_cells(positions, Some(normals), cells).map_err(|error| {
-            SceneError::Mesh(scene.source.fault(
-                "geometry.mesh.file",
-                &error.to_string(),
-                "",
-                "mesh the surface anew",
-            ))
-        })
+        let cloud = Cloud::from_cells(positions, Some(normals), cells);
+        cloud.map_err(|error| refuse(scene, &self.surface.refusal(&error)))
     }
 
     /// One line for the summary.
@@ -130,6 +118,15 @@ impl Imported {
         let cells = self.cells.to_string();
         format!("surface from {}: {cells}, normals from {normals}", self.surface.file)
     }
+}
+
+/// A refusal of the file, shown at its name in the scene.
+fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
+    let mut said = error.clone();
+    let repair = std::mem::take(&mut said.repair);
+    let value = said.to_string();
+    let value = value.trim_end_matches([';', ' ']);
+    SceneError::Mesh(scene.source.fault("geometry.mesh.file", value, "a sound surface", &repair))
 }
 
 /// Points without faces have neither cells nor an edge: what needs them is refused.
@@ -154,13 +151,17 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
         );
         return Err(SceneError::Set(fault));
     }
-    let Section::Homogeneous(section) = &scene.section;
-    let other = |t: &&f64| (**t / section.thickness - 1.0).abs() > SAME_THICKNESS;
+    let own = scene.section.thickness();
+    let other = |t: &&f64| (**t / own - 1.0).abs() > SAME_THICKNESS;
     if let Some(thickness) = surface.thicknesses.iter().find(other) {
         let bound =
             format!("{thickness} as in {}: one thickness for the whole shell is modelled", surface.file);
         let repair = "make them equal, or take the column out of the file";
-        return Err(scene.source.value("section.homogeneous.thickness", section.thickness, &bound, repair));
+        let path = match &scene.section {
+            Section::Homogeneous(_) => "section.homogeneous.thickness",
+            Section::Layered(_) => "section.layered.plies",
+        };
+        return Err(scene.source.value(path, own, &bound, repair));
     }
     Ok(())
 }

@@ -6,23 +6,25 @@
 //! | where is | look in |
 //! |---|---|
 //! | what a scene may say | `scene/*.rs` |
-//! | what is refused, and why | `scene/check.rs`, `rigid.rs` |
-//! | scene → shell | `build.rs` |
+//! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
+//! | scene → shell | `build.rs`, `places.rs` |
 //! | files of surfaces | `mesh/*.rs`; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
-//! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
+//! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
 
 mod build;
 mod curve;
 mod error;
 mod imported;
+mod linear;
 mod march;
 pub mod mesh;
 mod modes;
 mod nearest;
 mod overrides;
 mod path;
+mod places;
 mod plot;
 mod probe;
 mod render;

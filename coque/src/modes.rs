@@ -9,7 +9,7 @@ use sph_shell::{Shell, StaticShell};
 use crate::march::reference_step;
 use crate::run::{Ended, Failure, Findings};
 
-/// Largest displacement of a mode shape in units of the extent.
+/// Largest displacement of a shape of free size in units of the extent.
 const SCALE: f64 = 0.1;
 /// Shift below nought where rigid motions are free, in units of the largest ω²: rounding of the stiffness is 1e-16
 /// of that, bending of a thin shell some 1e-8.
@@ -56,8 +56,8 @@ fn failed(found: &mut Findings, cause: BalanceError) {
     found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
 }
 
-/// Counts a mode and keeps its shape about the unloaded one.
-fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings) {
+/// Counts a mode or a linear answer and keeps its shape about the unloaded one.
+pub(crate) fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings) {
     let rest = system.save();
     system.update(mode);
     let shell = system.shell();

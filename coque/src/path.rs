@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use explicit_dynamics::{Balance, Instant, Record};
 use implicit_statics::{
-    BalanceError, Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Path, PathOptions,
-    Point, Start, SymmetricSolver, follow,
+    BalanceError, Control, CriticalKind, CriticalOptions, End, NewtonOptions, Path, PathOptions, Point,
+    Start, follow, linear_response,
 };
 use sph_shell::StaticShell;
 
@@ -142,6 +142,13 @@ fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
     options
 }
 
+impl Driven {
+    /// Displacement along the prescribed motion within a motion of the unknowns \[L\].
+    pub(crate) fn moved(&self, system: &StaticShell, motion: &[f64]) -> f64 {
+        functional(system, self).into_iter().map(|(i, weight)| weight * motion[i]).sum()
+    }
+}
+
 /// The displacement along the prescribed motion, by unknowns and weights.
 fn functional(system: &StaticShell, driven: &Driven) -> Vec<(usize, f64)> {
     let weights = system.functional(&[driven.particle], driven.direction);
@@ -150,16 +157,8 @@ fn functional(system: &StaticShell, driven: &Driven) -> Vec<(usize, f64)> {
 
 /// Force along the prescribed motion for a unit of displacement, linear at the present state \[F/L\].
 fn stiffness(system: &mut StaticShell, driven: &Driven) -> Result<f64, BalanceError> {
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(0.0, &mut values);
-    let mut response = vec![0.0; system.unknowns()];
-    system.load_rate(0.0, &mut response);
-    let mut solver = SymmetricSolver::new(response.len(), &pattern)?;
-    solver.factor(&values)?;
-    solver.solve(&mut response).map_err(|error| error.named(system, 0, 0.0))?;
-    let moved: f64 = functional(system, driven).into_iter().map(|(i, weight)| weight * response[i]).sum();
-    Ok(1.0 / moved)
+    let response = linear_response(system, 0.0)?;
+    Ok(1.0 / driven.moved(system, &response))
 }
 
 /// Counts what a path took and takes over its critical points.
@@ -195,11 +194,11 @@ impl Reader {
 }
 
 /// Along equilibria that start unloaded the work of the loads is the internal energy.
-fn energies(internal: f64) -> Energies {
+pub(crate) fn energies(internal: f64) -> Energies {
     Energies { internal, external: internal, ..Energies::default() }
 }
 
-fn record(step: u64, level: f64, internal: f64) -> Record {
+pub(crate) fn record(step: u64, level: f64, internal: f64) -> Record {
     let energy = Balance { internal, external: internal, ..Balance::default() };
     Record { step, at: Instant { time: 0.0, level }, energy, balance_error: 0.0, settled: true }
 }

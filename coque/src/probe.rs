@@ -12,7 +12,7 @@ use crate::units::{Quantity, Units};
 pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
     match analysis {
         Analysis::Explicit(_) => &["time", "level", "kinetic", "internal", "external", "dissipated"],
-        Analysis::Static(_) | Analysis::ArcLength(_) => {
+        Analysis::Linear(_) | Analysis::Static(_) | Analysis::ArcLength(_) => {
             &["level", "internal", "iterations", "negative_pivots"]
         }
         Analysis::Modal(_) => &["mode", "circular_frequency", "frequency"],
@@ -22,10 +22,11 @@ pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
 
 /// The columns of [`always`] with their units, and those of the scene's own gauges.
 ///
-/// `level` is a force where a prescribed motion drives an analysis that finds the load.
+/// `level` is a force where a prescribed motion drives an analysis that finds the load, and the share of that motion
+/// where the level is given.
 pub(crate) fn columns(model: &Model) -> Vec<Column> {
     let Scene { analysis, units, .. } = &model.scene;
-    let force = model.driven.is_some() && !matches!(analysis, Analysis::Static(_));
+    let force = model.driven.is_some() && !matches!(analysis, Analysis::Static(_) | Analysis::Linear(_));
     let quantity = |name: &str| match name {
         "time" => Quantity::Time,
         "level" if force => Quantity::Force,

@@ -9,6 +9,7 @@ use sph_shell::{Shell, StaticShell};
 
 use crate::build::Model;
 use crate::curve::Curve;
+use crate::linear::linear;
 use crate::march::march;
 use crate::modes::{buckling, modal};
 use crate::path::{arc_length, levels};
@@ -40,7 +41,7 @@ pub struct Outcome {
     /// How it ended.
     pub ended: Ended,
     /// Deformed shapes: the start and every settled level of a quasi-static or static run, every point of a path,
-    /// every mode scaled to a tenth of the extent, else the last record.
+    /// a linear answer and every mode scaled to a tenth of the extent, else the last record.
     pub shapes: Vec<Shape>,
     /// Cells between the particles, for pictures.
     pub cells: Vec<Cell>,
@@ -151,6 +152,7 @@ impl Model {
         let started = Instant::now();
         match &scene.analysis {
             Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, progress),
+            Analysis::Linear(_) => linear(&mut StaticShell::new(shell), driven, gauges, &mut found),
             Analysis::Static(path) => {
                 levels(path, &mut StaticShell::new(shell), driven, gauges, &mut found, progress);
             }

@@ -5,22 +5,29 @@ mod bounds;
 mod check;
 mod check_analysis;
 mod check_conditions;
+mod check_geometry;
+mod check_material;
 mod conditions;
 mod formulation;
 mod geometry;
+mod material;
 mod mesh;
 mod read;
 mod statics;
 
 pub use analysis::{Analysis, Damping, Explicit, Levels, QuasiStatic, Transient};
+pub(crate) use check_material::Matter;
 pub use conditions::{
-    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Load, LoadKind, Moved, Pressure, Support,
-    SupportKind, Symmetry,
+    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Held, Load, LoadKind, Moved, Pressure,
+    Support, SupportKind, Symmetry,
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
-pub use geometry::{Box3, Cylinder, Disorder, Geometry, OnPlane, Orientation, Plate, Region, Sphere};
+pub use geometry::{
+    Box3, Cylinder, Disorder, Geometry, OnPlane, Orientation, Plate, Region, Scattered, Sphere, Twisted,
+};
+pub use material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use mesh::Mesh;
-pub use statics::{ArcLength, Buckling, Modal, Static, Stop};
+pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
 
@@ -71,44 +78,6 @@ pub struct Scene {
     /// The text the scene was read from.
     #[serde(skip, default = "Source::none")]
     pub source: Source,
-}
-
-/// Materials.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Material {
-    /// Isotropic linear elasticity.
-    Elastic(Elastic),
-}
-
-/// Isotropic linear elasticity.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Elastic {
-    /// Young's modulus \[F/L²\].
-    pub young: f64,
-    /// Poisson's ratio \[–\].
-    pub poisson: f64,
-    /// Mass per volume \[F T²/L⁴\].
-    pub density: f64,
-}
-
-/// Sections.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Section {
-    /// One material through the thickness.
-    Homogeneous(Homogeneous),
-}
-
-/// One material through the thickness.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Homogeneous {
-    /// Thickness \[L\].
-    pub thickness: f64,
-    /// Gauss points through the thickness; closed form without.
-    pub gauss_points: Option<usize>,
 }
 
 /// One column of the curve.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::build::Model;
-use crate::scene::{Analysis, Axis, Damping, LoadKind, Section};
+use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
 
 /// What a model holds and what it leaves out.
 #[derive(Clone, Debug, Serialize)]
@@ -127,11 +127,17 @@ impl Model {
         modelled.extend(self.surface.clone());
         let mut left_out: Vec<String> =
             ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
-        let Section::Homogeneous(section) = &scene.section;
-        modelled.push(match section.gauss_points {
-            None => "isotropic elasticity, integrated through the thickness in closed form".into(),
-            Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
-        });
+        match &scene.section {
+            Section::Homogeneous(section) => modelled.push(match section.gauss_points {
+                None => "isotropic elasticity, integrated through the thickness in closed form".into(),
+                Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
+            }),
+            Section::Layered(section) => {
+                modelled.push(describe_plies(section));
+                let missing = ["delamination", "change of transverse shear strain from ply to ply"];
+                left_out.extend(missing.map(String::from));
+            }
+        }
         for support in &scene.supports {
             modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
         }
@@ -149,6 +155,9 @@ impl Model {
             let damping = ["damping".to_string()];
             let inertia = (!matches!(scene.analysis, Analysis::Modal(_))).then(|| "inertia".to_string());
             left_out.extend(inertia.into_iter().chain(damping));
+            if matches!(scene.analysis, Analysis::Linear(_)) {
+                left_out.push("large displacements".into());
+            }
             return (modelled, left_out);
         };
         let damping = match (&explicit.quasi_static, &explicit.transient) {
@@ -167,6 +176,20 @@ impl Model {
         }
         (modelled, left_out)
     }
+}
+
+/// Angles from the lowest ply to the highest, and the thickness of each where they differ.
+fn describe_plies(section: &Layered) -> String {
+    let list = |of: fn(&Ply) -> f64| section.plies.iter().map(|p| of(p).to_string()).collect::<Vec<_>>();
+    let angles = list(|ply| ply.angle).join("/");
+    let mut thicknesses = list(|ply| ply.thickness);
+    thicknesses.dedup();
+    let [x, y, z] = section.axis;
+    format!(
+        "orthotropic elasticity, plies at {angles} degrees from [{x}, {y}, {z}], thickness {}: classical lamination, \
+         transverse shear as 5/6 of the sum over the plies",
+        thicknesses.join("/")
+    )
 }
 
 fn describe_load(word: &str, kind: &LoadKind) -> String {

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use coque::{Outcome, Scene, Silent};
-use sph_core::{Cloud, Cylinder, EndWeights, Lattice, Side, lattice};
+use sph_core::{Cloud, Cylinder, EndWeights, Side, lattice};
 
 const COUNTS: [usize; 2] = [11, 11];
 
@@ -33,9 +33,9 @@ fn msh(cloud: &Cloud, triangles: bool, normals: bool) -> String {
         let nodes: Vec<String> = nodes.iter().map(|a| (a + 1).to_string()).collect();
         writeln!(elements, "{count} {kind} 2 {group} {group} {}", nodes.join(" ")).unwrap();
     };
-    let rows = Lattice { counts: COUNTS };
+    let sides = cloud.sides.as_ref().unwrap();
     for (group, side) in [(1, Side::U0), (2, Side::U1), (3, Side::V0)] {
-        rows.edge(side).windows(2).for_each(|ends| add("1", group, ends));
+        sides.edge(side).windows(2).for_each(|ends| add("1", group, ends));
     }
     for (c, cell) in cloud.cells.iter().enumerate() {
         let [p, q, r, s] = cell.corners;

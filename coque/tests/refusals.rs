@@ -142,3 +142,64 @@ fn contradicting_motion() {
         text("panel.toml").replace("direction = [0.0, 0.0, -1.0], by", "direction = [1.0, 0.0, -1.0], by");
     insta::assert_snapshot!(refused(Scene::parse(&message, "panel.toml")));
 }
+
+#[test]
+fn broken_layers() {
+    let homogeneous = ("section.homogeneous.thickness", "12.7");
+    let elastic = ("material.elastic", "{ young = 3300.0, poisson = 0.3, density = 7.8e-9 }");
+    let cases: [(&str, &[(&str, &str)]); 14] = [
+        ("orthotropic in a homogeneous section", &[homogeneous]),
+        ("isotropic in a layered section", &[elastic]),
+        ("no plies", &[("section.layered.plies", "[]")]),
+        ("ply without thickness", &[("section.layered.plies[1].thickness", "0.0")]),
+        ("ply without an angle", &[("section.layered.plies", "[{ thickness = 1.0 }]")]),
+        ("angle not finite", &[("section.layered.plies[1].angle", "inf")]),
+        ("angle beyond a turn", &[("section.layered.plies[1].angle", "450.0")]),
+        ("thicker than the radius", &[("section.layered.plies[2].thickness", "2540.0")]),
+        ("no axis", &[("section.layered.axis", "[0.0, 0.0, 0.0]")]),
+        ("axis that stands on the surface", &[("section.layered.axis", "[0.0, 0.0, 1.0]")]),
+        ("negative modulus", &[("material.orthotropic.young_across", "-1100.0")]),
+        ("no shear across", &[("material.orthotropic.shear_across", "0.0")]),
+        ("minor Poisson's ratio beyond the bound", &[("material.orthotropic.poisson", "1.75")]),
+        ("misspelt modulus", &[("material.orthotropic.young_accross", "1100.0")]),
+    ];
+    let mut all = String::new();
+    for (name, replaced) in cases {
+        // A crown with a cell of its own, whose normal is z.
+        let crown =
+            [("geometry.cylinder.angles", "[-5.0, 5.0]"), ("geometry.cylinder.particles", "[10, 11]")];
+        let pairs: Vec<_> =
+            crown.iter().chain(replaced).map(|(path, value)| (path.to_string(), value.to_string())).collect();
+        let scene = Scene::with_overrides(&text("panel-laminated.toml"), "panel-laminated.toml", &pairs);
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", refused(scene).trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn broken_places() {
+    let scattered = "scattered = { spacing = 0.25, seed = 1 }";
+    let cases = [
+        ("both ways", "particles = [50, 5]\nscattered = { spacing = 0.2, seed = 1 }"),
+        ("neither way", ""),
+        ("no seed", "scattered = { spacing = 0.2 }"),
+        ("spacing of nothing", "scattered = { spacing = 0.0, seed = 1 }"),
+        ("wider than an edge", "scattered = { spacing = 1.5, seed = 1 }"),
+        ("too fine", "scattered = { spacing = 1e-4, seed = 1 }"),
+        (
+            "disorder of nothing",
+            "scattered = { spacing = 0.2, seed = 1 }\ndisorder = { fraction = 0.1, seed = 1 }",
+        ),
+        ("grading of nothing", "scattered = { spacing = 0.2, seed = 1 }\ngrading = [2.0, 1.0]"),
+        ("grading without bound", "particles = [50, 5]\ngrading = [1.0, 5000.0]"),
+        ("grading backwards", "particles = [50, 5]\ngrading = [-2.0, 1.0]"),
+        ("middle row of scattered particles", scattered),
+    ];
+    let mut all = String::new();
+    for (name, to) in cases {
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", broken("particles = [50, 5]", to).trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}

@@ -18,6 +18,7 @@
 
 mod frame;
 mod integrated_section;
+mod layered_section;
 mod pack;
 mod placement;
 mod rotation;
@@ -27,6 +28,7 @@ mod tangent;
 
 pub use frame::{covariant_green_lagrange, local_green_lagrange, natural_basis};
 pub use integrated_section::IntegratedSection;
+pub use layered_section::{LayeredSection, Orthotropic, Ply};
 pub use pack::{LANES, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::{parallel_transport, rodrigues, tangent_map};

@@ -33,11 +33,12 @@ impl Resultants {
 pub struct SectionScales {
     /// Thickness t \[L\].
     pub thickness: f64,
-    /// Bending stiffness `D_b = Et³/12(1−ν²)` \[F L\].
+    /// Bending stiffness \[F L\], isotropic `D_b = Et³/12(1−ν²)`.
     pub bending: f64,
-    /// Transverse shear stiffness `(5/6) G t` \[F/L\].
+    /// Transverse shear stiffness \[F/L\], isotropic `(5/6) G t`.
     pub shear: f64,
-    /// Membrane stiffness `Et/(1−ν²)` \[F/L\].
+    /// Greatest membrane stiffness of any direction \[F/L\], isotropic `Et/(1−ν²)`; the fastest wave has
+    /// `c² = membrane/(ρt)`.
     pub membrane: f64,
 }
 
@@ -85,6 +86,24 @@ pub enum MaterialError {
     Thickness(f64),
     /// Gauss points through the thickness must number 2 to 5.
     GaussPoints(usize),
+    /// A modulus of an orthotropic material must be positive and finite.
+    Modulus {
+        /// Which one.
+        what: &'static str,
+        /// Value found \[F/L²\].
+        value: f64,
+    },
+    /// The major Poisson's ratio of an orthotropic material must be smaller in size than √(E_L/E_T).
+    MajorPoisson {
+        /// Value found.
+        value: f64,
+        /// √(E_L/E_T).
+        bound: f64,
+    },
+    /// A layered section needs a ply.
+    NoPlies,
+    /// The angle of a ply must be finite.
+    Angle(f64),
 }
 
 impl std::fmt::Display for MaterialError {
@@ -96,6 +115,13 @@ impl std::fmt::Display for MaterialError {
             Self::GaussPoints(n) => {
                 write!(f, "{n} Gauss points through the thickness; use 2 to 5 (one point carries no bending)")
             }
+            Self::Modulus { what, value } => write!(f, "{what} is {value}; it must be positive and finite"),
+            Self::MajorPoisson { value, bound } => write!(
+                f,
+                "the major Poisson's ratio is {value}; it must be smaller in size than √(E_along/E_across) = {bound}"
+            ),
+            Self::NoPlies => write!(f, "there is no ply; give at least one"),
+            Self::Angle(v) => write!(f, "the angle of a ply is {v}; it must be finite"),
         }
     }
 }

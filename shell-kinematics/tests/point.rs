@@ -6,9 +6,10 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use shell_kinematics::{
-    GreenLagrange, IntegratedSection, Isotropic, IsotropicSection, MaterialError, Measures, Pack, Pack3,
-    Placement, Resultants, Section, StrainMeasure, Strains, StretchCorrected, congruence,
-    local_green_lagrange, parallel_transport, rodrigues, strain_measure, strain_measures, tangent_map,
+    GreenLagrange, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Measures,
+    Orthotropic, Pack, Pack3, Placement, Ply, Resultants, Section, StrainMeasure, Strains, StretchCorrected,
+    congruence, local_green_lagrange, parallel_transport, rodrigues, strain_measure, strain_measures,
+    tangent_map,
 };
 
 type Vectors = [Vector3<f64>; 5];
@@ -127,7 +128,7 @@ proptest! {
         }
     }
 
-    /// Resultants are the derivative of the energy, for both sections.
+    /// Resultants are the derivative of the energy, for every section.
     #[test]
     fn resultants_are_the_derivative_of_the_energy(
         at in prop::array::uniform8(-1.0..1.0_f64),
@@ -201,18 +202,33 @@ proptest! {
     }
 }
 
-fn sections() -> [Box<dyn Section>; 5] {
+/// The closed form, five sections that must equal it, and an unsymmetric laminate.
+fn sections() -> [Box<dyn Section>; 7] {
     let material = Isotropic::new(210.0, 0.3).unwrap();
     let gauss = |n| Box::new(IntegratedSection::new(material, 0.4, n).unwrap());
-    [Box::new(IsotropicSection::new(material, 0.4).unwrap()), gauss(2), gauss(3), gauss(4), gauss(5)]
+    let shear = material.shear();
+    let alike = Orthotropic::new(210.0, 210.0, 0.3, shear, shear).unwrap();
+    let ply = |material, thickness, angle| Ply { material, thickness, angle };
+    let same = [ply(alike, 0.1, 0.0), ply(alike, 0.3, 1.0)];
+    let fibre = Orthotropic::new(210.0, 20.0, 0.3, 15.0, 7.0).unwrap();
+    let skew = [ply(fibre, 0.1, 0.0), ply(alike, 0.1, 0.0), ply(fibre, 0.2, 0.8)];
+    [
+        Box::new(IsotropicSection::new(material, 0.4).unwrap()),
+        gauss(2),
+        gauss(3),
+        gauss(4),
+        gauss(5),
+        Box::new(LayeredSection::new(&same).unwrap()),
+        Box::new(LayeredSection::new(&skew).unwrap()),
+    ]
 }
 
 #[test]
-fn integrated_and_closed_sections_agree() {
+fn sections_of_one_isotropic_material_agree() {
     let p: [Pack; 8] = std::array::from_fn(|i| Pack::splat(0.3 - 0.1 * i as f64));
     let strains =
         Strains { membrane: [p[0], p[1], p[2]], curvature: [p[3], p[4], p[5]], shear: [p[6], p[7]] };
-    let [closed, rest @ ..] = sections();
+    let [closed, rest @ .., _] = sections();
     for section in rest {
         let (a, b) = (closed.resultants(&strains), section.resultants(&strains));
         for (a, b) in a

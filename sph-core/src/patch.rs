@@ -1,4 +1,4 @@
-//! Parametric surfaces: plate, cylinder, sphere, and any closure (u, v) → position.
+//! Parametric surfaces: plate, cylinder, sphere, twisted strip, and any closure (u, v) → position.
 
 use libm::{cos, sin};
 
@@ -53,6 +53,20 @@ pub struct Sphere {
     pub polar: [f64; 2],
     /// First and last azimuth φ in radians.
     pub azimuth: [f64; 2],
+}
+
+/// Strip twisted about the x axis: `X = (u, v cos α, v sin α)` with `α = twist · u / length`, v from −width/2 to width/2.
+///
+/// At the root `u = 0` the width runs along +y and the normal is +z; at the tip both are turned by `twist`. This is a
+/// part of the helicoid, and the warped strip of the obstacle course \[macneal1985\].
+#[derive(Clone, Copy, Debug)]
+pub struct Twisted {
+    /// Length along x `[L]`.
+    pub length: f64,
+    /// Width across `[L]`.
+    pub width: f64,
+    /// Angle from root to tip in radians, right-handed about +x.
+    pub twist: f64,
 }
 
 /// Any closure `(u, v) → X`, with tangents by differences.
@@ -118,6 +132,23 @@ impl Patch for Sphere {
     }
 }
 
+impl Patch for Twisted {
+    fn position(&self, u: f64, v: f64) -> Vec3 {
+        let angle = self.twist * u / self.length;
+        Vec3::new(u, v * cos(angle), v * sin(angle))
+    }
+
+    fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3) {
+        let rate = self.twist / self.length;
+        let (sine, cosine) = (sin(rate * u), cos(rate * u));
+        (Vec3::new(1.0, -v * rate * sine, v * rate * cosine), Vec3::new(0.0, cosine, sine))
+    }
+
+    fn range(&self) -> [[f64; 2]; 2] {
+        [[0.0, self.length], [-0.5 * self.width, 0.5 * self.width]]
+    }
+}
+
 impl<F: Fn(f64, f64) -> Vec3> Patch for Parametric<F> {
     fn position(&self, u: f64, v: f64) -> Vec3 {
         (self.position)(u, v)
@@ -149,10 +180,11 @@ mod tests {
     /// Every patch against the closure with the same positions: tangents and normals by differences.
     #[test]
     fn tangents_and_normals_are_those_of_the_position() {
-        let patches: [&dyn Patch; 3] = [
+        let patches: [&dyn Patch; 4] = [
             &Plate { lengths: [2.0, 3.0] },
             &Cylinder { radius: 2.5, angles: [-0.4, 1.0], length: 3.0 },
             &Sphere { radius: 10.0, polar: [0.3, 1.5], azimuth: [0.0, 1.5] },
+            &Twisted { length: 12.0, width: 1.1, twist: 1.6 },
         ];
         for patch in patches {
             let closure = Parametric { position: |u, v| patch.position(u, v), range: patch.range() };
@@ -165,6 +197,15 @@ mod tests {
                 assert_relative_eq!(patch.normal(u, v), closure.normal(u, v), epsilon = 1e-10);
             }
         }
+    }
+
+    #[test]
+    fn the_tip_of_the_strip_is_turned() {
+        let strip = Twisted { length: 12.0, width: 2.0, twist: std::f64::consts::FRAC_PI_2 };
+        assert_eq!(strip.position(0.0, 1.0), Vec3::y());
+        assert_eq!(strip.normal(0.0, 0.0), Vec3::z());
+        assert_relative_eq!(strip.position(12.0, 1.0), Vec3::new(12.0, 0.0, 1.0), epsilon = 1e-15);
+        assert_relative_eq!(strip.normal(12.0, 0.0), -Vec3::y(), epsilon = 1e-15);
     }
 
     #[test]

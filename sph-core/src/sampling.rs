@@ -1,6 +1,9 @@
 //! Sampling operators: values and gradients at points from particles, and their transposes.
 
-use crate::{Frame, Vec3};
+use crate::{Frame, SpaceError, Vec3};
+
+/// Projection of a unit vector on the surface below which it has no direction there.
+const SHORTEST_PROJECTION: f64 = 1e-6;
 
 /// Where a field and its surface gradient are sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,6 +92,34 @@ impl SamplingOperator {
         self.g2.extend_from_slice(stencil.g2);
         self.kernel_weights.extend(kernel_weights.iter().map(|w| w / greatest));
         self.offsets.push(self.particles.len() as u32);
+    }
+
+    /// Turns the frame of every point about its normal until `t1` is the projection of `axis` on the surface, and the
+    /// gradient numbers with it. Gradients stay the same vectors of space; material axes need a direction that means
+    /// something throughout the cloud, which the frames that operators come with do not.
+    ///
+    /// # Errors
+    /// [`SpaceError::AxisNormal`] where the unit vector along `axis` has a projection shorter than 1e-6 (round-off would
+    /// decide its direction), or none because `axis` is zero or not finite.
+    pub fn align(&mut self, axis: &Vec3) -> Result<(), SpaceError> {
+        let axis = axis.normalize();
+        for p in 0..self.points.len() {
+            let Frame { t1, t2, n } = self.points[p].frame;
+            let [first, second] = [axis.dot(&t1), axis.dot(&t2)];
+            let projection = first.hypot(second);
+            if projection.is_nan() || projection < SHORTEST_PROJECTION {
+                let position = self.points[p].position.into();
+                return Err(SpaceError::AxisNormal { position, projection, bound: SHORTEST_PROJECTION });
+            }
+            let [cos, sin] = [first / projection, second / projection];
+            for entry in self.entries(p) {
+                let (g1, g2) = (self.g1[entry], self.g2[entry]);
+                self.g1[entry] = cos * g1 + sin * g2;
+                self.g2[entry] = cos * g2 - sin * g1;
+            }
+            self.points[p].frame = Frame { t1: t1 * cos + t2 * sin, t2: t2 * cos - t1 * sin, n };
+        }
+        Ok(())
     }
 
     /// Entries of point `p` in the flat arrays.

@@ -46,6 +46,92 @@ fn constants_and_linear_fields_are_exact() {
 }
 
 #[test]
+fn aligned_frames_keep_gradients_in_space() {
+    let axis = Vec3::new(0.3, 1.0, 0.4);
+    for (cloud_name, cloud) in flat_clouds().into_iter().chain(curved_clouds()) {
+        let fields = [|x: &Vec3| x.x, |x: &Vec3| x.y, |x: &Vec3| x.z]
+            .map(|f| cloud.positions.iter().map(f).collect::<Vec<f64>>());
+        for (name, operator) in operators(&cloud) {
+            let mut aligned = operator.clone();
+            aligned.align(&axis).unwrap();
+            let in_space = |operator: &SamplingOperator, field: &[f64]| -> Vec<Vec3> {
+                let slopes = operator.gradient(field);
+                operator
+                    .points
+                    .iter()
+                    .zip(slopes)
+                    .map(|(p, g)| p.frame.t1 * g[0] + p.frame.t2 * g[1])
+                    .collect()
+            };
+            for field in &fields {
+                for (a, b) in in_space(&operator, field).iter().zip(in_space(&aligned, field)) {
+                    // Sums of some tens of numbers of either sign, of size one.
+                    assert!((a - b).norm() < 1e-12, "{cloud_name}, {name}: {a} {b}");
+                }
+            }
+            for (before, after) in operator.points.iter().zip(&aligned.points) {
+                let Frame { t1, t2, n } = after.frame;
+                assert_eq!(
+                    (before.position, before.weight, before.frame.n),
+                    (after.position, after.weight, n)
+                );
+                assert!((t1.cross(&t2) - n).norm() < 1e-14 && t1.dot(&n).abs() < 1e-14);
+                assert!(t2.dot(&axis).abs() < 1e-14 && t1.dot(&axis) > 0.0, "{cloud_name}, {name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn aligned_second_moments_are_those_of_the_same_tensor() {
+    for (cloud_name, cloud) in flat_clouds().into_iter().chain(curved_clouds()) {
+        for (name, operator) in operators(&cloud) {
+            let mut aligned = operator.clone();
+            aligned.align(&Vec3::new(0.3, 1.0, 0.4)).unwrap();
+            let moments = [&operator, &aligned].map(|operator| operator.second_moments(&cloud.positions));
+            for (p, (before, after)) in operator.points.iter().zip(&aligned.points).enumerate() {
+                let frames = [before.frame, after.frame];
+                let turn = |new: usize, old: usize| {
+                    let axes = |f: &Frame| [f.t1, f.t2];
+                    axes(&frames[1])[new].dot(&axes(&frames[0])[old])
+                };
+                let tensor = |e: &[f64; 6], [a, b, c]: [usize; 3]| e[3 * a + if b == c { b } else { 2 }];
+                for number in 0..8 {
+                    let [a, b, c] = [number & 1, number >> 1 & 1, number >> 2];
+                    let turned: f64 = (0..8)
+                        .map(|old| [old & 1, old >> 1 & 1, old >> 2])
+                        .map(|[i, j, k]| {
+                            turn(a, i) * turn(b, j) * turn(c, k) * tensor(&moments[0][p], [i, j, k])
+                        })
+                        .sum();
+                    let error = (turned - tensor(&moments[1][p], [a, b, c])).abs();
+                    assert!(error < 1e-12 * cloud.spacing(), "{cloud_name}, {name}, point {p}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_axis_that_stands_on_the_surface_is_refused_with_its_place() {
+    let roof = Cylinder { radius: 2.0, angles: [-0.5, 0.5], length: 3.0 };
+    let cloud = lattice(&roof, [3, 3], EndWeights::Trapezoid).unwrap();
+    // Nodal points lie at the particles: the crown's normal is z.
+    let mut operator = nodal_operator(&cloud, &CubicSpline, 1, 1.3).unwrap();
+    let crown = Vec3::new(0.0, 0.0, 2.0);
+    match operator.align(&Vec3::z()).unwrap_err() {
+        SpaceError::AxisNormal { position, projection, bound } => {
+            let off = Vec3::from(position) - crown;
+            assert!(off.x.hypot(off.z) < 1e-12 && projection < 1e-12 && bound == 1e-6, "{position:?}");
+        }
+        other => panic!("{other}"),
+    }
+    for axis in [Vec3::zeros(), Vec3::new(f64::NAN, 0.0, 0.0), Vec3::new(f64::INFINITY, 0.0, 0.0)] {
+        assert!(matches!(operator.align(&axis), Err(SpaceError::AxisNormal { .. })));
+    }
+}
+
+#[test]
 fn nodal_gradients_are_exact_up_to_the_order_they_report() {
     for (cloud_name, cloud) in flat_clouds().into_iter().chain(curved_clouds()) {
         for (name, operator) in operators(&cloud) {

@@ -61,6 +61,7 @@ fn march(formulation: Formulation, steps: u64) {
         cloud,
         section: Box::new(IsotropicSection::new(material, 0.01).expect("a sound section")),
         strain: &StretchCorrected,
+        material_axis: None,
         density: 1.0,
         formulation,
         supports: Vec::new(),

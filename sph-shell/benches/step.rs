@@ -17,6 +17,7 @@ fn plate(side: usize, formulation: Formulation, threads: usize) -> Shell {
         cloud,
         section: Box::new(IsotropicSection::new(material, 0.01).expect("a sound section")),
         strain: &StretchCorrected,
+        material_axis: None,
         density: 1.0,
         formulation,
         supports: Vec::new(),

@@ -39,6 +39,18 @@ pub enum ShellError {
         /// What the other supports leave of it.
         held: f64,
     },
+    /// A director is to stay in a plane in which it does not lie.
+    #[error(
+        "support {support} holds the director of particle {particle} in a plane from which it stands out by {along:.3e} (its component along the normal, at most 1e-6); choose a normal along the surface"
+    )]
+    OutOfPlane {
+        /// Number of the support in [`crate::Parts`].
+        support: usize,
+        /// The particle.
+        particle: u32,
+        /// `D·ν`.
+        along: f64,
+    },
     /// Two motions with different amplitudes on one particle.
     #[error("particle {0} is moved by two supports with different amplitudes; give it one")]
     TwoMotions(u32),

@@ -46,4 +46,6 @@ pub use reference::Reference;
 pub use shell::{Parts, Shell, Supported};
 pub use statics::StaticShell;
 pub use strong_form::density_rate;
-pub use supports::{Clamped, Diaphragm, DirectorHold, Hinged, Holds, Motion, Moved, Support, SymmetryPlane};
+pub use supports::{
+    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Motion, Moved, Support, SymmetryPlane,
+};

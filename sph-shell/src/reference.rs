@@ -2,7 +2,7 @@
 
 use shell_kinematics::SectionScales;
 use sph_core::{
-    Cloud, CubicSpline, SamplingOperator, cell_operator, kernel_operator, make_divergence_consistent,
+    Cloud, CubicSpline, SamplingOperator, Vec3, cell_operator, kernel_operator, make_divergence_consistent,
     nodal_operator,
 };
 
@@ -17,9 +17,9 @@ pub struct Reference {
     pub operator: SamplingOperator,
     /// Masses `ρ t A_a` \[M\].
     pub masses: Vec<f64>,
-    /// Rotary inertias of the directors \[M L²\], see [`Reference::new`].
+    /// Rotary inertias of the directors in marching \[M L²\], see [`Reference::new`].
     pub inertias: Vec<f64>,
-    /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))` \[L/T\].
+    /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
 }
 
@@ -28,15 +28,21 @@ impl Reference {
     ///
     /// Rotary inertia is `ρ t A_a max(t²/12, Ā_a/12)` with Ā_a the mean area of the cells at the particle: for
     /// thin shells it is scaled up so that the stable step does not collapse with the thickness (statics are
-    /// untouched, bending waves shorter than a few spacings are slowed).
+    /// untouched, bending waves shorter than a few spacings are slowed). Modes of vibration take `ρ t A_a t²/12`,
+    /// see [`crate::StaticShell`].
+    ///
+    /// With a material axis the first direction of every sampling point is its projection on the surface; without, it is
+    /// whatever the stencils chose.
     ///
     /// # Errors
-    /// [`ShellError`] for unsound clouds, stencils that cannot be corrected, and density out of bounds.
+    /// [`ShellError`] for unsound clouds, stencils that cannot be corrected, density out of bounds, and a material axis
+    /// that stands on the surface somewhere.
     pub fn new(
         cloud: Cloud,
         formulation: &Formulation,
         section: &SectionScales,
         density: f64,
+        material_axis: Option<&Vec3>,
     ) -> Result<Self, ShellError> {
         if !(density > 0.0 && density.is_finite()) {
             return Err(ShellError::Density(density));
@@ -45,7 +51,10 @@ impl Reference {
         if let Some((particle, &area)) = cloud.areas.iter().enumerate().find(|(_, a)| **a <= 0.0) {
             return Err(ShellError::Area { particle, area });
         }
-        let operator = operator(&cloud, formulation)?;
+        let mut operator = operator(&cloud, formulation)?;
+        if let Some(axis) = material_axis {
+            operator.align(axis)?;
+        }
         let t = section.thickness;
         let masses: Vec<f64> = cloud.areas.iter().map(|area| density * t * area).collect();
         let cell_areas = mean_cell_areas(&cloud);

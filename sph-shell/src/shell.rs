@@ -10,7 +10,7 @@ use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
 use crate::strong_form::StrongForm;
-use crate::supports::{Constraint, Holds};
+use crate::supports::{Constraint, constraints};
 use crate::sweep::Sweep;
 use crate::{Formulation, Reach, Reference, ShellError, Support};
 
@@ -30,6 +30,9 @@ pub struct Parts {
     pub section: Box<dyn Section>,
     /// Strain measure.
     pub strain: &'static dyn StrainMeasure,
+    /// Direction whose projection on the surface is the section's first axis; without, the axes of the sampling points are
+    /// arbitrary, and the section must not care.
+    pub material_axis: Option<Vec3>,
     /// Mass density \[M/L³\].
     pub density: f64,
     /// Where strains are sampled.
@@ -88,11 +91,17 @@ impl Shell {
     /// supports that contradict each other.
     pub fn new(parts: Parts) -> Result<Self, ShellError> {
         let scales = parts.section.scales();
-        let reference = Reference::new(parts.cloud, &parts.formulation, &scales, parts.density)?;
+        let reference = Reference::new(
+            parts.cloud,
+            &parts.formulation,
+            &scales,
+            parts.density,
+            parts.material_axis.as_ref(),
+        )?;
         for load in &parts.loads {
             load.load.check(&reference)?;
         }
-        let (constraint_of, constraints) = constraints(reference.cloud.len(), &parts.supports)?;
+        let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
         let count = reference.cloud.len();
         let packs = Packs::new(&reference.operator, &reference.cloud.positions);
         let state: Vec<Row> = reference
@@ -169,7 +178,7 @@ impl Shell {
             let (p, raw) = place::<true>(pack, entries, &self.state);
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
-                cell.rest(&p, &pack.reference.curvature, raw);
+                pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
             }
         }
     }
@@ -187,6 +196,11 @@ impl Shell {
     /// The strain measure in use.
     pub fn strain_measure(&self) -> &'static dyn StrainMeasure {
         self.strain
+    }
+
+    /// Thickness \[L\].
+    pub fn thickness(&self) -> f64 {
+        self.section.scales().thickness
     }
 
     /// Number of particles.
@@ -354,31 +368,6 @@ impl Shell {
             + 4 * self.constraint_of.len();
         bytes as f64 / self.len() as f64
     }
-}
-
-/// Joins all supports of each particle.
-fn constraints(count: usize, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
-    let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
-    for supported in supports {
-        if supported.particles.is_empty() {
-            return Err(ShellError::EmptySet("a support"));
-        }
-        for &particle in &supported.particles {
-            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
-                what: "a support",
-                particle,
-                count,
-            })?;
-            list.push(supported.support.holds());
-        }
-    }
-    let mut number = vec![0; count];
-    let mut constraints = Vec::new();
-    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
-        constraints.push(Constraint::join(particle as u32, list)?);
-        number[particle] = constraints.len() as u32;
-    }
-    Ok((number, constraints))
 }
 
 // A pack is four points; the chunking above relies on it only through the slot counts.

@@ -15,7 +15,7 @@ use sph_core::Vec3;
 
 use crate::Reference;
 use crate::packs::Packs;
-use crate::point::{PointLaw, Row, place, point_forces};
+use crate::point::{PointLaw, Row, measure_forces, place};
 
 /// Resultants of one particle: `n1, n2, q, m1, m2`.
 type PointRow = [[f64; 3]; 5];
@@ -34,17 +34,19 @@ pub(crate) struct StrongForm {
 
 impl StrongForm {
     pub fn new(reference: &Reference, viscosity: f64, surface_density: f64) -> Self {
-        let frames = &reference.cloud.frames;
+        // Sampling points are particles here, with frames of their own where a material axis turned them.
+        let points = &reference.operator.points;
         let mut across = Vec::with_capacity(reference.operator.particles.len());
-        for (a, frame) in frames.iter().enumerate() {
+        for (a, point) in points.iter().enumerate() {
+            let frame = &point.frame;
             let stencil = reference.operator.stencil(a);
             for (k, &b) in stencil.particles.iter().enumerate() {
                 let gradient = frame.t1 * stencil.g1[k] + frame.t2 * stencil.g2[k];
-                let other = &frames[b as usize];
+                let other = &points[b as usize].frame;
                 across.push([other.t1.dot(&gradient), other.t2.dot(&gradient)]);
             }
         }
-        Self { viscosity, surface_density, across, resultants: vec![[[0.0; 3]; 5]; frames.len()] }
+        Self { viscosity, surface_density, across, resultants: vec![[[0.0; 3]; 5]; points.len()] }
     }
 
     /// Minus the right-hand sides of eqs. 4 and 9, times area, into `forces`; returns the elastic energy of the
@@ -62,7 +64,9 @@ impl StrongForm {
         for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
-            let (f, _, density) = point_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p);
+            let (on_measures, density) =
+                measure_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p.measures());
+            let f = p.transpose(&on_measures);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {
                 self.resultants[points[lane] as usize] = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(lane));
@@ -95,7 +99,7 @@ impl StrongForm {
                 sum[3 + i] += m1[i] * g1 + m2[i] * g2 + r1[i] * o1 + r2[i] * o2;
             }
             let push = self.viscous(a, b as usize, reference, state, rates);
-            let frame = &reference.cloud.frames[a];
+            let frame = &reference.operator.points[a].frame;
             let gradient = frame.t1 * g1 + frame.t2 * g2;
             for i in 0..3 {
                 sum[i] -= push * gradient[i];
@@ -131,7 +135,7 @@ impl StrongForm {
 /// In the total Lagrangian form the density of eq. 4 is that of the reference, so this rate is a result, not
 /// an unknown; it is offered for observers.
 pub fn density_rate(reference: &Reference, density: f64, velocities: &[Vec3], particle: usize) -> f64 {
-    let frame = &reference.cloud.frames[particle];
+    let frame = &reference.operator.points[particle].frame;
     let stencil = reference.operator.stencil(particle);
     let mut divergence = 0.0;
     for (k, &b) in stencil.particles.iter().enumerate() {

@@ -4,11 +4,11 @@
 
 mod common;
 
-use common::{Dice, curved, disordered_curved, energy_formulations, flat, shake, shell};
-use implicit_statics::Equilibrium;
+use common::{Dice, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
+use implicit_statics::{BalanceError, Equilibrium, Newton, NewtonOptions};
 use shell_kinematics::strain_measures;
 use sph_core::{Side, Vec3};
-use sph_shell::{Clamped, Force, Load, StaticShell, Supported, SymmetryPlane};
+use sph_shell::{Clamped, Force, Held, Load, StaticShell, Supported, SymmetryPlane};
 
 /// `vᵀKv` with the lower triangle of the tangent.
 fn quadratic(pattern: &[(usize, usize)], values: &[f64], v: &[f64]) -> f64 {
@@ -25,18 +25,19 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
         ("flat", flat([7, 6], [2.0, 1.5])),
         ("curved", curved([7, 6])),
         ("disordered", disordered_curved([7, 6])),
+        ("scattered", scattered_curved(0.45)),
     ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {
-                let lattice = cloud.lattice.unwrap();
+                let sides = cloud.sides.clone().unwrap();
                 let supports = vec![
-                    Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) },
+                    Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },
                     Supported {
-                        particles: lattice.edge(Side::V0),
+                        particles: sides.edge(Side::V0).to_vec(),
                         support: Box::new(SymmetryPlane { normal: Vec3::y() }),
                     },
                 ];
-                let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
+                let shares = sides.edge(Side::U1).iter().map(|&a| (a, 1.0)).collect();
                 let loads: Vec<Box<dyn Load>> =
                     vec![Box::new(Force { shares, total: Vec3::new(1.0, 2.0, 3.0) })];
                 let mut body = shell(cloud.clone(), formulation, 0.2, strain, supports, loads);
@@ -94,4 +95,76 @@ fn forces_along_the_unknowns_are_the_first_derivative() {
     let found = (at(1.0) - at(-1.0)) / (2.0 * h);
     let exact: f64 = force.iter().zip(&v).map(|(f, v)| f * v).sum();
     assert!((found / exact - 1.0).abs() < 1e-8, "{found} {exact}");
+}
+
+/// A flat shell pushed at one corner, under the supports given.
+fn pushed(supports: Vec<Supported>) -> StaticShell {
+    let force = Force { shares: vec![(0, 1.0)], total: Vec3::z() };
+    let cloud = flat([6, 5], [2.0, 1.5]);
+    StaticShell::new(shell(
+        cloud,
+        energy_formulations()[0].1,
+        0.2,
+        strain_measures()[0],
+        supports,
+        vec![Box::new(force)],
+    ))
+}
+
+#[test]
+fn a_free_shell_is_a_mechanism_with_a_name() {
+    let corner = |displacement: Vec<Vec3>| Supported {
+        particles: vec![29],
+        support: Box::new(Held { displacement, director: None }),
+    };
+    // Without support six motions are free; two translations held on a particle leave four.
+    for (supports, free) in [(vec![], 6), (vec![corner(vec![Vec3::x(), Vec3::new(1.0, 1.0, 0.0)])], 4)] {
+        let mut system = pushed(supports);
+        let rest = system.save();
+        let mut newton = Newton::new(&system, &NewtonOptions::default()).unwrap();
+        let error = newton.at_level(&mut system, 1.0).unwrap_err();
+        assert!(matches!(error, BalanceError::Mechanism { zero, .. } if zero == free), "{error}");
+        let message = error.to_string();
+        for part in ["the structure moves freely, mostly in particle ", "moving along (", "support it"] {
+            assert!(message.contains(part), "{message}");
+        }
+        assert_eq!(system.save(), rest);
+    }
+}
+
+#[test]
+fn directions_that_are_held_are_no_unknowns() {
+    let all = |displacement, director| {
+        vec![Supported { particles: (0..30).collect(), support: Box::new(Held { displacement, director }) }]
+    };
+    // Five freedoms a particle; two directions that are not square to each other hold a plane.
+    let skew = vec![Vec3::new(3.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0)];
+    for (supports, left) in [
+        (all(vec![], Some(Vec3::x())), 4),
+        (all(skew, None), 3),
+        (all(vec![Vec3::x(), Vec3::y(), Vec3::z()], Some(Vec3::y())), 1),
+    ] {
+        let mut system = pushed(supports);
+        assert_eq!(system.unknowns(), 30 * left);
+        assert_eq!(system.shell().freedoms(), 30 * left);
+        // A motion of the unknowns leaves what is held.
+        system.update(&vec![0.01; 30 * left]);
+        let (u, d) = (system.shell().displacement(7), system.shell().director(7));
+        match left {
+            4 => assert!(d.x == 0.0 && d.y != 0.0 && u.norm() > 0.0),
+            3 => assert!(u.x.hypot(u.y) < 1e-17 && u.z == 0.01),
+            _ => assert!(u.norm() == 0.0 && d.y == 0.0 && d.x != 0.0),
+        }
+    }
+}
+
+#[test]
+fn modes_turn_with_the_inertia_of_the_shell_itself() {
+    let body = common::free_shell(flat([6, 5], [2.0, 1.5]), energy_formulations()[0].1, 0.2);
+    let masses = StaticShell::new(body).masses();
+    // Three translations and two turns a particle: ρ t A and ρ t A t²/12, though t is half a spacing.
+    for particle in masses.chunks_exact(5) {
+        assert!(particle[..3].iter().all(|m| *m == particle[0]));
+        assert!(particle[3..].iter().all(|i| (i / (particle[0] * 0.04 / 12.0) - 1.0).abs() < 1e-14));
+    }
 }

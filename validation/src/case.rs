@@ -1,8 +1,12 @@
 //! A case: scenes to run, and how their results are judged and drawn.
 
-use coque::{Ended, Outcome};
+use std::fmt;
+use std::sync::Arc;
+
+use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 
 use crate::JudgeError;
+use crate::outcome::Outcome;
 use crate::record::Metric;
 use crate::report::Figure;
 
@@ -22,6 +26,8 @@ pub struct Case {
     pub each: fn(&Run) -> Result<Vec<Metric>, JudgeError>,
     /// Metrics that need several runs.
     pub together: fn(&Runs) -> Result<Vec<Booked>, JudgeError>,
+    /// The one figure by which answers are compared; none where a case has no error of its own.
+    pub headline: Option<Headline>,
     /// What the report shows, in this order.
     pub figures: fn(&Runs) -> Result<Vec<Figure>, JudgeError>,
 }
@@ -29,21 +35,65 @@ pub struct Case {
 /// A metric with the number of the run in whose record it stands.
 pub type Booked = (usize, Metric);
 
-/// One run of a case: a scene with some values replaced.
+/// The figure by which the answers to one problem are compared: explicit, static, finite elements, published.
+#[derive(Clone, Copy)]
+pub struct Headline {
+    /// Name of the metric.
+    pub metric: &'static str,
+    /// Errors below this are not told apart, in the unit of the error: what the reference is known to.
+    pub floor: f64,
+    /// Published answers with their error, in the same unit.
+    pub published: fn() -> Result<Vec<Published>, JudgeError>,
+}
+
+/// A published answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Published {
+    /// Who found it.
+    pub source: &'static str,
+    /// How far it is off; none where it is itself the reference.
+    pub error: Option<f64>,
+}
+
+/// One run of a case: a scene with some values replaced, or a study.
 #[derive(Clone, Debug)]
 pub struct Variant {
     /// Formulation, and what else sets the run apart; with [`Variant::grid`] unique in the case.
     pub method: String,
-    /// Number of particles along u and v, as in `50×5`.
+    /// Number of particles or nodes along u and v, as in `50×5`, and what else is set in the problem, as in `21×21 clamped`.
     pub grid: String,
-    /// The scene, embedded.
-    pub scene: &'static str,
-    /// Values replaced, as in `coque run --set`.
-    pub set: Vec<(String, String)>,
+    /// What is run.
+    pub source: Problem,
     /// Whether the run belongs to the quick set.
     pub quick: bool,
     /// Whether every load level has to come to rest; false for methods known to flutter.
     pub settles: bool,
+}
+
+/// A run that is no scene; an error says why there is no outcome.
+pub type Study = Arc<dyn Fn() -> Result<Outcome, String> + Send + Sync>;
+
+/// What a variant runs.
+#[derive(Clone)]
+pub enum Problem {
+    /// A scene.
+    Scene {
+        /// Its text, embedded.
+        text: &'static str,
+        /// Values replaced, as in `coque run --set`.
+        set: Vec<(String, String)>,
+    },
+    /// Anything else that leaves an outcome behind: the finite-element shell, a study on a bare shell.
+    Study(Study),
+}
+
+impl fmt::Debug for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene { set, .. } => f.debug_struct("Scene").field("set", set).finish_non_exhaustive(),
+            Self::Study(_) => f.write_str("Study"),
+        }
+    }
 }
 
 impl Variant {
@@ -54,17 +104,46 @@ impl Variant {
         Self {
             method: method.into(),
             grid: format!("{u}×{v}"),
-            scene,
-            set: vec![particles],
+            source: Problem::Scene { text: scene, set: vec![particles] },
             quick: false,
             settles: true,
         }
     }
 
-    /// Replaces a value.
+    /// A case of the finite-element shell on a mesh with `counts` nodes along u and v.
+    pub fn elements(
+        method: &str,
+        counts: [usize; 2],
+        solve: impl Fn() -> Result<Solved, CaseError> + Send + Sync + 'static,
+    ) -> Self {
+        let [u, v] = counts;
+        let solve = move || solve().map(Outcome::from).map_err(|cause| cause.to_string());
+        Self::study(method, &format!("{u}×{v}"), solve)
+    }
+
+    /// A run that is no scene.
+    pub fn study(
+        method: &str,
+        grid: &str,
+        run: impl Fn() -> Result<Outcome, String> + Send + Sync + 'static,
+    ) -> Self {
+        let (method, grid) = (method.into(), grid.into());
+        Self { method, grid, source: Problem::Study(Arc::new(run)), quick: false, settles: false }
+    }
+
+    /// Replaces a value of the scene.
     #[must_use]
     pub fn set(mut self, path: &str, value: impl ToString) -> Self {
-        self.set.push((path.into(), value.to_string()));
+        if let Problem::Scene { set, .. } = &mut self.source {
+            set.push((path.into(), value.to_string()));
+        }
+        self
+    }
+
+    /// Adds what sets a run apart beside its lattice: a load, a thickness.
+    #[must_use]
+    pub fn on(mut self, what: &str) -> Self {
+        self.grid = format!("{} {what}", self.grid);
         self
     }
 
@@ -127,7 +206,7 @@ impl Run {
 
     /// Whether the run reached its end.
     pub fn done(&self) -> bool {
-        self.outcome.ended == Ended::Done
+        self.outcome.failure.is_none()
     }
 }
 

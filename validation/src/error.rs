@@ -27,6 +27,16 @@ pub enum JudgeError {
         /// The refusal, with the line underlined.
         text: String,
     },
+    /// A study left no outcome.
+    #[error("case {case}, {method}: {cause}")]
+    Study {
+        /// The case.
+        case: &'static str,
+        /// The method of the variant.
+        method: String,
+        /// What happened.
+        cause: String,
+    },
     /// A case asks for a column that its scene does not record.
     #[error(
         "the curve has no column \"{name}\"; add a [[curve]] of that name to the scene, or use one of: {known}"

@@ -7,21 +7,28 @@
 //! |---|---|
 //! | a benchmark: its runs, references, tolerances with their reasons | `cases/*.rs`, one file each |
 //! | how runs share the cores | `run.rs` |
+//! | what a run leaves behind, whoever solved it | `outcome.rs` |
 //! | what a verdict is | `record.rs` |
+//! | the table of the hard cases | `survival.rs` |
+//! | explicit, static, finite elements and published side by side | `answers.rs` |
 //! | interpolation, order of convergence, frontier | `measure.rs` |
 //! | the printed table, the HTML report | `table.rs`, `report/*.rs` |
 
+pub mod answers;
 pub mod case;
 pub mod cases;
 pub mod measure;
+pub mod outcome;
 pub mod record;
 pub mod report;
 pub mod run;
+pub mod survival;
 pub mod table;
 
 mod error;
 
 pub use case::{Case, Run, Runs, Variant};
 pub use error::JudgeError;
+pub use outcome::{Outcome, Solver};
 pub use record::{Metric, Record};
 pub use run::{CaseResult, Selection, judge};

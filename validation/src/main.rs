@@ -17,6 +17,9 @@ struct Cli {
     /// Only the runs that are fast enough for every commit
     #[arg(long)]
     quick: bool,
+    /// The hard cases in place of the usual ones: where shells and particles break
+    #[arg(long)]
+    hard: bool,
     /// Only this case; may be given several times
     #[arg(long = "case", value_name = "NAME")]
     cases: Vec<String>,
@@ -38,6 +41,7 @@ const HELP: &str = "\
 Examples:
   validate --list                      what there is
   validate --quick                     what every commit has to pass
+  validate --hard                      the survival table
   validate --case ring --case panel    the two cases of Lin et al. 2013
   validate --json records.json         for further analysis
   validate --jobs 1                    wall times without a neighbour on the other core
@@ -51,7 +55,7 @@ Exit codes: 0 every tolerance kept, 1 a tolerance missed, 2 not judged (unknown 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     if cli.list {
-        for case in cases::all() {
+        for case in if cli.hard { cases::hard() } else { cases::all() } {
             let quick = case.variants.iter().filter(|variant| variant.quick).count();
             println!("{:<22} {} ({} runs, {quick} quick)", case.name, case.title, case.variants.len());
         }
@@ -68,8 +72,12 @@ fn main() -> ExitCode {
 
 fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let selection =
-        Selection { quick: cli.quick, names: cli.cases.clone(), jobs: cli.jobs.unwrap_or_else(cores) };
+    let selection = Selection {
+        quick: cli.quick,
+        hard: cli.hard,
+        names: cli.cases.clone(),
+        jobs: cli.jobs.unwrap_or_else(cores),
+    };
     let results = judge(&selection, &|line| eprintln!("{line}"))?;
     print!("{}", table::table(&results));
     if let Some(file) = &cli.json {

@@ -1,7 +1,8 @@
 //! The record of one run: what it was, what it cost, its metrics with their verdicts, its curve.
 
-use coque::Outcome;
 use serde::{Deserialize, Serialize};
+
+use crate::outcome::Outcome;
 
 /// A run with its verdicts; the JSON file is a list of these.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -11,13 +12,13 @@ pub struct Record {
     pub case: String,
     /// Formulation, and what else sets this run apart from the others of the case.
     pub method: String,
-    /// Particles.
+    /// Particles, or nodes of finite elements.
     pub particles: usize,
     /// Mean spacing of the particles, in the unit of length of the scene.
     pub spacing: f64,
     /// Freedoms that no support holds.
     pub dof: usize,
-    /// Time steps.
+    /// Time steps; without time the equilibria found on the way.
     pub steps: u64,
     /// Threads of the run.
     pub threads: usize,
@@ -125,17 +126,16 @@ impl Metric {
 impl Record {
     /// The record of an outcome.
     pub fn new(case: &str, method: &str, outcome: &Outcome, metrics: Vec<Metric>) -> Self {
-        let summary = &outcome.summary;
         Self {
             case: case.into(),
             method: method.into(),
-            particles: summary.particles,
-            spacing: summary.spacing,
-            dof: summary.dof,
-            steps: summary.steps,
-            threads: summary.threads,
-            wall_seconds: summary.wall_seconds,
-            particle_steps_per_second: summary.particle_steps_per_second,
+            particles: outcome.particles,
+            spacing: outcome.spacing,
+            dof: outcome.dof,
+            steps: outcome.steps,
+            threads: outcome.threads,
+            wall_seconds: outcome.wall_seconds,
+            particle_steps_per_second: outcome.particle_steps_per_second,
             metrics,
             curve: Table {
                 columns: outcome.curve.columns.iter().map(coque::Column::title).collect(),

@@ -10,7 +10,7 @@ pub fn short(value: f64) -> String {
     }
     let size = value.abs().log10().floor() as i32;
     if !(-4..6).contains(&size) {
-        let text = format!("{value:.2e}");
+        let text = format!("{value:.3e}");
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
     }

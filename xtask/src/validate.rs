@@ -10,6 +10,9 @@ pub struct Options {
     /// Only the cases that are fast enough for every commit
     #[arg(long)]
     pub quick: bool,
+    /// The hard cases in place of the usual ones: where shells and particles break
+    #[arg(long)]
+    pub hard: bool,
     /// Only this case; may be repeated
     #[arg(long = "case", value_name = "NAME")]
     pub cases: Vec<String>,
@@ -45,6 +48,9 @@ impl Options {
         if self.quick {
             words.push("--quick".to_owned());
         }
+        if self.hard {
+            words.push("--hard".to_owned());
+        }
         for case in &self.cases {
             words.extend(["--case".to_owned(), case.clone()]);
         }
@@ -64,6 +70,7 @@ mod tests {
     fn every_argument_is_passed_on() {
         let options = Options {
             quick: true,
+            hard: true,
             cases: cargo::words(&["ring", "panel"]),
             json: Some("a.json".to_owned()),
             report: Some("out".to_owned()),
@@ -72,7 +79,7 @@ mod tests {
         assert_eq!(
             cargo::spelled(&options.words()),
             "cargo run --release --package validation --bin validate -- \
-             --quick --case ring --case panel --json a.json --report out --threads 2"
+             --quick --hard --case ring --case panel --json a.json --report out --threads 2"
         );
     }
 }

@@ -132,6 +132,11 @@ impl Model {
         self
     }
 
+    /// Mean spacing of the nodes: the square root of their mean area \[L\].
+    pub fn spacing(&self) -> f64 {
+        (self.areas.iter().sum::<f64>() / self.areas.len() as f64).sqrt()
+    }
+
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
         self.positions.len()

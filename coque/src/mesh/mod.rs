@@ -22,6 +22,7 @@ mod obj;
 mod order;
 mod quality;
 mod raw;
+mod refusal;
 mod report;
 mod sheet;
 mod stl;

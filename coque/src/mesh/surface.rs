@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use sph_core::{Cell, Cloud, Frame, SpaceError, Vec3, pair_triangles};
+use sph_core::{Cell, Cloud, Frame, Vec3, pair_triangles};
 
 use super::boundary::{Loop, boundary_edges, loops};
 use super::order::{along_the_surface, renumber};
@@ -43,6 +43,8 @@ pub struct Surface {
     pub notes: Vec<String>,
     /// Numbers of the nodes in the file, by which messages name them; empty where they have none.
     pub labels: Vec<u64>,
+    /// Number and line of each face in the file, for messages; the line is nought where the format has none.
+    pub origins: Vec<(u64, usize)>,
 }
 
 /// What became of the faces in a cloud.
@@ -117,6 +119,7 @@ impl Surface {
             turned,
             notes: raw.notes,
             labels: raw.labels,
+            origins: raw.faces.iter().map(|face| (face.label, face.line)).collect(),
         };
         surface.name_sets(raw.sets)?;
         Ok(surface)
@@ -202,11 +205,19 @@ impl Surface {
                 edge_normals: vec![Vec3::zeros(); self.positions.len()],
                 edge_lengths: vec![0.0; self.positions.len()],
                 cells: Vec::new(),
+                sides: None,
                 lattice: None,
             };
             cloud.check().map_err(|error| self.refusal(&error))?;
             return Ok((cloud, Cells::default()));
         }
+        let (cells, counts) = self.cells();
+        let cloud = Cloud::from_cells(self.positions.clone(), Some(normals), cells);
+        cloud.map(|cloud| (cloud, counts)).map_err(|error| self.refusal(&error))
+    }
+
+    /// The cells of the cloud: quadrangles, and triangles joined in pairs.
+    pub(super) fn cells(&self) -> (Vec<Cell>, Cells) {
         let (triangles, mut cells): (Vec<Cell>, Vec<Cell>) =
             self.faces.iter().partition(|face| face.count == 3);
         let corners: Vec<[u32; 3]> =
@@ -217,33 +228,7 @@ impl Surface {
         cells.extend(paired);
         // In the order of the particles: a step then sweeps both together.
         cells.sort_by_key(|cell| cell.particles().iter().copied().min());
-        let cloud = Cloud::from_cells(self.positions.clone(), Some(normals), cells);
-        cloud.map(|cloud| (cloud, counts)).map_err(|error| self.refusal(&error))
-    }
-
-    /// Names particles as the file does.
-    fn refusal(&self, error: &SpaceError) -> MeshError {
-        let name = |node: usize| self.name(node as u32);
-        let refusal = match *error {
-            SpaceError::Coincident { first, second, .. } => MeshError::whole(
-                format!("{} and {} coincide", name(first), name(second)),
-                "merge them: in Gmsh with Coherence Mesh or Mesh.MeshSizeMin, elsewhere by equivalencing nodes",
-            ),
-            SpaceError::Isolated { particle, .. } => MeshError::whole(
-                format!("{} is far from all others", name(particle)),
-                "remove it, or bring its neighbours",
-            ),
-            SpaceError::BadNumber { particle, what, value, bound } => MeshError::whole(
-                format!("{}: {what} is {value}; it must be {bound}", name(particle)),
-                "correct it in the file",
-            ),
-            ref other => {
-                let message = other.to_string();
-                let (what, repair) = message.rsplit_once("; ").unwrap_or((&message, "mesh the surface anew"));
-                MeshError::whole(what, repair)
-            }
-        };
-        refusal.named(&self.file)
+        (cells, counts)
     }
 }
 

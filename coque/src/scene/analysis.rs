@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, SeqAccess, Visitor};
 
-use super::{ArcLength, Buckling, Modal, Static};
+use super::{ArcLength, Buckling, Linear, Modal, Static};
 
 /// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize)]
@@ -12,6 +12,8 @@ use super::{ArcLength, Buckling, Modal, Static};
 pub enum Analysis {
     /// Central differences.
     Explicit(Explicit),
+    /// The linear answer to the loads.
+    Linear(Linear),
     /// Equilibria at load levels.
     Static(Static),
     /// A path of equilibria.
@@ -94,6 +96,7 @@ impl Analysis {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Explicit(_) => "explicit",
+            Self::Linear(_) => "linear",
             Self::Static(_) => "static",
             Self::ArcLength(_) => "arc-length",
             Self::Modal(_) => "modal",
@@ -116,6 +119,7 @@ impl Analysis {
         match self {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => "a quasi-static run",
             Self::Explicit(_) => "a transient run",
+            Self::Linear(_) => "a linear analysis",
             Self::Static(_) => "a static analysis",
             Self::ArcLength(_) => "an arc-length analysis",
             Self::Modal(_) => "a modal analysis",
@@ -125,7 +129,7 @@ impl Analysis {
 
     /// Whether a load drives it without time: a prescribed motion then becomes a force that finds its size.
     pub(crate) fn driven_by_load(&self) -> bool {
-        matches!(self, Self::Static(_) | Self::ArcLength(_) | Self::Buckling(_))
+        matches!(self, Self::Linear(_) | Self::Static(_) | Self::ArcLength(_) | Self::Buckling(_))
     }
 }
 

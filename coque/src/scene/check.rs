@@ -1,16 +1,13 @@
-//! Every check of a scene that needs no particles.
+//! The checks of a scene that need no particles, first to last.
 
 use std::collections::BTreeSet;
 
-use super::{Formulation, Geometry, Material, Reach, Region, Scene, Section};
+use super::{Formulation, Reach, Region, Scene};
 use crate::error::SceneError;
 use crate::probe::always;
 use crate::sets::BUILT_IN;
 
 type Checked = Result<(), SceneError>;
-
-/// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
-const MOST_PARTICLES: usize = 10_000_000;
 
 impl Scene {
     /// Refuses the first thing that is out of bounds.
@@ -37,80 +34,6 @@ impl Scene {
         let bound = "consistent: all three with a unit, or all three \"-\"";
         let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
         Err(self.source.value("units", "a mixture of units and \"-\"", bound, repair))
-    }
-
-    fn check_geometry(&self) -> Checked {
-        let at = |key: &str| format!("geometry.{}.{key}", self.geometry.word());
-        let s = &self.source;
-        match &self.geometry {
-            Geometry::Plate(plate) => {
-                s.positive(&at("lengths[0]"), plate.lengths[0])?;
-                s.positive(&at("lengths[1]"), plate.lengths[1])?;
-            }
-            Geometry::Cylinder(cylinder) => {
-                s.positive(&at("radius"), cylinder.radius)?;
-                s.positive(&at("length"), cylinder.length)?;
-                s.sized_all(&at("angles"), &cylinder.angles)?;
-                s.range(&at("angles"), cylinder.angles, 360.0)?;
-            }
-            Geometry::Sphere(sphere) => {
-                s.positive(&at("radius"), sphere.radius)?;
-                let repair = "leave a small hole at the pole, such as 1 degree";
-                s.between(&at("polar[0]"), sphere.polar[0], [0.0, 180.0], repair)?;
-                s.between(&at("polar[1]"), sphere.polar[1], [0.0, 180.0], repair)?;
-                s.range(&at("polar"), sphere.polar, 180.0)?;
-                s.sized_all(&at("azimuth"), &sphere.azimuth)?;
-                s.range(&at("azimuth"), sphere.azimuth, 360.0)?;
-            }
-            Geometry::Mesh(mesh) => s.positive(&at("scale"), mesh.scale)?,
-        }
-        let [n1, n2] = self.geometry.particles().unwrap_or([2, 2]);
-        for (i, n) in [n1, n2].into_iter().enumerate() {
-            if n < 2 {
-                let repair = "particles lie on both edges: at least two";
-                return Err(s.value(&at(&format!("particles[{i}]")), n, "2 or more", repair));
-            }
-        }
-        if n1.checked_mul(n2).is_none_or(|n| n > MOST_PARTICLES) {
-            let bound = format!("at most {MOST_PARTICLES} particles in all");
-            return Err(s.value(&at("particles"), format!("[{n1}, {n2}]"), &bound, "use fewer"));
-        }
-        if let Some(disorder) = self.geometry.disorder() {
-            let repair = "beyond half a spacing neighbours would change places";
-            s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
-        }
-        if let Some(turn) = self.orientation {
-            s.direction("orientation.axis", turn.axis)?;
-            s.within("orientation.degrees", turn.degrees, [-360.0, 360.0], "give the angle within one turn")?;
-        }
-        Ok(())
-    }
-
-    fn check_material(&self) -> Checked {
-        let s = &self.source;
-        let Material::Elastic(elastic) = &self.material;
-        s.positive("material.elastic.young", elastic.young)?;
-        s.positive("material.elastic.density", elastic.density)?;
-        let repair =
-            "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
-        s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)?;
-        let Section::Homogeneous(section) = &self.section;
-        s.positive("section.homogeneous.thickness", section.thickness)?;
-        if let Some(points) = section.gauss_points {
-            let repair = "one point carries no bending; leave it out for the closed form";
-            s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
-        }
-        let radius = match &self.geometry {
-            Geometry::Plate(_) | Geometry::Mesh(_) => f64::INFINITY,
-            Geometry::Cylinder(cylinder) => cylinder.radius,
-            Geometry::Sphere(sphere) => sphere.radius,
-        };
-        if section.thickness >= radius {
-            let bound = format!("less than the radius {radius} of the surface");
-            let repair = "a thin shell wants a thickness of at most a fifth of the radius";
-            return Err(s.value("section.homogeneous.thickness", section.thickness, &bound, repair));
-        }
-        Ok(())
     }
 
     fn check_formulation(&self) -> Checked {

@@ -1,7 +1,7 @@
 //! Checks of the analysis that need no particles.
 
 use super::{
-    Analysis, ArcLength, Buckling, Damping, Explicit, Formulation, Levels, Modal, Scene, Static, Stop,
+    Analysis, ArcLength, Buckling, Damping, Explicit, Formulation, Levels, Linear, Modal, Scene, Static, Stop,
 };
 use crate::error::SceneError;
 use crate::probe::always;
@@ -24,6 +24,7 @@ impl Scene {
     pub(super) fn check_analysis(&self) -> Checked {
         match &self.analysis {
             Analysis::Explicit(explicit) => return self.check_explicit(explicit),
+            Analysis::Linear(Linear {}) => {}
             Analysis::Static(Static { levels, tolerance, iterations }) => {
                 self.check_levels("analysis.static.levels", levels)?;
                 self.check_newton("analysis.static", *tolerance, *iterations)?;

@@ -1,8 +1,12 @@
 //! Checks of supports and loads that need no particles.
 
-use super::{Amplitude, Axis, Load, LoadKind, Scene, Support, SupportKind};
+use super::{Amplitude, Axis, Held, Load, LoadKind, Scene, Support, SupportKind};
 use crate::error::SceneError;
 use crate::sets::EDGES;
+use sph_core::Vec3;
+
+/// Directions this close to the span of others are the same but for rounding or a slip.
+const PARALLEL: f64 = 1e-6;
 
 type Checked = Result<(), SceneError>;
 
@@ -25,12 +29,51 @@ impl Scene {
                     s.direction(&format!("{at}.symmetry.normal"), plane.normal)?
                 }
                 SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
+                SupportKind::Held(held) => self.check_held(&format!("{at}.held"), &held)?,
                 SupportKind::Moved(moved) => {
                     s.direction(&format!("{at}.moved.direction"), moved.direction)?;
                     s.sized(&format!("{at}.moved.by"), moved.by)?;
                     self.check_course(at, support.amplitude.as_ref())?;
                 }
             }
+        }
+        Ok(())
+    }
+
+    fn check_held(&self, at: &str, held: &Held) -> Checked {
+        let s = &self.source;
+        let Held { displacement, director } = held;
+        if displacement.is_empty() && director.is_empty() {
+            let repair =
+                "held = { displacement = [[0, 0, 1]] } holds z; `director` keeps the director in a plane";
+            let bound = "`displacement`, `director` or both";
+            return Err(SceneError::Choice(s.fault(at, "no direction", bound, repair)));
+        }
+        let lists = [
+            ("displacement", displacement, 3, "three hold the particle"),
+            ("director", director, 1, "use `clamped` to hold both turns"),
+        ];
+        for (key, list, most, repair) in lists {
+            let path = format!("{at}.{key}");
+            if list.len() > most {
+                let value = format!("{} directions", list.len());
+                return Err(s.value(&path, value, &format!("at most {most}"), repair));
+            }
+            for (i, &v) in list.iter().enumerate() {
+                s.direction(&format!("{path}[{i}]"), v)?;
+            }
+        }
+        let mut basis: Vec<Vec3> = Vec::new();
+        for (i, &v) in displacement.iter().enumerate() {
+            let v = Vec3::from(v).normalize();
+            let rest = basis.iter().fold(v, |rest, known| rest - known * known.dot(&rest));
+            if rest.norm() < PARALLEL {
+                let path = format!("{at}.displacement[{i}]");
+                let value = format!("{:?}", displacement[i]);
+                let repair = "remove it: the directions before it hold this one already";
+                return Err(s.value(&path, value, "out of the plane or line of those before it", repair));
+            }
+            basis.push(rest.normalize());
         }
         Ok(())
     }

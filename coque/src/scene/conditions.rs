@@ -18,6 +18,8 @@ pub struct Support {
     pub symmetry: Option<Symmetry>,
     /// Rigid in its plane, free along its axis.
     pub diaphragm: Option<Diaphragm>,
+    /// Any directions of displacement and one turn of the director: the general support.
+    pub held: Option<Held>,
     /// Prescribed displacement in one direction.
     pub moved: Option<Moved>,
     /// Course of a prescribed displacement in time, in transient runs.
@@ -45,6 +47,18 @@ pub struct Diaphragm {
     pub axis: [f64; 3],
 }
 
+/// No displacement along some directions, no turn of the director out of a plane; at least one of the two is given.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Held {
+    /// Directions of no displacement, none to three, no two parallel; their length does not matter.
+    #[serde(default)]
+    pub displacement: Vec<[f64; 3]>,
+    /// Normal of the plane in which the director stays, none or one; its length does not matter.
+    #[serde(default)]
+    pub director: Vec<[f64; 3]>,
+}
+
 /// Displacement `by × level`, in a transient run `by × amplitude`, along a direction; the others stay free.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -56,7 +70,7 @@ pub struct Moved {
 }
 
 /// The one condition of a [`Support`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum SupportKind {
     /// See [`Support::clamped`].
     Clamped,
@@ -66,13 +80,15 @@ pub enum SupportKind {
     Symmetry(Symmetry),
     /// See [`Support::diaphragm`].
     Diaphragm(Diaphragm),
+    /// See [`Support::held`].
+    Held(Held),
     /// See [`Support::moved`].
     Moved(Moved),
 }
 
 impl Support {
     /// Keys of the conditions.
-    pub const WORDS: [&'static str; 5] = ["clamped", "hinged", "symmetry", "diaphragm", "moved"];
+    pub const WORDS: [&'static str; 6] = ["clamped", "hinged", "symmetry", "diaphragm", "held", "moved"];
 
     /// Every condition that is given, with its key; a checked scene has exactly one.
     pub fn kinds(&self) -> Vec<(&'static str, SupportKind)> {
@@ -81,6 +97,7 @@ impl Support {
             self.hinged.map(|_| SupportKind::Hinged),
             self.symmetry.map(SupportKind::Symmetry),
             self.diaphragm.map(SupportKind::Diaphragm),
+            self.held.clone().map(SupportKind::Held),
             self.moved.map(SupportKind::Moved),
         ]
         .into_iter()

@@ -14,6 +14,8 @@ pub enum Geometry {
     Cylinder(Cylinder),
     /// Part of a sphere about the origin.
     Sphere(Sphere),
+    /// Strip twisted about the x axis.
+    Twisted(Twisted),
     /// Surface from a file.
     Mesh(Mesh),
 }
@@ -24,10 +26,14 @@ pub enum Geometry {
 pub struct Plate {
     /// Extent along x and y \[L\].
     pub lengths: [f64; 2],
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Part of a cylinder about the y axis; `u` is the angle from +z towards +x, `v` runs along y from 0.
@@ -40,10 +46,14 @@ pub struct Cylinder {
     pub angles: [f64; 2],
     /// Length along y \[L\].
     pub length: f64,
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Part of a sphere about the origin; `u` is the polar angle from +z, `v` the azimuth from +x towards +y.
@@ -56,10 +66,36 @@ pub struct Sphere {
     pub polar: [f64; 2],
     /// First and last azimuth \[degrees\].
     pub azimuth: [f64; 2],
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
+}
+
+/// Strip twisted uniformly about the x axis, its centre line; `u` runs along x, `v` across.
+///
+/// At the root `u = 0` the width lies along +y and the normal is +z; at the tip both are turned by `twist`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Twisted {
+    /// Length along x \[L\].
+    pub length: f64,
+    /// Width across \[L\].
+    pub width: f64,
+    /// Angle from root to tip, right-handed about +x \[degrees\].
+    pub twist: f64,
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
+    pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Random displacement of particles in the surface; edge particles slide along their edge, corners stay.
@@ -68,6 +104,16 @@ pub struct Sphere {
 pub struct Disorder {
     /// Greatest displacement along u and v, in spacings.
     pub fraction: f64,
+    /// Seed of the random numbers: the same seed gives the same cloud everywhere.
+    pub seed: u64,
+}
+
+/// Particles scattered over the surface at random, none near another; those on the edges stand evenly.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scattered {
+    /// Distance between particles on the edges, and inside about the side of the square that each stands for \[L\].
+    pub spacing: f64,
     /// Seed of the random numbers: the same seed gives the same cloud everywhere.
     pub seed: u64,
 }
@@ -124,17 +170,8 @@ impl Geometry {
             Self::Plate(_) => "plate",
             Self::Cylinder(_) => "cylinder",
             Self::Sphere(_) => "sphere",
+            Self::Twisted(_) => "twisted",
             Self::Mesh(_) => "mesh",
-        }
-    }
-
-    /// Particles along u and v; none where they are not in rows.
-    pub fn particles(&self) -> Option<[usize; 2]> {
-        match self {
-            Self::Plate(s) => Some(s.particles),
-            Self::Cylinder(s) => Some(s.particles),
-            Self::Sphere(s) => Some(s.particles),
-            Self::Mesh(_) => None,
         }
     }
 
@@ -146,12 +183,46 @@ impl Geometry {
         }
     }
 
-    /// Disorder of the particles.
+    /// Particles along u and v; none where they are scattered or from a file.
+    pub fn particles(&self) -> Option<[usize; 2]> {
+        match self {
+            Self::Plate(s) => s.particles,
+            Self::Cylinder(s) => s.particles,
+            Self::Sphere(s) => s.particles,
+            Self::Twisted(s) => s.particles,
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// Disorder of the lattice.
     pub fn disorder(&self) -> Option<Disorder> {
         match self {
             Self::Plate(s) => s.disorder,
             Self::Cylinder(s) => s.disorder,
             Self::Sphere(s) => s.disorder,
+            Self::Twisted(s) => s.disorder,
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// Last over first spacing of the lattice along u and v.
+    pub fn grading(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Plate(s) => s.grading,
+            Self::Cylinder(s) => s.grading,
+            Self::Sphere(s) => s.grading,
+            Self::Twisted(s) => s.grading,
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// How particles are scattered; none on a lattice or from a file.
+    pub fn scattered(&self) -> Option<Scattered> {
+        match self {
+            Self::Plate(s) => s.scattered,
+            Self::Cylinder(s) => s.scattered,
+            Self::Sphere(s) => s.scattered,
+            Self::Twisted(s) => s.scattered,
             Self::Mesh(_) => None,
         }
     }

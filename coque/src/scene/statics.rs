@@ -1,4 +1,4 @@
-//! Analyses without time: equilibria at levels, paths by arc length, vibration and buckling modes.
+//! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
 use serde::Deserialize;
 
@@ -19,6 +19,11 @@ pub struct Static {
     #[serde(default = "usual_iterations")]
     pub iterations: usize,
 }
+
+/// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Linear {}
 
 /// A path of equilibria past limit and turning points; ends by exactly one of `until` and `stop`.
 ///

@@ -3,8 +3,12 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use explicit_dynamics::{Amplitude, Dynamics};
-use shell_kinematics::{Isotropic, IsotropicSection, StrainMeasure, StretchCorrected};
-use sph_core::{Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice};
+use shell_kinematics::{
+    Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
+};
+use sph_core::{
+    Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice, poisson_cloud,
+};
 use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
 
 pub const YOUNG: f64 = 1200.0;
@@ -47,6 +51,15 @@ pub fn disordered_flat(counts: [usize; 2], lengths: [f64; 2]) -> Cloud {
     jittered_lattice(&Plate { lengths }, counts, 0.25, 3).unwrap()
 }
 
+/// Particles without a lattice behind them, about `spacing` apart; a tenth or so of the cells are triangles.
+pub fn scattered_flat(spacing: f64, lengths: [f64; 2]) -> Cloud {
+    poisson_cloud(&Plate { lengths }, spacing, 2).unwrap()
+}
+
+pub fn scattered_curved(spacing: f64) -> Cloud {
+    poisson_cloud(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, spacing, 3).unwrap()
+}
+
 pub fn free_shell(cloud: Cloud, formulation: Formulation, thickness: f64) -> Shell {
     shell(cloud, formulation, thickness, &StretchCorrected, Vec::new(), Vec::new())
 }
@@ -59,19 +72,40 @@ pub fn shell(
     supports: Vec<Supported>,
     loads: Vec<Box<dyn Load>>,
 ) -> Shell {
-    let section = IsotropicSection::new(Isotropic::new(YOUNG, POISSON).unwrap(), thickness).unwrap();
     let loads = loads.into_iter().map(|load| AppliedLoad { load, amplitude: Amplitude::Constant }).collect();
-    Shell::new(Parts {
+    Shell::new(Parts { strain, supports, loads, ..parts(cloud, formulation, thickness) }).unwrap()
+}
+
+/// A free isotropic shell before it is built.
+pub fn parts(cloud: Cloud, formulation: Formulation, thickness: f64) -> Parts {
+    let section = IsotropicSection::new(Isotropic::new(YOUNG, POISSON).unwrap(), thickness).unwrap();
+    Parts {
         cloud,
         section: Box::new(section),
-        strain,
+        strain: &StretchCorrected,
+        material_axis: None,
         density: DENSITY,
         formulation,
-        supports,
-        loads,
+        supports: Vec::new(),
+        loads: Vec::new(),
         threads: 1,
-    })
-    .unwrap()
+    }
+}
+
+/// An axis with a projection on every cloud of the tests.
+pub const AXIS: Vec3 = Vec3::new(0.4, 1.0, 0.1);
+
+/// Three unlike plies without any symmetry, 0.2 thick, all turned by `turn`.
+pub fn unsymmetric(turn: f64) -> LayeredSection {
+    let fibre = Orthotropic::new(3300.0, 600.0, 0.25, 660.0, 400.0).unwrap();
+    let ply = |thickness, angle| Ply { material: fibre, thickness, angle: angle + turn };
+    LayeredSection::new(&[ply(0.05, 0.0), ply(0.08, 1.1), ply(0.07, -0.6)]).unwrap()
+}
+
+/// A free shell with that section.
+pub fn laminated(cloud: Cloud, formulation: Formulation, axis: Vec3) -> Shell {
+    let section = Box::new(unsymmetric(0.0));
+    Shell::new(Parts { section, material_axis: Some(axis), ..parts(cloud, formulation, 0.2) }).unwrap()
 }
 
 /// Numbers in (−1, 1), the same on every machine.

@@ -1,10 +1,13 @@
 //! The dial of formulations: the same case run with each, from the compact cell to the published strong form.
 
-use crate::case::{Run, Variant};
+use crate::answers::{answers, unit};
+use crate::case::Variant;
 use crate::measure::frontier;
 use crate::report::{
     Axis, BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, Series, VERMILION,
 };
+use crate::run::CaseResult;
+use crate::table::short;
 
 /// The default formulation.
 pub const CELL: &str = "stress-point cell";
@@ -28,6 +31,9 @@ pub const STRONG_085: &str = "strong-form 0.85";
 /// The default formulation without time: the same discrete energy, solved by Newton's method.
 pub const STATIC: &str = "stress-point cell, static";
 
+/// The independent finite-element shell.
+pub const ELEMENTS: &str = "fe shell";
+
 /// One position of the dial.
 pub struct Setting {
     /// Name in table and report.
@@ -40,11 +46,12 @@ pub struct Setting {
     pub mark: Mark,
 }
 
-/// The dial. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
+/// The dial, with finite elements beside it. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const DIAL: [Setting; 10] = [
+pub const DIAL: [Setting; 11] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
     Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
+    Setting { method: ELEMENTS, set: None, colour: BLACK, mark: Mark::Diamond },
     Setting { method: WIDE_14, set: Some(("stress-point.support", "1.4")), colour: SKY, mark: Mark::Circle },
     Setting { method: WIDE_25, set: Some(("stress-point.support", "2.5")), colour: SKY, mark: Mark::Square },
     Setting { method: WIDE_30, set: Some(("stress-point.support", "3.0")), colour: SKY, mark: Mark::Triangle },
@@ -76,9 +83,16 @@ pub fn static_variant(scene: &'static str, geometry: &str, counts: [usize; 2], l
         .set("analysis.static.levels", format!("[{}]", levels.join(", ")))
 }
 
-/// Error over wall time, one mark a run; points are `(method, (seconds per load level, error))`.
-pub fn cost_chart(title: &str, caption: &str, error: &str, points: &[(&str, (f64, f64))]) -> Option<Figure> {
-    if points.len() < 2 {
+/// Error over wall time, one mark a run; none for fewer than three.
+pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
+    let headline = result.case.headline?;
+    let points: Vec<(&str, (f64, f64))> = answers(result)
+        .iter()
+        .map(|a| {
+            (a.run.variant.method.as_str(), (a.run.outcome.seconds_per_point(), a.error.max(headline.floor)))
+        })
+        .collect();
+    if points.len() < 3 {
         return None;
     }
     let all: Vec<(f64, f64)> = points.iter().map(|&(_, point)| point).collect();
@@ -92,19 +106,19 @@ pub fn cost_chart(title: &str, caption: &str, error: &str, points: &[(&str, (f64
         }
     }
     Some(Figure::Chart(Chart {
-        title: title.into(),
-        caption: caption.into(),
-        x: Axis::log("wall time of a load level, one thread [s]"),
-        y: Axis::log(error),
+        title: format!("{}: error against cost", result.case.name),
+        caption: format!(
+            "Each mark is a run: error ({}) against the wall time of a point of its curve. Left and down is better; the \
+             grey line joins the runs that none beats in both. Errors below {} {} are drawn there: the reference is not \
+             known better.",
+            headline.metric,
+            short(headline.floor),
+            unit(result)
+        ),
+        x: Axis::log("wall time of a point of the curve, one thread [s]"),
+        y: Axis::log(&format!("error [{}]", unit(result))),
         series,
     }))
-}
-
-/// Wall time of the march over the load levels that came to an end \[s\].
-pub fn seconds_per_level(run: &Run) -> f64 {
-    // The first row of the curve is the start.
-    let levels = run.outcome.curve.rows.len().saturating_sub(1).max(1);
-    run.outcome.summary.wall_seconds / levels as f64
 }
 
 #[cfg(test)]
@@ -113,7 +127,10 @@ mod tests {
 
     #[test]
     fn methods_are_on_the_dial_once() {
-        for method in [CELL, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12, STRONG_085] {
+        for method in [
+            CELL, STATIC, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
+            STRONG_085,
+        ] {
             assert_eq!(DIAL.iter().filter(|setting| setting.method == method).count(), 1, "{method}");
         }
     }

@@ -1,16 +1,31 @@
 //! The list of cases; a new one is a file and two lines here.
 
+mod buckling;
 mod cantilever_end_shear;
-mod dial;
+pub(crate) mod dial;
+mod hard;
+mod hemisphere;
+mod hemisphere_large;
+mod linear;
+mod open_cylinder;
 mod panel;
 mod panel_figures;
+mod panel_laminated;
+mod panel_snap_back;
 mod patch_test;
+mod path;
+mod pinched_cylinder;
+mod pinched_cylinder_large;
+mod plate;
+mod plate_frequencies;
 mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
+mod scordelis_lo;
 mod strip;
 mod thin_ring;
 mod turned;
+mod twisted_beam;
 
 use crate::Case;
 
@@ -22,10 +37,27 @@ pub fn all() -> Vec<Case> {
         thin_ring::case(),
         cantilever_end_shear::case(),
         panel::case(),
+        panel_snap_back::case(),
+        panel_laminated::case(),
+        scordelis_lo::case(),
+        pinched_cylinder::case(),
+        hemisphere::case(),
+        twisted_beam::case(),
+        plate::case(),
+        plate_frequencies::case(),
+        buckling::case(),
+        hemisphere_large::case(),
+        open_cylinder::case(),
+        pinched_cylinder_large::case(),
         point_load_smoothness::case(),
         turned::case(),
         patch_test::case(),
     ]
+}
+
+/// The hard cases, in the order of the survival table.
+pub fn hard() -> Vec<Case> {
+    hard::all()
 }
 
 #[cfg(test)]
@@ -36,7 +68,7 @@ mod tests {
     #[test]
     fn cases_and_their_runs_can_be_told_apart() {
         let mut names = BTreeSet::new();
-        for case in all() {
+        for case in all().into_iter().chain(hard()) {
             assert!(names.insert(case.name), "two cases are called {}", case.name);
             let mut runs = BTreeSet::new();
             for variant in &case.variants {

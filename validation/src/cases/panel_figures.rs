@@ -2,7 +2,7 @@
 
 use benchmarks_ref::{ReferenceError, reference};
 
-use super::dial::{self, CELL, DIAL, NODAL_3, STRONG_12, STRONG_085};
+use super::dial::{CELL, DIAL, NODAL_3, STRONG_12, STRONG_085};
 use super::panel::{FAST, LIMIT, limit_point, path, sze};
 use crate::JudgeError;
 use crate::case::{Run, Runs};
@@ -23,7 +23,6 @@ pub fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         figures.push(Figure::Shapes(shapes(run)));
     }
     figures.push(Figure::Chart(all_methods(runs)?));
-    figures.extend(cost(runs)?);
     if let Some(run) = runs.get(FAST, "21×21") {
         figures.push(Figure::Chart(fast(runs, run)?));
         figures.push(Figure::Note(statement(run)?));
@@ -173,26 +172,6 @@ fn all_methods(runs: &Runs) -> Result<Chart, JudgeError> {
         y: Axis::linear(LOAD),
         series,
     })
-}
-
-/// Errors below the last digit of the reference are drawn at it.
-fn cost(runs: &Runs) -> Result<Option<Figure>, JudgeError> {
-    // 2.222 kN is known to half its last digit.
-    let digits = 100.0 * 0.0005 / LIMIT;
-    let mut points = Vec::new();
-    for run in runs.0.iter().filter(|run| run.variant.method != FAST) {
-        let Some(limit) = limit_point(run)? else { continue };
-        let error = 100.0 * (limit.y / LIMIT - 1.0).abs();
-        points.push((run.variant.method.as_str(), (dial::seconds_per_level(run), error.max(digits))));
-    }
-    Ok(dial::cost_chart(
-        "Error against cost: the panel",
-        "Distance of the limit load from 2.222 kN, the value to which stress points and nodal order 3 converge; what is \
-         closer than half its last digit, 0.02 %, is drawn there. Published results differ by 1.1 %. Left and down is \
-         better; the grey line joins the runs that none beats in both.",
-        "error of the limit load [%]",
-        &points,
-    ))
 }
 
 fn fast(runs: &Runs, run: &Run) -> Result<Chart, JudgeError> {

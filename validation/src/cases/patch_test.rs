@@ -25,6 +25,7 @@ pub fn case() -> Case {
         variants: vec![variant(CELL), variant(NODAL_2)],
         each,
         together: |_| Ok(Vec::new()),
+        headline: None,
         figures: |_| Ok(Vec::new()),
     }
 }

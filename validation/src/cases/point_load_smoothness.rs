@@ -32,6 +32,7 @@ pub fn case() -> Case {
             .collect(),
         each: |_| Ok(Vec::new()),
         together,
+        headline: None,
         figures,
     }
 }

@@ -28,6 +28,7 @@ pub fn case() -> Case {
         variants: vec![dial::variant(CELL, SCENE, "plate", [50, 5]).quick()],
         each,
         together: |_| Ok(Vec::new()),
+        headline: None,
         figures,
     }
 }

@@ -1,14 +1,45 @@
 //! What the strip cases share: the distance of the tip from where it should be, the tip's path, the rolled shapes.
 
-use crate::JudgeError;
-use crate::case::{Run, Runs};
+use super::dial::{CELL, STATIC};
+use crate::answers::DYNAMICS;
+use crate::case::{Booked, Run, Runs};
+use crate::measure::largest;
 use crate::report::{Axis, BLACK, Chart, Colour, Line, Mark, Series, Shapes, Sheet, shade};
 use crate::table::short;
+use crate::{JudgeError, Metric};
+
+/// Unit of all errors of strips.
+pub const UNIT: &str = "% of L";
 
 /// Distance of the tip from `exact` = (shortening, deflection), both in parts of `length`: √(Δu² + Δw²)/L in percent.
 pub fn tip_error(run: &Run, level: f64, length: f64, exact: (f64, f64)) -> Result<Option<f64>, JudgeError> {
     let (u, w) = (run.at("minus_U_tip", level)?, run.at("W_tip", level)?);
     Ok(u.zip(w).map(|(u, w)| 100.0 * (u / length - exact.0).hypot(w / length - exact.1)))
+}
+
+/// How far the static run on a grid is from the explicit one: what is left of the dynamics in the latter.
+pub fn still(runs: &Runs, grid: &str, levels: &[f64], length: f64) -> Result<Vec<Booked>, JudgeError> {
+    let (Some(moving), Some(at)) = (runs.get(CELL, grid), runs.find(STATIC, grid)) else {
+        return Ok(Vec::new());
+    };
+    let mut differences = Vec::new();
+    for &level in levels {
+        for column in ["minus_U_tip", "W_tip"] {
+            let pair = moving.at(column, level)?.zip(runs.0[at].at(column, level)?);
+            differences.push(pair.map(|(a, b)| 100.0 * (a - b).abs() / length));
+        }
+    }
+    let reason = "issue 3: static as the explicit figures, to 0.1 %";
+    Ok(vec![(at, Metric::error(DYNAMICS, largest(differences), UNIT).within(0.1, reason))])
+}
+
+/// Largest distance of the rows of a table from the exact tip, in percent of the length.
+pub fn table_error(levels: &[f64], u: &[f64], w: &[f64], length: f64, exact: fn(f64) -> (f64, f64)) -> f64 {
+    let distance = |row: usize| {
+        let tip = exact(levels[row]);
+        100.0 * (u[row] / length - tip.0).hypot(w[row] / length - tip.1)
+    };
+    (0..levels.len()).map(distance).fold(0.0, f64::max)
 }
 
 /// Tip displacements in parts of the length against the load level, with the exact law as lines.

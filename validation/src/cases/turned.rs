@@ -63,6 +63,7 @@ pub fn case() -> Case {
         variants: variants(),
         each: |_| Ok(Vec::new()),
         together,
+        headline: None,
         figures: |_| Ok(Vec::<Figure>::new()),
     }
 }

@@ -1,8 +1,11 @@
 //! The page: one file, no scripts, drawings inline.
 
 use super::Figure;
+use crate::answers::{overview, side_by_side};
+use crate::cases::dial;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
+use crate::survival::survival;
 use crate::table::{short, unit, verdict, words};
 use crate::{JudgeError, Run};
 
@@ -28,6 +31,13 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
          <title>coque: validation</title><style>{STYLE}</style></head><body><main>"
     );
     page.push_str(&head(results, selection));
+    if selection.hard {
+        page.push_str(&format!("<h2>Hard cases</h2>{}", show(&Figure::Numbers(survival(results)))?));
+    }
+    let answers = overview(results)?;
+    if !answers.rows.is_empty() {
+        page.push_str(&show(&Figure::Numbers(answers))?);
+    }
     page.push_str(&summary(results));
     for result in results {
         page.push_str(&case(result)?);
@@ -51,7 +61,12 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
          was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
          those of the machine that made the page: compare them with each other only, and run with one job (--jobs 1) where cost is the question. A step of one particle counts \
          as one particle-step (p·step).</p>",
-        if selection.quick { "Quick" } else { "Full" },
+        match (selection.hard, selection.quick) {
+            (false, true) => "Quick",
+            (false, false) => "Full",
+            (true, true) => "Quick hard",
+            (true, false) => "Hard",
+        },
         records.len(),
         selection.jobs
     )
@@ -112,6 +127,9 @@ fn case(result: &CaseResult) -> Result<String, JudgeError> {
         escape(case.citation)
     );
     for figure in (case.figures)(&result.runs)? {
+        text.push_str(&show(&figure)?);
+    }
+    for figure in dial::cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
         text.push_str(&show(&figure)?);
     }
     text.push_str(&metrics(result));
@@ -178,8 +196,10 @@ fn metrics(result: &CaseResult) -> String {
         }
     }
     format!(
-        "<details open><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
+        "<details{}><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
          <th class='n'>value</th><th class='n'>reference</th><th class='n'>may be off by</th><th>unit</th>\
-         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>"
+         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>",
+        // What is missed should be seen without a click.
+        if result.records.iter().all(Record::passes) { "" } else { " open" },
     )
 }

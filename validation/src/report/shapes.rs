@@ -1,8 +1,9 @@
 //! Deformed shapes as axonometric wireframes, hidden faces behind.
 
-use coque::{Outcome, Shape};
+use coque::Shape;
 
 use super::legend::{self, Colour, Line};
+use crate::Outcome;
 
 /// Longer side of a picture in pixels.
 const SIZE: f64 = 700.0;
@@ -37,10 +38,8 @@ pub struct Sheet {
 impl Sheet {
     /// A recorded shape of a run.
     pub fn new(label: &str, outcome: &Outcome, shape: &Shape, colour: Colour) -> Self {
-        let faces =
-            outcome.cells.iter().map(|cell| cell.particles().iter().map(|&a| a as usize).collect()).collect();
         let points = shape.positions.iter().map(|p| [p[0], p[1], p[2]]).collect();
-        Self { label: label.into(), points, faces, colour }
+        Self { label: label.into(), points, faces: outcome.faces.clone(), colour }
     }
 
     /// Completes a part by its mirror image in the plane through the origin across an axis (0 to 2).

@@ -1,20 +1,21 @@
 //! Linearised buckling: a cantilever column, and a simply supported plate pressed along its length.
 
-use super::{CaseError, Solved};
+use super::{CaseError, Solved, numbered};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
 use implicit_statics::{Equilibrium, linear_buckling};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::time::Instant;
 
-fn lowest_two(mut model: Model, columns: &[&'static str]) -> Result<Solved, CaseError> {
+fn lowest_two(mut model: Model) -> Result<Solved, CaseError> {
     let start = Instant::now();
     let mut levels: Vec<f64> = linear_buckling(&mut model, 0.0, 2)?.iter().map(|mode| mode.level).collect();
     levels.sort_by(f64::total_cmp);
     Ok(Solved {
-        columns: columns.to_vec(),
-        rows: vec![levels],
+        columns: vec!["mode [-]", "level [-]"],
+        rows: numbered(levels),
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),
@@ -30,7 +31,7 @@ pub fn column_buckling(n: usize) -> Result<Solved, CaseError> {
     let loads = [Load::Edge(mesh.side(Side::XiEnd), -Vector3::x() * euler)];
     let section = Section::isotropic(young, 0.0, thickness, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &loads)?;
-    lowest_two(model, &["first [P_E]", "second [P_E]"])
+    lowest_two(model)
 }
 
 /// First and second critical force \[kN\] of the plate 300 × 200 × 2 mm of `plate_stability`, all edges simply
@@ -64,5 +65,5 @@ pub fn plate_buckling(n: usize, sides_held: bool) -> Result<Solved, CaseError> {
     ];
     let section = Section::isotropic(69000.0, 0.33, 2.0, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &loads)?;
-    lowest_two(model, &["first [kN]", "second [kN]"])
+    lowest_two(model)
 }

@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_2;
 pub fn hemisphere_with_hole_large(n: usize, steps: usize) -> Result<Solved, CaseError> {
     let (mesh, model) = hemisphere(n, 200.0)?;
     let (out, inward) = (mesh.node(0, 0), mesh.node(n, 0));
-    let names = ["P/Pmax [-]", "outward_displacement [length]", "inward_displacement [length]"];
+    let names = ["level [-]", "outward [length]", "inward [length]"];
     let (solved, path) = solve_path(model, &load_steps(steps), &names, |level, model| {
         vec![level, model.displacement(out).x, -model.displacement(inward).y]
     })?;
@@ -33,7 +33,7 @@ pub fn open_cylinder(elements: [usize; 2], until: f64, steps: usize) -> Result<S
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &loads)?;
     let (a, b, c) = (mesh.node(0, 0), mesh.node(0, rows), mesh.node(columns, rows));
     let driven = model.unknown(a, &Vector3::z()).ok_or(CaseError::Held("open cylinder"))?;
-    let names = ["P/Pmax [-]", "W_A [length]", "minus_U_B [length]", "minus_U_C [length]"];
+    let names = ["load [-]", "W_A [length]", "minus_U_B [length]", "minus_U_C [length]"];
     let options = displacement_steps(driven, until, steps);
     let (solved, path) = solve_path(model, &options, &names, |level, model| {
         vec![level, model.displacement(a).z, -model.displacement(b).y, -model.displacement(c).y]
@@ -50,7 +50,7 @@ pub fn pinched_cylinder_large(elements: [usize; 2], until: f64, steps: usize) ->
     let model = Model::new(&mesh, section, Vector3::x(), &eighth(&mesh), &[quarter_force(&mesh)])?;
     let (a, b) = (mesh.node(0, 0), mesh.node(0, rows));
     let driven = model.unknown(a, &Vector3::z()).ok_or(CaseError::Held("pinched cylinder"))?;
-    let names = ["P/Pmax [-]", "minus_W_A [length]", "U_B [length]"];
+    let names = ["load [-]", "minus_W_A [length]", "U_B [length]"];
     let options = displacement_steps(driven, -until, steps);
     let (solved, path) = solve_path(model, &options, &names, |level, model| {
         vec![level / 12000.0, -model.displacement(a).z, model.displacement(b).y]

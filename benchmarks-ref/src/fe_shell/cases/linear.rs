@@ -18,7 +18,7 @@ pub fn scordelis_lo(n: usize) -> Result<Solved, CaseError> {
     let section = Section::isotropic(4.32e8, 0.0, 0.25, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &[Load::Area(-Vector3::z() * 90.0)])?;
     let edge = mesh.node(0, n);
-    solve_linear(model, &["minus_W [length]"], |model, motion| vec![-model.displacement_in(motion, edge).z])
+    solve_linear(model, &["w_edge [length]"], |model, motion| vec![-model.displacement_in(motion, edge).z])
 }
 
 /// Cylinder between diaphragms pinched by two forces, one eighth: displacement under a force; reference 1.8248e-5.
@@ -29,7 +29,7 @@ pub fn pinched_cylinder(n: usize, grading: f64) -> Result<Solved, CaseError> {
     let section = Section::isotropic(3.0e6, 0.3, 3.0, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &eighth(&mesh), &[quarter_force(&mesh)])?;
     let loaded = mesh.node(0, 0);
-    solve_linear(model, &["minus_W [length]"], |model, motion| vec![-model.displacement_in(motion, loaded).z])
+    solve_linear(model, &["w_load [length]"], |model, motion| vec![-model.displacement_in(motion, loaded).z])
 }
 
 /// Supports of one eighth of a cylinder between diaphragms.
@@ -52,7 +52,7 @@ pub(super) fn quarter_force(mesh: &Mesh) -> Load {
 pub fn hemisphere_with_hole(n: usize) -> Result<Solved, CaseError> {
     let (mesh, model) = hemisphere(n, 1.0)?;
     let (out, inward) = (mesh.node(0, 0), mesh.node(n, 0));
-    solve_linear(model, &["U_out [length]", "V_in [length]"], |model, motion| {
+    solve_linear(model, &["outward [length]", "inward [length]"], |model, motion| {
         vec![model.displacement_in(motion, out).x, -model.displacement_in(motion, inward).y]
     })
 }
@@ -83,7 +83,7 @@ pub struct TwistedBeam {
     pub force: f64,
 }
 
-/// Cantilever twisted by a quarter turn: displacement of the middle of the tip along the force.
+/// Cantilever twisted by a quarter turn: displacement of the middle of the tip along y and z.
 ///
 /// References (z, y): thick 0.005424, 0.001754; thin, for a force of 1e-6, 0.005256, 0.001294.
 pub fn twisted_beam(columns: usize, rows: usize, beam: &TwistedBeam) -> Result<Solved, CaseError> {
@@ -93,8 +93,8 @@ pub fn twisted_beam(columns: usize, rows: usize, beam: &TwistedBeam) -> Result<S
     let section = Section::isotropic(29.0e6, 0.22, beam.thickness, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &loads)?;
     let (low, high) = (mesh.node(columns, rows / 2), mesh.node(columns, rows.div_ceil(2)));
-    solve_linear(model, &["tip displacement [length]"], |model, motion| {
+    solve_linear(model, &["V_tip [length]", "W_tip [length]"], |model, motion| {
         let tip = (model.displacement_in(motion, low) + model.displacement_in(motion, high)) * 0.5;
-        vec![tip.dot(&beam.direction)]
+        vec![tip.y, tip.z]
     })
 }

@@ -47,6 +47,8 @@ pub struct Solved {
     pub rows: Vec<Vec<f64>>,
     /// Nodes of the mesh.
     pub nodes: usize,
+    /// Mean spacing of the nodes: the square root of their mean area \[L\].
+    pub spacing: f64,
     /// Free freedoms.
     pub unknowns: usize,
     /// Tangents factorised; one for a linear case.
@@ -81,10 +83,16 @@ fn solve_linear(
         columns: columns.to_vec(),
         rows: vec![read(&model, &motion)],
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),
     })
+}
+
+/// Values of modes as rows `mode, value`, counted from one.
+fn numbered(values: Vec<f64>) -> Vec<Vec<f64>> {
+    values.into_iter().enumerate().map(|(i, value)| vec![(i + 1) as f64, value]).collect()
 }
 
 /// The path from rest under a control; every converged state becomes a row.
@@ -109,6 +117,7 @@ fn solve_path(
         columns: columns.to_vec(),
         rows,
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: path.points.iter().map(|point| point.converged.iterations + 1).sum(),
         seconds: start.elapsed().as_secs_f64(),

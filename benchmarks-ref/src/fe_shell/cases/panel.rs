@@ -37,7 +37,7 @@ impl PanelSection {
     }
 }
 
-const NAMES: [&str; 3] = ["P [N]", "minus_W_C [mm]", "minus_W_D [mm]"];
+const NAMES: [&str; 3] = ["P [N]", "w_crown [mm]", "w_edge [mm]"];
 
 /// One quarter of the panel; the level is the whole force \[N\].
 fn quarter(n: usize, thickness: f64, section: PanelSection) -> Result<(Mesh, Model), CaseError> {
@@ -73,10 +73,11 @@ pub fn panel(
     Ok(solved)
 }
 
-/// The whole path by arc length, from rest until the force leaves −`bound` … `bound` \[N\].
+/// The whole path by arc length, from rest until the force leaves −`bound` … `bound` \[N\]; the first step is what 10 N
+/// would make, later ones up to six times that.
 pub fn panel_path(n: usize, thickness: f64, section: PanelSection, bound: f64) -> Result<Solved, CaseError> {
     let (mesh, model) = quarter(n, thickness, section)?;
-    let mut options = PathOptions::new(Control::ArcLength { first: 0.01 * bound, range: (-bound, bound) });
+    let mut options = PathOptions::new(Control::ArcLength { first: 10.0, range: (-bound, bound) });
     options.largest = 6.0;
     let (solved, path) = solve_path(model, &options, &NAMES, reader(&mesh, n))?;
     path.end?;

@@ -1,6 +1,6 @@
 //! Square plates: central deflection under pressure and frequencies, all thicknesses and edges.
 
-use super::{CaseError, Solved, solve_linear};
+use super::{CaseError, Solved, numbered, solve_linear};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
 use implicit_statics::{Equilibrium, natural_modes};
 use nalgebra::Vector3;
@@ -53,10 +53,10 @@ fn plate(n: usize, slenderness: f64, edges: PlateEdges, loads: &[Load]) -> Resul
 pub fn plate_deflection(n: usize, slenderness: f64, edges: PlateEdges) -> Result<Solved, CaseError> {
     let (mesh, model) = plate(n, slenderness, edges, &[Load::Area(Vector3::z())])?;
     let middle = mesh.node(n / 2, n / 2);
-    solve_linear(model, &["w_c [q a^4/D]"], |model, motion| vec![model.displacement_in(motion, middle).z])
+    solve_linear(model, &["w_centre [-]"], |model, motion| vec![model.displacement_in(motion, middle).z])
 }
 
-/// The first six ω a² √(ρh/D) of bending, rigid motions left out; n elements a side.
+/// The first six ω a² √(ρh/D) of bending, a row each, rigid motions left out; n elements a side.
 pub fn plate_frequencies(n: usize, slenderness: f64, edges: PlateEdges) -> Result<Solved, CaseError> {
     let (_, mut model) = plate(n, slenderness, edges, &[])?;
     let start = Instant::now();
@@ -67,16 +67,10 @@ pub fn plate_frequencies(n: usize, slenderness: f64, edges: PlateEdges) -> Resul
     let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.circular_frequency() * scale).collect();
     frequencies.sort_by(f64::total_cmp);
     Ok(Solved {
-        columns: vec![
-            "lambda1 [-]",
-            "lambda2 [-]",
-            "lambda3 [-]",
-            "lambda4 [-]",
-            "lambda5 [-]",
-            "lambda6 [-]",
-        ],
-        rows: vec![frequencies.split_off(rigid)],
+        columns: vec!["mode [-]", "circular_frequency [-]"],
+        rows: numbered(frequencies.split_off(rigid)),
         nodes: model.nodes(),
+        spacing: model.spacing(),
         unknowns: model.unknowns(),
         iterations: 1,
         seconds: start.elapsed().as_secs_f64(),

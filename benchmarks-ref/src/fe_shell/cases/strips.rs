@@ -42,7 +42,7 @@ impl Strip {
         let section = Section::isotropic(self.young, 0.0, self.thickness, 1.0);
         let model = Model::new(&mesh, section, Vector3::x(), &supports, &[load(mesh.side(Side::XiEnd))])?;
         let tip = mesh.node(columns, rows / 2);
-        let names = ["load ratio [-]", "minus_U_tip [length]", "W_tip [length]"];
+        let names = ["level [-]", "minus_U_tip [length]", "W_tip [length]"];
         let (solved, path) = solve_path(model, &load_steps(steps), &names, |level, model| {
             let moved = model.displacement(tip);
             vec![level, -moved.x, moved.z]

@@ -1,0 +1,78 @@
+//! The linear answer: one factorisation at the unloaded shell, and what every gauge reads along it.
+
+use implicit_statics::{Equilibrium, linear_response};
+use sph_shell::StaticShell;
+
+use crate::build::Driven;
+use crate::modes::keep;
+use crate::path::energies;
+use crate::probe::Gauge;
+use crate::run::{Ended, Failure, Findings};
+
+/// Largest displacement, in thicknesses, of the states between which gauges are differentiated.
+///
+/// A gauge reads `v(ε)` along the motion; the linear value adds to `v(0)` the slope there, by central differences over
+/// ε and 2ε: `(4 s(ε) − s(2ε)) / 3` with `s(ε) = (v(ε) − v(−ε)) / 2ε`. Rounding of positions is 2e-16 of the extent
+/// over this many thicknesses, and more in forces, where stretching is stiff: the reaction of the Scordelis-Lo roof is
+/// off by 1e-7, 1e-8, 6e-10 at 1e-4, 1e-3, 1e-2 thicknesses. One difference alone cuts off the stretch that bending
+/// brings about, (displacement over thickness)²: 2e-6 there at 1e-2. The two cut off its square.
+const REACH: f64 = 1e-2;
+
+/// Finds the linear answer at level one and reads the curve's one row.
+pub(crate) fn linear(
+    system: &mut StaticShell,
+    driven: Option<Driven>,
+    mut gauges: Vec<Gauge>,
+    found: &mut Findings,
+) {
+    let response = match linear_response(system, 0.0) {
+        Ok(response) => response,
+        Err(cause) => {
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            return;
+        }
+    };
+    // The load that is applied, or the force that brings the prescribed motion about.
+    let force = driven.map_or(1.0, |driven| driven.by / driven.moved(system, &response));
+    let motion = scaled(&response, force);
+    let rest = system.save();
+    let largest = largest(system, &motion);
+    let step = if largest > 0.0 { REACH * system.shell().thickness() / largest } else { 1.0 };
+    let mut read = |system: &mut StaticShell, level: f64| {
+        system.restore(&rest);
+        system.update(&scaled(&motion, level));
+        // The force that brings a prescribed motion about is the reaction that is sought, not a load.
+        system.evaluate(if driven.is_some() { 0.0 } else { level });
+        gauges.iter_mut().map(|gauge| gauge.read(system.shell())).collect::<Vec<f64>>()
+    };
+    // Rotations are counted on from the first reading, at rest.
+    let [here, ahead, beyond, behind, before] = [0.0, 1.0, 2.0, -1.0, -2.0].map(|k| read(system, k * step));
+    system.restore(&rest);
+    let mut load = vec![0.0; motion.len()];
+    system.load_rate(0.0, &mut load);
+    let internal = 0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>();
+    // One solve; at rest no direction is unstable.
+    let mut row = vec![1.0, internal, 1.0, 0.0];
+    row.extend((0..here.len()).map(|i| {
+        let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
+        here[i] + (8.0 * near - far) / (12.0 * step)
+    }));
+    found.curve.rows.push(row);
+    found.energies = energies(internal);
+    found.newton_iterations = 1;
+    keep(system, &motion, 1.0, found);
+}
+
+fn scaled(motion: &[f64], factor: f64) -> Vec<f64> {
+    motion.iter().map(|q| factor * q).collect()
+}
+
+/// Largest displacement of a particle within a motion of the unknowns \[L\]; the state stays.
+fn largest(system: &mut StaticShell, motion: &[f64]) -> f64 {
+    let rest = system.save();
+    system.update(motion);
+    let shell = system.shell();
+    let largest = (0..shell.len()).map(|a| shell.displacement(a).norm()).fold(0.0, f64::max);
+    system.restore(&rest);
+    largest
+}

@@ -1,0 +1,251 @@
+//! Layered sections: orthotropic plies in plane stress, each turned in its plane, by classical lamination.
+//!
+//! A ply's plane-stress stiffness in its own axes is `Q11 = E_L/(1−ν²E_T/E_L)`, `Q22 = Q11 E_T/E_L`,
+//! `Q12 = ν Q22`, `Q66 = G_LT`. Turned by θ it is, with the invariants of \[tsai1968\],
+//!
+//! ```text
+//! U1 = (3Q11+3Q22+2Q12+4Q66)/8   U2 = (Q11−Q22)/2   U3 = (Q11+Q22−2Q12−4Q66)/8
+//! U4 = (Q11+Q22+6Q12−4Q66)/8     U5 = (Q11+Q22−2Q12+4Q66)/8
+//! Q̄11 = U1 + U2 cos2θ + U3 cos4θ   Q̄12 = U4 − U3 cos4θ   Q̄16 = ½U2 sin2θ + U3 sin4θ
+//! Q̄22 = U1 − U2 cos2θ + U3 cos4θ   Q̄66 = U5 − U3 cos4θ   Q̄26 = ½U2 sin2θ − U3 sin4θ
+//! ```
+//!
+//! and the strain `e + ζκ` gives `N = Ae + Bκ`, `M = Be + Dκ` with `A, B, D = Σ ∫ Q̄ (1, ζ, ζ²) dζ`.
+
+use crate::section::{SHEAR_CORRECTION, linear_tangent};
+use crate::tangent::Matrix8;
+use crate::{MaterialError, Pack, Resultants, Section, SectionScales, Strains};
+
+/// Symmetric 3×3 matrix over the components 11, 22, 12 (the last as engineering shear).
+type Matrix3 = [[f64; 3]; 3];
+
+/// Orthotropic linear elasticity of a ply in plane stress: one axis along the fibre, one across it.
+#[derive(Clone, Copy, Debug)]
+pub struct Orthotropic {
+    along: f64,
+    across: f64,
+    poisson: f64,
+    shear: f64,
+    shear_across: f64,
+}
+
+impl Orthotropic {
+    /// Young's moduli `along` and `across` the fibre \[F/L²\], major Poisson's ratio ν_LT (contraction across under
+    /// stress along) \[–\], shear modulus G_LT in the planes that hold the fibre and G_TT in the plane across it
+    /// \[F/L²\].
+    ///
+    /// # Errors
+    /// [`MaterialError::Modulus`] unless all moduli are positive and finite, [`MaterialError::MajorPoisson`] unless
+    /// `ν_LT² < E_L/E_T`: beyond that some strain would release energy.
+    pub fn new(
+        along: f64,
+        across: f64,
+        poisson: f64,
+        shear: f64,
+        shear_across: f64,
+    ) -> Result<Self, MaterialError> {
+        for (what, value) in [
+            ("Young's modulus along the fibre", along),
+            ("Young's modulus across the fibre", across),
+            ("the shear modulus along the fibre", shear),
+            ("the shear modulus across the fibre", shear_across),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(MaterialError::Modulus { what, value });
+            }
+        }
+        let left = 1.0 - poisson * poisson * (across / along);
+        if left.is_nan() || left <= 0.0 {
+            return Err(MaterialError::MajorPoisson { value: poisson, bound: (along / across).sqrt() });
+        }
+        Ok(Self { along, across, poisson, shear, shear_across })
+    }
+
+    /// `[Q11, Q22, Q12, Q66]` in the axes of the fibre \[F/L²\].
+    fn plane_stress(&self) -> [f64; 4] {
+        let ratio = self.across / self.along;
+        let q11 = self.along / (1.0 - self.poisson * self.poisson * ratio);
+        [q11, q11 * ratio, q11 * ratio * self.poisson, self.shear]
+    }
+
+    /// The greatest stiffness that a plane wave meets, `max Q̄11(θ)` \[F/L²\].
+    ///
+    /// A wave along n that moves along m meets `Q:(m⊗n):(m⊗n)`. With p = cos of the angle between them and c = cos 2α of
+    /// the direction half-way, four times it is
+    /// `(p+c)²Q11 + (p−c)²Q22 + 2(p²−c²)Q12 + 4(1−c²)Q66`: convex in p, so greatest for m = ±n, and then a parabola in
+    /// c between Q22 at −1 and Q11 at 1 whose top may lie between them.
+    fn stiffest(&self) -> f64 {
+        let [q11, q22, q12, q66] = self.plane_stress();
+        let [slope, bend] = [2.0 * (q11 - q22), q11 + q22 - 2.0 * q12 - 4.0 * q66];
+        let ends = q11.max(q22);
+        let top = -0.5 * slope / bend;
+        if bend < 0.0 && top.abs() < 1.0 {
+            let middle = q11 + q22 + 2.0 * q12 + 4.0 * q66;
+            ends.max(0.25 * (middle + slope * top + bend * top * top))
+        } else {
+            ends
+        }
+    }
+
+    /// Plane-stress stiffness and transverse shear stiffness of a ply turned by `angle` \[rad\].
+    fn turned(&self, angle: f64) -> (Matrix3, [[f64; 2]; 2]) {
+        let [q11, q22, q12, q66] = self.plane_stress();
+        let (s2, c2) = libm::sincos(2.0 * angle);
+        let (s4, c4) = libm::sincos(4.0 * angle);
+        let u1 = (3.0 * (q11 + q22) + 2.0 * q12 + 4.0 * q66) / 8.0;
+        let u2 = 0.5 * (q11 - q22);
+        let u3 = (q11 + q22 - 2.0 * q12 - 4.0 * q66) / 8.0;
+        let u4 = (q11 + q22 + 6.0 * q12 - 4.0 * q66) / 8.0;
+        let u5 = (q11 + q22 - 2.0 * q12 + 4.0 * q66) / 8.0;
+        let across = u4 - u3 * c4;
+        let [skew1, skew2] = [0.5 * u2 * s2 + u3 * s4, 0.5 * u2 * s2 - u3 * s4];
+        let plane = [
+            [u1 + u2 * c2 + u3 * c4, across, skew1],
+            [across, u1 - u2 * c2 + u3 * c4, skew2],
+            [skew1, skew2, u5 - u3 * c4],
+        ];
+        let [mean, half] = [0.5 * (self.shear + self.shear_across), 0.5 * (self.shear - self.shear_across)];
+        (plane, [[mean + half * c2, half * s2], [half * s2, mean - half * c2]])
+    }
+}
+
+/// One ply of a [`LayeredSection`].
+#[derive(Clone, Copy, Debug)]
+pub struct Ply {
+    /// What it is made of.
+    pub material: Orthotropic,
+    /// Thickness \[L\].
+    pub thickness: f64,
+    /// Angle of the fibre from the first axis of the point's frame, positive towards the second \[rad\].
+    pub angle: f64,
+}
+
+/// Plies on one another, bent by one director.
+///
+/// Transverse shear is the simple rule `Q = (5/6) Σ t_k Ḡ_k γ`: one shear strain for all plies, and Reissner's factor of
+/// the homogeneous section. It is exact for equal plies. Where shear moduli differ from ply to ply the true shear stress
+/// is continuous and the true stiffness lower, for a soft core by as much as the ratio of the moduli: such sandwiches
+/// want a factor of their own. On thin laminates, where shear does little, the rule does not matter.
+#[derive(Clone, Copy, Debug)]
+pub struct LayeredSection {
+    /// A \[F/L\].
+    membrane: Matrix3,
+    /// B \[F\].
+    coupling: Matrix3,
+    /// D \[F L\].
+    bending: Matrix3,
+    /// Transverse shear stiffness \[F/L\].
+    shear: [[f64; 2]; 2],
+    scales: SectionScales,
+}
+
+impl LayeredSection {
+    /// Plies from the lowest (against the normal) to the highest; their middle is the mid-surface.
+    ///
+    /// # Errors
+    /// [`MaterialError`] for no ply at all, a thickness that is not positive, an angle that is not finite.
+    pub fn new(plies: &[Ply]) -> Result<Self, MaterialError> {
+        if plies.is_empty() {
+            return Err(MaterialError::NoPlies);
+        }
+        for ply in plies {
+            if !(ply.thickness > 0.0 && ply.thickness.is_finite()) {
+                return Err(MaterialError::Thickness(ply.thickness));
+            }
+            if !ply.angle.is_finite() {
+                return Err(MaterialError::Angle(ply.angle));
+            }
+        }
+        let thickness: f64 = plies.iter().map(|ply| ply.thickness).sum();
+        let [mut membrane, mut coupling, mut bending] = [[[0.0; 3]; 3]; 3];
+        let mut shear = [[0.0; 2]; 2];
+        let mut bottom = -0.5 * thickness;
+        for ply in plies {
+            let (plane, across) = ply.material.turned(ply.angle);
+            let (t, middle) = (ply.thickness, bottom + 0.5 * ply.thickness);
+            // ∫1, ∫ζ, ∫ζ² over the ply, about its own middle: no difference of nearly equal cubes.
+            let moments = [t, t * middle, t * (middle * middle + t * t / 12.0)];
+            for (matrix, moment) in [&mut membrane, &mut coupling, &mut bending].into_iter().zip(moments) {
+                add(matrix, &plane, moment);
+            }
+            add(&mut shear, &across, SHEAR_CORRECTION * t);
+            bottom += t;
+        }
+        let stiffest = plies.iter().fold(0.0_f64, |most, ply| most.max(ply.material.stiffest()));
+        let scales = SectionScales {
+            thickness,
+            bending: mean_over_directions(&released(&membrane, &coupling, &bending)),
+            shear: 0.5 * (shear[0][0] + shear[1][1]),
+            membrane: stiffest * thickness,
+        };
+        Ok(Self { membrane, coupling, bending, shear, scales })
+    }
+}
+
+fn add<const N: usize>(sum: &mut [[f64; N]; N], matrix: &[[f64; N]; N], factor: f64) {
+    for (row, from) in sum.iter_mut().zip(matrix) {
+        row.iter_mut().zip(from).for_each(|(value, more)| *value += factor * more);
+    }
+}
+
+/// Mean over all directions of the first diagonal entry, `U1`.
+fn mean_over_directions(m: &Matrix3) -> f64 {
+    (3.0 * (m[0][0] + m[1][1]) + 2.0 * m[0][1] + 4.0 * m[2][2]) / 8.0
+}
+
+/// `D − BA⁻¹B`: what bending meets where the membrane may follow free of force.
+fn released(a: &Matrix3, b: &Matrix3, d: &Matrix3) -> Matrix3 {
+    // Gauss without pivoting on [A | B]: A is positive definite.
+    let (mut left, mut right) = (*a, *b);
+    for k in 0..3 {
+        let (pivot, own, answer) = (left[k][k], left[k], right[k]);
+        for i in 0..3 {
+            let factor = if i == k { 1.0 - 1.0 / pivot } else { left[i][k] / pivot };
+            for j in 0..3 {
+                left[i][j] -= factor * own[j];
+                right[i][j] -= factor * answer[j];
+            }
+        }
+    }
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| d[i][j] - (0..3).map(|k| b[i][k] * right[k][j]).sum::<f64>())
+    })
+}
+
+/// `m s`, added to `out`.
+#[inline(always)]
+fn multiply<const N: usize>(m: &[[f64; N]; N], s: &[Pack; N], out: &mut [Pack; N]) {
+    for (value, row) in out.iter_mut().zip(m) {
+        for (strain, factor) in s.iter().zip(row) {
+            *value += *strain * *factor;
+        }
+    }
+}
+
+impl Section for LayeredSection {
+    fn resultants(&self, strains: &Strains) -> Resultants {
+        let mut out = Resultants::default();
+        multiply(&self.membrane, &strains.membrane, &mut out.membrane);
+        multiply(&self.coupling, &strains.curvature, &mut out.membrane);
+        multiply(&self.coupling, &strains.membrane, &mut out.moment);
+        multiply(&self.bending, &strains.curvature, &mut out.moment);
+        multiply(&self.shear, &strains.shear, &mut out.shear);
+        out
+    }
+
+    fn tangent(&self, _: &Strains) -> Matrix8 {
+        linear_tangent(self)
+    }
+
+    fn energy(&self, strains: &Strains) -> Pack {
+        self.resultants(strains).work(strains) * 0.5
+    }
+
+    /// Bending and shear are means over all directions in the surface, the only sizes of a matrix that, like the control
+    /// they scale, know no axes and equal those of an isotropic section. The stiffest direction has three times the mean at
+    /// most (D22 = D11/9, D12 = −D11/3, D66 = 0). Bending is `D − BA⁻¹B`, since patterns of cells leave the membrane nearly free.
+    /// Membrane is that of the stiffest ply in its stiffest direction through the whole thickness: no wave is faster.
+    fn scales(&self) -> SectionScales {
+        self.scales
+    }
+}

@@ -1,0 +1,10 @@
+//! The hard cases: every known way to break a shell or a particle method, with the defaults everywhere.
+//!
+//! A case that fails stays in the table, asserted as it is, with the cause.
+
+use crate::Case;
+
+/// Every hard case, in the order of the survival table.
+pub fn all() -> Vec<Case> {
+    Vec::new()
+}

@@ -1,0 +1,71 @@
+//! pinched-cylinder-large: the cylinder between diaphragms pinched until its wall buckles inward.
+
+use benchmarks_ref::fe_shell::cases::pinched_cylinder_large as elements;
+
+use super::dial::{ELEMENTS, STATIC};
+use super::path::Compared;
+use crate::case::{Case, Headline, Published, Run, Variant};
+use crate::measure::largest;
+use crate::{JudgeError, Metric};
+
+const SCENE: &str = include_str!("../../../scenes/pinched-cylinder-large.toml");
+const TABLE: &str = "sze_pinched_cylinder_diaphragm";
+const COLUMNS: [&str; 2] = ["minus_W_A", "U_B"];
+/// Load up to which bricks confirm the table, in parts of 12000, and the displacement there.
+const CONFIRMED: (f64, f64) = (0.15, 36.208);
+const NAME: &str = "distance from the table to 0.15";
+const UNIT: &str = "% of the largest";
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "pinched-cylinder-large",
+        title: "Pinched cylinder between diaphragms, large displacements",
+        about: "Displacements under a force and a quarter round from it against the table of Sze et al., up to 0.15 of the full \
+                load, in percent of the displacement there (36.2, with a radius of 100). Beyond, the table is a single \
+                transcription that bricks confirm in shape only.",
+        citation: "Sze, Liu and Lo 2004, section 3.6",
+        variants: variants(),
+        each,
+        together: |_| Ok(Vec::new()),
+        headline: Some(Headline { metric: NAME, floor: 0.1, published }),
+        figures: |_| Ok(Vec::new()),
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    for n in [21, 31, 33] {
+        let particles = Variant::new(STATIC, SCENE, "cylinder", [n, n]);
+        let nodes = Variant::elements(ELEMENTS, [n, n], move || elements([n - 1, n - 1], 40.0, 40));
+        let quick = |variant: Variant| if n == 21 { variant.quick() } else { variant };
+        variants.extend([quick(particles), quick(nodes)]);
+    }
+    variants
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let mut errors = Vec::new();
+    for column in COLUMNS {
+        let compared = Compared { table: TABLE, known: ["P/Pmax", column], found: ["load", column] };
+        errors.push(compared.largest(run, CONFIRMED.0, None)?.map(|error| 100.0 * error / CONFIRMED.1));
+    }
+    let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
+        (ELEMENTS, "33×33") => {
+            Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))
+        }
+        (STATIC, "31×31") => Some((2.0, "issue 3: particles within 2 % of the largest at 21² to 31²")),
+        _ => None,
+    };
+    let metric = Metric::error(NAME, largest(errors.iter().copied()), UNIT);
+    let metric = match judged {
+        Some((percent, reason)) => metric.within(percent, reason),
+        None => metric.because("judged on finer lattices"),
+    };
+    let named = COLUMNS.iter().zip(errors).map(|(name, error)| Metric::error(*name, error, UNIT));
+    Ok(std::iter::once(metric).chain(named).collect())
+}
+
+fn published() -> Result<Vec<Published>, JudgeError> {
+    Ok(vec![Published { source: "Sze et al. 2004, S4R 48×48", error: None }])
+}

@@ -1,0 +1,139 @@
+//! plate: square plates under pressure, clamped and simply supported, from thick to paper-thin; nothing may lock.
+
+use benchmarks_ref::fe_shell::cases::{PlateEdges, plate_deflection};
+
+use super::dial::{ELEMENTS, STATIC};
+use super::linear;
+use crate::case::{Case, Headline, Published, Run, Runs, Variant};
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Mark, ORANGE, Series};
+use crate::{JudgeError, Metric};
+
+pub const SCENE: &str = include_str!("../../../scenes/plate.toml");
+const NAME: &str = "central deflection";
+
+/// Thickness over side, central deflection in q a⁴/D simply supported and clamped.
+///
+/// From `plate_static_square`; the thinnest takes the values of 0.001, from which it differs by 1e-6 of itself.
+const DEFLECTIONS: [(f64, f64, f64); 6] = [
+    (0.2, 0.00490431, 0.00217216),
+    (0.1, 0.00427284, 0.00150463),
+    (0.05, 0.00411498, 0.00132726),
+    (0.01, 0.00406446, 0.00126785),
+    (0.001, 0.00406237, 0.00126534),
+    (0.0001, 0.00406237, 0.00126534),
+];
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "plate",
+        title: "Square plates under pressure, h/a from 0.2 to 0.0001",
+        about: "Central deflection against Mindlin's theory, clamped and simply supported (hard), 21×21 on the whole plate. \
+                The ratio has to stay flat as the plate gets thin: shear locking would bend it to nought.",
+        citation: "Timoshenko and Woinowsky-Krieger 1959; thick plates by a Ritz series (this project's reference file)",
+        variants: variants(),
+        each,
+        together: |_| Ok(Vec::new()),
+        headline: Some(Headline { metric: NAME, floor: 0.01, published: || Ok(Vec::<Published>::new()) }),
+        figures,
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    for edges in [PlateEdges::SimplySupported, PlateEdges::Clamped] {
+        for (thickness, ..) in DEFLECTIONS {
+            let particles = supported(of_thickness(STATIC, 21, thickness), edges);
+            let nodes = Variant::elements(ELEMENTS, [21, 21], move || plate_deflection(20, thickness, edges));
+            variants.extend([particles, nodes].map(|variant| variant.on(&named(edges, thickness)).quick()));
+        }
+    }
+    variants
+}
+
+/// The plate of bending stiffness one and unit mass per area, of some thickness.
+pub fn of_thickness(method: &str, n: usize, thickness: f64) -> Variant {
+    Variant::new(method, SCENE, "plate", [n, n])
+        .set("section.homogeneous.thickness", format!("{thickness:?}"))
+        .set("material.elastic.young", format!("{:?}", 10.92 / thickness.powi(3)))
+        .set("material.elastic.density", format!("{:?}", 1.0 / thickness))
+}
+
+/// Replaces the four clamped edges.
+pub fn supported(variant: Variant, edges: PlateEdges) -> Variant {
+    let hard = |edge: &str, along: &str| {
+        format!("{{ on = \"{edge}\", held = {{ displacement = [[0, 0, 1]], director = [{along}] }} }}")
+    };
+    let plane = "{ on = \"all\", held = { displacement = [[1, 0, 0], [0, 1, 0]] } }";
+    let clamp = "{ on = \"u0\", clamped = {} }";
+    let supports = match edges {
+        PlateEdges::Clamped => return variant,
+        PlateEdges::SimplySupported => {
+            let (x, y) = ("[1, 0, 0]", "[0, 1, 0]");
+            format!("{plane}, {}, {}, {}, {}", hard("u0", y), hard("u1", y), hard("v0", x), hard("v1", x))
+        }
+        PlateEdges::Cantilever => format!("{plane}, {clamp}"),
+        PlateEdges::Free => plane.into(),
+    };
+    variant.set("supports", format!("[{supports}]"))
+}
+
+/// What sets a plate apart.
+pub fn named(edges: PlateEdges, thickness: f64) -> String {
+    let edges = match edges {
+        PlateEdges::SimplySupported => "SSSS",
+        PlateEdges::Clamped => "CCCC",
+        PlateEdges::Cantilever => "CFFF",
+        PlateEdges::Free => "FFFF",
+    };
+    format!("{edges} h/a {thickness}")
+}
+
+/// The expected deflection of a run.
+fn expected(run: &Run) -> Option<f64> {
+    DEFLECTIONS.iter().find_map(|&(thickness, supported, clamped)| {
+        let is = |edges| run.variant.grid.ends_with(&format!(" {}", named(edges, thickness)));
+        let clamped = is(PlateEdges::Clamped).then_some(clamped);
+        clamped.or(is(PlateEdges::SimplySupported).then_some(supported))
+    })
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let Some(expected) = expected(run) else { return Ok(Vec::new()) };
+    let judged = match run.variant.method.as_str() {
+        ELEMENTS => (Some(1.0), "issue 3: finite elements within 1 % at 20 a side, every thickness"),
+        _ => (Some(0.5), "issue 3: particles within 0.5 % at 21², every thickness"),
+    };
+    Ok(vec![linear::figure(run, NAME, "w_centre", expected, judged)?])
+}
+
+fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
+    let mut series = Vec::new();
+    let looks = [
+        (STATIC, PlateEdges::SimplySupported, BLUE, Mark::Disc),
+        (STATIC, PlateEdges::Clamped, GREEN, Mark::Square),
+        (ELEMENTS, PlateEdges::SimplySupported, BLACK, Mark::Circle),
+        (ELEMENTS, PlateEdges::Clamped, ORANGE, Mark::Diamond),
+    ];
+    for (method, edges, colour, mark) in looks {
+        let mut points = Vec::new();
+        for (thickness, ..) in DEFLECTIONS {
+            let Some(run) = runs.get(method, &format!("21×21 {}", named(edges, thickness))) else {
+                continue;
+            };
+            let ratio = run.column("w_centre")?.last().copied().zip(expected(run));
+            points.extend(ratio.map(|(value, expected)| (thickness, value / expected)));
+        }
+        let edges = if edges == PlateEdges::Clamped { "clamped" } else { "simply supported" };
+        series.push(Series::both(&format!("{method}, {edges}"), points, colour, mark));
+    }
+    Ok(vec![Figure::Chart(Chart {
+        title: "Deflection over Mindlin's, against the thickness".into(),
+        caption:
+            "Flat lines: neither particles nor elements lock, over three and a half decades of thickness."
+                .into(),
+        x: Axis::log("thickness over side"),
+        y: Axis::linear("central deflection / exact").between(0.985, 1.015),
+        series,
+    })])
+}

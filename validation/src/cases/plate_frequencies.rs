@@ -1,0 +1,90 @@
+//! plate-frequencies: the first six bending frequencies of square plates, four kinds of edges, four thicknesses.
+
+use benchmarks_ref::fe_shell::cases::{PlateEdges, plate_frequencies};
+use benchmarks_ref::reference;
+
+use super::dial::{ELEMENTS, STATIC};
+use super::plate::{named, of_thickness, supported};
+use crate::case::{Case, Headline, Published, Run, Variant};
+use crate::measure::largest;
+use crate::{JudgeError, Metric};
+
+const EDGES: [PlateEdges; 4] =
+    [PlateEdges::SimplySupported, PlateEdges::Clamped, PlateEdges::Cantilever, PlateEdges::Free];
+const THICKNESSES: [f64; 4] = [0.001, 0.01, 0.1, 0.2];
+const MODES: usize = 6;
+const NAME: &str = "worst of six frequencies";
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "plate-frequencies",
+        title: "Frequencies of square plates",
+        about: "First six bending frequencies, in parts of √(D/ρha⁴), against a Ritz series with rotary inertia; motions in \
+                the plane are held, rigid ones left out. Stiffness and mass of particles are judged together.",
+        citation: "Leissa 1969 for thin plates; Ritz series of this project's reference file",
+        variants: variants(),
+        each,
+        together: |_| Ok(Vec::new()),
+        // The Ritz series is converged to 7e-4 for cantilevers and free plates.
+        headline: Some(Headline { metric: NAME, floor: 0.05, published: || Ok(Vec::<Published>::new()) }),
+        figures: |_| Ok(Vec::new()),
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    for edges in EDGES {
+        for thickness in THICKNESSES {
+            let modes = MODES + rigid(edges);
+            let particles =
+                supported(of_thickness(STATIC, 21, thickness), edges).set("analysis.modal.modes", modes);
+            let nodes =
+                Variant::elements(ELEMENTS, [21, 21], move || plate_frequencies(20, thickness, edges));
+            variants.extend([particles, nodes].map(|variant| {
+                let variant = variant.on(&named(edges, thickness));
+                if thickness == 0.01 { variant.quick() } else { variant }
+            }));
+        }
+    }
+    variants
+}
+
+/// Rigid motions that nothing holds, the plane's being held everywhere.
+fn rigid(edges: PlateEdges) -> usize {
+    if edges == PlateEdges::Free { 3 } else { 0 }
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let table = reference("plate_vibration_square")?;
+    let plates = EDGES.iter().flat_map(|&edges| THICKNESSES.map(|thickness| (edges, thickness)));
+    let Some((edges, thickness)) =
+        plates.into_iter().find(|&(e, t)| run.variant.grid.ends_with(&format!(" {}", named(e, t))))
+    else {
+        return Ok(Vec::new());
+    };
+    let letters = named(edges, thickness);
+    let mut row = 0;
+    while row < table.rows.len()
+        && !(letters.starts_with(table.rows[row][0].as_str().unwrap_or_default())
+            && table.number(row, "h/a")? == thickness)
+    {
+        row += 1;
+    }
+    let found = run.column("circular_frequency")?;
+    let left_out = if run.variant.method == ELEMENTS { 0 } else { rigid(edges) };
+    let mut errors = Vec::new();
+    for mode in 1..=MODES {
+        let expected = table.number(row, &format!("lambda{mode}"))?;
+        errors.push(found.get(left_out + mode - 1).map(|value| 100.0 * (value / expected - 1.0).abs()));
+    }
+    let first = errors[0];
+    let (percent, reason) = match run.variant.method.as_str() {
+        ELEMENTS => (1.5, "issue 3: finite elements, first six within 1.5 %"),
+        _ => (2.0, "issue 3: particles, first six within 2 % at 21²"),
+    };
+    Ok(vec![
+        Metric::error(NAME, largest(errors), "%").within(percent, reason),
+        Metric::error("first", first, "%"),
+    ])
+}
