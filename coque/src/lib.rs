@@ -10,11 +10,12 @@
 //! | scene → shell | `build.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
-//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
+//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 
 mod build;
 mod curve;
 mod error;
+mod fields;
 mod march;
 mod modes;
 mod nearest;
@@ -34,6 +35,7 @@ mod units;
 pub use build::Model;
 pub use curve::{Column, Curve};
 pub use error::{Fault, Place, SceneError};
+pub use fields::{FieldError, FieldFiles, FieldSink, Frame, State};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
 pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
-use coque::{Ended, Outcome, Progress, Rendering, Scene, render};
+use coque::{Ended, Failure, FieldFiles, Outcome, Progress, Rendering, Scene, render};
 use indicatif::{ProgressBar, ProgressStyle};
 
 const DONE: u8 = 0;
@@ -48,7 +48,7 @@ Start here:
   coque run scenes/ring.toml        results in out/ring
   coque run --help                  options, examples, where results are
 
-Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted.";
 
 const RUN_HELP: &str = "\
 Examples:
@@ -57,14 +57,16 @@ Examples:
   coque run scenes/ring.toml --set formulation.nodal.order=2
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
+  coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; written on the way
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
 
-Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 130 interrupted.";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
@@ -96,7 +98,13 @@ fn carry_out(run: &Run) -> Result<u8, String> {
     let described = model.describe();
     eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
     let mut bar = Bar::new();
-    let outcome = model.run(&mut bar);
+    let outcome = match &scene.output.fields {
+        None => model.run(&mut bar),
+        Some(wanted) => {
+            let mut files = FieldFiles::create(&out.join("fields"), wanted).map_err(|e| format!("{e}\n"))?;
+            model.run_with_fields(&mut bar, &mut files)
+        }
+    };
     bar.0.finish_and_clear();
     write_results(&scene, &outcome, &out)?;
     Ok(report(&outcome, &out))
@@ -154,7 +162,7 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
         Ended::Done => DONE,
         Ended::Diverged(error) => {
             eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
-            DIVERGED
+            if matches!(error, Failure::Fields(_)) { BAD_INPUT } else { DIVERGED }
         }
     }
 }
