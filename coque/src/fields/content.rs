@@ -60,10 +60,9 @@ impl Content<'_> {
         points(file, both().map(|(a, height)| shell.position(a) + shell.director(a) * height))?;
         let corners = cells.iter().map(|cell| 2 * usize::from(cell.count)).sum();
         let numbers = cells.iter().flat_map(|cell| {
-            // The first triangle of a wedge looks away from the second, the first face of a hexahedron towards it.
-            let (first, second) = if cell.count == 3 { (count, 0) } else { (0, count) };
             let face = move |shift: usize| cell.particles().iter().map(move |&a| (a as usize + shift) as i32);
-            face(first).chain(face(second))
+            // The lower face looks at the upper one: bodies of positive volume, as VTK measures wedges too.
+            face(0).chain(face(count))
         });
         connect(file, Counted { left: corners, inner: numbers }, cells, 2, [Kind::Wedge, Kind::Hexahedron])?;
         file.line("<PointData Vectors=\"displacement\">")?;

@@ -111,7 +111,7 @@ impl Series {
         let entries = fs::read_dir(&self.folder).map_err(|error| refused(&self.folder, &error))?;
         for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            if self.is_frame(&name) {
+            if self.is_frame(&name) && path.is_file() {
                 fs::remove_file(&path).map_err(|error| refused(&path, &error))?;
             }
         }
