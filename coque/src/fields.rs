@@ -10,10 +10,12 @@
 //! | what stands in a frame | `fields/content.rs` |
 //! | stresses at the faces, von Mises | `fields/stress.rs` |
 //! | the file format | `fields/vtu.rs` |
+//! | frames read back, for pictures | `fields/read.rs` |
 //! | whole files only, the list of frames | `fields/files.rs`, `fields/whole.rs` |
 
 mod content;
 mod files;
+mod read;
 mod stress;
 mod vtu;
 mod whole;
@@ -23,6 +25,7 @@ use std::ops::ControlFlow;
 use sph_shell::Shell;
 
 pub use files::FieldFiles;
+pub use read::{Array, ReadError, Sheet, listed};
 
 use crate::run::Failure;
 use crate::scene::{Analysis, Scene};

@@ -11,6 +11,7 @@
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, as modes | `march.rs`, `path.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | a deformed shape as a picture | `picture.rs` |
 
 mod build;
 mod curve;
@@ -21,6 +22,7 @@ mod modes;
 mod nearest;
 mod overrides;
 mod path;
+mod picture;
 mod plot;
 mod probe;
 mod render;
@@ -35,7 +37,8 @@ mod units;
 pub use build::Model;
 pub use curve::{Column, Curve};
 pub use error::{Fault, Place, SceneError};
-pub use fields::{FieldError, FieldFiles, FieldSink, Frame, State};
+pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
+pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
 pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};

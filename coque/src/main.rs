@@ -1,5 +1,9 @@
 //! The command `coque`: runs a scene and writes its results.
 
+mod commands {
+    pub mod plot;
+}
+
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -26,6 +30,8 @@ enum Command {
     /// Run a scene and write its curve.
     #[command(after_help = RUN_HELP)]
     Run(Run),
+    /// Draw the last frame of a run with [output.fields] as SVG.
+    Plot(commands::plot::Plot),
 }
 
 #[derive(Args)]
@@ -46,6 +52,7 @@ struct Run {
 const START: &str = "\
 Start here:
   coque run scenes/ring.toml        results in out/ring
+  coque plot out/ring               the deformed shape, if the scene has [output.fields]
   coque run --help                  options, examples, where results are
 
 Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted.";
@@ -76,8 +83,11 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
-    let Command::Run(run) = Cli::parse().command;
-    match carry_out(&run) {
+    let done = match Cli::parse().command {
+        Command::Run(run) => carry_out(&run),
+        Command::Plot(plot) => commands::plot::carry_out(&plot).map(|()| DONE),
+    };
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(message) => {
             eprint!("{message}");

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -357,6 +357,43 @@ fn a_run_that_ends_early_leaves_whole_frames_and_a_list_of_them() {
     }
 }
 
+/// The program itself, killed while it writes: at most the frame under way is half, and that under another name.
+#[test]
+fn a_killed_program_leaves_whole_frames_and_a_list_of_them() {
+    let out = folder("killed");
+    for frames in [1, 4, 9] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_coque"))
+            .args(["run", "scenes/patch-test.toml", "--set", &format!("{}={}", HINGE.0, HINGE.1)])
+            .args(["--set", "analysis.explicit={ transient = { duration = 1e4, record_every = 1e-3 } }"])
+            .args(["--set", "output.fields={ stresses = true }", "--out"])
+            .arg(&out)
+            .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let list = out.join("fields/shell.pvd");
+        while !list.exists() || listed(&list).len() < frames {
+            assert!(child.try_wait().unwrap().is_none(), "the run ended before it could be killed");
+            std::thread::yield_now();
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let listed = listed(&list);
+        assert!(listed.len() >= frames);
+        for (_, path) in &listed {
+            Read::new(path);
+        }
+        let whole = names(&out.join("fields")).into_iter().filter(|name| name.ends_with(".vtu")).count();
+        // The list follows its frame.
+        assert!(
+            whole == listed.len() || whole == listed.len() + 1,
+            "{whole} frames, {} listed",
+            listed.len()
+        );
+        fs::remove_dir_all(&out).unwrap();
+    }
+}
+
 #[test]
 fn a_second_run_leaves_nothing_of_the_first() {
     let folder = folder("again");
@@ -401,6 +438,48 @@ fn the_command_writes_fields_and_says_when_it_cannot() {
     assert_eq!(fs::read_to_string(out.join("curve.csv")).unwrap().lines().count(), 3);
     let summary = fs::read_to_string(out.join("summary.json")).unwrap();
     assert_eq!(serde_json::from_str::<serde_json::Value>(&summary).unwrap()["frames"], 1);
+}
+
+#[test]
+fn the_command_draws_a_frame_without_a_viewer() {
+    let out = folder("plot");
+    let coque = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_coque"))
+            .args(arguments)
+            .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
+            .output()
+            .unwrap()
+    };
+    let place = out.to_string_lossy().into_owned();
+    let nothing = coque(&["plot", &place]);
+    assert_eq!(nothing.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&nothing.stderr).contains("run the scene again with [output.fields]"));
+
+    let scene = ["run", "scenes/panel.toml", "--set", "analysis.static.levels=2", "--set"];
+    let run = [&scene[..], &["output.fields={ stresses = true }", "--out", &place]].concat();
+    assert_eq!(coque(&run).status.code(), Some(0));
+    assert_eq!(coque(&["plot", &place]).status.code(), Some(0));
+    let svg = fs::read_to_string(out.join("shape.svg")).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let cells = document.descendants().filter(|node| node.attribute("class") == Some("cell"));
+    assert_eq!(cells.count(), 400);
+    assert!(svg.contains(">von_mises_top<") && svg.contains(">plot, frame 2 at 1<"));
+
+    let picture = out.join("first.svg");
+    let more = ["--frame", "0", "--field", "displacement.z", "--view", "-30,20", "--out"];
+    assert_eq!(
+        coque(&[&["plot", &place][..], &more, &[&picture.to_string_lossy()]].concat()).status.code(),
+        Some(0)
+    );
+    assert!(fs::read_to_string(&picture).unwrap().contains("frame 0 at 0"));
+    for (wrong, said) in
+        [(["--frame", "3"], "it lists 3, from 0 on"), (["--field", "von_mises"], "did you mean")]
+    {
+        let refused = coque(&[&["plot", &place][..], &wrong].concat());
+        let message = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(message.contains(said), "{message}");
+    }
 }
 
 #[test]
