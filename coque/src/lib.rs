@@ -35,7 +35,7 @@ mod summary;
 mod units;
 
 pub use build::Model;
-pub use curve::{Column, Curve};
+pub use curve::{Column, Curve, NotACurve};
 pub use error::{Fault, Place, SceneError};
 pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
 pub use picture::{FieldNotThere, Picture, picture_svg};

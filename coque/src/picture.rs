@@ -49,7 +49,8 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
         canvas.dashed(&before[from], &before[to]);
     }
     let finite = || of_cells.iter().copied().filter(|value| value.is_finite());
-    let range = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
+    let range =
+        told_apart([finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)]);
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> =
         sheet.cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
@@ -62,6 +63,12 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     canvas.axes(&camera);
     canvas.bar(&name, range);
     Ok(canvas.end())
+}
+
+/// The ends of the scale; one value where the four digits beside the bar would be the same: rounding has no colour.
+fn told_apart([low, high]: [f64; 2]) -> [f64; 2] {
+    let middle = 0.5 * (low + high);
+    if high - low <= 1e-4 * middle.abs() { [middle; 2] } else { [low, high] }
 }
 
 /// Edges that belong to one cell only.
@@ -116,6 +123,15 @@ mod tests {
         }
         // The ends of the scale are the colours of the two cells.
         assert!(svg.contains("#440154") && svg.contains("#fde725"));
+    }
+
+    #[test]
+    fn rounding_has_no_colour() {
+        assert_eq!(told_apart([1.0, 1.0 + 1e-9]), [1.0 + 5e-10; 2]);
+        assert_eq!(told_apart([-1.0, 1.0]), [-1.0, 1.0]);
+        assert_eq!(told_apart([0.0, 1e-30]), [0.0, 1e-30]);
+        let none = told_apart([f64::INFINITY, f64::NEG_INFINITY]);
+        assert_eq!(none, [f64::INFINITY, f64::NEG_INFINITY]);
     }
 
     #[test]

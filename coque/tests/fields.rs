@@ -472,9 +472,14 @@ fn the_command_draws_a_frame_without_a_viewer() {
         Some(0)
     );
     assert!(fs::read_to_string(&picture).unwrap().contains("frame 0 at 0"));
-    for (wrong, said) in
-        [(["--frame", "3"], "it lists 3, from 0 on"), (["--field", "von_mises"], "did you mean")]
-    {
+    assert_eq!(coque(&["plot", &place, "--curve", "w_crown,w_edge"]).status.code(), Some(0));
+    assert!(fs::read_to_string(out.join("curve.svg")).unwrap().contains("w_edge [mm]"));
+    let refusals = [
+        (["--frame", "3"], "it lists 3, from 0 on"),
+        (["--field", "von_mises"], "did you mean"),
+        (["--curve", "w_crown,W"], "the curve has no column `W`"),
+    ];
+    for (wrong, said) in refusals {
         let refused = coque(&[&["plot", &place][..], &wrong].concat());
         let message = String::from_utf8_lossy(&refused.stderr).into_owned();
         assert_eq!(refused.status.code(), Some(2));

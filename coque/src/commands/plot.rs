@@ -1,14 +1,14 @@
-//! `coque plot`: the last frame of a run as a picture, without a viewer.
+//! `coque plot`: the last frame of a run, or its curve, as a picture without a viewer.
 
 use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Picture, Sheet, listed, picture_svg};
+use coque::{Curve, Picture, Sheet, listed, picture_svg, plot_svg};
 
 #[derive(Args)]
 pub struct Plot {
-    /// Folder of a run of a scene with [output.fields].
+    /// Folder of a run; of a scene with [output.fields] unless --curve is given.
     folder: PathBuf,
     /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: von_mises_top, else
     /// displacement]
@@ -20,7 +20,10 @@ pub struct Plot {
     /// Where the viewer stands: azimuth and height in degrees.
     #[arg(long, value_name = "AZIMUTH,HEIGHT", allow_hyphen_values = true, value_parser = view, default_value = "-60,30")]
     view: [f64; 2],
-    /// The picture [default: DIR/shape.svg].
+    /// Draw the curve instead: this column along, that one up.
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "frame", "view"])]
+    curve: Option<(String, String)>,
+    /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -31,8 +34,32 @@ fn view(text: &str) -> Result<[f64; 2], String> {
     both.ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
 }
 
+fn columns(text: &str) -> Result<(String, String), String> {
+    let both = text.split_once(',').map(|(x, y)| (x.trim().to_string(), y.trim().to_string()));
+    both.ok_or_else(|| "write two columns of curve.csv, such as w_crown,P".into())
+}
+
 /// Reads, draws, writes; the error is ready to print.
 pub fn carry_out(plot: &Plot) -> Result<(), String> {
+    let out = match &plot.curve {
+        None => shape(plot),
+        Some((x, y)) => curve(plot, x, y),
+    }?;
+    eprintln!("{}", out.display());
+    Ok(())
+}
+
+fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
+    let file = plot.folder.join("curve.csv");
+    let wrong = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}\n", file.display());
+    let text = fs::read_to_string(&file).map_err(|e| wrong(&e))?;
+    let curve: Curve = text.parse().map_err(|e| wrong(&e))?;
+    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
+    plot_svg(&curve, x, y, &name(&plot.folder), &out).map_err(|e| format!("{e}\n"))?;
+    Ok(out)
+}
+
+fn shape(plot: &Plot) -> Result<PathBuf, String> {
     let list = plot.folder.join("fields/shell.pvd");
     let frames = listed(&list).map_err(|e| format!("{e}\n"))?;
     let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
@@ -46,8 +73,7 @@ pub fn carry_out(plot: &Plot) -> Result<(), String> {
     let svg = picture_svg(&sheet, &wanted).map_err(|e| format!("{e}\n"))?;
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
     fs::write(&out, svg).map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
-    eprintln!("{}", out.display());
-    Ok(())
+    Ok(out)
 }
 
 /// The last part of a folder's path.
