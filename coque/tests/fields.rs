@@ -59,6 +59,10 @@ impl Read {
                 "Float64" => {
                     data.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
                 }
+                "Float32" => data
+                    .chunks_exact(4)
+                    .map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap())))
+                    .collect(),
                 "Int32" => data
                     .chunks_exact(4)
                     .map(|b| f64::from(i32::from_le_bytes(b.try_into().unwrap())))

@@ -1,4 +1,6 @@
 //! What stands in a frame: the sheet of particles with its fields, and the same sheet with its thickness.
+//!
+//! What a state consists of is written to the last bit, what follows from it in single precision.
 
 use std::io::{self, Write};
 
@@ -69,7 +71,7 @@ impl Content<'_> {
         let frames = &shell.reference().cloud.frames;
         let moved =
             |(a, height): (usize, f64)| shell.displacement(a) + (shell.director(a) - frames[a].n) * height;
-        file.rows("displacement", XYZ, both().map(|at| moved(at).into()))?;
+        file.rows("displacement", XYZ, both().map(|at| xyz(moved(at))))?;
         if !self.at_cells() {
             self.faces(file, |results| both().map(move |(a, _)| &results[a]))?;
         }
@@ -91,15 +93,15 @@ impl Content<'_> {
     fn particles<W: Write>(&self, file: &mut Vtu<W>) -> io::Result<()> {
         let Frame { shell, state, driven, .. } = *self.frame;
         let all = || 0..shell.len();
-        file.rows("displacement", XYZ, all().map(|a| shell.displacement(a).into()))?;
+        file.rows("displacement", XYZ, all().map(|a| xyz(shell.displacement(a))))?;
         if state == State::Moving {
-            file.rows("velocity", XYZ, all().map(|a| shell.velocity(a).into()))?;
+            file.rows("velocity", XYZ, all().map(|a| xyz(shell.velocity(a))))?;
         }
-        file.rows("director", XYZ, all().map(|a| shell.director(a).into()))?;
+        file.rows("director", XYZ, all().map(|a| xyz(shell.director(a))))?;
         if state != State::Mode {
             // Where nothing is held the same difference of forces is what accelerates: no reaction.
             let bears = |a: usize| shell.is_held(a) || driven == Some(a as u32);
-            let reaction = |a: usize| if bears(a) { shell.reaction(a).into() } else { [0.0; 3] };
+            let reaction = |a: usize| if bears(a) { xyz(shell.reaction(a)) } else { [0.0; 3] };
             file.rows("reaction", XYZ, all().map(reaction))?;
         }
         let thickness = shell.thickness();
@@ -115,15 +117,15 @@ impl Content<'_> {
         let Some(results) = self.results else { return Ok(()) };
         let thickness = self.frame.shell.thickness();
         let all = || results.iter();
-        file.rows("t1", XYZ, all().map(|r| r.t1))?;
-        file.rows("membrane_strain", DOUBLED, all().map(|r| r.membrane))?;
-        file.rows("curvature", DOUBLED, all().map(|r| r.curvature))?;
-        file.rows("shear_strain", ACROSS, all().map(|r| r.shear))?;
-        file.rows("membrane_force", PLANE, all().map(|r| r.force))?;
-        file.rows("moment", PLANE, all().map(|r| r.moment))?;
-        file.rows("shear_force", ACROSS, all().map(|r| r.shear_force))?;
-        file.rows("stress_top", PLANE, all().map(|r| face(r, thickness, 1.0)))?;
-        file.rows("stress_bottom", PLANE, all().map(|r| face(r, thickness, -1.0)))?;
+        file.rows("t1", XYZ, all().map(|r| lean(r.t1)))?;
+        file.rows("membrane_strain", DOUBLED, all().map(|r| lean(r.membrane)))?;
+        file.rows("curvature", DOUBLED, all().map(|r| lean(r.curvature)))?;
+        file.rows("shear_strain", ACROSS, all().map(|r| lean(r.shear)))?;
+        file.rows("membrane_force", PLANE, all().map(|r| lean(r.force)))?;
+        file.rows("moment", PLANE, all().map(|r| lean(r.moment)))?;
+        file.rows("shear_force", ACROSS, all().map(|r| lean(r.shear_force)))?;
+        file.rows("stress_top", PLANE, all().map(|r| lean(face(r, thickness, 1.0))))?;
+        file.rows("stress_bottom", PLANE, all().map(|r| lean(face(r, thickness, -1.0))))?;
         self.faces(file, |results| results.iter())
     }
 
@@ -136,10 +138,19 @@ impl Content<'_> {
         let Some(results) = self.results else { return Ok(()) };
         let thickness = self.frame.shell.thickness();
         for (name, side) in [("von_mises_top", 1.0), ("von_mises_bottom", -1.0)] {
-            file.list(name, pick(results).map(|r| von_mises(face(r, thickness, side))))?;
+            file.list(name, pick(results).map(|r| von_mises(face(r, thickness, side)) as f32))?;
         }
         Ok(())
     }
+}
+
+fn xyz(v: Vec3) -> [f64; 3] {
+    v.into()
+}
+
+/// Single precision: what is derived from the motion is looked at, not computed with, and half the bytes are half the cost.
+fn lean<const N: usize>(row: [f64; N]) -> [f32; N] {
+    row.map(|value| value as f32)
 }
 
 /// Allocates room for the results of a shell and fills it.
@@ -150,7 +161,7 @@ pub(crate) fn read(shell: &Shell, results: &mut Vec<PointResult>) {
 
 fn points<W: Write>(file: &mut Vtu<W>, points: impl ExactSizeIterator<Item = Vec3>) -> io::Result<()> {
     file.line("<Points>")?;
-    file.rows("Points", XYZ, points.map(Into::into))?;
+    file.rows("Points", XYZ, points.map(xyz))?;
     file.line("</Points>")
 }
 

@@ -118,6 +118,7 @@ fn array(node: Node<'_, '_>) -> Option<Array> {
     }
     let numbers: Vec<f64> = match node.attribute("type")? {
         "Float64" => data.as_chunks().0.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect(),
+        "Float32" => data.as_chunks().0.iter().map(|&bytes| f32::from_le_bytes(bytes).into()).collect(),
         "Int32" => data.as_chunks().0.iter().map(|&bytes| i32::from_le_bytes(bytes).into()).collect(),
         "UInt8" => data.iter().map(|&byte| byte.into()).collect(),
         _ => return None,

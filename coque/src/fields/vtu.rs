@@ -36,6 +36,7 @@ macro_rules! scalar {
 }
 
 scalar!(f64, "Float64");
+scalar!(f32, "Float32");
 scalar!(u64, "UInt64");
 scalar!(i32, "Int32");
 scalar!(u8, "UInt8");
@@ -95,11 +96,11 @@ impl<W: Write> Vtu<W> {
     }
 
     /// An array of rows with a name for each component; no names for x, y, z.
-    pub fn rows<const N: usize>(
+    pub fn rows<T: Scalar, const N: usize>(
         &mut self,
         name: &str,
         components: [&str; N],
-        rows: impl ExactSizeIterator<Item = [f64; N]>,
+        rows: impl ExactSizeIterator<Item = [T; N]>,
     ) -> io::Result<()> {
         let mut attributes = format!("NumberOfComponents=\"{N}\"");
         for (i, component) in components.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
@@ -168,12 +169,18 @@ mod tests {
             let value = |i: usize| (i as f64).sqrt() - 7.0;
             file.rows("pairs", ["11", "22"], (0..count).map(|i| [value(i), -value(i)])).unwrap();
             file.list("numbers", (0..count).map(|i| i as i32 - 5)).unwrap();
+            file.rows("singles", [""; 3], (0..count).map(|i| [value(i) as f32; 3])).unwrap();
             file.list("bytes", (0..count).map(|i| i as u8)).unwrap();
             let text = String::from_utf8(file.end().unwrap()).unwrap();
             let pairs = bytes(&text, "pairs");
             let numbers = bytes(&text, "numbers");
             assert_eq!((pairs.len(), numbers.len()), (16 * count, 4 * count));
             assert_eq!(bytes(&text, "bytes").len(), count);
+            let singles = bytes(&text, "singles");
+            assert_eq!(singles.len(), 12 * count);
+            if let Some(last) = singles.last_chunk::<4>() {
+                assert_eq!(f32::from_le_bytes(*last), value(count - 1) as f32);
+            }
             for i in 0..count {
                 let at = |k: usize| f64::from_le_bytes(pairs[8 * k..8 * (k + 1)].try_into().unwrap());
                 assert_eq!(

@@ -15,6 +15,8 @@ import numpy as np
 # As in scenes/panel.toml.
 YOUNG, POISSON, THICKNESS = 3102.75, 0.3, 12.7
 ROUND_OFF = 1e-9
+# Fields at the sampling points are written in single precision; sums of a few of them.
+SINGLE = 2e-6
 
 
 def close(found, expected, what, bound=ROUND_OFF):
@@ -55,7 +57,7 @@ def areas(points, quads):
 
 
 def check_sheet(mesh, row):
-    point, cell = mesh.point_data, {name: data[0] for name, data in mesh.cell_data.items()}
+    point, cell = mesh.point_data, {name: data[0].astype(float) for name, data in mesh.cell_data.items()}
     assert [block.type for block in mesh.cells] == ["quad"]
     assert set(point) == {"displacement", "director", "reaction", "thickness"}, sorted(point)
     close(mesh.field_data["TimeValue"], [row["level"]], "TimeValue")
@@ -71,14 +73,14 @@ def check_sheet(mesh, row):
     t = THICKNESS
     membrane = YOUNG * t / (1 - POISSON**2)
     shear = 5 / 6 * YOUNG / (2 * (1 + POISSON)) * t
-    close(cell["membrane_force"], plane_stress(cell["membrane_strain"], membrane), "membrane_force")
-    close(cell["moment"], plane_stress(cell["curvature"], membrane * t * t / 12), "moment")
-    close(cell["shear_force"], shear * cell["shear_strain"], "shear_force")
+    close(cell["membrane_force"], plane_stress(cell["membrane_strain"], membrane), "membrane_force", SINGLE)
+    close(cell["moment"], plane_stress(cell["curvature"], membrane * t * t / 12), "moment", SINGLE)
+    close(cell["shear_force"], shear * cell["shear_strain"], "shear_force", SINGLE)
     for side, name in [(1, "top"), (-1, "bottom")]:
         stress = cell["membrane_force"] / t + side * 6 / t**2 * cell["moment"]
-        close(cell[f"stress_{name}"], stress, f"stress_{name}")
-        close(cell[f"von_mises_{name}"], von_mises(stress), f"von_mises_{name}")
-    close(np.linalg.norm(cell["t1"], axis=1), np.ones(len(cell["t1"])), "t1")
+        close(cell[f"stress_{name}"], stress, f"stress_{name}", SINGLE)
+        close(cell[f"von_mises_{name}"], von_mises(stress), f"von_mises_{name}", SINGLE)
+    close(np.linalg.norm(cell["t1"], axis=1), np.ones(len(cell["t1"])), "t1", SINGLE)
     # The work of the resultants is the internal energy less that of the zero-energy control.
     work = sum(
         np.sum(cell[force] * cell[strain], axis=1)
@@ -90,7 +92,7 @@ def check_sheet(mesh, row):
     )
     energy = 0.5 * np.sum(work * areas(start, mesh.cells[0].data))
     internal = row["internal"]
-    assert energy <= internal * (1 + ROUND_OFF), f"{energy} of {internal}"
+    assert energy <= internal * (1 + SINGLE), f"{energy} of {internal}"
     assert internal - energy <= 0.01 * internal, f"the control holds {1 - energy / internal:.1e}"
 
 
