@@ -1,12 +1,16 @@
 //! The command `coque`: runs a scene and writes its results.
 
+mod commands {
+    pub mod plot;
+}
+
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
-use coque::{Ended, Outcome, Progress, Rendering, Scene, render};
+use coque::{Ended, Failure, FieldFiles, Outcome, Progress, Rendering, Scene, render};
 use indicatif::{ProgressBar, ProgressStyle};
 
 const DONE: u8 = 0;
@@ -29,6 +33,8 @@ enum Command {
     /// Read a surface and print what was found: sizes, boundary, sets, quality.
     #[command(after_help = MESH_HELP)]
     Mesh(Mesh),
+    /// Draw the last frame of a run with [output.fields] as SVG.
+    Plot(commands::plot::Plot),
 }
 
 #[derive(Args)]
@@ -55,10 +61,11 @@ struct Mesh {
 const START: &str = "\
 Start here:
   coque run scenes/ring.toml        results in out/ring
+  coque plot out/ring               the deformed shape, if the scene has [output.fields]
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
 
-Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted.";
 
 const RUN_HELP: &str = "\
 Examples:
@@ -68,14 +75,16 @@ Examples:
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
   coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
+  coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; written on the way
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
 
-Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 130 interrupted.";
 
 const MESH_HELP: &str = "\
 Examples:
@@ -118,6 +127,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(run) => carry_out(&run),
         Command::Mesh(mesh) => look(&mesh.file),
+        Command::Plot(plot) => commands::plot::carry_out(&plot).map(|()| DONE),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -140,7 +150,13 @@ fn carry_out(run: &Run) -> Result<u8, String> {
     let described = model.describe();
     eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
     let mut bar = Bar::new();
-    let outcome = model.run(&mut bar);
+    let outcome = match &scene.output.fields {
+        None => model.run(&mut bar),
+        Some(wanted) => {
+            let mut files = FieldFiles::create(&out.join("fields"), wanted).map_err(|e| format!("{e}\n"))?;
+            model.run_with_fields(&mut bar, &mut files)
+        }
+    };
     bar.0.finish_and_clear();
     write_results(&scene, &outcome, &out)?;
     Ok(report(&outcome, &out))
@@ -206,7 +222,7 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
         Ended::Done => DONE,
         Ended::Diverged(error) => {
             eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
-            DIVERGED
+            if matches!(error, Failure::Fields(_)) { BAD_INPUT } else { DIVERGED }
         }
     }
 }

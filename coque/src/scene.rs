@@ -119,6 +119,23 @@ pub enum Measured {
 pub struct Output {
     /// Columns of the plot `curve.svg`.
     pub plot: Option<Plot>,
+    /// Frames for ParaView, in the folder `fields`.
+    pub fields: Option<Fields>,
+}
+
+/// Which frames are written, and what stands in them beside the motion of the particles.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fields {
+    /// Every N-th settled level, record in time, converged point or mode; the first always.
+    #[serde(default = "each")]
+    pub every: u64,
+    /// The shell with its thickness as well, in files of its own.
+    #[serde(default)]
+    pub extruded: bool,
+    /// Strains, resultants and surface stresses at the sampling points.
+    #[serde(default)]
+    pub stresses: bool,
 }
 
 /// Which column is drawn over which.
@@ -129,6 +146,10 @@ pub struct Plot {
     pub x: String,
     /// Column along the vertical axis.
     pub y: String,
+}
+
+fn each() -> u64 {
+    1
 }
 
 fn one() -> f64 {

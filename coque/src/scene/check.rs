@@ -146,6 +146,9 @@ impl Scene {
             s.direction(&at("direction"), probe.direction)?;
             s.sized(&at("factor"), probe.factor)?;
         }
+        if self.output.fields.is_some_and(|fields| fields.every == 0) {
+            return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
+        }
         if let Some(plot) = &self.output.plot {
             let known = Vec::from_iter(names);
             s.word("output.plot.x", &plot.x, &known)?;
