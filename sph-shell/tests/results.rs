@@ -5,8 +5,8 @@
 mod common;
 
 use common::{
-    POISSON, THICKNESS as T, YOUNG, curved, disordered_curved, disordered_flat, energy_formulations, flat,
-    free_shell, shake, shell,
+    AXIS, POISSON, THICKNESS as T, YOUNG, curved, disordered_curved, disordered_flat, energy_formulations,
+    flat, free_shell, laminated, shake, shell,
 };
 use shell_kinematics::GreenLagrange;
 use sph_core::{Cloud, CubicSpline, Vec3};
@@ -117,11 +117,12 @@ fn the_work_of_the_resultants_is_the_energy() {
         });
         Cloud::from_cells(lattice.positions.clone(), None, halves.collect()).unwrap()
     };
-    for (name, cloud, formulation) in [
-        ("strong form", curved([7, 6]), strong),
-        ("cells, triangles", triangles, Formulation::StressPoint(Reach::Cell)),
+    let cells = Formulation::StressPoint(Reach::Cell);
+    for (name, mut body) in [
+        ("strong form", free_shell(curved([7, 6]), strong, T)),
+        ("cells, triangles", free_shell(triangles.clone(), cells, T)),
+        ("cells, triangles, plies", laminated(triangles, cells, AXIS)),
     ] {
-        let mut body = free_shell(cloud, formulation, T);
         shake(&mut body, 0.05, 4);
         let whole = common::energy(&mut body);
         let read = half_the_work(&body);
