@@ -1,0 +1,132 @@
+//! zero-energy: six zero modes and no more, and the lowest elastic modes in place, lattice or not, thick or thin.
+
+use std::time::Instant;
+
+use benchmarks_ref::reference;
+use nalgebra::Schur;
+use sph_shell::Shell;
+
+use super::bare::{ENERGY, SHOWN, dense_tangent, figure, outcome, study};
+use crate::case::{Case, Headline, Published, Run, Variant};
+use crate::cases::dial::{STRONG_085, STRONG_12};
+use crate::cases::plate::of_thickness;
+use crate::measure::largest;
+use crate::outcome::Outcome;
+use crate::{JudgeError, Metric};
+
+const NAME: &str = "worst of three frequencies";
+const THICKNESSES: [f64; 2] = [0.1, 0.01];
+/// Modes asked for: six rigid ones, three that are judged, and three more in which a zero mode too many would show.
+const MODES: usize = 12;
+/// A frequency below this part of the first elastic one counts as nought: rounding leaves 1e-3 of it and less.
+const NOUGHT: f64 = 0.02;
+const DEFECT: &str = "imaginary part";
+const SOFT: &str = "values below a tenth of the first";
+
+pub fn case() -> Case {
+    Case {
+        name: "zero-energy",
+        title: "Free square plate on 11×11 particles: zero modes and the lowest elastic ones",
+        about: "Modes of the unloaded free plate. A pattern that the strains do not see would be a seventh zero mode, a \
+                control that is too stiff would lift the first elastic ones. The strong form has no energy: of its operator \
+                all eigenvalues are found, which should be real and positive.",
+        citation: "Ritz series of this project's reference file; thin limit Leissa 1969",
+        variants: variants(),
+        each,
+        together: |_| Ok(Vec::new()),
+        headline: Some(Headline { metric: NAME, floor: 0.05, published: || Ok(Vec::<Published>::new()) }),
+        figures: |_| Ok(Vec::new()),
+    }
+}
+
+fn free(method: &str, n: usize, thickness: f64) -> Variant {
+    of_thickness(method, n, thickness).set("supports", "[]").on(&format!("t {thickness}"))
+}
+
+fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    for thickness in THICKNESSES {
+        for jitter in [false, true] {
+            for method in ENERGY {
+                let plate = free(method, 11, thickness).set("analysis.modal.modes", MODES).quick();
+                variants.push(if jitter { super::bare::jittered(plate, "plate") } else { plate });
+            }
+        }
+        for method in [STRONG_12, STRONG_085] {
+            let plate = free(method, 7, thickness).set(
+                "analysis.explicit.transient",
+                "{ duration = 1.0, record_every = 1.0 }",
+            );
+            variants.push(study(plate, strong));
+        }
+    }
+    variants
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    if run.variant.method == STRONG_12 || run.variant.method == STRONG_085 {
+        return known_failure(run);
+    }
+    let thickness = THICKNESSES.into_iter().find(|t| run.variant.grid.contains(&format!(" t {t}")));
+    let thin = thickness == Some(0.01);
+    let exact = lowest(if thin { 0.01 } else { 0.1 })?;
+    let found = run.column("circular_frequency")?;
+    let zero = found.iter().filter(|&&omega| omega < NOUGHT * exact[0]).count();
+    let errors = exact.iter().zip(found.get(zero..).unwrap_or_default());
+    let worst = (found.len() >= zero + exact.len())
+        .then(|| largest(errors.map(|(exact, omega)| Some(100.0 * (omega / exact - 1.0).abs()))))
+        .flatten();
+    Ok(vec![
+        Metric::error("zero modes beyond six", Some(zero as f64 - 6.0), "-")
+            .within(0.0, "a free body has six rigid motions and no other motion without energy"),
+        Metric::error(NAME, worst, "%").within(5.0, "issue 4: lowest elastic modes within 5 %"),
+    ])
+}
+
+/// First three frequencies of the free square plate \[√(D/ρha⁴)\].
+fn lowest(thickness: f64) -> Result<Vec<f64>, JudgeError> {
+    let table = reference("plate_vibration_square")?;
+    for row in 0..table.rows.len() {
+        if table.rows[row][0].as_str() == Some("FFFF") && table.number(row, "h/a")? == thickness {
+            return (1..=3).map(|mode| Ok(table.number(row, &format!("lambda{mode}"))?)).collect();
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// All eigenvalues of the strong form's operator, which is not symmetric.
+fn strong(mut shell: Shell) -> Result<Outcome, String> {
+    let started = Instant::now();
+    let matrix = dense_tangent(&mut shell);
+    let asymmetry = (&matrix - matrix.transpose()).norm() / matrix.norm();
+    let values = Schur::try_new(matrix, 1e-13, 100_000)
+        .ok_or("the eigenvalues of the strong form did not converge")?
+        .complex_eigenvalues();
+    let first = lowest(if shell.thickness() < 0.05 { 0.01 } else { 0.1 }).map_err(|e| e.to_string())?[0];
+    let (mut imaginary, mut negative, mut soft) = (0.0_f64, 0.0_f64, 0);
+    for value in &values {
+        // The growth of e^{iωt} in the time 1/|ω|.
+        imaginary = imaginary.max(value.im.abs());
+        negative = negative.max(-value.re);
+        soft += usize::from(value.norm() < 0.01 * first * first);
+    }
+    let top = values.iter().fold(0.0_f64, |top, value| top.max(value.norm()));
+    // One value a particle belongs to the fixed length of its director, six to rigid motion.
+    let soft = soft as f64 - shell.len() as f64 - 6.0;
+    let figures = [
+        ("asymmetry", "-", asymmetry),
+        (DEFECT, "%", 100.0 * imaginary / top),
+        ("negative part", "%", 100.0 * negative / top),
+        (SOFT, "-", soft),
+    ];
+    Ok(outcome(&shell, 0, started, &figures, None))
+}
+
+fn known_failure(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    Ok(vec![
+        figure(run, DEFECT, "%")?.because("TODO"),
+        figure(run, SOFT, "-")?.because("TODO"),
+        figure(run, "asymmetry", "-")?.because(SHOWN),
+        figure(run, "negative part", "%")?.because(SHOWN),
+    ])
+}
