@@ -153,6 +153,17 @@ pub fn dense_tangent(shell: &mut Shell) -> DMatrix<f64> {
     matrix
 }
 
+/// In real time in place of the scene's analysis \[T\]; studies that march a bare shell themselves give any duration.
+pub fn in_time(variant: Variant, duration: f64, record_every: f64) -> Variant {
+    let times = format!("{{ duration = {duration:e}, record_every = {record_every:e} }}");
+    variant.set("analysis", format!("{{ explicit = {{ transient = {times} }} }}"))
+}
+
+/// A free body without loads.
+pub fn free(variant: Variant) -> Variant {
+    in_time(variant.set("supports", "[]").set("loads", "[]"), 1.0, 1.0)
+}
+
 /// Moves the particles of a scene at random by up to a quarter of the spacing.
 pub fn jittered(variant: Variant, geometry: &str) -> Variant {
     let path = format!("geometry.{geometry}.disorder");

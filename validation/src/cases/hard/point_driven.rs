@@ -22,7 +22,11 @@ pub fn case() -> Case {
         variants: variants(),
         each,
         together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: STANDS_OUT, floor: 0.1, published: || Ok(Vec::<Published>::new()) }),
+        headline: Some(Headline {
+            metric: STANDS_OUT,
+            floor: 0.1,
+            published: || Ok(Vec::<Published>::new()),
+        }),
         figures: |_| Ok(Vec::new()),
     }
 }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use coque::{Curve, Silent};
 
-use super::bare::{ENERGY, figure, model, outcome};
+use super::bare::{ENERGY, figure, in_time, model, outcome};
 use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::cases::dial::{self, CELL, STRONG_12};
 use crate::outcome::Outcome;
@@ -29,9 +29,8 @@ pub fn case() -> Case {
 }
 
 fn variant(method: &str) -> Variant {
-    let panel = dial::variant(method, PANEL, "cylinder", [27, 27])
-        .set("supports[3].amplitude", "{ ramp = 0.01 }")
-        .set("analysis.explicit.transient", "{ duration = 0.002, record_every = 0.0001 }");
+    let panel = dial::variant(method, PANEL, "cylinder", [27, 27]);
+    let panel = in_time(panel.set("supports[3].amplitude", "{ ramp = 0.01 }"), 0.002, 0.0001);
     let quick = method == CELL;
     let study = Variant::study(method, "27×27", move || run(&panel));
     if quick { study.quick() } else { study }

@@ -7,7 +7,7 @@ use explicit_dynamics::Clock;
 use sph_core::Vec3;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, figure, march, outcome, study};
+use super::bare::{ENERGY, SHOWN, figure, free, march, outcome, study};
 use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::cases::dial::{self, STRONG_12};
 use crate::cases::plate::of_thickness;
@@ -15,8 +15,7 @@ use crate::outcome::Outcome;
 use crate::{JudgeError, Metric};
 
 const TURNS: f64 = 100.0;
-/// Turns between two looks are a hundredth of all.
-const LOOKS: u64 = 100;
+const LOOKS: u64 = 1000;
 /// Speed of a corner of a plate of side one, in parts of the speed of sound, is .7 of this.
 const RATE: f64 = 0.1;
 const MOMENTUM: &str = "change of angular momentum";
@@ -34,7 +33,11 @@ pub fn case() -> Case {
         variants: variants(),
         each,
         together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: MOMENTUM, floor: 1e-12, published: || Ok(Vec::<Published>::new()) }),
+        headline: Some(Headline {
+            metric: MOMENTUM,
+            floor: 1e-12,
+            published: || Ok(Vec::<Published>::new()),
+        }),
         figures: |_| Ok(Vec::new()),
     }
 }
@@ -43,11 +46,7 @@ fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for (name, axis) in [("about the normal", Vec3::z()), ("about an axis in its plane", Vec3::x())] {
         for method in ENERGY.into_iter().chain([STRONG_12]) {
-            let plate = of_thickness(method, 7, 0.1)
-                .set("supports", "[]")
-                .set("loads", "[]")
-                .set("analysis.explicit.transient", "{ duration = 1.0, record_every = 1.0 }")
-                .on(name);
+            let plate = free(of_thickness(method, 7, 0.1)).on(name);
             let plate = if method == dial::CELL { plate.quick() } else { plate };
             variants.push(study(plate, move |shell| run(shell, axis)));
         }

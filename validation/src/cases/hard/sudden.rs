@@ -7,7 +7,7 @@ use explicit_dynamics::Clock;
 use sph_core::Vec3;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, figure, march, model, outcome, row, study};
+use super::bare::{ENERGY, SHOWN, figure, free, in_time, march, model, outcome, row, study};
 use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::cases::dial::{self, CELL};
 use crate::cases::plate::of_thickness;
@@ -52,12 +52,7 @@ fn variants() -> Vec<Variant> {
         variants.push(quick(overshoot(cantilever, "W_tip", 17.9)));
     }
     for method in ENERGY {
-        let free = of_thickness(method, 11, 0.01)
-            .set("supports", "[]")
-            .set("loads", "[]")
-            .set("analysis.explicit.transient", "{ duration = 1.0, record_every = 1.0 }")
-            .on("velocity jump");
-        variants.push(quick(study(free, jump)));
+        variants.push(quick(study(free(of_thickness(method, 11, 0.01)).on("velocity jump"), jump)));
     }
     variants
 }
@@ -65,8 +60,7 @@ fn variants() -> Vec<Variant> {
 fn overshoot(scene: Variant, column: &'static str, period: f64) -> Variant {
     let (method, grid) = (scene.method.clone(), scene.grid.clone());
     let still = scene.clone().set("analysis.linear", "{}");
-    let times = format!("{{ duration = {:e}, record_every = {:e} }}", 3.0 * period, period / 200.0);
-    let moving = scene.set("analysis.explicit.transient", times);
+    let moving = in_time(scene, 3.0 * period, period / 200.0);
     Variant::study(&method, &grid, move || {
         let at_rest = model(&still, 1)?.run(&mut Silent).curve;
         let at_rest = at_rest.column(column).and_then(|w| w.last().copied()).unwrap_or(f64::NAN);
@@ -116,8 +110,11 @@ fn jump(mut shell: Shell) -> Result<Outcome, String> {
     let (kept, energy, _) = marched(false)?;
     let (decay, _, steps) = marched(true)?;
     let whole: f64 = shell.reference().masses.iter().sum();
-    let figures =
-        [(KEPT, "-", kept), (DECAY, "-", decay), (ENERGY_OFF, "%", 100.0 * energy / (0.25 * whole * speed * speed))];
+    let figures = [
+        (KEPT, "-", kept),
+        (DECAY, "-", decay),
+        (ENERGY_OFF, "%", 100.0 * energy / (0.25 * whole * speed * speed)),
+    ];
     Ok(outcome(&shell, steps, started, &figures, None))
 }
 
