@@ -22,7 +22,7 @@ pub(crate) fn march(
     progress: &mut dyn Progress,
 ) {
     found.stable_step = reference_step(shell);
-    found.safety = explicit.safety_factor();
+    found.safety = explicit.safety;
     let keep_settled = explicit.quasi_static.is_some();
     let marched = clocked(explicit, shell, &mut Watcher { found, gauges, keep_settled, progress });
     (found.steps, found.ended) = match marched {
@@ -43,7 +43,7 @@ pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
 }
 
 fn clocked(explicit: &Explicit, shell: &mut Shell, watcher: &mut Watcher<'_>) -> Result<Clock, MarchError> {
-    let safety = explicit.safety_factor();
+    let safety = explicit.safety;
     match (&explicit.quasi_static, explicit.transient) {
         (Some(path), _) => explicit_dynamics::QuasiStatic {
             levels: path.levels.list(),

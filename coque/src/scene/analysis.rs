@@ -28,8 +28,9 @@ pub enum Analysis {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Explicit {
-    /// Fraction of the stable step \[–\]; see [`Explicit::safety_factor`].
-    pub safety: Option<f64>,
+    /// Fraction of the stable step \[–\].
+    #[serde(default = "usual_safety")]
+    pub safety: f64,
     /// Equilibria along a load path.
     pub quasi_static: Option<QuasiStatic>,
     /// Real time.
@@ -132,18 +133,6 @@ impl Analysis {
     }
 }
 
-impl Explicit {
-    /// Fraction of the stable step that is used: as given, else 0.8 on the way to rest and 0.7 in real time.
-    ///
-    /// The stable step is an estimate from below 1 % sharp; membrane stiffening takes the rest. In real time nothing damps the
-    /// highest modes. Their phase advances by `2 asin(safety)` a step, and from `safety = sin(π/4) = 0.707` on four of them
-    /// add up to a whole turn: a resonance between modes that the shell does not have, which in some runs of 10⁵ steps feeds
-    /// on the step until particles are lost (case `energy-drift`).
-    pub fn safety_factor(&self) -> f64 {
-        self.safety.unwrap_or(if self.transient.is_some() { 0.7 } else { 0.8 })
-    }
-}
-
 impl Default for Damping {
     fn default() -> Self {
         Self::Ratio(1.0)
@@ -158,6 +147,11 @@ impl Levels {
             Self::List(levels) => levels.clone(),
         }
     }
+}
+
+/// The stable step is an estimate from below 1 % sharp; membrane stiffening takes the rest.
+fn usual_safety() -> f64 {
+    0.8
 }
 
 fn usual_ramp() -> f64 {

@@ -40,9 +40,8 @@ impl Scene {
     fn check_explicit(&self, explicit: &Explicit) -> Checked {
         let s = &self.source;
         let at = |key: &str| format!("analysis.explicit.{key}");
-        let repair =
-            "leave it out for the usual 0.8, 0.7 in real time; at 1 the step is at the limit of stability";
-        s.between(&at("safety"), explicit.safety_factor(), [0.0, 1.0], repair)?;
+        let repair = "0.8 is usual; at 1 the step is at the limit of stability";
+        s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
         let known = ["quasi-static", "transient"];
         let mut given = Vec::new();
         given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use explicit_dynamics::{Observer, Record, Transient, largest_eigenvalue, stable_step};
+use explicit_dynamics::{MarchError, Observer, Record, Transient, largest_eigenvalue, stable_step};
 use implicit_statics::{Newton, NewtonOptions};
 use sph_shell::{Shell, StaticShell};
 
@@ -16,14 +16,12 @@ use crate::{JudgeError, Metric};
 const SCENE: &str = include_str!("../../../../scenes/ring.toml");
 /// Part of the moment that rolls the strip into a ring; the tip starts at about .7 of the length above the clamp.
 const LEVEL: f64 = 0.25;
+/// The usual part of the limit.
 const SAFETY: f64 = 0.8;
-fn safety() -> f64 {
-    std::env::var("SAF").ok().and_then(|s| s.parse().ok()).unwrap_or(SAFETY)
-}
-
 const RECORDS: u64 = 1000;
 const DRIFT: &str = "drift";
 const SWING: &str = "largest error";
+const DONE: &str = "part of the run";
 
 pub fn case() -> Case {
     Case {
@@ -33,25 +31,19 @@ pub fn case() -> Case {
                 the mean energy of the last tenth of the run less that of the first tenth, in parts of the energy given. Wide \
                 stencils and nodal sampling, seven times as dear, run for 10⁵ steps.",
         citation: "reference: the energy given at the start",
-        variants: ENERGY
-            .into_iter()
-            .filter(|m| std::env::var("ONLY").is_ok_and(|o| &o == m))
-            .map(|method| {
-                variant(
-                    method,
-                    if method == CELL {
-                        1_000_000
-                    } else {
-                        std::env::var("STEPS").ok().and_then(|s| s.parse().ok()).unwrap_or(100_000)
-                    },
-                )
-            })
-            .collect(),
+        variants: variants(),
         each,
         together: |_| Ok(Vec::new()),
         headline: Some(Headline { metric: DRIFT, floor: 1e-6, published: || Ok(Vec::<Published>::new()) }),
         figures: |_| Ok(Vec::new()),
     }
+}
+
+fn variants() -> Vec<Variant> {
+    ENERGY
+        .into_iter()
+        .map(|method| variant(method, if method == CELL { 1_000_000 } else { 100_000 }))
+        .collect()
 }
 
 fn variant(method: &str, steps: u64) -> Variant {
@@ -81,36 +73,7 @@ fn let_go(loaded: Shell, mut free: Shell) -> Result<Shell, String> {
 struct Totals(Vec<f64>);
 
 impl Observer<Shell> for Totals {
-    fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
-        if std::env::var("DEBUG_SWING").is_ok()
-            && (self.0.len() % 25 == 0 || (self.0.len() > 850 && self.0.len() < 900))
-        {
-            let s = largest_eigenvalue(shell, 60);
-            let dt = stable_step(&s, 1.0).unwrap_or(0.0);
-            let hot = (0..shell.len())
-                .map(|a| {
-                    (
-                        shell.velocity(a).norm_squared() * shell.reference().masses[a]
-                            / record.energy.kinetic,
-                        a,
-                    )
-                })
-                .fold((0.0, 0), |b, x| if x.0 > b.0 { x } else { b });
-            let rot: f64 = (0..shell.len())
-                .map(|a| shell.director_rate(a).norm_squared() * shell.reference().inertias[a])
-                .sum::<f64>()
-                * 0.5;
-            eprintln!(
-                "L {} dt_lim {:.6} E {:.4e} K {:.4e} rot {:.3} hot {:.3} {}",
-                self.0.len(),
-                dt,
-                record.energy.kinetic + record.energy.internal,
-                record.energy.kinetic,
-                rot / record.energy.kinetic,
-                hot.0,
-                hot.1
-            );
-        }
+    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
         self.0.push(record.energy.kinetic + record.energy.internal);
         ControlFlow::Continue(())
     }
@@ -118,29 +81,37 @@ impl Observer<Shell> for Totals {
 
 fn swing(mut shell: Shell, steps: u64) -> Result<Outcome, String> {
     let started = Instant::now();
-    let dt = stable_step(&largest_eigenvalue(&mut shell, 30), safety()).map_err(|e| e.to_string())?;
+    let dt = stable_step(&largest_eigenvalue(&mut shell, 30), SAFETY).map_err(|e| e.to_string())?;
     let duration = dt * steps as f64;
     let mut totals = Totals(Vec::new());
-    let run = Transient { duration, record_every: duration / RECORDS as f64, damping: 0.0, safety: safety() };
+    let run = Transient { duration, record_every: duration / RECORDS as f64, damping: 0.0, safety: SAFETY };
     let ended = run.march(&mut shell, &mut totals);
-    let (steps, failure) = match ended {
+    let (done, failure) = match ended {
         Ok(clock) => (clock.steps, None),
-        Err(error) => (0, Some(error.to_string())),
+        Err(MarchError::Diverged { step, .. }) => (step, Some(format!("diverged at step {step}"))),
+        Err(error) => return Err(error.to_string()),
     };
-    if std::env::var("DEBUG_SWING").is_ok() {
-        for (i, e) in totals.0.iter().enumerate().filter(|(i, _)| i % 20 == 0) {
-            eprintln!("{i} {:.4}", e / totals.0[0]);
-        }
-    }
     let tenth = (totals.0.len() / 10).max(1);
     let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
     let given = totals.0[0];
     let drift = (mean(&totals.0[totals.0.len() - tenth..]) - mean(&totals.0[..tenth])) / given;
     let worst = totals.0.iter().fold(0.0_f64, |worst, e| worst.max((e / given - 1.0).abs()));
-    let figures = [(DRIFT, "%", 100.0 * drift), (SWING, "%", 100.0 * worst)];
-    Ok(outcome(&shell, steps, started, &figures, failure))
+    let part = done as f64 / steps as f64;
+    let figures = [(DRIFT, "%", 100.0 * drift), (SWING, "%", 100.0 * worst), (DONE, "-", part)];
+    Ok(outcome(&shell, done, started, &figures, failure))
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    Ok(vec![figure(run, DRIFT, "%")?.because("TODO"), figure(run, SWING, "%")?.because(SHOWN)])
+    let sound = run.done();
+    let drift = run.column(DRIFT)?.last().copied().filter(|_| sound);
+    let part = Metric::at_least(DONE, run.column(DONE)?.last().copied(), "-", 1.0);
+    Ok(vec![
+        part.within(0.0, "issue 4: a run without damping has to reach its end"),
+        Metric::error(DRIFT, drift, "%").within(
+            2.0,
+            "the measured energy swings with the phases of the fast modes, by 1/(1 − s²) of their share: .1 to 1.2 % here; steps \
+             that were not all equal fed 3 to 300 % within 10⁵",
+        ),
+        figure(run, SWING, "%")?.because(SHOWN),
+    ])
 }

@@ -142,14 +142,21 @@ fn denormal(formulation: Formulation) -> Result<Outcome, String> {
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     if run.variant.grid.ends_with("lengths") {
         return Ok(vec![
-            figure(run, OFF, "-")?.because("TODO"),
-            figure(run, "stable step, off", "-")?.because(SHOWN),
+            figure(run, OFF, "-")?.within(
+                1e-6,
+                "issue 4: 1e-6; positions of 10⁷ keep 1e-9, which each step rounds anew: 3e-8 to 7e-8 is left after 5000",
+            ),
+            figure(run, "stable step, off", "-")?
+                .because("differences of forces at perturbations of 1e-5 spacings: 1e-9 of a position is 1e-4 of those"),
             figure(run, "tip", "L")?.because(SHOWN),
         ]);
     }
     if run.variant.grid.ends_with("1e-300") {
         return Ok(vec![
-            figure(run, OFF, "-")?.because("TODO"),
+            figure(run, OFF, "-")?.within(
+                1e-13,
+                "below the rounding of positions no displacement can be kept; what is asked is that nothing else appears",
+            ),
             figure(run, "strain energy", "-")?.because(SHOWN),
         ]);
     }

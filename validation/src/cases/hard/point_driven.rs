@@ -1,6 +1,6 @@
 //! point-driven: the panel pushed in through one particle, with every formulation, on and off the lattice.
 
-use super::bare::{ENERGY, SHOWN, jittered};
+use super::bare::{ENERGY, jittered};
 use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::cases::dial;
 use crate::cases::point_load_smoothness::{checkerboard, second_difference};
@@ -45,7 +45,13 @@ fn variants() -> Vec<Variant> {
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let percent = |value: Option<f64>| value.map(|value| 100.0 * value);
     Ok(vec![
-        Metric::error(STANDS_OUT, percent(second_difference(run)), UNIT).because("TODO"),
-        Metric::error(BOARD, percent(checkerboard(run, 2)), UNIT).because(SHOWN),
+        Metric::error(STANDS_OUT, percent(second_difference(run)), UNIT).within(
+            20.0,
+            "a neighbour that stayed behind would give 200 %; bending under a point load gives 6 to 13 % at this spacing",
+        ),
+        Metric::error(BOARD, percent(checkerboard(run, 2)), UNIT).within(
+            2.0,
+            "a zero-energy mode would be as large as the displacement; uneven spacing alone makes 1.1 to 1.5 %",
+        ),
     ])
 }

@@ -91,9 +91,19 @@ fn angular_momentum(shell: &Shell, about: &Vec3) -> Vec3 {
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let ratio = figure(run, RATIO, "-")?.because(SHOWN);
+    if run.variant.method == STRONG_12 {
+        let reason = "known failure: the published pair sums act with two gradients on a pair, so that moments do not cancel";
+        let change = run.column(MOMENTUM)?.last().copied();
+        return Ok(vec![Metric::at_least(MOMENTUM, change, "-", 1e-3).within(0.0, reason), ratio]);
+    }
     Ok(vec![
-        figure(run, MOMENTUM, "-")?.because("TODO"),
-        figure(run, GROWTH, "-")?.because("TODO"),
-        figure(run, RATIO, "-")?.because(SHOWN),
+        figure(run, MOMENTUM, "-")?
+            .within(1e-10, "issue 4: angular momentum to 1e-10; kick and drift both keep it"),
+        figure(run, GROWTH, "-")?.within(
+            1.5,
+            "the strain swings between nought and twice that of the centrifugal force; more is growth",
+        ),
+        ratio,
     ])
 }

@@ -16,6 +16,7 @@ use crate::{JudgeError, Metric};
 
 const RING: &str = include_str!("../../../../scenes/ring.toml");
 const FACTOR: &str = "dynamic factor";
+const MEAN: &str = "mean over static";
 const KEPT: &str = "momentum, not kept";
 const DECAY: &str = "momentum, off the decay";
 const ENERGY_OFF: &str = "energy, error";
@@ -72,6 +73,7 @@ fn overshoot(scene: Variant, column: &'static str, period: f64) -> Variant {
         let error = (0..w.len()).map(|i| (kinetic[i] + internal[i] - external[i]).abs() / given);
         let figures = [
             (FACTOR, "-", w.iter().copied().fold(0.0, f64::max) / at_rest),
+            (MEAN, "-", w.iter().sum::<f64>() / w.len() as f64 / at_rest),
             (ENERGY_OFF, "%", 100.0 * error.fold(0.0, f64::max)),
         ];
         let mut outcome = Outcome::from(run);
@@ -125,14 +127,28 @@ fn momentum(shell: &Shell) -> Vec3 {
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     if run.variant.grid.ends_with("jump") {
         return Ok(vec![
-            figure(run, KEPT, "-")?.because("TODO"),
-            figure(run, DECAY, "-")?.because("TODO"),
-            figure(run, ENERGY_OFF, "%")?.because("TODO"),
+            figure(run, KEPT, "-")?.within(1e-12, "internal forces cancel: rounding of 2000 steps is left"),
+            figure(run, DECAY, "-")?.within(
+                1e-6,
+                "a step damps by (1 − cΔt/2)/(1 + cΔt/2): off by (cΔt)²/12 of exp(−ct), 2e-8 here",
+            ),
+            figure(run, ENERGY_OFF, "%")?.within(
+                10.0,
+                "a jump excites the fastest modes, whose energy swings by s²/(1 − s²) in central differences",
+            ),
         ]);
     }
-    let factor = run.column(FACTOR)?.last().copied();
-    Ok(vec![
-        Metric::compared(FACTOR, factor, "-", 2.0).within(0.04, "issue 4: dynamic factor 2 within 2 %"),
-        figure(run, ENERGY_OFF, "%")?.because(SHOWN),
-    ])
+    let factor = Metric::compared(FACTOR, run.column(FACTOR)?.last().copied(), "-", 2.0);
+    let factor = if run.variant.grid.ends_with("cantilever") {
+        factor
+            .within(0.04, "issue 4: dynamic factor 2 within 2 %; higher modes hold 1.4 % of this deflection")
+    } else {
+        let reason =
+            "two is that of one mode; at the centre of a plate the symmetric higher ones add 3 to 7 %";
+        factor.within(0.2, reason)
+    };
+    let mean = Metric::compared(MEAN, run.column(MEAN)?.last().copied(), "-", 1.0);
+    let reason = "the motion swings about the static answer; a first frequency that is 3 % off ends three periods a tenth of \
+                  one early or late, which leaves up to 6 % in the mean";
+    Ok(vec![factor, mean.within(0.1, reason), figure(run, ENERGY_OFF, "%")?.because(SHOWN)])
 }
