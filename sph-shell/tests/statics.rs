@@ -162,11 +162,15 @@ fn directions_that_are_held_are_no_unknowns() {
 #[test]
 fn modes_turn_with_the_inertia_of_the_shell_itself() {
     let body = common::free_shell(flat([6, 5], [2.0, 1.5]), energy_formulations()[0].1, 0.2);
+    // A turn counts as an arc: its radius is the power of two nearest to the spacing √(3/30) = .316.
+    let arc = 0.25;
     let masses = StaticShell::new(body).masses();
     // Three translations and two turns a particle: ρ t A and ρ t A t²/12, though t is half a spacing.
     for particle in masses.chunks_exact(5) {
         assert!(particle[..3].iter().all(|m| *m == particle[0]));
-        assert!(particle[3..].iter().all(|i| (i / (particle[0] * 0.04 / 12.0) - 1.0).abs() < 1e-14));
+        assert!(
+            particle[3..].iter().all(|i| (i * arc * arc / (particle[0] * 0.04 / 12.0) - 1.0).abs() < 1e-14)
+        );
     }
 }
 
