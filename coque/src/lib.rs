@@ -17,6 +17,7 @@ mod curve;
 mod error;
 mod linear;
 mod march;
+mod matter;
 mod modes;
 mod nearest;
 mod overrides;

@@ -77,7 +77,7 @@ fn strip(formulation: Formulation, shift: &Vec3, force: f64) -> Result<Shell, St
     let near = lattice(&Plate { lengths: [LENGTH, 1.0] }, [25, 3], EndWeights::Trapezoid)
         .map_err(|e| e.to_string())?;
     let cloud = near.transformed(&Rotation3::identity(), shift);
-    let edge = |side| near.lattice.map(|lattice| lattice.edge(side)).unwrap_or_default();
+    let edge = |side| near.sides.as_ref().map(|sides| sides.edge(side).to_vec()).unwrap_or_default();
     let material = Isotropic::new(1200.0, 0.0).map_err(|e| e.to_string())?;
     let section = IsotropicSection::new(material, 0.1).map_err(|e| e.to_string())?;
     let shares = edge(Side::U1).into_iter().map(|a| (a, near.edge_lengths[a as usize])).collect();
