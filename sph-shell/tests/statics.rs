@@ -181,12 +181,13 @@ fn answers_do_not_depend_on_the_unit_of_length() {
     // translations, where they would differ by 10¹⁸ and pass for a mechanism.
     let tip = |unit: f64| {
         let cloud = flat([9, 3], [10.0 * unit, unit]);
-        let lattice = cloud.lattice.unwrap();
-        let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
+        let sides = cloud.sides.clone().unwrap();
+        let shares = sides.edge(Side::U1).iter().map(|&a| (a, 1.0)).collect();
         let loads: Vec<Box<dyn Load>> = vec![Box::new(Force { shares, total: Vec3::z() * 1e-3 })];
-        let supports = vec![Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) }];
+        let supports =
+            vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }];
         let material = Isotropic::new(common::YOUNG / (unit * unit), common::POISSON).unwrap();
-        let parts = common::parts(cloud, common::energy_formulations()[0].1, 0.2 * unit);
+        let parts = common::parts(cloud, energy_formulations()[0].1, 0.2 * unit);
         let body = Shell::new(Parts {
             section: Box::new(IsotropicSection::new(material, 0.2 * unit).unwrap()),
             supports,
@@ -199,7 +200,7 @@ fn answers_do_not_depend_on_the_unit_of_length() {
         .unwrap();
         let mut system = StaticShell::new(body);
         Newton::new(&system, &NewtonOptions::default()).unwrap().at_level(&mut system, 1.0).unwrap();
-        system.shell().displacement(lattice.edge(Side::U1)[1] as usize).z / unit
+        system.shell().displacement(sides.edge(Side::U1)[1] as usize).z / unit
     };
     let usual = tip(1.0);
     for unit in [1e9, 1e-9] {
