@@ -7,7 +7,7 @@
 //! |---|---|
 //! | what a scene may say | `scene/*.rs` |
 //! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
-//! | scene → shell | `build.rs`, `places.rs` |
+//! | scene → shell | `build.rs`, `places.rs`, `matter.rs` |
 //! | files of surfaces | `mesh/*.rs`; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
@@ -21,6 +21,7 @@ mod fields;
 mod imported;
 mod linear;
 mod march;
+mod matter;
 pub mod mesh;
 mod modes;
 mod nearest;
