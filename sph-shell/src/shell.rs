@@ -273,6 +273,22 @@ impl Shell {
         self.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
+    /// All that changes while the shell moves, a row a particle: `[x, d]` \[L, –\] and its rates \[L/T, 1/T\].
+    pub fn motion(&self) -> [&[[f64; 6]]; 2] {
+        [&self.state, &self.rates]
+    }
+
+    /// Takes up a motion that [`Shell::motion`] gave, to the same bits; false, and nothing changed, if it is that of
+    /// another number of particles.
+    pub fn take_up(&mut self, [state, rates]: [&[[f64; 6]]; 2]) -> bool {
+        let fits = state.len() == self.len() && rates.len() == self.len();
+        if fits {
+            self.state.copy_from_slice(state);
+            self.rates.copy_from_slice(rates);
+        }
+        fits
+    }
+
     pub(crate) fn constraint(&self, particle: usize) -> Option<&Constraint> {
         let number = self.constraint_of[particle] as usize;
         number.checked_sub(1).map(|i| &self.constraints[i])
