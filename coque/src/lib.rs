@@ -11,8 +11,10 @@
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
+//! | what a run goes on from | `checkpoint.rs` |
 
 mod build;
+mod checkpoint;
 mod curve;
 mod error;
 mod linear;
@@ -33,11 +35,12 @@ mod summary;
 mod units;
 
 pub use build::Model;
+pub use checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY};
 pub use curve::{Column, Curve};
 pub use error::{Fault, Place, SceneError};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
-pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};
+pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent};
 pub use scene::Scene;
 pub use source::Source;
 pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};

@@ -1,17 +1,26 @@
 //! The command `coque`: runs a scene and writes its results.
 
+mod commands {
+    pub mod bar;
+    pub mod resume;
+}
+
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
-use coque::{Ended, Outcome, Progress, Rendering, Scene, render};
-use indicatif::{ProgressBar, ProgressStyle};
+use commands::bar::{Bar, stop_on_interrupt};
+use coque::{
+    CHECKPOINT, Checkpoint, Checkpoints, Ended, Model, Origin, Outcome, Rendering, RunOptions, SCENE_COPY,
+    Scene, render,
+};
 
 const DONE: u8 = 0;
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
+const INTERRUPTED: u8 = 130;
 
 /// Simulates thin shells with one layer of SPH particles.
 #[derive(Parser)]
@@ -26,6 +35,9 @@ enum Command {
     /// Run a scene and write its curve.
     #[command(after_help = RUN_HELP)]
     Run(Run),
+    /// Go on with a run that was interrupted or killed, to the same bits.
+    #[command(after_help = commands::resume::HELP)]
+    Resume(commands::resume::Resume),
 }
 
 #[derive(Args)]
@@ -57,14 +69,18 @@ Examples:
   coque run scenes/ring.toml --set formulation.nodal.order=2
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
+  coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
+  scene.toml     the scene as it was read; what --set replaced stands in summary.json
+  checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
 
-Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
+Ctrl-C ends the run in good order, with the results so far; a second one at once.
+Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted (the curve so far is kept).";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
@@ -74,8 +90,11 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
-    let Command::Run(run) = Cli::parse().command;
-    match carry_out(&run) {
+    let done = match Cli::parse().command {
+        Command::Run(run) => carry_out(&run),
+        Command::Resume(resume) => commands::resume::carry_out(&resume),
+    };
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(message) => {
             eprint!("{message}");
@@ -86,20 +105,64 @@ fn main() -> ExitCode {
 
 /// Reads, builds, runs, writes; the error is ready to print.
 fn carry_out(run: &Run) -> Result<u8, String> {
-    let file = run.scene.display().to_string();
-    let text = fs::read_to_string(&run.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
-    let how = Rendering { width: 100, colour: io::stderr().is_terminal() };
-    let scene = Scene::with_overrides(&text, &file, &run.replaced).map_err(|e| render(&e, how))?;
-    let model = scene.build(run.threads.into()).map_err(|e| render(&e, how))?;
+    let (scene, text) = read_scene(&run.scene, &run.replaced)?;
+    let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
-    fs::create_dir_all(&out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
+    make_folder(&out, &run.scene, &text)?;
+    // Another folder may be the present one when the run goes on.
+    let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
+    let file = file.display().to_string();
+    launch(model, &out, Origin::new(&text, file, run.replaced.clone(), run.threads.into()), None)
+}
+
+/// Reads a scene, and its text; errors underline it.
+fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Scene, String), String> {
+    let file = path.display().to_string();
+    let text = fs::read_to_string(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| render(&e, rendering()))?;
+    Ok((scene, text))
+}
+
+fn build(scene: &Scene, threads: usize) -> Result<Model, String> {
+    scene.build(threads).map_err(|e| render(&e, rendering()))
+}
+
+fn rendering() -> Rendering {
+    Rendering { width: 100, colour: io::stderr().is_terminal() }
+}
+
+/// Makes the folder, copies the scene into it, and takes out what an earlier run would be taken for this one by.
+fn make_folder(out: &Path, scene: &Path, text: &str) -> Result<(), String> {
+    fs::create_dir_all(out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
+    let copy = out.join(SCENE_COPY);
+    let same = |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
+    if !same(&copy, scene) {
+        fs::write(&copy, text).map_err(|e| format!("cannot write {}: {e}\n", copy.display()))?;
+    }
+    for stale in [CHECKPOINT, "summary.json"].map(|name| out.join(name)).iter().filter(|file| file.exists()) {
+        fs::remove_file(stale).map_err(|e| format!("cannot remove {}: {e}\n", stale.display()))?;
+    }
+    Ok(())
+}
+
+/// Runs from the start or from a checkpoint, writes the results, and gives the exit code.
+fn launch(model: Model, out: &Path, origin: Origin, from: Option<Checkpoint>) -> Result<u8, String> {
+    let scene = model.scene.clone();
     let described = model.describe();
     eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
-    let mut bar = Bar::new();
-    let outcome = model.run(&mut bar);
-    bar.0.finish_and_clear();
-    write_results(&scene, &outcome, &out)?;
-    Ok(report(&outcome, &out))
+    let replaced = origin.replaced.clone();
+    let mut checkpoints = scene.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
+    let mut bar = Bar::new(described.particles, stop_on_interrupt()?);
+    let options = RunOptions { progress: &mut bar, checkpoints: checkpoints.as_mut(), from };
+    let mut outcome = model.run_with(options).map_err(|e| format!("{e}\n"))?;
+    bar.finish();
+    outcome.summary.replaced = replaced.into_iter().map(|(path, value)| format!("{path}={value}")).collect();
+    write_results(&scene, &outcome, out)?;
+    let resumable = matches!(outcome.ended, Ended::Interrupted { .. }) && checkpoints.is_some();
+    if !resumable && let Some(checkpoints) = checkpoints {
+        checkpoints.finish().map_err(|e| format!("{e}\n"))?;
+    }
+    Ok(report(&outcome, out, resumable))
 }
 
 fn default_out(scene: &Path) -> PathBuf {
@@ -128,7 +191,7 @@ fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), Str
 }
 
 /// Tells what came out and gives the exit code.
-fn report(outcome: &Outcome, out: &Path) -> u8 {
+fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
     for level in summary.levels.iter().filter(|level| !level.settled) {
         eprintln!(
@@ -156,27 +219,12 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
             eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
             DIVERGED
         }
-    }
-}
-
-/// Progress on a terminal; hidden elsewhere.
-struct Bar(ProgressBar);
-
-impl Bar {
-    fn new() -> Self {
-        let bar = if io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
-        if let Ok(style) =
-            ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {elapsed} of {duration}")
-        {
-            bar.set_style(style);
+        ended @ Ended::Interrupted { .. } => {
+            eprintln!("{ended}; the curve so far is in {}", out.join("curve.csv").display());
+            if resumable {
+                eprintln!("go on with: coque resume {}", out.display());
+            }
+            INTERRUPTED
         }
-        Self(bar)
-    }
-}
-
-impl Progress for Bar {
-    fn update(&mut self, done: f64, record: &explicit_dynamics::Record) {
-        self.0.set_position((1000.0 * done) as u64);
-        self.0.set_message(format!("level {:.4}, step {}", record.at.level, record.step));
     }
 }

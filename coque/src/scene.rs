@@ -114,6 +114,9 @@ pub enum Measured {
 pub struct Output {
     /// Columns of the plot `curve.svg`.
     pub plot: Option<Plot>,
+    /// Keeps a checkpoint in the folder of the run, from which `coque resume` goes on: one at least every so many
+    /// seconds of wall time \[s\], one after every settled level, one when the run is interrupted.
+    pub checkpoint_every: Option<f64>,
 }
 
 /// Which column is drawn over which.

@@ -31,11 +31,6 @@ impl StaticShell {
         &self.shell
     }
 
-    /// Takes up a motion, as [`Shell::take_up`] does.
-    pub fn take_up(&mut self, motion: [&[[f64; 6]]; 2]) -> bool {
-        self.shell.take_up(motion)
-    }
-
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
     pub fn evaluate(&mut self, level: f64) {
         self.shell.evaluate_internal(true);
