@@ -2,7 +2,10 @@
 
 mod commands {
     pub mod bar;
+    pub mod check;
     pub mod resume;
+    pub mod sweep;
+    pub mod teach;
 }
 
 use std::fs;
@@ -12,6 +15,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use commands::bar::{Bar, stop_on_interrupt};
+use commands::{check, resume, sweep, teach};
 use coque::{
     CHECKPOINT, Checkpoint, Checkpoints, Ended, Model, Origin, Outcome, Rendering, RunOptions, SCENE_COPY,
     Scene, render,
@@ -36,8 +40,23 @@ enum Command {
     #[command(after_help = RUN_HELP)]
     Run(Run),
     /// Go on with a run that was interrupted or killed, to the same bits.
-    #[command(after_help = commands::resume::HELP)]
-    Resume(commands::resume::Resume),
+    #[command(after_help = resume::HELP)]
+    Resume(resume::Resume),
+    /// Run a scene for a list of values, or for every combination of several; one table out.
+    #[command(after_help = sweep::HELP)]
+    Sweep(sweep::Sweep),
+    /// Write a commented scene to start from.
+    #[command(after_help = teach::NEW_HELP)]
+    New(teach::New),
+    /// Validate a scene; print the model, what it leaves out and what a run will cost.
+    #[command(after_help = check::HELP)]
+    Check(check::Check),
+    /// Print what a scene may name: analyses, formulations, supports, loads, …, a line each.
+    #[command(after_help = teach::LIST_HELP)]
+    List(teach::List),
+    /// Print the JSON schema of scenes, for editors.
+    #[command(after_help = teach::SCHEMA_HELP)]
+    Schema,
 }
 
 #[derive(Args)]
@@ -58,6 +77,9 @@ struct Run {
 const START: &str = "\
 Start here:
   coque run scenes/ring.toml        results in out/ring
+  coque new plate                   a commented scene to start from: plate.toml
+  coque check plate.toml            what it models, what it leaves out, what a run will cost
+  coque list                        what a scene may name
   coque run --help                  options, examples, where results are
 
 Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
@@ -76,7 +98,7 @@ Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
-  scene.toml     the scene as it was read; what --set replaced stands in summary.json
+  scene.toml     a copy of the scene; what --set replaced stands at its end
   checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
 
 Ctrl-C ends the run in good order, with the results so far; a second one at once.
@@ -92,7 +114,12 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(run) => carry_out(&run),
-        Command::Resume(resume) => commands::resume::carry_out(&resume),
+        Command::Resume(resume) => resume::carry_out(&resume),
+        Command::Sweep(sweep) => sweep::carry_out(&sweep),
+        Command::New(new) => teach::new(&new).map(|()| DONE),
+        Command::Check(check) => check::carry_out(&check).map(|()| DONE),
+        Command::List(list) => teach::list(&list).map(|()| DONE),
+        Command::Schema => teach::schema().map(|()| DONE),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -108,7 +135,7 @@ fn carry_out(run: &Run) -> Result<u8, String> {
     let (scene, text) = read_scene(&run.scene, &run.replaced)?;
     let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
-    make_folder(&out, &run.scene, &text)?;
+    let text = make_folder(&out, &run.scene, text, &run.replaced)?;
     // Another folder may be the present one when the run goes on.
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
@@ -131,18 +158,29 @@ fn rendering() -> Rendering {
     Rendering { width: 100, colour: io::stderr().is_terminal() }
 }
 
-/// Makes the folder, copies the scene into it, and takes out what an earlier run would be taken for this one by.
-fn make_folder(out: &Path, scene: &Path, text: &str) -> Result<(), String> {
+/// Makes the folder and copies the scene into it; gives the text of the copy, which names what was replaced at its end.
+///
+/// What an earlier run left there and might be taken for this one's is taken out.
+fn make_folder(
+    out: &Path,
+    scene: &Path,
+    mut text: String,
+    replaced: &[(String, String)],
+) -> Result<String, String> {
     fs::create_dir_all(out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
     let copy = out.join(SCENE_COPY);
     let same = |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
     if !same(&copy, scene) {
-        fs::write(&copy, text).map_err(|e| format!("cannot write {}: {e}\n", copy.display()))?;
+        for (path, value) in replaced {
+            let shown = format!("{path}={value}").replace(char::is_control, " ");
+            text.push_str(&format!("\n# --set '{shown}'"));
+        }
+        fs::write(&copy, &text).map_err(|e| format!("cannot write {}: {e}\n", copy.display()))?;
     }
     for stale in [CHECKPOINT, "summary.json"].map(|name| out.join(name)).iter().filter(|file| file.exists()) {
         fs::remove_file(stale).map_err(|e| format!("cannot remove {}: {e}\n", stale.display()))?;
     }
-    Ok(())
+    Ok(text)
 }
 
 /// Runs from the start or from a checkpoint, writes the results, and gives the exit code.

@@ -26,6 +26,7 @@ pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::source::Source;
@@ -35,7 +36,7 @@ use crate::units::Units;
 ///
 /// A `Scene` in hand has passed every check that needs no particles; [`Scene::build`] makes the others.
 /// Dimensions are in the scene's own units.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Scene {
     /// One line that names the problem.
@@ -76,7 +77,7 @@ pub struct Scene {
 }
 
 /// One column of the curve.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {
     /// Name of the column.
@@ -93,7 +94,7 @@ pub struct Probe {
 }
 
 /// What a column measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measured {
     /// Component of the displacement \[L\].
@@ -109,18 +110,17 @@ pub enum Measured {
 }
 
 /// Further results.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Output {
     /// Columns of the plot `curve.svg`.
     pub plot: Option<Plot>,
-    /// Keeps a checkpoint in the folder of the run, from which `coque resume` goes on: one at least every so many
-    /// seconds of wall time \[s\], one after every settled level, one when the run is interrupted.
+    /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
     pub checkpoint_every: Option<f64>,
 }
 
 /// Which column is drawn over which.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plot {
     /// Column along the horizontal axis.

@@ -99,8 +99,11 @@ fn message(news: &News, steps: u64, particles: usize, spent: f64, gained: f64) -
     parts.join(", ")
 }
 
-/// Seconds as `4 s`, `3 min 20 s` or `2 h 5 min`.
+/// Seconds as `4.2 s`, `3 min 20 s` or `2 h 5 min`.
 pub fn clock(seconds: f64) -> String {
+    if seconds < 10.0 {
+        return format!("{seconds:.1} s");
+    }
     let whole = seconds.round() as u64;
     match whole {
         0..60 => format!("{whole} s"),
@@ -119,7 +122,7 @@ mod tests {
         // 2000 steps of 1000 particles in 4 s; a half gained, four tenths to go.
         assert_eq!(
             message(&news, 2000, 1000, 4.0, 0.5),
-            "level 0.5000, step 3000, 0.5 M particle-steps/s, kinetic/internal 2e-6, 3 s left"
+            "level 0.5000, step 3000, 0.5 M particle-steps/s, kinetic/internal 2e-6, 3.2 s left"
         );
         let point = News { time: 0.0, ..news };
         assert_eq!(message(&point, 3, 1000, 4.0, 0.0), "level 0.5000, step 3000");
@@ -127,6 +130,6 @@ mod tests {
 
     #[test]
     fn durations_read_as_people_say_them() {
-        assert_eq!([4.2, 200.0, 7530.0].map(clock), ["4 s", "3 min 20 s", "2 h 5 min"]);
+        assert_eq!([4.21, 42.0, 200.0, 7530.0].map(clock), ["4.2 s", "42 s", "3 min 20 s", "2 h 5 min"]);
     }
 }

@@ -1,9 +1,10 @@
 //! Shapes of the mid-surface, disorder, orientation, and regions that pick particles.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Geometry {
     /// Rectangle.
@@ -17,7 +18,7 @@ pub enum Geometry {
 }
 
 /// Rectangle in the plane z = 0 from the origin, u along x, v along y.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plate {
     /// Extent along x and y \[L\].
@@ -29,7 +30,7 @@ pub struct Plate {
 }
 
 /// Part of a cylinder about the y axis; `u` is the angle from +z towards +x, `v` runs along y from 0.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
     /// Radius \[L\].
@@ -45,7 +46,7 @@ pub struct Cylinder {
 }
 
 /// Part of a sphere about the origin; `u` is the polar angle from +z, `v` the azimuth from +x towards +y.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Radius \[L\].
@@ -63,7 +64,7 @@ pub struct Sphere {
 /// Strip twisted uniformly about the x axis, its centre line; `u` runs along x, `v` across.
 ///
 /// At the root `u = 0` the width lies along +y and the normal is +z; at the tip both are turned by `twist`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Twisted {
     /// Length along x \[L\].
@@ -79,7 +80,7 @@ pub struct Twisted {
 }
 
 /// Random displacement of particles in the surface; edge particles slide along their edge, corners stay.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Disorder {
     /// Greatest displacement along u and v, in spacings.
@@ -89,7 +90,7 @@ pub struct Disorder {
 }
 
 /// Rotation about the origin of geometry, supports, loads and probes together.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orientation {
     /// Axis; its length does not matter.
@@ -99,7 +100,7 @@ pub struct Orientation {
 }
 
 /// Picks particles; exactly one of the two is given, in the un-turned frame.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
     /// The one particle nearest to this point \[L\].
@@ -110,7 +111,7 @@ pub struct Region {
 }
 
 /// Axis-parallel box.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Box3 {
     /// Least coordinates \[L\].
