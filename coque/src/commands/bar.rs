@@ -45,7 +45,7 @@ impl Bar {
     /// A bar for a run of so many particles.
     pub fn new(particles: usize, interrupted: Arc<AtomicBool>) -> Self {
         let bar = if io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
-        if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}") {
+        if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent:>3} %  {wide_msg}") {
             bar.set_style(style);
         }
         Self { bar, interrupted, particles, begun: Instant::now(), drawn: None, first: None }
@@ -84,7 +84,12 @@ impl Progress for Bar {
 
 /// Level, speed, energy ratio and time left, from the steps and the part done in so many seconds.
 fn message(news: &News, steps: u64, particles: usize, spent: f64, gained: f64) -> String {
-    let mut parts = vec![format!("level {:.4}, step {}", news.level, news.steps)];
+    let mut parts = Vec::new();
+    // First: a narrow terminal cuts the line off.
+    if gained > 0.0 {
+        parts.push(format!("{} left", clock(spent * (1.0 - news.done) / gained)));
+    }
+    parts.push(format!("level {:.4}, step {}", news.level, news.steps));
     // Without time there are points, not steps, and nothing moves.
     if news.time > 0.0 {
         let rate = steps as f64 * particles as f64 / spent.max(1e-3);
@@ -92,9 +97,6 @@ fn message(news: &News, steps: u64, particles: usize, spent: f64, gained: f64) -
         if news.internal > 0.0 {
             parts.push(format!("kinetic/internal {:.0e}", news.kinetic / news.internal));
         }
-    }
-    if gained > 0.0 {
-        parts.push(format!("{} left", clock(spent * (1.0 - news.done) / gained)));
     }
     parts.join(", ")
 }
@@ -122,7 +124,7 @@ mod tests {
         // 2000 steps of 1000 particles in 4 s; a half gained, four tenths to go.
         assert_eq!(
             message(&news, 2000, 1000, 4.0, 0.5),
-            "level 0.5000, step 3000, 0.5 M particle-steps/s, kinetic/internal 2e-6, 3.2 s left"
+            "3.2 s left, level 0.5000, step 3000, 0.5 M particle-steps/s, kinetic/internal 2e-6"
         );
         let point = News { time: 0.0, ..news };
         assert_eq!(message(&point, 3, 1000, 4.0, 0.0), "level 0.5000, step 3000");
