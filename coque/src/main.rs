@@ -173,7 +173,7 @@ fn make_folder(
     if !same(&copy, scene) {
         for (path, value) in replaced {
             let shown = format!("{path}={value}").replace(char::is_control, " ");
-            text.push_str(&format!("\n# --set '{shown}'"));
+            text.push_str(&format!("\n# --set '{shown}'\n"));
         }
         fs::write(&copy, &text).map_err(|e| format!("cannot write {}: {e}\n", copy.display()))?;
     }
