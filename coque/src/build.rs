@@ -6,7 +6,7 @@ use nalgebra::Rotation3;
 use shell_kinematics::{
     IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply,
 };
-use sph_core::{Cloud, CubicSpline, EndWeights, Lattice, SpaceError, Vec3};
+use sph_core::{Cloud, CubicSpline, EndWeights, Patch, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
@@ -55,7 +55,7 @@ impl Scene {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = builder.end_weights();
         let flat = builder.cloud(weights)?;
-        let sets = Sets::find(self, &flat, Lattice { counts: self.geometry.particles() })?;
+        let sets = Sets::find(self, &flat)?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let gauges = builder.gauges(&sets)?;
         let supports = builder.supports(&sets)?;
@@ -97,12 +97,13 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Cubic end weights where gradients are cubic; disorder has areas of its own.
+    /// Cubic end weights where gradients are cubic, on uniform lattices; other clouds have areas of their own.
     fn end_weights(&self) -> EndWeights {
+        let geometry = &self.scene.geometry;
+        let uniform =
+            geometry.scattered().is_none() && geometry.disorder().is_none() && geometry.grading().is_none();
         match &self.scene.formulation {
-            scene::Formulation::Nodal(f) if f.order == 3 && self.scene.geometry.disorder().is_none() => {
-                EndWeights::Gregory
-            }
+            scene::Formulation::Nodal(f) if f.order == 3 && uniform => EndWeights::Gregory,
             _ => EndWeights::Trapezoid,
         }
     }
@@ -110,7 +111,7 @@ impl Builder<'_> {
     /// The particles, not turned yet.
     fn cloud(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
         let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
-        let patch: Box<dyn sph_core::Patch> = match &self.scene.geometry {
+        let patch: Box<dyn Patch> = match &self.scene.geometry {
             Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
             Geometry::Cylinder(c) => {
                 Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
@@ -124,13 +125,31 @@ impl Builder<'_> {
                 Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
             }
         };
-        let counts = self.scene.geometry.particles();
-        let (cloud, key) = match self.scene.geometry.disorder() {
-            None => (sph_core::lattice(&*patch, counts, weights), "particles"),
-            Some(d) => (sph_core::jittered_lattice(&*patch, counts, d.fraction, d.seed), "disorder"),
+        let geometry = &self.scene.geometry;
+        let (cloud, key) = match geometry.scattered() {
+            Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing, s.seed), "scattered.spacing"),
+            // The checks leave one of the two; a lattice of nothing is refused below.
+            None => self.lattice(&*patch, geometry.particles().unwrap_or_default(), weights),
         };
         let path = format!("geometry.{}.{key}", self.scene.geometry.word());
         cloud.map_err(|e| self.model_error(&path, &e.to_string()))
+    }
+
+    /// A lattice as the scene asks for it, and the key to blame.
+    fn lattice(
+        &self,
+        patch: &dyn Patch,
+        counts: [usize; 2],
+        weights: EndWeights,
+    ) -> (Result<Cloud, SpaceError>, &'static str) {
+        let (disorder, grading) = (self.scene.geometry.disorder(), self.scene.geometry.grading());
+        if disorder.is_none() && grading.is_none() {
+            return (sph_core::lattice(patch, counts, weights), "particles");
+        }
+        let (fraction, seed) = disorder.map_or((0.0, 0), |d| (d.fraction, d.seed));
+        let graded = sph_core::Graded::new(patch, counts, grading.unwrap_or([1.0, 1.0]));
+        let cloud = graded.and_then(|graded| sph_core::jittered_lattice(&graded, counts, fraction, seed));
+        (cloud, if disorder.is_some() { "disorder" } else { "grading" })
     }
 
     fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {

@@ -91,6 +91,7 @@ Examples:
   coque run scenes/ring.toml --set formulation.nodal.order=2
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
+  coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
   coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 

@@ -8,10 +8,25 @@ use sph_shell::{DirectorHold, Holds};
 /// holds at least one spacing away from a free axis.
 const FREE: f64 = 1e-10;
 
-/// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words.
+/// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
+/// move by itself.
 pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
-    let centre: Vec3 = cloud.positions.iter().sum::<Vec3>() / cloud.len() as f64;
-    let size = cloud.positions.iter().map(|x| (x - centre).norm()).fold(0.0, f64::max);
+    let pieces = cloud.pieces();
+    let of_piece = |piece: &Vec<u32>| {
+        let free = motions_of(cloud, piece, supports);
+        if pieces.len() == 1 {
+            return free;
+        }
+        free.into_iter().map(|motion| format!("{motion} of the sheet with particle {}", piece[0])).collect()
+    };
+    pieces.iter().flat_map(of_piece).collect()
+}
+
+/// Free rigid motions of one sheet.
+fn motions_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
+    let place = |&a: &u32| cloud.positions[a as usize];
+    let centre: Vec3 = piece.iter().map(place).sum::<Vec3>() / piece.len() as f64;
+    let size = piece.iter().map(|a| (place(a) - centre).norm()).fold(0.0, f64::max);
     // Rows [e, (x − c) × e / size]: what support direction e sees of (τ, ω·size).
     let mut normal = Matrix6::<f64>::zeros();
     let mut row = |translation: Vec3, rotation: Vec3| {
@@ -19,7 +34,7 @@ pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec
         normal += row * row.transpose();
     };
     for (particles, holds) in supports {
-        for &a in particles {
+        for &a in particles.iter().filter(|a| piece.binary_search(a).is_ok()) {
             let arm = (cloud.positions[a as usize] - centre) / size;
             let d = cloud.frames[a as usize].n;
             for e in &holds.translations {
@@ -88,7 +103,7 @@ fn text(v: &Vec3) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::{EndWeights, Plate, lattice};
+    use sph_core::{Cell, EndWeights, Plate, lattice};
     use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
@@ -137,5 +152,20 @@ mod tests {
         // A director in the plane normal to x does not turn about y.
         let turn = (vec![0], held(vec![Vec3::x(), Vec3::y(), Vec3::z()], Some(Vec3::x())));
         assert_eq!(free(&[turn]).len(), 2);
+    }
+
+    #[test]
+    fn each_sheet_needs_supports_of_its_own() {
+        let plate = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
+        let mut positions = plate.positions.clone();
+        positions.extend(plate.positions.iter().map(|x| x + Vec3::new(0.0, 0.0, 3.0)));
+        let mut cells = plate.cells.clone();
+        cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 15))));
+        let cloud = Cloud::from_cells(positions, None, cells).unwrap();
+        let clamp = |first| (vec![first, first + 1, first + 2], Clamped.holds());
+        assert!(free_motions(&cloud, &[clamp(0), clamp(15)]).is_empty());
+        let free = free_motions(&cloud, &[clamp(0)]);
+        assert_eq!(free.len(), 6);
+        assert_eq!(free[0], "translation along x of the sheet with particle 15");
     }
 }

@@ -5,6 +5,7 @@ mod bounds;
 mod check;
 mod check_analysis;
 mod check_conditions;
+mod check_geometry;
 mod check_material;
 mod conditions;
 mod formulation;
@@ -20,7 +21,9 @@ pub use conditions::{
     Support, SupportKind, Symmetry,
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
-pub use geometry::{Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Sphere, Twisted};
+pub use geometry::{
+    Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Scattered, Sphere, Twisted,
+};
 pub use material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 

@@ -22,10 +22,10 @@ pub(crate) struct Sets {
 
 impl Sets {
     /// Finds every set that the scene uses or declares; `cloud` is not turned yet.
-    pub(crate) fn find(scene: &Scene, cloud: &Cloud, lattice: Lattice) -> Result<Self, SceneError> {
+    pub(crate) fn find(scene: &Scene, cloud: &Cloud) -> Result<Self, SceneError> {
         let mut members = BTreeMap::new();
         for name in BUILT_IN {
-            if let Some(particles) = built_in(name, cloud, lattice) {
+            if let Some(particles) = built_in(name, cloud) {
                 members.insert(name.to_string(), particles);
             }
         }
@@ -50,29 +50,43 @@ impl Sets {
     pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
-            let bound = format!(
-                "but there is no middle one among {} particles along {direction}",
-                scene.geometry.particles()[i]
-            );
-            let repair = format!("use an odd number of particles along {direction}");
+            let (bound, repair) = match scene.geometry.particles() {
+                Some(counts) => (
+                    format!("but there is no middle one among {} particles along {direction}", counts[i]),
+                    format!("use an odd number of particles along {direction}"),
+                ),
+                None => (
+                    "but scattered particles stand in no rows".into(),
+                    "declare a set with a box, model half of the shell with a symmetry plane on the cut edge, or \
+                     place a lattice with `particles`"
+                        .into(),
+                ),
+            };
             SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
         })
     }
 }
 
-fn built_in(name: &str, cloud: &Cloud, lattice: Lattice) -> Option<Vec<u32>> {
-    let [n1, n2] = lattice.counts;
-    let corner = |u, v| lattice.corner(u, v).map(|a| vec![a]);
+fn built_in(name: &str, cloud: &Cloud) -> Option<Vec<u32>> {
+    let sides = cloud.sides.as_ref()?;
+    let corner = |u, v| sides.corner(u, v).map(|a| vec![a]);
     match name {
         "all" => Some((0..cloud.len() as u32).collect()),
         "u0v0" => corner(Side::U0, Side::V0),
         "u1v0" => corner(Side::U1, Side::V0),
         "u0v1" => corner(Side::U0, Side::V1),
         "u1v1" => corner(Side::U1, Side::V1),
-        "centre-row" => (n2 % 2 == 1).then(|| lattice.row(n2 / 2)),
-        "centre-column" => (n1 % 2 == 1).then(|| lattice.column(n1 / 2)),
-        _ => side(name).map(|side| lattice.edge(side)),
+        "centre-row" => middle(cloud, 1).map(|(lattice, j)| lattice.row(j)),
+        "centre-column" => middle(cloud, 0).map(|(lattice, i)| lattice.column(i)),
+        _ => side(name).map(|side| sides.edge(side).to_vec()),
     }
+}
+
+/// The lattice of a cloud with the place of its middle row or column; none without one.
+fn middle(cloud: &Cloud, direction: usize) -> Option<(Lattice, usize)> {
+    let lattice = cloud.lattice?;
+    let n = lattice.counts[direction];
+    (n % 2 == 1).then_some((lattice, n / 2))
 }
 
 fn side(name: &str) -> Option<Side> {

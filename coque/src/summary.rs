@@ -156,6 +156,9 @@ impl Model {
             let damping = ["damping".to_string()];
             let inertia = (!matches!(scene.analysis, Analysis::Modal(_))).then(|| "inertia".to_string());
             left_out.extend(inertia.into_iter().chain(damping));
+            if matches!(scene.analysis, Analysis::Linear(_)) {
+                left_out.push("large displacements".into());
+            }
             return (modelled, left_out);
         };
         let damping = match (&explicit.quasi_static, &explicit.transient) {

@@ -7,7 +7,10 @@ use std::path::Path;
 
 use coque::{Ended, Outcome, Rendering, Scene, SceneError, Silent, render};
 
-fn scene(name: &str, replaced: &[(&str, &str)]) -> Result<Scene, SceneError> {
+/// Overrides of a scene: paths and values.
+type Replaced<'a> = &'a [(&'a str, &'a str)];
+
+fn scene(name: &str, replaced: Replaced) -> Result<Scene, SceneError> {
     let text =
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap();
     let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
@@ -218,7 +221,7 @@ fn the_obstacle_course_at_some_441_particles() {
     let [y, small_y] = ["[0, 1, 0]", "[0, 1e-6, 0]"].map(|force| ("loads[0].force.total", force));
     let small_z = ("loads[0].force.total", "[0, 0, 1e-6]");
     // Scene, overrides, column, published value, error allowed (benchmarks-ref, linear_obstacle_course).
-    let cases: [(&str, &[(&str, &str)], &str, f64, f64); 7] = [
+    let cases: [(&str, Replaced, &str, f64, f64); 7] = [
         ("scordelis-lo.toml", &[], "w_edge", 0.3024, 0.01),
         ("hemisphere.toml", &[], "outward", 0.0940, 0.01),
         ("pinched-cylinder.toml", &[], "w_load", 1.8248e-5, 0.03),
@@ -251,6 +254,30 @@ fn columns_and_plates_buckle() {
 }
 
 #[test]
+fn plates_vibrate() {
+    // Six lowest ω a² √(ρt/D) of Mindlin's theory (benchmarks-ref, plate_vibration_square); the thin limit for 1e-4.
+    let supported = simply_supported();
+    let supported: Vec<_> = supported.iter().map(|(path, value)| (&**path, &**value)).collect();
+    let cases: [(Replaced, f64, [f64; 6]); 4] = [
+        (&supported, 0.1, [19.065, 45.4827, 45.4827, 69.7944, 85.038, 85.038]),
+        (&supported, 1e-4, [19.7391, 49.3475, 49.3476, 78.9557, 98.6942, 98.6943]),
+        (&[], 0.1, [32.5243, 62.0386, 62.0386, 86.949, 102.434, 103.412]),
+        (&[], 0.01, [35.9424, 73.2392, 73.2392, 107.892, 131.13, 131.762]),
+    ];
+    for (supports, t, exact) in cases {
+        let numbers = [t, 10.92 / t.powi(3), 1.0 / t].map(|x| format!("{x:?}"));
+        let keys = ["section.homogeneous.thickness", "material.elastic.young", "material.elastic.density"];
+        let mut replaced = vec![("analysis.modal.modes", "6")];
+        replaced.extend(keys.into_iter().zip(numbers.iter().map(|number| &**number)));
+        replaced.extend(supports);
+        let found = run("plate.toml", &replaced).curve.column("circular_frequency").unwrap();
+        for (found, exact) in found.iter().zip(exact) {
+            assert!((found / exact - 1.0).abs() < 0.02, "t = {t}: {found} {exact}");
+        }
+    }
+}
+
+#[test]
 fn a_twisted_strip_may_be_disordered() {
     let disorder = ("geometry.twisted.disorder", "{ fraction = 0.2, seed = 4 }");
     let w = last(&run("twisted-beam.toml", &[disorder]), "W_tip");
@@ -258,7 +285,7 @@ fn a_twisted_strip_may_be_disordered() {
 }
 
 /// Name, file, overrides.
-type Case<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
+type Case<'a> = (&'a str, &'a str, Replaced<'a>);
 
 #[test]
 fn what_is_refused() {

@@ -176,3 +176,30 @@ fn broken_layers() {
     assert!(!all.contains("not refused"), "{all}");
     insta::assert_snapshot!(all);
 }
+
+#[test]
+fn broken_places() {
+    let scattered = "scattered = { spacing = 0.25, seed = 1 }";
+    let cases = [
+        ("both ways", "particles = [50, 5]\nscattered = { spacing = 0.2, seed = 1 }"),
+        ("neither way", ""),
+        ("no seed", "scattered = { spacing = 0.2 }"),
+        ("spacing of nothing", "scattered = { spacing = 0.0, seed = 1 }"),
+        ("wider than an edge", "scattered = { spacing = 1.5, seed = 1 }"),
+        ("too fine", "scattered = { spacing = 1e-4, seed = 1 }"),
+        (
+            "disorder of nothing",
+            "scattered = { spacing = 0.2, seed = 1 }\ndisorder = { fraction = 0.1, seed = 1 }",
+        ),
+        ("grading of nothing", "scattered = { spacing = 0.2, seed = 1 }\ngrading = [2.0, 1.0]"),
+        ("grading without bound", "particles = [50, 5]\ngrading = [1.0, 5000.0]"),
+        ("grading backwards", "particles = [50, 5]\ngrading = [-2.0, 1.0]"),
+        ("middle row of scattered particles", scattered),
+    ];
+    let mut all = String::new();
+    for (name, to) in cases {
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", broken("particles = [50, 5]", to).trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}

@@ -51,7 +51,7 @@ fn overrides_replace_values_in_tables_and_lists() {
         ("title", "coarse"),
     ])
     .unwrap();
-    assert_eq!(scene.geometry.particles(), [25, 3]);
+    assert_eq!(scene.geometry.particles(), Some([25, 3]));
     assert_eq!(scene.title, "coarse");
     assert_eq!(scene.supports[1].symmetry.unwrap().normal, [0.0, 2.0, 0.0]);
     match scene.loads[0].kinds()[..] {

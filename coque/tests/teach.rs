@@ -239,11 +239,19 @@ fn a_check_prints_the_model_and_the_cost() {
         "  clamped on u0\n",
         "left out\n  plasticity\n",
         "million particle-steps/s, timed just now",
-        // Eight levels, period 17.9 s, ramp 1, holds from 0.1 to 8 periods, in steps of 0.8 × 5.883e-3 s.
-        "  steps                    33467 to 273820\n",
     ] {
         assert!(text.contains(line), "no {line:?} in\n{text}");
     }
+    let numbers = |word: &str| -> Vec<f64> {
+        let line = text.lines().find(|line| line.starts_with(word)).unwrap();
+        line.split_whitespace().filter_map(|number| number.parse().ok()).collect()
+    };
+    // Eight levels, period 17.9 s, ramp 1, holds from 0.1 to 8 periods, in steps of 0.8 times the stable one.
+    let period = 8.0 * 17.9 / (0.8 * numbers("  stable step")[0]);
+    for (told, wanted) in numbers("  steps").into_iter().zip([1.1 * period, 9.0 * period]) {
+        assert!((told / wanted - 1.0).abs() < 1e-3, "{told} for {wanted}");
+    }
+    assert_eq!(numbers("  steps").len(), 2);
     let levels = coque(&root(), &["check", "scenes/ring.toml", "--set", "analysis.static.levels=8"]);
     assert!(said(&levels).contains("  factorisations           24 to 240\n"), "{}", said(&levels));
     let wrong = coque(&root(), &["check", "scenes/ring.toml", "--set", "material.elastic.poisson=0.7"]);

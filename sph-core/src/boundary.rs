@@ -12,7 +12,7 @@ pub(crate) struct Boundary {
 
 /// Directed edges that one cell only uses, in the order of their particles.
 ///
-/// Refuses edges with three or more cells, and neighbours that turn opposite ways.
+/// Refuses edges with three or more cells, neighbours that turn opposite ways, and sheets with one side only.
 pub(crate) fn boundary_edges(cells: &[Cell]) -> Result<Vec<(u32, u32)>, SpaceError> {
     let mut edges: Vec<(u32, u32, usize, bool)> = Vec::new();
     for (c, cell) in cells.iter().enumerate() {
@@ -21,18 +21,69 @@ pub(crate) fn boundary_edges(cells: &[Cell]) -> Result<Vec<(u32, u32)>, SpaceErr
         }
     }
     edges.sort_unstable();
-    let mut open = Vec::new();
+    let (mut open, mut inner, mut clash) = (Vec::new(), Vec::new(), None);
     for shared in edges.chunk_by(|e, f| (e.0, e.1) == (f.0, f.1)) {
         let (a, b, cell, forward) = shared[0];
         let (first, second) = (a as usize, b as usize);
-        match shared {
+        match *shared {
             [_] => open.push(if forward { (a, b) } else { (b, a) }),
-            [_, other] if other.3 != forward => {}
-            [_, other] => return Err(SpaceError::Orientation { cell, other: other.2, first, second }),
+            [_, (_, _, other, way)] => {
+                let bond = Bond { cell, other, agree: way != forward, first, second };
+                if !bond.agree && clash.is_none() {
+                    clash = Some(bond);
+                }
+                inner.push(bond);
+            }
             _ => return Err(SpaceError::NonManifoldEdge { first, second, cells: shared.len() }),
         }
     }
-    Ok(open)
+    let Some(Bond { cell, other, first, second, .. }) = clash else { return Ok(open) };
+    Err(match one_sided(cells.len(), &inner) {
+        Some(Bond { cell, other, first, second, .. }) => {
+            SpaceError::NonOrientable { cell, other, first, second }
+        }
+        None => SpaceError::Orientation { cell, other, first, second },
+    })
+}
+
+/// An edge between two cells.
+#[derive(Clone, Copy)]
+struct Bond {
+    cell: usize,
+    other: usize,
+    /// Whether the two run along it in opposite ways, as neighbours on one side do.
+    agree: bool,
+    first: usize,
+    second: usize,
+}
+
+/// An edge at which two cells clash whichever cells are reversed; none if reversing can mend all.
+fn one_sided(cells: usize, inner: &[Bond]) -> Option<Bond> {
+    let mut at = vec![Vec::new(); cells];
+    for bond in inner {
+        at[bond.cell].push(bond);
+        at[bond.other].push(bond);
+    }
+    let mut reversed: Vec<Option<bool>> = vec![None; cells];
+    for start in 0..cells {
+        let mut stack = vec![start];
+        reversed[start].get_or_insert(false);
+        while let Some(cell) = stack.pop() {
+            for bond in &at[cell] {
+                let next = if bond.cell == cell { bond.other } else { bond.cell };
+                let needed = reversed[cell].map(|reversed| reversed == bond.agree);
+                match reversed[next] {
+                    None => {
+                        reversed[next] = needed;
+                        stack.push(next);
+                    }
+                    found if found != needed => return Some(**bond),
+                    Some(_) => {}
+                }
+            }
+        }
+    }
+    None
 }
 
 /// Shares each boundary edge between its two ends: a particle gets half the edge, turned outward in its own tangent

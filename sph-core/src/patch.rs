@@ -58,7 +58,7 @@ pub struct Sphere {
 /// Strip twisted about the x axis: `X = (u, v cos α, v sin α)` with `α = twist · u / length`, v from −width/2 to width/2.
 ///
 /// At the root `u = 0` the width runs along +y and the normal is +z; at the tip both are turned by `twist`. This is a
-/// part of the helicoid.
+/// part of the helicoid, and the warped strip of the obstacle course \[macneal1985\].
 #[derive(Clone, Copy, Debug)]
 pub struct Twisted {
     /// Length along x `[L]`.

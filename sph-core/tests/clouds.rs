@@ -45,14 +45,14 @@ fn disorder_stays_on_the_surface_and_on_the_edges_and_repeats() {
     let cloud = jittered_lattice(&roof, [9, 7], 0.25, 42).unwrap();
     assert_eq!(cloud, jittered_lattice(&roof, [9, 7], 0.25, 42).unwrap());
     assert_ne!(cloud, jittered_lattice(&roof, [9, 7], 0.25, 43).unwrap());
-    let grid = cloud.lattice.unwrap();
+    let sides = cloud.sides.as_ref().unwrap();
     for (a, x) in cloud.positions.iter().enumerate() {
         assert_relative_eq!(x.x.hypot(x.z), 2.0, epsilon = 1e-14);
         assert_relative_eq!(cloud.frames[a].n, Vec3::new(x.x, 0.0, x.z) / 2.0, epsilon = 1e-14);
         assert!((x - regular.positions[a]).norm() < 0.25 * (0.25f64.powi(2) + (1.0f64 / 6.0).powi(2)).sqrt());
     }
     for side in [Side::U0, Side::U1, Side::V0, Side::V1] {
-        for a in grid.edge(side).into_iter().map(|a| a as usize) {
+        for a in sides.edge(side).iter().map(|&a| a as usize) {
             let (x, y) = (cloud.positions[a], regular.positions[a]);
             match side {
                 Side::U0 | Side::U1 => assert_eq!((x.x, x.z), (y.x, y.z)),
@@ -152,6 +152,7 @@ fn line(n: usize) -> Cloud {
         edge_normals: vec![Vec3::zeros(); n],
         edge_lengths: vec![0.0; n],
         cells: Vec::new(),
+        sides: None,
         lattice: None,
     }
 }
@@ -168,4 +169,78 @@ fn clouds_without_cells_are_checked_by_distance_and_direction() {
     assert!(matches!(cloud.check(), Err(SpaceError::BadNumber { particle: 3, what: "area", .. })));
     cloud.areas.pop();
     assert!(matches!(cloud.check(), Err(SpaceError::Length { found: 19, expected: 20, .. })));
+}
+
+/// A ribbon of `n` quadrangles closed to a ring, after `half_turns` of half a turn.
+fn ribbon(n: usize, half_turns: usize) -> (Vec<Vec3>, Vec<Cell>) {
+    let place = |i: usize, side: f64| {
+        let along = std::f64::consts::TAU * i as f64 / n as f64;
+        let twist = 0.5 * half_turns as f64 * along;
+        let radius = 3.0 + side * twist.cos();
+        Vec3::new(radius * along.cos(), radius * along.sin(), side * twist.sin())
+    };
+    let positions = (0..n).flat_map(|i| [place(i, -0.5), place(i, 0.5)]).collect();
+    let cells = (0..n as u32).map(|i| {
+        let (a, b) = (2 * i, 2 * i + 1);
+        match (i as usize == n - 1, half_turns % 2 == 1) {
+            (false, _) => Cell::quadrangle([a, b, b + 2, a + 2]),
+            (true, false) => Cell::quadrangle([a, b, 1, 0]),
+            (true, true) => Cell::quadrangle([a, b, 0, 1]), // the sides have changed places
+        }
+    });
+    (positions, cells.collect())
+}
+
+#[test]
+fn a_sheet_with_one_side_is_refused_and_a_twisted_one_with_two_is_not() {
+    let build = |half_turns| {
+        let (positions, cells) = ribbon(40, half_turns);
+        Cloud::from_cells(positions, None, cells)
+    };
+    assert!(build(0).is_ok());
+    assert!(build(2).is_ok());
+    let error = build(1).unwrap_err();
+    assert!(matches!(error, SpaceError::NonOrientable { .. }), "{error}");
+    assert!(error.to_string().contains("cut it open there"), "{error}");
+    // Reversing one cell of a sheet with two sides is an error that reversing mends.
+    let (positions, mut cells) = ribbon(40, 2);
+    cells[7].corners.reverse();
+    let error = Cloud::from_cells(positions, None, cells).unwrap_err();
+    assert!(matches!(error, SpaceError::Orientation { cell: 6, other: 7, .. }), "{error}");
+}
+
+#[test]
+fn normals_to_the_other_side_are_refused_with_particle_and_cell() {
+    let plate = square(4);
+    let mut normals = vec![Vec3::z(); plate.len()];
+    normals[6] = Vec3::new(0.1, 0.0, -1.0);
+    let error = Cloud::from_cells(plate.positions, Some(normals), plate.cells).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "particle 6: its normal is 174° from that of cell 1, less than 90° is needed; turn the normal round or reverse \
+         the corner order of the cell"
+    );
+}
+
+#[test]
+fn slivers_are_refused_with_their_angle() {
+    let mut plate = square(4);
+    // Cell 0 = (0, 4, 5, 1): particle 5 moved towards the diagonal of its other corners and past 4 makes a sharp corner.
+    plate.positions[5] = plate.positions[4] + Vec3::new(0.66, 0.03, 0.0);
+    let error = Cloud::from_cells(plate.positions, None, plate.cells).unwrap_err();
+    let SpaceError::Sliver { particle, degrees, bound, .. } = error else { panic!("{error}") };
+    assert!(particle == 4 && degrees < 5.0 && bound == 5.0, "{particle} {degrees}");
+}
+
+#[test]
+fn sheets_apart_are_pieces_of_one_cloud() {
+    let plate = square(3);
+    assert_eq!(plate.pieces(), [(0..9).collect::<Vec<u32>>()]);
+    let mut positions = plate.positions.clone();
+    positions.extend(plate.positions.iter().map(|x| x + Vec3::new(5.0, 0.0, 0.0)));
+    let mut cells = plate.cells.clone();
+    cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 9))));
+    let cloud = Cloud::from_cells(positions, None, cells).unwrap();
+    assert_eq!(cloud.pieces(), [(0..9).collect::<Vec<u32>>(), (9..18).collect()]);
+    assert_relative_eq!(cloud.areas.iter().sum::<f64>(), 4.0, epsilon = 1e-14);
 }

@@ -1,6 +1,6 @@
 //! The sweep over sampling points: particles → strains → resultants → forces in slots.
 
-use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, Section, StrainMeasure};
+use shell_kinematics::{LANES, MeasureForces, Measures, Pack, Pack3, Placement, Section, StrainMeasure};
 
 use crate::cell_control::CellPack;
 use crate::packs::{Entry, PointPack};
@@ -74,19 +74,18 @@ pub(crate) fn place<const CELL: bool>(
     (p, raw)
 }
 
-/// Forces of a point per area, from its placement: strain, Kirchhoff-consistent shear, section, transpose.
+/// Forces on the measures of a point per area: strain, Kirchhoff-consistent shear, section, transpose.
 ///
 /// The shear strain is `γ̂_α = γ_α + E_α,βγ κ_βγ`: what a Kirchhoff deflection of that curvature would leave in
 /// `x,α·d` on this stencil is taken out. Returns the energy per area if `ENERGY`.
 #[inline(always)]
-pub(crate) fn point_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+pub(crate) fn measure_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
     kirchhoff: Option<&[Pack; 6]>,
     law: PointLaw<'_, M, S>,
-    p: &Placement,
-) -> (PlacementForces, [Pack; 3], Pack) {
-    let measures = p.measures();
-    let mut strains = law.strain.strains(&measures, &pack.reference);
+    measures: &Measures,
+) -> (MeasureForces, Pack) {
+    let mut strains = law.strain.strains(measures, &pack.reference);
     if let Some(e) = kirchhoff {
         let k = strains.curvature;
         strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
@@ -100,8 +99,7 @@ pub(crate) fn point_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Sec
             stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
         }
     }
-    let forces = law.strain.transpose(&measures, &pack.reference, &stress);
-    (p.transpose(&forces), measures.curvature, energy)
+    (law.strain.transpose(measures, &pack.reference, &stress), energy)
 }
 
 /// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
@@ -121,7 +119,18 @@ pub(crate) fn sweep_pack<
     slots: &mut [Row],
 ) -> f64 {
     let (p, raw) = place::<CELL>(pack, entries, state);
-    let (mut f, curvature, density) = point_forces::<ENERGY, M, S>(pack, kirchhoff, law, &p);
+    let mut measures = p.measures();
+    let control = if CELL { cell.map(|cell| (cell, cell.state(&p, &measures.curvature, raw))) } else { None };
+    if let Some((_, state)) = &control {
+        measures.curvature = state.arc(measures.curvature);
+    }
+    let (mut on_measures, density) = measure_forces::<ENERGY, M, S>(pack, kirchhoff, law, &measures);
+    let mut released = Pack::ZERO;
+    if let Some((_, state)) = &control {
+        released = state.released(&on_measures.curvature) * pack.weight;
+        on_measures.curvature = on_measures.curvature.map(|b| b * state.scale);
+    }
+    let mut f = p.transpose(&on_measures);
     let w = pack.weight;
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;
@@ -130,10 +139,10 @@ pub(crate) fn sweep_pack<
     f.m2 = f.m2 * w;
     let mut energy = density * w;
     let mut pattern = [Pack3::ZERO; 2];
-    if CELL && let Some(cell) = cell {
-        let (forces, control) = cell.add(&p, &curvature, raw, &mut f);
+    if let Some((cell, state)) = &control {
+        let (forces, more) = cell.add(&p, state, released, &mut f);
         pattern = [forces.position, forces.director];
-        energy += control;
+        energy += more;
     }
     // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
     let (mut base_x, mut base_d) = (Pack3::ZERO, f.q);

@@ -17,7 +17,7 @@ pub struct Reference {
     pub operator: SamplingOperator,
     /// Masses `ρ t A_a` \[M\].
     pub masses: Vec<f64>,
-    /// Rotary inertias of the directors \[M L²\], see [`Reference::new`].
+    /// Rotary inertias of the directors in marching \[M L²\], see [`Reference::new`].
     pub inertias: Vec<f64>,
     /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
@@ -28,7 +28,8 @@ impl Reference {
     ///
     /// Rotary inertia is `ρ t A_a max(t²/12, Ā_a/12)` with Ā_a the mean area of the cells at the particle: for
     /// thin shells it is scaled up so that the stable step does not collapse with the thickness (statics are
-    /// untouched, bending waves shorter than a few spacings are slowed).
+    /// untouched, bending waves shorter than a few spacings are slowed). Modes of vibration take `ρ t A_a t²/12`,
+    /// see [`crate::StaticShell`].
     ///
     /// With a material axis the first direction of every sampling point is its projection on the surface; without, it is
     /// whatever the stencils chose.

@@ -10,7 +10,7 @@ use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
 use crate::strong_form::StrongForm;
-use crate::supports::{Constraint, DirectorHold, Holds};
+use crate::supports::{Constraint, constraints};
 use crate::sweep::Sweep;
 use crate::{Formulation, Reach, Reference, ShellError, Support};
 
@@ -79,9 +79,6 @@ pub struct Shell {
     pub(crate) fused: Option<Fused>,
     pub(crate) threads: usize,
 }
-
-/// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
-const OUT_OF_PLANE: f64 = 1e-6;
 
 /// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
 pub(crate) const PARTICLE_CHUNK: usize = 512;
@@ -181,7 +178,7 @@ impl Shell {
             let (p, raw) = place::<true>(pack, entries, &self.state);
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
-                cell.rest(&p, &pack.reference.curvature, raw);
+                pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
             }
         }
     }
@@ -325,40 +322,6 @@ impl Shell {
             + 4 * self.constraint_of.len();
         bytes as f64 / self.len() as f64
     }
-}
-
-/// Joins all supports of each particle.
-fn constraints(cloud: &Cloud, supports: &[Supported]) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
-    let count = cloud.len();
-    let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
-    for (support, supported) in supports.iter().enumerate() {
-        if supported.particles.is_empty() {
-            return Err(ShellError::EmptySet("a support"));
-        }
-        for &particle in &supported.particles {
-            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
-                what: "a support",
-                particle,
-                count,
-            })?;
-            let holds = supported.support.holds();
-            if let DirectorHold::InPlane(normal) = holds.director {
-                // The turn that is left free runs along ν × d.
-                let along = normal.dot(&cloud.frames[particle as usize].n);
-                if along.abs() > OUT_OF_PLANE {
-                    return Err(ShellError::OutOfPlane { support, particle, along });
-                }
-            }
-            list.push(holds);
-        }
-    }
-    let mut number = vec![0; count];
-    let mut constraints = Vec::new();
-    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
-        constraints.push(Constraint::join(particle as u32, list)?);
-        number[particle] = constraints.len() as u32;
-    }
-    Ok((number, constraints))
 }
 
 // A pack is four points; the chunking above relies on it only through the slot counts.

@@ -161,7 +161,8 @@ impl Equilibrium for StaticShell {
     }
 
     /// Turning directors carry the rotary inertia `ρ t A_a t²/12` of the shell itself: the one scaled up in
-    /// [`crate::Reference`] serves the stable step, which nothing here has.
+    /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
+    /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
     fn masses(&self) -> Vec<f64> {
         let turning = self.shell.thickness().powi(2) / 12.0;
         (0..self.unknowns())

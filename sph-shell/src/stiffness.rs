@@ -4,9 +4,10 @@
 //! placement, and the two hourglass patterns of a cell), carried to its particles by the stencil; the pair control
 //! is a constant matrix. Directors live on spheres: their blocks lose `(d·∂U/∂d) I` on the tangent plane.
 
-use shell_kinematics::{LANES, Pack, congruence};
+use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruence};
 
 use crate::Shell;
+use crate::cell_control::{CellState, ScaleTangent};
 use crate::packs::{Entry, PointPack};
 use crate::point::place;
 
@@ -95,7 +96,11 @@ impl Shell {
     /// Second derivatives of four points over their vectors, weights included.
     fn point_tangent(&self, index: usize, pack: &PointPack, entries: &[Entry]) -> PointTangent {
         let (p, raw) = place::<true>(pack, entries, &self.state);
-        let now = p.measures();
+        let mut now = p.measures();
+        let control = self.cells.get(index).map(|cell| (cell, cell.state(&p, &now.curvature, raw)));
+        if let Some((_, state)) = &control {
+            now.curvature = state.arc(now.curvature);
+        }
         let mut strains = self.strain.strains(&now, &pack.reference);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
         let kirchhoff = self.packs.kirchhoff.get(index);
@@ -122,7 +127,9 @@ impl Shell {
         for (row, add) in over.iter_mut().zip(self.strain.second_gradient(&stress)) {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
-        let forces = self.strain.transpose(&now, &pack.reference, &stress);
+        let mut forces = self.strain.transpose(&now, &pack.reference, &stress);
+        let scale =
+            control.as_ref().map(|(_, state)| scale_tangent(&p, state, pack.weight, &mut over, &mut forces));
         let placement = p.tangent(&over, &forces);
         let mut out = [[Pack::ZERO; 3 * VECTORS]; 3 * VECTORS];
         for (row, from) in out.iter_mut().zip(&placement) {
@@ -130,8 +137,8 @@ impl Shell {
                 *value = *v * pack.weight;
             }
         }
-        if let Some(cell) = self.cells.get(index) {
-            cell.add_tangent(&p, &now.curvature, raw, &mut out);
+        if let (Some((cell, state)), Some(scale)) = (&control, &scale) {
+            cell.add_tangent(&p, state, scale, &mut out);
         }
         out
     }
@@ -144,9 +151,9 @@ impl Shell {
         entries: &[Entry],
         lane: usize,
     ) -> Vec<(u32, [f64; VECTORS])> {
-        let lever = self.cells.get(index).map(|cell| cell.lever(lane));
+        let cell = self.cells.get(index);
         let number = |h: f64, phi: f64, g1: f64, g2: f64| {
-            let gamma = lever.map_or(0.0, |[l1, l2]| 0.25 * h - l1 * g1 - l2 * g2);
+            let gamma = cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
             [g1, g2, phi, g1, g2, gamma, gamma]
         };
         let mut base = (1.0, 0.0, 0.0);
@@ -163,6 +170,35 @@ impl Shell {
         shares.push((pack.base[lane], number(1.0, base.0, base.1, base.2)));
         shares
     }
+}
+
+/// Turns second derivatives and forces over measures with the curvature k̂ = c k into those with k, and finds the
+/// couplings with c: `∂²ψ = … + (c P k + b)·∂k ⊗ ∂c + … + (k·P·k) ∂c ⊗ ∂c + (b·k) ∂²c`, P and b over k̂.
+fn scale_tangent(
+    p: &Placement,
+    state: &CellState,
+    weight: Pack,
+    over: &mut Matrix8,
+    forces: &mut MeasureForces,
+) -> ScaleTangent {
+    let k = state.curvature;
+    let of = |i: usize| if (3..6).contains(&i) { state.scale } else { Pack::splat(1.0) };
+    let along: [Pack; 8] = std::array::from_fn(|i| over[i][3] * k[0] + over[i][4] * k[1] + over[i][5] * k[2]);
+    let twice = along[3] * k[0] + along[4] * k[1] + along[5] * k[2];
+    let released = state.released(&forces.curvature);
+    let mut mixed = [Pack::ZERO; 3 * VECTORS];
+    for (i, row) in p.measure_gradients().iter().enumerate() {
+        let direct = if (3..6).contains(&i) { forces.curvature[i - 3] } else { Pack::ZERO };
+        let factor = (along[i] * of(i) + direct) * weight;
+        mixed.iter_mut().zip(row).for_each(|(value, gradient)| *value += factor * *gradient);
+    }
+    for (i, row) in over.iter_mut().enumerate() {
+        for (j, value) in row.iter_mut().enumerate() {
+            *value = *value * of(i) * of(j);
+        }
+    }
+    forces.curvature = forces.curvature.map(|b| b * state.scale);
+    ScaleTangent { mixed, twice: twice * weight, released: released * weight }
 }
 
 /// Adds one point's second derivatives to the blocks of its particles.

@@ -15,7 +15,7 @@ use sph_core::Vec3;
 
 use crate::Reference;
 use crate::packs::Packs;
-use crate::point::{PointLaw, Row, place, point_forces};
+use crate::point::{PointLaw, Row, measure_forces, place};
 
 /// Resultants of one particle: `n1, n2, q, m1, m2`.
 type PointRow = [[f64; 3]; 5];
@@ -64,7 +64,9 @@ impl StrongForm {
         for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
-            let (f, _, density) = point_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p);
+            let (on_measures, density) =
+                measure_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p.measures());
+            let f = p.transpose(&on_measures);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {
                 self.resultants[points[lane] as usize] = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(lane));

@@ -1,9 +1,12 @@
 //! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion; and what they leave free.
 
 use explicit_dynamics::{Amplitude, Instant};
-use sph_core::Vec3;
+use sph_core::{Cloud, Vec3};
 
-use crate::ShellError;
+use crate::{ShellError, Supported};
+
+/// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
+const OUT_OF_PLANE: f64 = 1e-6;
 
 /// What a support asks of a particle.
 #[derive(Clone, Debug, Default)]
@@ -135,6 +138,43 @@ impl Support for Moved {
 
 fn axes() -> Vec<Vec3> {
     vec![Vec3::x(), Vec3::y(), Vec3::z()]
+}
+
+/// Joins all supports of each particle: the number of its entry, one up and nought for a free one, and the entries.
+pub(crate) fn constraints(
+    cloud: &Cloud,
+    supports: &[Supported],
+) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+    let count = cloud.len();
+    let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
+    for (support, supported) in supports.iter().enumerate() {
+        if supported.particles.is_empty() {
+            return Err(ShellError::EmptySet("a support"));
+        }
+        for &particle in &supported.particles {
+            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
+                what: "a support",
+                particle,
+                count,
+            })?;
+            let holds = supported.support.holds();
+            if let DirectorHold::InPlane(normal) = holds.director {
+                // The turn that is left free runs along ν × d.
+                let along = normal.dot(&cloud.frames[particle as usize].n);
+                if along.abs() > OUT_OF_PLANE {
+                    return Err(ShellError::OutOfPlane { support, particle, along });
+                }
+            }
+            list.push(holds);
+        }
+    }
+    let mut number = vec![0; count];
+    let mut constraints = Vec::new();
+    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
+        constraints.push(Constraint::join(particle as u32, list)?);
+        number[particle] = constraints.len() as u32;
+    }
+    Ok((number, constraints))
 }
 
 /// All that the supports of one particle ask of it, ready for the step.

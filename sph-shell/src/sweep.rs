@@ -178,7 +178,7 @@ mod tests {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, raw) = place::<true>(pack, entries, &state);
             pack.reference = p.measures();
-            cell.rest(&p, &pack.reference.curvature, raw);
+            pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
         }
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {

@@ -4,17 +4,21 @@
 
 mod common;
 
-use common::{Dice, curved, disordered_curved, energy, energy_formulations, flat, free_shell, shake, shell};
+use common::{
+    Dice, curved, disordered_curved, energy, energy_formulations, flat, free_shell, scattered_curved, shake,
+    shell,
+};
 use nalgebra::Rotation3;
 use shell_kinematics::strain_measures;
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Formulation, Reach, Shell};
 
-fn clouds() -> [(&'static str, Cloud); 3] {
+fn clouds() -> [(&'static str, Cloud); 4] {
     [
         ("flat", flat([6, 5], [2.0, 1.5])),
         ("curved", curved([7, 6])),
         ("disordered", disordered_curved([7, 6])),
+        ("scattered", scattered_curved(0.45)),
     ]
 }
 

@@ -31,8 +31,8 @@ impl Observer<Shell> for Keep {
 /// A clamped strip that starts with a velocity across its plane, growing along it.
 fn plucked(formulation: Formulation) -> Shell {
     let cloud = flat([13, 4], [4.0, 1.0]);
-    let lattice = cloud.lattice.unwrap();
-    let supports = vec![Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) }];
+    let sides = cloud.sides.clone().unwrap();
+    let supports = vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }];
     let mut body = shell(cloud, formulation, 0.3, &StretchCorrected, supports, Vec::new());
     for a in 0..body.len() {
         let x = body.position(a).x / 4.0;
@@ -137,8 +137,8 @@ fn stable_step_does_not_collapse_with_thickness() {
 #[test]
 fn quasi_static_load_and_reaction_balance() {
     let cloud = flat([7, 4], [2.0, 1.0]);
-    let lattice = cloud.lattice.unwrap();
-    let (clamp, tip) = (lattice.edge(Side::U0), lattice.edge(Side::U1));
+    let sides = cloud.sides.clone().unwrap();
+    let (clamp, tip) = (sides.edge(Side::U0).to_vec(), sides.edge(Side::U1).to_vec());
     let force = Vec3::new(0.3, 0.0, 0.2);
     let shares = tip.iter().map(|&a| (a, cloud.edge_lengths[a as usize])).collect();
     let loads: Vec<Box<dyn Load>> = vec![Box::new(Force { shares, total: force })];
@@ -167,11 +167,11 @@ fn quasi_static_load_and_reaction_balance() {
 fn kinetic_damping_finds_the_same_rest() {
     let settle = |damping| {
         let cloud = flat([9, 4], [2.0, 1.0]);
-        let lattice = cloud.lattice.unwrap();
+        let sides = cloud.sides.clone().unwrap();
         let supports = vec![
-            Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) },
+            Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },
             Supported {
-                particles: lattice.edge(Side::U1),
+                particles: sides.edge(Side::U1).to_vec(),
                 support: Box::new(Moved {
                     direction: Vec3::z(),
                     by: 0.5,
@@ -201,12 +201,12 @@ fn kinetic_damping_finds_the_same_rest() {
 #[test]
 fn supports_hold_what_they_name() {
     let cloud = flat([6, 5], [1.0, 1.0]);
-    let lattice = cloud.lattice.unwrap();
+    let sides = cloud.sides.clone().unwrap();
     let supports = vec![
-        Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) },
-        Supported { particles: lattice.edge(Side::U1), support: Box::new(Hinged) },
+        Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },
+        Supported { particles: sides.edge(Side::U1).to_vec(), support: Box::new(Hinged) },
         Supported {
-            particles: lattice.edge(Side::V0),
+            particles: sides.edge(Side::V0).to_vec(),
             support: Box::new(SymmetryPlane { normal: Vec3::y() }),
         },
     ];
@@ -218,16 +218,16 @@ fn supports_hold_what_they_name() {
     for _ in 0..300 {
         clock.step(&mut body, f64::INFINITY, |_| 1.0).unwrap();
     }
-    for &a in &lattice.edge(Side::U0) {
+    for &a in sides.edge(Side::U0) {
         assert_eq!(body.displacement(a as usize), Vec3::zeros());
         assert_eq!(body.director(a as usize), Vec3::z());
     }
-    for &a in &lattice.edge(Side::U1) {
+    for &a in sides.edge(Side::U1) {
         assert_eq!(body.displacement(a as usize), Vec3::zeros());
     }
-    let turned = lattice.edge(Side::U1).iter().any(|&a| body.director(a as usize) != Vec3::z());
+    let turned = sides.edge(Side::U1).iter().any(|&a| body.director(a as usize) != Vec3::z());
     assert!(turned, "a hinge lets directors turn");
-    for &a in &lattice.edge(Side::V0) {
+    for &a in sides.edge(Side::V0) {
         assert!(body.displacement(a as usize).y == 0.0 && body.director(a as usize).y.abs() < 1e-15);
     }
 }

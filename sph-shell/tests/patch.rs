@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{disordered_flat, energy_formulations, flat, free_shell};
+use common::{disordered_flat, energy_formulations, flat, free_shell, scattered_flat};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Formulation, Shell};
 
@@ -50,9 +50,11 @@ fn residual(cloud: &Cloud, forces: &[[f64; 6]], first: usize, resultant: [[f64; 
 }
 
 fn each_case(mut check: impl FnMut(&str, Cloud, Formulation)) {
-    for (cloud_name, cloud) in
-        [("lattice", flat([8, 7], [1.7, 1.5])), ("disordered", disordered_flat([8, 7], [1.7, 1.5]))]
-    {
+    for (cloud_name, cloud) in [
+        ("lattice", flat([8, 7], [1.7, 1.5])),
+        ("disordered", disordered_flat([8, 7], [1.7, 1.5])),
+        ("scattered", scattered_flat(0.22, [1.7, 1.5])),
+    ] {
         for (name, formulation) in energy_formulations() {
             check(&format!("{name} on a flat {cloud_name}"), cloud.clone(), formulation);
         }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Dice, curved, disordered_curved, energy_formulations, flat, shake, shell};
+use common::{Dice, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
 use implicit_statics::{BalanceError, Equilibrium, Newton, NewtonOptions};
 use shell_kinematics::strain_measures;
 use sph_core::{Side, Vec3};
@@ -25,18 +25,19 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
         ("flat", flat([7, 6], [2.0, 1.5])),
         ("curved", curved([7, 6])),
         ("disordered", disordered_curved([7, 6])),
+        ("scattered", scattered_curved(0.45)),
     ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {
-                let lattice = cloud.lattice.unwrap();
+                let sides = cloud.sides.clone().unwrap();
                 let supports = vec![
-                    Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) },
+                    Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },
                     Supported {
-                        particles: lattice.edge(Side::V0),
+                        particles: sides.edge(Side::V0).to_vec(),
                         support: Box::new(SymmetryPlane { normal: Vec3::y() }),
                     },
                 ];
-                let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
+                let shares = sides.edge(Side::U1).iter().map(|&a| (a, 1.0)).collect();
                 let loads: Vec<Box<dyn Load>> =
                     vec![Box::new(Force { shares, total: Vec3::new(1.0, 2.0, 3.0) })];
                 let mut body = shell(cloud.clone(), formulation, 0.2, strain, supports, loads);

@@ -27,15 +27,15 @@ static ALONE: Mutex<()> = Mutex::new(());
 /// A plate large enough for several chunks of particles and packs, with a load of every kind.
 fn body(formulation: Formulation, threads: usize) -> Shell {
     let cloud = flat([27, 23], [2.0, 1.5]);
-    let lattice = cloud.lattice.unwrap();
-    let edge = lattice.edge(Side::U1).into_iter().map(|a| (a, cloud.edge_lengths[a as usize])).collect();
+    let sides = cloud.sides.clone().unwrap();
+    let edge = sides.edge(Side::U1).iter().map(|&a| (a, cloud.edge_lengths[a as usize])).collect();
     let applied = |load| AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Ramp(0.1) };
     let loads = vec![
         applied(Box::new(EdgeCouple { edge, moment: 0.003, axis: CoupleAxis::Edge })),
         applied(Box::new(Pressure { value: 0.001, follower: true })),
         applied(Box::new(Gravity { acceleration: Vec3::new(0.0, 0.003, -0.01) })),
     ];
-    let supports = vec![Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) }];
+    let supports = vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }];
     Shell::new(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(Isotropic::new(1200.0, 0.3).unwrap(), 0.05).unwrap()),
@@ -115,7 +115,12 @@ fn recorded(cloud: Cloud, every: bool) -> Vec<[u64; 6]> {
 fn one_sweep_and_two_passes_give_the_same_bits() {
     // A step without a record runs in one fused sweep, a recorded one in two passes with a stop between.
     let _alone = ALONE.lock().unwrap();
-    for cloud in [flat([27, 23], [2.0, 1.5]), common::disordered_curved([24, 31]), common::curved([5, 4])] {
+    for cloud in [
+        flat([27, 23], [2.0, 1.5]),
+        common::disordered_curved([24, 31]),
+        common::curved([5, 4]),
+        common::scattered_curved(0.1),
+    ] {
         assert!(recorded(cloud.clone(), false) == recorded(cloud, true));
     }
 }

@@ -133,3 +133,55 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
         rows,
     }))
 }
+
+/// One row a case: the judged answer of every solver (the worst, where a case has several problems), and published ones.
+///
+/// # Errors
+/// [`JudgeError`] from references.
+pub fn overview(results: &[CaseResult]) -> Result<Numbers, JudgeError> {
+    let solvers = [(Solver::Explicit, CELL), (Solver::Static, STATIC), (Solver::Elements, ELEMENTS)];
+    let mut rows = Vec::new();
+    for result in results {
+        let Some(headline) = result.case.headline else { continue };
+        let all = answers(result);
+        let cells = solvers.map(|(solver, method)| {
+            let judged = |a: &&Answer| {
+                let record = result.runs.find(method, &a.run.variant.grid).map(|at| &result.records[at]);
+                let metric = record.and_then(|record| record.metric(headline.metric));
+                metric.is_some_and(|metric| metric.tolerance.is_some())
+            };
+            let own =
+                || all.iter().filter(|a| a.run.outcome.solver == solver && a.run.variant.method == method);
+            let worst = own().filter(judged).max_by(|a, b| a.error.total_cmp(&b.error));
+            let worst = worst.or_else(|| own().max_by_key(|a| a.run.outcome.particles));
+            worst.map_or_else(String::new, |a| {
+                let dynamics = a.dynamics.map(|d| format!(", dynamics {}", short(d))).unwrap_or_default();
+                let (grid, point) = (&a.run.variant.grid, a.run.outcome.seconds_per_point());
+                format!("{}{dynamics} ({grid}, {point:.3} s)", short(a.error))
+            })
+        });
+        if cells.iter().filter(|cell| !cell.is_empty()).count() < 2 {
+            continue;
+        }
+        let published = (headline.published)()?.into_iter();
+        let published: Vec<String> = published
+            .map(|p| {
+                p.error.map_or_else(|| p.source.to_owned(), |error| format!("{} {}", p.source, short(error)))
+            })
+            .collect();
+        let mut row = vec![result.case.name.to_owned(), format!("{} [{}]", headline.metric, unit(result))];
+        row.extend(cells);
+        row.push(published.join("; "));
+        rows.push(row);
+    }
+    let [explicit, still, elements] = solvers.map(|(solver, _)| solver.words().to_owned());
+    Ok(Numbers {
+        title: "Four answers to each problem".into(),
+        caption: "Error (grid, wall time of one point of the curve) of the judged run; where a case has several problems, of \
+                  the worst. Dynamics is what an explicit run adds to the error of the same particles without time. Published \
+                  answers without a number are themselves the reference."
+            .into(),
+        head: vec!["case".into(), "error of".into(), explicit, still, elements, "published".into()],
+        rows,
+    })
+}

@@ -2,15 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::{Analysis, Formulation, Geometry, Reach, Region, Scene};
+use super::{Analysis, Formulation, Reach, Region, Scene};
 use crate::error::SceneError;
 use crate::probe::always;
 use crate::sets::BUILT_IN;
 
 type Checked = Result<(), SceneError>;
-
-/// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
-const MOST_PARTICLES: usize = 10_000_000;
 
 impl Scene {
     /// Refuses the first thing that is out of bounds.
@@ -37,58 +34,6 @@ impl Scene {
         let bound = "consistent: all three with a unit, or all three \"-\"";
         let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
         Err(self.source.value("units", "a mixture of units and \"-\"", bound, repair))
-    }
-
-    fn check_geometry(&self) -> Checked {
-        let at = |key: &str| format!("geometry.{}.{key}", self.geometry.word());
-        let s = &self.source;
-        match &self.geometry {
-            Geometry::Plate(plate) => {
-                s.positive(&at("lengths[0]"), plate.lengths[0])?;
-                s.positive(&at("lengths[1]"), plate.lengths[1])?;
-            }
-            Geometry::Cylinder(cylinder) => {
-                s.positive(&at("radius"), cylinder.radius)?;
-                s.positive(&at("length"), cylinder.length)?;
-                s.sized_all(&at("angles"), &cylinder.angles)?;
-                s.range(&at("angles"), cylinder.angles, 360.0)?;
-            }
-            Geometry::Sphere(sphere) => {
-                s.positive(&at("radius"), sphere.radius)?;
-                let repair = "leave a small hole at the pole, such as 1 degree";
-                s.between(&at("polar[0]"), sphere.polar[0], [0.0, 180.0], repair)?;
-                s.between(&at("polar[1]"), sphere.polar[1], [0.0, 180.0], repair)?;
-                s.range(&at("polar"), sphere.polar, 180.0)?;
-                s.sized_all(&at("azimuth"), &sphere.azimuth)?;
-                s.range(&at("azimuth"), sphere.azimuth, 360.0)?;
-            }
-            Geometry::Twisted(strip) => {
-                s.positive(&at("length"), strip.length)?;
-                s.positive(&at("width"), strip.width)?;
-                s.sized(&at("twist"), strip.twist)?;
-                s.within(&at("twist"), strip.twist, [-360.0, 360.0], "give the angle within one turn")?;
-            }
-        }
-        let [n1, n2] = self.geometry.particles();
-        for (i, n) in [n1, n2].into_iter().enumerate() {
-            if n < 2 {
-                let repair = "particles lie on both edges: at least two";
-                return Err(s.value(&at(&format!("particles[{i}]")), n, "2 or more", repair));
-            }
-        }
-        if n1.checked_mul(n2).is_none_or(|n| n > MOST_PARTICLES) {
-            let bound = format!("at most {MOST_PARTICLES} particles in all");
-            return Err(s.value(&at("particles"), format!("[{n1}, {n2}]"), &bound, "use fewer"));
-        }
-        if let Some(disorder) = self.geometry.disorder() {
-            let repair = "beyond half a spacing neighbours would change places";
-            s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
-        }
-        if let Some(turn) = self.orientation {
-            s.direction("orientation.axis", turn.axis)?;
-            s.within("orientation.degrees", turn.degrees, [-360.0, 360.0], "give the angle within one turn")?;
-        }
-        Ok(())
     }
 
     fn check_formulation(&self) -> Checked {

@@ -23,10 +23,14 @@ pub enum Geometry {
 pub struct Plate {
     /// Extent along x and y \[L\].
     pub lengths: [f64; 2],
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Part of a cylinder about the y axis; `u` is the angle from +z towards +x, `v` runs along y from 0.
@@ -39,10 +43,14 @@ pub struct Cylinder {
     pub angles: [f64; 2],
     /// Length along y \[L\].
     pub length: f64,
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Part of a sphere about the origin; `u` is the polar angle from +z, `v` the azimuth from +x towards +y.
@@ -55,10 +63,14 @@ pub struct Sphere {
     pub polar: [f64; 2],
     /// First and last azimuth \[degrees\].
     pub azimuth: [f64; 2],
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Strip twisted uniformly about the x axis, its centre line; `u` runs along x, `v` across.
@@ -73,10 +85,14 @@ pub struct Twisted {
     pub width: f64,
     /// Angle from root to tip, right-handed about +x \[degrees\].
     pub twist: f64,
-    /// Particles along u and v, those on the edges included.
-    pub particles: [usize; 2],
-    /// Moves particles at random in the surface.
+    /// A lattice: particles along u and v, those on the edges included.
+    pub particles: Option<[usize; 2]>,
+    /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
+    /// Last over first spacing of the lattice along u and v; 1 is uniform.
+    pub grading: Option<[f64; 2]>,
+    /// Particles scattered at random, in place of the lattice.
+    pub scattered: Option<Scattered>,
 }
 
 /// Random displacement of particles in the surface; edge particles slide along their edge, corners stay.
@@ -85,6 +101,16 @@ pub struct Twisted {
 pub struct Disorder {
     /// Greatest displacement along u and v, in spacings.
     pub fraction: f64,
+    /// Seed of the random numbers: the same seed gives the same cloud everywhere.
+    pub seed: u64,
+}
+
+/// Particles scattered over the surface at random, none near another; those on the edges stand evenly.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scattered {
+    /// Distance between particles on the edges, and inside about the side of the square that each stands for \[L\].
+    pub spacing: f64,
     /// Seed of the random numbers: the same seed gives the same cloud everywhere.
     pub seed: u64,
 }
@@ -131,8 +157,8 @@ impl Geometry {
         }
     }
 
-    /// Particles along u and v.
-    pub fn particles(&self) -> [usize; 2] {
+    /// Particles along u and v; none where they are scattered.
+    pub fn particles(&self) -> Option<[usize; 2]> {
         match self {
             Self::Plate(s) => s.particles,
             Self::Cylinder(s) => s.particles,
@@ -141,13 +167,33 @@ impl Geometry {
         }
     }
 
-    /// Disorder of the particles.
+    /// Disorder of the lattice.
     pub fn disorder(&self) -> Option<Disorder> {
         match self {
             Self::Plate(s) => s.disorder,
             Self::Cylinder(s) => s.disorder,
             Self::Sphere(s) => s.disorder,
             Self::Twisted(s) => s.disorder,
+        }
+    }
+
+    /// Last over first spacing of the lattice along u and v.
+    pub fn grading(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Plate(s) => s.grading,
+            Self::Cylinder(s) => s.grading,
+            Self::Sphere(s) => s.grading,
+            Self::Twisted(s) => s.grading,
+        }
+    }
+
+    /// How particles are scattered; none on a lattice.
+    pub fn scattered(&self) -> Option<Scattered> {
+        match self {
+            Self::Plate(s) => s.scattered,
+            Self::Cylinder(s) => s.scattered,
+            Self::Sphere(s) => s.scattered,
+            Self::Twisted(s) => s.scattered,
         }
     }
 }

@@ -6,7 +6,9 @@ use explicit_dynamics::{Amplitude, Dynamics};
 use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
-use sph_core::{Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice};
+use sph_core::{
+    Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice, poisson_cloud,
+};
 use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
 
 pub const YOUNG: f64 = 1200.0;
@@ -47,6 +49,15 @@ pub fn disordered_curved(counts: [usize; 2]) -> Cloud {
 
 pub fn disordered_flat(counts: [usize; 2], lengths: [f64; 2]) -> Cloud {
     jittered_lattice(&Plate { lengths }, counts, 0.25, 3).unwrap()
+}
+
+/// Particles without a lattice behind them, about `spacing` apart; a tenth or so of the cells are triangles.
+pub fn scattered_flat(spacing: f64, lengths: [f64; 2]) -> Cloud {
+    poisson_cloud(&Plate { lengths }, spacing, 2).unwrap()
+}
+
+pub fn scattered_curved(spacing: f64) -> Cloud {
+    poisson_cloud(&Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 }, spacing, 3).unwrap()
 }
 
 pub fn free_shell(cloud: Cloud, formulation: Formulation, thickness: f64) -> Shell {

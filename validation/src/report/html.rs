@@ -1,7 +1,7 @@
 //! The page: one file, no scripts, drawings inline.
 
 use super::Figure;
-use crate::answers::side_by_side;
+use crate::answers::{overview, side_by_side};
 use crate::cases::dial;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
@@ -33,6 +33,10 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
     page.push_str(&head(results, selection));
     if selection.hard {
         page.push_str(&format!("<h2>Hard cases</h2>{}", show(&Figure::Numbers(survival(results)))?));
+    }
+    let answers = overview(results)?;
+    if !answers.rows.is_empty() {
+        page.push_str(&show(&Figure::Numbers(answers))?);
     }
     page.push_str(&summary(results));
     for result in results {
@@ -192,8 +196,10 @@ fn metrics(result: &CaseResult) -> String {
         }
     }
     format!(
-        "<details open><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
+        "<details{}><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
          <th class='n'>value</th><th class='n'>reference</th><th class='n'>may be off by</th><th>unit</th>\
-         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>"
+         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>",
+        // What is missed should be seen without a click.
+        if result.records.iter().all(Record::passes) { "" } else { " open" },
     )
 }
