@@ -140,11 +140,11 @@ fn transient_marches_go_on_to_the_same_bits() {
 
 #[test]
 fn an_observer_ends_a_march_between_steps() {
-    for stop_at in [1, 7, 40] {
+    for stop_at in [1, 7, 20] {
         let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
         let clock = quasi_static(Damping::Ratio(0.5)).march(&mut Oscillator::new(), &mut notes).unwrap();
         assert_eq!(notes.standings.len(), stop_at);
-        // One step with the first record, one more between each two standings.
+        // One step with the first record, one more between each two standings of the first level.
         assert_eq!(clock.steps as usize, stop_at);
     }
 }
