@@ -3,16 +3,13 @@
 use std::fmt;
 
 use nalgebra::Rotation3;
-use shell_kinematics::{
-    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply,
-};
-use sph_core::{Cloud, CubicSpline, EndWeights, Patch, SpaceError, Vec3};
-use sph_shell::{AppliedLoad, CoupleAxis, Formulation, Parts, Reach, Shell, ShellError, Supported};
+use sph_core::{Cloud, EndWeights, Patch, SpaceError, Vec3};
+use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
-use crate::scene::{self, Axis, Geometry, LoadKind, Matter, Scene, SupportKind};
+use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
 use crate::sets::{self, Sets};
 
 /// A shell ready to be marched, with what its curve measures.
@@ -91,8 +88,8 @@ impl Scene {
     }
 }
 
-struct Builder<'a> {
-    scene: &'a Scene,
+pub(crate) struct Builder<'a> {
+    pub(crate) scene: &'a Scene,
     turn: Rotation3<f64>,
 }
 
@@ -166,7 +163,7 @@ impl Builder<'_> {
         self.scene.curve.iter().enumerate().map(gauge).collect()
     }
 
-    fn turned(&self, v: [f64; 3]) -> Vec3 {
+    pub(crate) fn turned(&self, v: [f64; 3]) -> Vec3 {
         self.turn * Vec3::from(v)
     }
 
@@ -285,69 +282,6 @@ impl Builder<'_> {
         Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
     }
 
-    fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let refuse = |path: &'static str| move |e: MaterialError| self.model_error(path, &e.to_string());
-        Ok(match self.scene.matter()? {
-            Matter::Homogeneous(elastic, section) => {
-                let material =
-                    Isotropic::new(elastic.young, elastic.poisson).map_err(refuse("material.elastic"))?;
-                let refuse = refuse("section.homogeneous");
-                match section.gauss_points {
-                    None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
-                    Some(points) => {
-                        Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
-                    }
-                }
-            }
-            Matter::Layered(m, section) => {
-                let across = m.shear_across.unwrap_or(m.shear);
-                let material = Orthotropic::new(m.young_along, m.young_across, m.poisson, m.shear, across)
-                    .map_err(refuse("material.orthotropic"))?;
-                let ply = |ply: &scene::Ply| Ply {
-                    material,
-                    thickness: ply.thickness,
-                    angle: ply.angle.to_radians(),
-                };
-                let plies: Vec<Ply> = section.plies.iter().map(ply).collect();
-                Box::new(LayeredSection::new(&plies).map_err(refuse("section.layered"))?)
-            }
-        })
-    }
-
-    fn material_axis(&self) -> Option<Vec3> {
-        match &self.scene.section {
-            scene::Section::Homogeneous(_) => None,
-            scene::Section::Layered(section) => Some(self.turned(section.axis)),
-        }
-    }
-
-    fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
-        let name = self.scene.formulation.curvature();
-        let path = format!("formulation.{}.curvature", self.scene.formulation.word());
-        shell_kinematics::strain_measure(name)
-            .ok_or_else(|| self.model_error(&path, &format!("no strain measure is called {name}")))
-    }
-
-    fn formulation(&self) -> Formulation {
-        // The scene has been checked: an unknown kernel cannot come this far.
-        let kernel = self.scene.formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
-        match &self.scene.formulation {
-            scene::Formulation::StressPoint(f) => Formulation::StressPoint(match f.support {
-                scene::Reach::Cell => Reach::Cell,
-                scene::Reach::Wide(reach) => Reach::Kernel(kernel, reach),
-            }),
-            scene::Formulation::Nodal(f) => Formulation::Nodal {
-                order: f.order,
-                smoothing: f.smoothing_length(),
-                consistent: f.divergence_consistent(),
-                kernel,
-            },
-            scene::Formulation::StrongForm(f) => {
-                Formulation::StrongForm { smoothing: f.smoothing, viscosity: f.viscosity, kernel }
-            }
-        }
-    }
-
     /// Puts a refusal of the shell where the scene causes it.
     fn refusal(&self, error: &ShellError) -> SceneError {
         let reach = match &self.scene.formulation {
@@ -384,7 +318,7 @@ impl Builder<'_> {
     }
 
     /// Messages from below end with their repair, after the last semicolon.
-    fn model_error(&self, path: &str, message: &str) -> SceneError {
+    pub(crate) fn model_error(&self, path: &str, message: &str) -> SceneError {
         let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
         SceneError::Model(self.scene.source.fault(path, value, "", repair))
     }

@@ -22,6 +22,7 @@ mod error;
 mod estimate;
 mod linear;
 mod march;
+mod matter;
 mod modes;
 mod nearest;
 mod overrides;

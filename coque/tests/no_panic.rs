@@ -12,7 +12,7 @@ const SCENES: [&str; 5] =
     ["ring.toml", "panel.toml", "panel-laminated.toml", "patch-test.toml", "cantilever-end-shear.toml"];
 
 /// Numbers that break things.
-const NUMBERS: [&str; 14] = [
+const NUMBERS: [&str; 16] = [
     "nan",
     "-inf",
     "-1",
@@ -23,6 +23,8 @@ const NUMBERS: [&str; 14] = [
     "-1e-320",
     "1e30",
     "1e-30",
+    "1e60",
+    "1e-60",
     "9223372036854775807",
     "2",
     "-0.0",

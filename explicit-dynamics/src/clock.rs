@@ -11,6 +11,8 @@ use crate::{Dynamics, Instant, LevelReached, MarchError, Standing, Step, Work};
 const WATCH_EVERY: u64 = 64;
 /// Growth of the kinetic energy since the last look that asks for another at once.
 const GROWTH: f64 = 4.0;
+/// Part of a step by which steps may be longer than asked for, all of them together, so that none is wasted on rounding.
+const SLIVER: f64 = 1e-6;
 /// Lanczos steps of an estimate of the stable step.
 const LANCZOS_STEPS: usize = 30;
 
@@ -190,9 +192,11 @@ impl Clock {
         self.last_good.as_deref()
     }
 
-    /// Largest step that still ends at or before `limit` from now, without a sliver left over.
+    /// Largest step that still ends at or before `limit` from now, without a sliver left over: all steps up to there are
+    /// equal. Where the limit is a whole number of steps away, rounding would make it one more: steps would shrink in front
+    /// of every record, and such a rhythm feeds the fast modes (central differences keep energy for equal steps only).
     fn next_step(&self, limit: f64, level: impl Fn(f64) -> f64) -> Step {
-        let dt = if limit.is_finite() { limit / (limit / self.dt).ceil().max(1.0) } else { self.dt };
+        let dt = if limit.is_finite() { limit / (limit / self.dt - SLIVER).ceil().max(1.0) } else { self.dt };
         let time = self.now.time + dt;
         Step {
             from: self.now,

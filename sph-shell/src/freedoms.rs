@@ -1,4 +1,7 @@
 //! The free freedoms of a shell as unknowns: translations that no support holds, turns of directors.
+//!
+//! A turn counts as the length of its arc at a fixed radius, a power of two near the spacing: all unknowns are lengths and
+//! all their forces are forces, so that no norm and no pivot depends on the units of a scene.
 
 use sph_core::{Frame, Vec3};
 
@@ -11,6 +14,8 @@ use crate::supports::DirectorHold;
 pub(crate) struct Freedoms {
     /// First unknown of each particle, and the end.
     pub offsets: Vec<u32>,
+    /// Arc of a turn by one radian \[L\].
+    pub arc: f64,
     translations: Vec<u8>,
 }
 
@@ -18,6 +23,8 @@ pub(crate) struct Freedoms {
 pub(crate) struct Basis {
     /// Unit vectors; those from number `translations` on turn the director.
     pub directions: [Vec3; 5],
+    /// What a unit of each unknown moves along its direction: 1 for translations, `1/arc` for turns.
+    pub rates: [f64; 5],
     pub translations: usize,
     pub count: usize,
 }
@@ -27,11 +34,13 @@ impl Freedoms {
         let mut offsets = vec![0];
         let mut translations = Vec::with_capacity(shell.len());
         for a in 0..shell.len() {
-            let basis = shell.basis(a);
+            let basis = shell.basis(a, 1.0);
             translations.push(basis.translations as u8);
             offsets.push(offsets[a] + basis.count as u32);
         }
-        Self { offsets, translations }
+        // A power of two: scaling by it leaves every digit.
+        let arc = libm::exp2(libm::round(libm::log2(shell.reference.cloud.spacing())));
+        Self { offsets, arc, translations }
     }
 
     pub fn count(&self) -> usize {
@@ -52,11 +61,17 @@ impl Freedoms {
 }
 
 impl Basis {
+    /// The first unknowns are translations.
+    fn move_first(&mut self, translations: usize) {
+        self.translations = translations;
+        self.rates[..translations].fill(1.0);
+    }
+
     /// Components of a row `[x, d]` along the unknowns.
     pub fn project(&self, row: &Row, out: &mut [f64]) {
         for (i, value) in out.iter_mut().enumerate() {
             let part = if i < self.translations { &row[..3] } else { &row[3..] };
-            *value = self.directions[i].dot(&Vec3::new(part[0], part[1], part[2]));
+            *value = self.directions[i].dot(&Vec3::new(part[0], part[1], part[2])) * self.rates[i];
         }
     }
 
@@ -64,18 +79,20 @@ impl Basis {
     pub fn expand(&self, components: &[f64]) -> (Vec3, Vec3) {
         let (mut u, mut v) = (Vec3::zeros(), Vec3::zeros());
         for (i, &c) in components.iter().enumerate() {
-            *(if i < self.translations { &mut u } else { &mut v }) += self.directions[i] * c;
+            *(if i < self.translations { &mut u } else { &mut v }) +=
+                self.directions[i] * (c * self.rates[i]);
         }
         (u, v)
     }
 }
 
 impl Shell {
-    /// Directions of a particle's unknowns at the present state.
-    pub(crate) fn basis(&self, particle: usize) -> Basis {
+    /// Directions of a particle's unknowns at the present state, turns counted as arcs of a radius.
+    pub(crate) fn basis(&self, particle: usize, arc: f64) -> Basis {
         let d = self.director(particle);
         let frame = Frame::from_normal(d);
-        let mut basis = Basis { directions: [Vec3::zeros(); 5], translations: 0, count: 0 };
+        let mut basis =
+            Basis { directions: [Vec3::zeros(); 5], rates: [1.0 / arc; 5], translations: 0, count: 0 };
         let mut push = |direction: Vec3| {
             basis.directions[basis.count] = direction;
             basis.count += 1;
@@ -84,7 +101,7 @@ impl Shell {
             for direction in [Vec3::x(), Vec3::y(), Vec3::z(), frame.t1, frame.t2] {
                 push(direction);
             }
-            basis.translations = 3;
+            basis.move_first(3);
             return basis;
         };
         for direction in constraint.free_directions() {
@@ -100,7 +117,7 @@ impl Shell {
             DirectorHold::InPlane(normal) => push(normal.cross(&d).normalize()),
             DirectorHold::Fixed => {}
         }
-        basis.translations = translations;
+        basis.move_first(translations);
         basis
     }
 }

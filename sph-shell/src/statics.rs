@@ -5,7 +5,7 @@ use implicit_statics::Equilibrium;
 use shell_kinematics::parallel_transport;
 
 use crate::Shell;
-use crate::freedoms::Freedoms;
+use crate::freedoms::{Basis, Freedoms};
 use crate::stiffness::{Block, BlockPattern};
 
 /// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
@@ -44,15 +44,19 @@ impl StaticShell {
         let share = direction.normalize() / particles.len() as f64;
         let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
         for &a in particles {
-            self.shell.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
+            self.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
         }
         weights
+    }
+
+    fn basis(&self, particle: usize) -> Basis {
+        self.shell.basis(particle, self.freedoms.arc)
     }
 
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            self.shell.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+            self.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
         }
     }
 
@@ -102,11 +106,11 @@ impl Equilibrium for StaticShell {
         self.shell.second_derivatives(&self.pattern, &mut self.blocks);
         let mut next = values.iter_mut();
         for a in 0..self.shell.len() {
-            let row_basis = self.shell.basis(a);
+            let row_basis = self.basis(a);
             let rows = self.freedoms.of(a);
             for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
                 let b = self.pattern.columns[block] as usize;
-                let column_basis = self.shell.basis(b);
+                let column_basis = self.basis(b);
                 // A director that turns keeps its length: its force along itself stiffens or softens every turn.
                 let radial = if a == b { self.radial_force(a) } else { 0.0 };
                 for row in 0..rows.len() {
@@ -127,6 +131,7 @@ impl Equilibrium for StaticShell {
                         if a == b && row == column && left == 3 {
                             value -= radial;
                         }
+                        value *= row_basis.rates[row] * column_basis.rates[column];
                         if let Some(slot) = next.next() {
                             *slot = value;
                         }
@@ -138,7 +143,7 @@ impl Equilibrium for StaticShell {
 
     fn update(&mut self, increment: &[f64]) {
         for a in 0..self.shell.len() {
-            let (u, v) = self.shell.basis(a).expand(&increment[self.freedoms.of(a)]);
+            let (u, v) = self.basis(a).expand(&increment[self.freedoms.of(a)]);
             let row = &mut self.shell.state[a];
             let (d, _) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
             *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
@@ -164,7 +169,7 @@ impl Equilibrium for StaticShell {
     /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
     /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
     fn masses(&self) -> Vec<f64> {
-        let turning = self.shell.thickness().powi(2) / 12.0;
+        let turning = self.shell.thickness().powi(2) / 12.0 / self.freedoms.arc.powi(2);
         (0..self.unknowns())
             .map(|unknown| {
                 let (particle, _, moves) = self.freedoms.find(unknown);
@@ -177,7 +182,7 @@ impl Equilibrium for StaticShell {
 
     fn name_unknown(&self, unknown: usize) -> String {
         let (particle, place, moves) = self.freedoms.find(unknown);
-        let direction = self.shell.basis(particle).directions[place];
+        let direction = self.basis(particle).directions[place];
         let x = self.shell.reference.cloud.positions[particle];
         let what = if moves { "moving" } else { "its director turning" };
         format!(

@@ -6,9 +6,11 @@ mod common;
 
 use common::{Dice, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
 use implicit_statics::{BalanceError, Equilibrium, Newton, NewtonOptions};
-use shell_kinematics::strain_measures;
+use shell_kinematics::{Isotropic, IsotropicSection, strain_measures};
 use sph_core::{Side, Vec3};
-use sph_shell::{Clamped, Force, Held, Load, StaticShell, Supported, SymmetryPlane};
+use sph_shell::{
+    AppliedLoad, Clamped, Force, Held, Load, Parts, Shell, StaticShell, Supported, SymmetryPlane,
+};
 
 /// `vᵀKv` with the lower triangle of the tangent.
 fn quadratic(pattern: &[(usize, usize)], values: &[f64], v: &[f64]) -> f64 {
@@ -161,10 +163,48 @@ fn directions_that_are_held_are_no_unknowns() {
 #[test]
 fn modes_turn_with_the_inertia_of_the_shell_itself() {
     let body = common::free_shell(flat([6, 5], [2.0, 1.5]), energy_formulations()[0].1, 0.2);
+    // A turn counts as an arc: its radius is the power of two nearest to the spacing √(3/30) = .316.
+    let arc = 0.25;
     let masses = StaticShell::new(body).masses();
     // Three translations and two turns a particle: ρ t A and ρ t A t²/12, though t is half a spacing.
     for particle in masses.chunks_exact(5) {
         assert!(particle[..3].iter().all(|m| *m == particle[0]));
-        assert!(particle[3..].iter().all(|i| (i / (particle[0] * 0.04 / 12.0) - 1.0).abs() < 1e-14));
+        assert!(
+            particle[3..].iter().all(|i| (i * arc * arc / (particle[0] * 0.04 / 12.0) - 1.0).abs() < 1e-14)
+        );
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_unit_of_length() {
+    // Turns count as arcs: between units of length 10⁹ apart the pivots of turns keep their size beside those of
+    // translations, where they would differ by 10¹⁸ and pass for a mechanism.
+    let tip = |unit: f64| {
+        let cloud = flat([9, 3], [10.0 * unit, unit]);
+        let lattice = cloud.lattice.unwrap();
+        let shares = lattice.edge(Side::U1).into_iter().map(|a| (a, 1.0)).collect();
+        let loads: Vec<Box<dyn Load>> = vec![Box::new(Force { shares, total: Vec3::z() * 1e-3 })];
+        let supports = vec![Supported { particles: lattice.edge(Side::U0), support: Box::new(Clamped) }];
+        let material = Isotropic::new(common::YOUNG / (unit * unit), common::POISSON).unwrap();
+        let parts = common::parts(cloud, common::energy_formulations()[0].1, 0.2 * unit);
+        let body = Shell::new(Parts {
+            section: Box::new(IsotropicSection::new(material, 0.2 * unit).unwrap()),
+            supports,
+            loads: loads
+                .into_iter()
+                .map(|load| AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Constant })
+                .collect(),
+            ..parts
+        })
+        .unwrap();
+        let mut system = StaticShell::new(body);
+        Newton::new(&system, &NewtonOptions::default()).unwrap().at_level(&mut system, 1.0).unwrap();
+        system.shell().displacement(lattice.edge(Side::U1)[1] as usize).z / unit
+    };
+    let usual = tip(1.0);
+    for unit in [1e9, 1e-9] {
+        let other = tip(unit);
+        // Newton's tolerance of 1e-9, far from a limit point.
+        assert!((other / usual - 1.0).abs() < 1e-8, "unit {unit:e}: {other} against {usual}");
     }
 }

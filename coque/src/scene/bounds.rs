@@ -5,9 +5,10 @@ use crate::source::Source;
 
 type Checked = Result<(), SceneError>;
 
-/// Beyond these, products of a few numbers leave the range of `f64`.
-const LEAST: f64 = 1e-30;
-const GREATEST: f64 = 1e30;
+/// Beyond these, products of five numbers leave the range of `f64`. Inside lie the densities, F T²/L⁴, that units of length,
+/// force and time nine powers of ten away ask for.
+const LEAST: f64 = 1e-60;
+const GREATEST: f64 = 1e60;
 
 impl Source {
     /// Positive, and of a size that arithmetic can hold.

@@ -2,7 +2,7 @@
 
 use benchmarks_ref::fe_shell::cases::{PlateEdges, plate_deflection};
 
-use super::dial::{ELEMENTS, STATIC};
+use super::dial::{self, ELEMENTS, STATIC};
 use super::linear;
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Mark, ORANGE, Series};
@@ -53,7 +53,7 @@ fn variants() -> Vec<Variant> {
 
 /// The plate of bending stiffness one and unit mass per area, of some thickness.
 pub fn of_thickness(method: &str, n: usize, thickness: f64) -> Variant {
-    Variant::new(method, SCENE, "plate", [n, n])
+    dial::variant(method, SCENE, "plate", [n, n])
         .set("section.homogeneous.thickness", format!("{thickness:?}"))
         .set("material.elastic.young", format!("{:?}", 10.92 / thickness.powi(3)))
         .set("material.elastic.density", format!("{:?}", 1.0 / thickness))

@@ -50,14 +50,14 @@ fn displacement(run: &Run) -> Option<impl Fn(usize, usize) -> f64> {
 }
 
 /// Largest second difference at the crown, along either line of particles.
-fn second_difference(run: &Run) -> Option<f64> {
+pub(super) fn second_difference(run: &Run) -> Option<f64> {
     let w = displacement(run)?;
     Some((2.0 * (w(1, 0) - w(0, 0))).abs().max((2.0 * (w(0, 1) - w(0, 0))).abs()))
 }
 
 /// Largest amplitude of (−1)^(i+j) at particles at least `from` away from the crown: second differences in both
 /// directions over sixteen.
-fn checkerboard(run: &Run, from: usize) -> Option<f64> {
+pub(super) fn checkerboard(run: &Run, from: usize) -> Option<f64> {
     const DIFFERENCE: [(isize, f64); 3] = [(-1, 1.0), (0, -2.0), (1, 1.0)];
     let w = displacement(run)?;
     let mirrored = |i: usize, by: isize| i.checked_add_signed(by).unwrap_or(1);
