@@ -97,7 +97,8 @@ pub(crate) struct Frames<'a> {
     along: Along,
     driven: Option<u32>,
     homogeneous: bool,
-    offered: u64,
+    /// Frames that the run had to show so far.
+    pub(crate) offered: u64,
     /// Frames that the sink took.
     pub(crate) taken: u64,
     /// Why the sink took no more.

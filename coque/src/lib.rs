@@ -13,10 +13,15 @@
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
+//! | what a run goes on from | `checkpoint.rs` |
+//! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
 
 mod build;
+mod catalogue;
+mod checkpoint;
 mod curve;
 mod error;
+mod estimate;
 mod fields;
 mod imported;
 mod linear;
@@ -35,20 +40,25 @@ mod render;
 mod rigid;
 mod run;
 pub mod scene;
+mod schema;
 mod sets;
 mod source;
 mod summary;
 mod units;
 
 pub use build::Model;
+pub use catalogue::{Shelf, catalogue};
+pub use checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY};
 pub use curve::{Column, Curve, NotACurve};
 pub use error::{Fault, Place, SceneError};
+pub use estimate::Estimate;
 pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
 pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
-pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};
+pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent};
 pub use scene::Scene;
+pub use schema::{schema, schema_text};
 pub use source::Source;
 pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};

@@ -2,39 +2,45 @@
 
 use std::ops::ControlFlow;
 
-use explicit_dynamics::{Clock, LevelReached, MarchError, Observer, Record, largest_eigenvalue, stable_step};
+use explicit_dynamics::{
+    Clock, LevelReached, MarchError, Observer, Record, Standing, largest_eigenvalue, stable_step,
+};
 use sph_shell::Shell;
 
+use crate::checkpoint::Place;
 use crate::probe::Gauge;
-use crate::run::{Ended, Findings, Progress};
+use crate::run::{Ended, Findings, News, RunOptions};
 use crate::scene::{Damping, Explicit};
 use crate::summary::{Energies, LevelSummary};
 
 /// Lanczos steps for the stable step that the summary reports.
 const LANCZOS_STEPS: usize = 30;
 
-/// Marches to the end, or to divergence.
+/// Marches to the end, or to divergence, from the start or from where an earlier march stood.
 pub(crate) fn march(
     explicit: &Explicit,
     shell: &mut Shell,
     gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
-    progress: &mut dyn Progress,
+    options: &mut RunOptions<'_>,
+    from: Option<Place>,
 ) {
-    found.stable_step = reference_step(shell);
-    found.safety = explicit.safety;
+    let from = from.and_then(|place| if let Place::March(standing) = place { Some(standing) } else { None });
+    if from.is_none() {
+        found.stable_step = reference_step(shell);
+        found.safety = explicit.safety;
+    }
     let keep_settled = explicit.quasi_static.is_some();
-    let marched = clocked(explicit, shell, &mut Watcher { found, gauges, keep_settled, progress });
-    (found.steps, found.ended) = match marched {
-        Ok(clock) => (clock.steps, Ended::Done),
+    let mut watcher = Watcher { found, gauges, keep_settled, settled: false, options };
+    match clocked(explicit, shell, &mut watcher, from) {
+        Ok(clock) => found.steps = clock.steps,
         Err(error) => {
-            let steps = match error {
-                MarchError::Diverged { step, .. } => step,
-                _ => 0,
-            };
-            (steps, Ended::Diverged(error.into()))
+            if let MarchError::Diverged { step, .. } = error {
+                found.steps = step;
+            }
+            found.ended = Ended::Diverged(error.into());
         }
-    };
+    }
 }
 
 /// Greatest stable step of the present configuration \[T\]; nought if none was found.
@@ -45,11 +51,12 @@ pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
 fn clocked(
     explicit: &Explicit,
     shell: &mut Shell,
-    watcher: &mut Watcher<'_, '_>,
+    watcher: &mut Watcher<'_, '_, '_>,
+    from: Option<Standing>,
 ) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
-    match (&explicit.quasi_static, explicit.transient) {
-        (Some(path), _) => explicit_dynamics::QuasiStatic {
+    if let Some(path) = &explicit.quasi_static {
+        let run = explicit_dynamics::QuasiStatic {
             levels: path.levels.list(),
             period: path.period,
             ramp: path.ramp,
@@ -60,23 +67,27 @@ fn clocked(
             },
             tolerance: path.tolerance,
             safety,
-        }
-        .march(shell, watcher),
-        (None, transient) => {
-            // Neither table cannot pass the checks; a duration of nought would be refused here too.
-            let run = transient.unwrap_or(crate::scene::Transient {
-                duration: 0.0,
-                record_every: 0.0,
-                damping: 0.0,
-            });
-            let run = explicit_dynamics::Transient {
-                duration: run.duration,
-                record_every: run.record_every,
-                damping: run.damping,
-                safety,
-            };
-            run.march(shell, watcher)
-        }
+        };
+        return match from {
+            None => run.march(shell, watcher),
+            Some(standing) => run.go_on(standing, shell, watcher),
+        };
+    }
+    // Neither table cannot pass the checks; a duration of nought would be refused here too.
+    let run = explicit.transient.unwrap_or(crate::scene::Transient {
+        duration: 0.0,
+        record_every: 0.0,
+        damping: 0.0,
+    });
+    let run = explicit_dynamics::Transient {
+        duration: run.duration,
+        record_every: run.record_every,
+        damping: run.damping,
+        safety,
+    };
+    match from {
+        None => run.march(shell, watcher),
+        Some(standing) => run.go_on(standing, shell, watcher),
     }
 }
 
@@ -91,15 +102,17 @@ fn energies(record: &Record) -> Energies {
     }
 }
 
-/// Fills the curve, keeps shapes and offers frames.
-struct Watcher<'a, 'b> {
-    found: &'a mut Findings<'b>,
+/// Fills the curve, keeps shapes and checkpoints, offers frames.
+struct Watcher<'a, 'b, 'c> {
+    found: &'a mut Findings<'c>,
     gauges: Vec<Gauge>,
     keep_settled: bool,
-    progress: &'a mut dyn Progress,
+    /// Whether a level has settled since the last checkpoint.
+    settled: bool,
+    options: &'a mut RunOptions<'b>,
 }
 
-impl Observer<Shell> for Watcher<'_, '_> {
+impl Observer<Shell> for Watcher<'_, '_, '_> {
     fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
         let energy = record.energy;
         let mut row = vec![
@@ -113,6 +126,7 @@ impl Observer<Shell> for Watcher<'_, '_> {
         row.extend(self.gauges.iter_mut().map(|gauge| gauge.read(shell)));
         self.found.curve.rows.push(row);
         self.found.energies = energies(record);
+        self.settled |= record.settled;
         if !self.keep_settled {
             self.found.shapes.clear();
         }
@@ -127,7 +141,28 @@ impl Observer<Shell> for Watcher<'_, '_> {
         self.found.levels.push(LevelSummary { level, settled, kinetic_over_internal, steps });
     }
 
-    fn progress(&mut self, done: f64, record: &Record) {
-        self.progress.update(done, record);
+    fn between(&mut self, shell: &mut Shell, at: &Standing, done: f64) -> ControlFlow<()> {
+        let clock = &at.clock;
+        let flow = self.options.progress.update(&News {
+            done,
+            time: clock.now.time,
+            level: clock.now.level,
+            steps: clock.steps,
+            kinetic: clock.kinetic,
+            internal: clock.internal,
+        });
+        let options = &mut *self.options;
+        let wanted = options.checkpoints.as_mut().filter(|kept| kept.due(self.settled || flow.is_break()));
+        if let Some(checkpoints) = wanted {
+            self.settled = false;
+            let place = Place::March(at.clone());
+            if let Err(error) = checkpoints.write(&place, shell.motion(), &self.gauges, self.found) {
+                options.progress.warn(&error.to_string());
+            }
+        }
+        if flow.is_break() {
+            self.found.ended = Ended::Interrupted { time: clock.now.time, level: clock.now.level };
+        }
+        flow
     }
 }

@@ -2,16 +2,16 @@
 
 use std::ops::ControlFlow;
 
-use explicit_dynamics::{Balance, Instant, Record};
 use implicit_statics::{
-    BalanceError, Control, CriticalKind, CriticalOptions, End, NewtonOptions, Path, PathOptions, Point,
-    Start, follow, linear_response,
+    BalanceError, Control, CriticalKind, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions,
+    Point, Start, follow, linear_response,
 };
 use sph_shell::StaticShell;
 
 use crate::build::Driven;
+use crate::checkpoint::Place;
 use crate::probe::Gauge;
-use crate::run::{Ended, Failure, Findings, Progress};
+use crate::run::{Ended, Failure, Findings, News, Progress, RunOptions};
 use crate::scene::{ArcLength, Static};
 use crate::summary::{CriticalSummary, Energies, LevelSummary};
 
@@ -22,22 +22,32 @@ const BRACKET: f64 = 1e-3;
 const MORE: &str = "allow more `steps`, or a larger `radius`";
 const CLOSER: &str = "use [analysis.arc-length], or more `iterations`";
 
-/// Finds the equilibrium at every level, by way of others where Newton's method does not reach it in one.
+/// Finds the equilibrium at every level, by way of others where Newton's method does not reach it in one; from the
+/// start or from where an earlier run stood.
 pub(crate) fn levels(
     wanted: &Static,
     system: &mut StaticShell,
     driven: Option<Driven>,
     gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
-    progress: &mut dyn Progress,
+    (run, from): (&mut RunOptions<'_>, Option<Place>),
 ) {
     let newton = newton(wanted.tolerance, wanted.iterations);
     let mut reader = Reader { driven, gauges };
     let list = wanted.levels.list();
     let last = list.last().copied().unwrap_or(1.0);
-    let mut start = Start::default();
-    let mut before = 0.0;
-    for (number, &level) in list.iter().enumerate() {
+    let (first, mut start) = match from {
+        Some(Place::Levels { found, level, heading }) => {
+            let heading = heading.map(|(motion, level)| Increment { motion, level });
+            (found, Start { level, heading })
+        }
+        _ => (0, Start::default()),
+    };
+    if first == 0 {
+        keep(run, 0, &start, system, &reader, found);
+    }
+    let mut before = first.checked_sub(1).and_then(|last| list.get(last)).copied().unwrap_or(0.0);
+    for (number, &level) in list.iter().enumerate().skip(first) {
         let control = match driven {
             None => Control::Load { step: level - before, until: level },
             Some(driven) => {
@@ -54,11 +64,18 @@ pub(crate) fn levels(
             row = reader.row(system, point, iterations);
             if point.step == 0 && number == 0 {
                 found.curve.rows.push(row.clone());
-                return found.keep_shape(system.shell(), 0.0, 0.0);
+                if found.keep_shape(system.shell(), 0.0, 0.0).is_break() {
+                    return ControlFlow::Break(());
+                }
             }
-            ControlFlow::Continue(())
+            let news = News { done: before / last, ..news(found.steps, before, row[1]) };
+            run.progress.update(&news)
         });
         note(&path, found);
+        if path.end == Ok(End::Stopped) {
+            found.ended = Ended::Interrupted { time: 0.0, level: before };
+            return;
+        }
         if let Err(cause) = path.end {
             found.ended = Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause });
             return;
@@ -72,7 +89,7 @@ pub(crate) fn levels(
             return;
         }
         row[0] = level;
-        progress.update(level / last, &record(found.steps, level, row[1]));
+        let news = News { done: level / last, ..news(found.steps, level, row[1]) };
         found.energies = energies(row[1]);
         found.curve.rows.push(row);
         let steps = path.points.len() as u64 - 1;
@@ -85,6 +102,29 @@ pub(crate) fn levels(
             return;
         }
         (start, before) = (path.restart, level);
+        let flow = run.progress.update(&news);
+        keep(run, number + 1, &start, system, &reader, found);
+        if flow.is_break() && number + 1 < list.len() {
+            found.ended = Ended::Interrupted { time: 0.0, level };
+            return;
+        }
+    }
+}
+
+/// Keeps a checkpoint where so many levels are found, if the run writes any.
+fn keep(
+    run: &mut RunOptions<'_>,
+    levels: usize,
+    start: &Start,
+    system: &StaticShell,
+    reader: &Reader,
+    found: &Findings<'_>,
+) {
+    let Some(checkpoints) = &mut run.checkpoints else { return };
+    let heading = start.heading.as_ref().map(|heading| (heading.motion.clone(), heading.level));
+    let place = Place::Levels { found: levels, level: start.level, heading };
+    if let Err(error) = checkpoints.write(&place, system.shell().motion(), &reader.gauges, found) {
+        run.progress.warn(&error.to_string());
     }
 }
 
@@ -114,19 +154,22 @@ pub(crate) fn arc_length(
     let mut options = options(control, &newton(wanted.tolerance, wanted.iterations));
     options.steps = wanted.steps;
     let mut reader = Reader { driven, gauges };
+    let mut interrupted = false;
     let path = follow(system, &Start::default(), &options, |point, system| {
         let row = reader.row(system, point, point.converged.iterations);
         let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
-        progress.update(done.clamp(0.0, 1.0), &record(point.step as u64, point.level(), row[1]));
+        let news = News { done: done.clamp(0.0, 1.0), ..news(point.step as u64, point.level(), row[1]) };
+        interrupted = progress.update(&news).is_break();
         found.energies = energies(row[1]);
         let reached = stop.is_some_and(|(at, above)| row[at] > above);
         found.curve.rows.push(row);
         let flow = found.keep_shape(system.shell(), 0.0, point.level());
-        if reached { ControlFlow::Break(()) } else { flow }
+        if reached || interrupted { ControlFlow::Break(()) } else { flow }
     });
     note(&path, found);
     let level = path.restart.level;
     found.ended = match path.end {
+        Ok(End::Stopped) if interrupted => Ended::Interrupted { time: 0.0, level },
         Ok(End::Reached | End::Stopped) => Ended::Done,
         Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level, repair: MORE }),
         Err(cause) => Ended::Diverged(Failure::Balance { points: found.steps, level, cause }),
@@ -209,7 +252,6 @@ pub(crate) fn energies(internal: f64) -> Energies {
     Energies { internal, external: internal, ..Energies::default() }
 }
 
-pub(crate) fn record(step: u64, level: f64, internal: f64) -> Record {
-    let energy = Balance { internal, external: internal, ..Balance::default() };
-    Record { step, at: Instant { time: 0.0, level }, energy, balance_error: 0.0, settled: true }
+fn news(steps: u64, level: f64, internal: f64) -> News {
+    News { level, steps, internal, ..News::default() }
 }

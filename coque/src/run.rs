@@ -1,14 +1,17 @@
 //! The run: hands a model to its analysis; what was recorded is kept however the run ends.
 
+use std::fmt;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use explicit_dynamics::{MarchError, Record};
+use explicit_dynamics::MarchError;
 use implicit_statics::BalanceError;
+use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Shell, StaticShell};
 
 use crate::build::Model;
+use crate::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Place};
 use crate::curve::Curve;
 use crate::fields::{FieldError, FieldSink, Frames};
 use crate::linear::linear;
@@ -19,10 +22,30 @@ use crate::probe::columns;
 use crate::scene::Analysis;
 use crate::summary::{CriticalSummary, Energies, LevelSummary, Summary};
 
-/// Told now and then how far a run is.
+/// How a run is going.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct News {
+    /// Part that is done, from 0 to 1; a guess where levels may settle early.
+    pub done: f64,
+    /// Time \[T\]; nought without time.
+    pub time: f64,
+    /// Load level.
+    pub level: f64,
+    /// Steps done; without time the points found.
+    pub steps: u64,
+    /// Kinetic energy \[F L\].
+    pub kinetic: f64,
+    /// Internal energy when it was last evaluated \[F L\].
+    pub internal: f64,
+}
+
+/// Told how a run is going, between any two steps in time, at every point of a path without time.
 pub trait Progress: Send {
-    /// `done` goes from 0 to 1.
-    fn update(&mut self, done: f64, record: &Record);
+    /// `Break` ends the run in good order.
+    fn update(&mut self, news: &News) -> ControlFlow<()>;
+
+    /// Told what the run cannot do but goes on without.
+    fn warn(&mut self, _message: &str) {}
 }
 
 /// Tells nobody.
@@ -30,7 +53,21 @@ pub trait Progress: Send {
 pub struct Silent;
 
 impl Progress for Silent {
-    fn update(&mut self, _: f64, _: &Record) {}
+    fn update(&mut self, _: &News) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// What a run is given beside its model.
+pub struct RunOptions<'a> {
+    /// Who is told how it goes, and may end it.
+    pub progress: &'a mut dyn Progress,
+    /// Where its checkpoints go, if it is to write any.
+    pub checkpoints: Option<&'a mut Checkpoints>,
+    /// Who takes every N-th frame (`output.fields.every` of the scene, else each), if anyone does.
+    pub fields: Option<&'a mut dyn FieldSink>,
+    /// Where it goes on from, if not from its start.
+    pub from: Option<Checkpoint>,
 }
 
 /// What a run leaves behind.
@@ -57,6 +94,26 @@ pub enum Ended {
     Done,
     /// It did not; curve and shapes hold what came before.
     Diverged(Failure),
+    /// It was ended from outside; curve and shapes hold what came before.
+    Interrupted {
+        /// Time \[T\]; nought without time.
+        time: f64,
+        /// Load level.
+        level: f64,
+    },
+}
+
+impl fmt::Display for Ended {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Done => f.write_str("done"),
+            Self::Diverged(failure) => failure.fmt(f),
+            Self::Interrupted { time, level } if *time > 0.0 => {
+                write!(f, "interrupted at time {time:.6e}, level {level:.6}")
+            }
+            Self::Interrupted { level, .. } => write!(f, "interrupted at level {level:.6}"),
+        }
+    }
 }
 
 /// Why a run did not reach its end.
@@ -97,7 +154,7 @@ fn causes(error: &BalanceError) -> String {
 }
 
 /// A deformed shape.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
     /// Time \[T\].
     pub time: f64,
@@ -123,6 +180,8 @@ pub(crate) struct Findings<'a> {
     pub(crate) levels: Vec<LevelSummary>,
     pub(crate) newton_iterations: u64,
     pub(crate) critical: Vec<CriticalSummary>,
+    /// Wall time of earlier sittings \[s\].
+    pub(crate) seconds: f64,
     /// Where frames of fields go, if anywhere.
     pub(crate) frames: Option<Frames<'a>>,
 }
@@ -146,37 +205,48 @@ impl Findings<'_> {
 impl Model {
     /// Runs to the end, or to divergence. With more than one thread the run has a pool of its own.
     pub fn run(self, progress: &mut dyn Progress) -> Outcome {
-        self.run_in_pool(progress, None)
+        let found = self.nothing_yet(None);
+        self.in_pool(RunOptions { progress, checkpoints: None, fields: None, from: None }, found, None)
     }
 
-    /// The same, with every N-th frame (`output.fields.every` of the scene, else each) handed to a sink on the way.
-    pub fn run_with_fields(self, progress: &mut dyn Progress, sink: &mut dyn FieldSink) -> Outcome {
-        self.run_in_pool(progress, Some(sink))
+    /// The same with options: keeps checkpoints, shows frames, goes on from a checkpoint.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Model`] for the checkpoint of another model.
+    pub fn run_with(mut self, mut options: RunOptions<'_>) -> Result<Outcome, CheckpointError> {
+        let mut found = self.nothing_yet(options.fields.take());
+        let from = options.from.take().map(|from| from.put_into(&mut self, &mut found)).transpose()?;
+        Ok(self.in_pool(options, found, from))
     }
 
-    fn run_in_pool(self, progress: &mut dyn Progress, sink: Option<&mut dyn FieldSink>) -> Outcome {
+    fn nothing_yet<'a>(&self, sink: Option<&'a mut dyn FieldSink>) -> Findings<'a> {
+        let curve = Curve { columns: columns(self), rows: Vec::new() };
+        let driven = self.driven.map(|driven| driven.particle);
+        let frames = sink.map(|sink| Frames::new(sink, &self.scene, driven));
+        Findings { curve, frames, ..Findings::default() }
+    }
+
+    fn in_pool(self, mut options: RunOptions<'_>, found: Findings<'_>, from: Option<Place>) -> Outcome {
         let threads = self.threads;
         match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-            Ok(pool) if threads > 1 => pool.install(|| self.analyse(progress, sink)),
-            _ => self.analyse(progress, sink),
+            Ok(pool) if threads > 1 => pool.install(|| self.analyse(&mut options, found, from)),
+            _ => self.analyse(&mut options, found, from),
         }
     }
 
-    fn analyse(self, progress: &mut dyn Progress, sink: Option<&mut dyn FieldSink>) -> Outcome {
+    fn analyse(self, options: &mut RunOptions<'_>, mut found: Findings<'_>, from: Option<Place>) -> Outcome {
         let described = self.describe();
-        let curve = Curve { columns: columns(&self), rows: Vec::new() };
         let Self { mut shell, scene, gauges, driven, threads, .. } = self;
         let (cells, spacing) = (shell.reference().cloud.cells.clone(), shell.reference().cloud.spacing());
-        let frames = sink.map(|sink| Frames::new(sink, &scene, driven.map(|driven| driven.particle)));
-        let mut found = Findings { curve, frames, ..Findings::default() };
         let started = Instant::now();
         match &scene.analysis {
-            Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, progress),
+            Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, options, from),
             Analysis::Linear(_) => linear(&mut StaticShell::new(shell), driven, gauges, &mut found),
             Analysis::Static(path) => {
-                levels(path, &mut StaticShell::new(shell), driven, gauges, &mut found, progress);
+                levels(path, &mut StaticShell::new(shell), driven, gauges, &mut found, (options, from));
             }
             Analysis::ArcLength(path) => {
+                let progress = &mut *options.progress;
                 arc_length(path, &mut StaticShell::new(shell), driven, gauges, &mut found, progress);
             }
             Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found),
@@ -189,11 +259,12 @@ impl Model {
                 found.ended = Ended::Diverged(failure);
             }
         }
-        let wall_seconds = started.elapsed().as_secs_f64();
+        let wall_seconds = found.seconds + started.elapsed().as_secs_f64();
         let marched = if matches!(scene.analysis, Analysis::Explicit(_)) { found.steps } else { 0 };
         let Findings { curve, shapes, ended, steps, stable_step, safety, energies, levels, .. } = found;
         let summary = Summary {
             title: scene.title.clone(),
+            replaced: Vec::new(),
             analysis: scene.analysis.word().into(),
             method: scene.formulation.describe(),
             particles: described.particles,
@@ -213,10 +284,7 @@ impl Model {
             frames,
             modelled: described.modelled,
             left_out: described.left_out,
-            ended: match &ended {
-                Ended::Done => "done".into(),
-                Ended::Diverged(error) => error.to_string(),
-            },
+            ended: ended.to_string(),
         };
         Outcome { curve, summary, ended, shapes, cells }
     }

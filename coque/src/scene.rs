@@ -31,6 +31,7 @@ pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::source::Source;
@@ -40,7 +41,7 @@ use crate::units::Units;
 ///
 /// A `Scene` in hand has passed every check that needs no particles; [`Scene::build`] makes the others.
 /// Dimensions are in the scene's own units.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Scene {
     /// One line that names the problem.
@@ -81,7 +82,7 @@ pub struct Scene {
 }
 
 /// One column of the curve.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {
     /// Name of the column.
@@ -98,7 +99,7 @@ pub struct Probe {
 }
 
 /// What a column measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measured {
     /// Component of the displacement \[L\].
@@ -114,17 +115,19 @@ pub enum Measured {
 }
 
 /// Further results.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Output {
     /// Columns of the plot `curve.svg`.
     pub plot: Option<Plot>,
     /// Frames for ParaView, in the folder `fields`.
     pub fields: Option<Fields>,
+    /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
+    pub checkpoint_every: Option<f64>,
 }
 
 /// Which frames are written, and what stands in them beside the motion of the particles.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fields {
     /// Every N-th settled level, record in time, converged point or mode; the first always.
@@ -133,13 +136,13 @@ pub struct Fields {
     /// The shell with its thickness as well, in files of its own.
     #[serde(default)]
     pub extruded: bool,
-    /// Strains, resultants and surface stresses at the sampling points.
+    /// Strains, resultants and, of homogeneous sections, surface stresses at the sampling points.
     #[serde(default)]
     pub stresses: bool,
 }
 
 /// Which column is drawn over which.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plot {
     /// Column along the horizontal axis.

@@ -1,6 +1,6 @@
 //! What a run was and what it cost, for people and programs (`summary.json`).
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::build::Model;
 use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
@@ -23,7 +23,7 @@ pub struct Modelled {
 }
 
 /// Energies at the last record \[F L\].
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Kinetic.
     pub kinetic: f64,
@@ -38,7 +38,7 @@ pub struct Energies {
 }
 
 /// How a load level ended.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct LevelSummary {
     /// Load level.
     pub level: f64,
@@ -51,7 +51,7 @@ pub struct LevelSummary {
 }
 
 /// A singular tangent met on a path of equilibria.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CriticalSummary {
     /// "limit point" or "bifurcation".
     pub kind: String,
@@ -64,6 +64,8 @@ pub struct CriticalSummary {
 pub struct Summary {
     /// Title of the scene.
     pub title: String,
+    /// Values of the scene that the command line replaced, as `path=value`.
+    pub replaced: Vec<String>,
     /// Analysis, as the scene calls it.
     pub analysis: String,
     /// Formulation with its options.
@@ -88,7 +90,7 @@ pub struct Summary {
     pub stable_step: f64,
     /// Fraction of the stable step that was used; nought without time.
     pub safety: f64,
-    /// Time the march took \[s\].
+    /// Time the run took, over all its sittings \[s\].
     pub wall_seconds: f64,
     /// Particles times steps per second of the march \[1/s\]; nought without time.
     pub particle_steps_per_second: f64,

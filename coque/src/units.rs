@@ -1,9 +1,10 @@
 //! Units: a scene declares one consistent set; they name the columns of results and change no number.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Units of length.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema, Serialize)]
 pub enum Length {
     /// Metre.
     #[serde(rename = "m")]
@@ -26,7 +27,7 @@ pub enum Length {
 }
 
 /// Units of force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema, Serialize)]
 pub enum Force {
     /// Newton.
     #[serde(rename = "N")]
@@ -46,7 +47,7 @@ pub enum Force {
 }
 
 /// Units of time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema, Serialize)]
 pub enum Time {
     /// Second.
     #[serde(rename = "s")]
@@ -65,7 +66,7 @@ pub enum Time {
 /// One consistent set of units. The unit of mass follows: force · time² / length.
 ///
 /// All three have a unit or none has: a length in metres with a force in `-` would be inconsistent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Units {
     /// Unit of length \[L\].

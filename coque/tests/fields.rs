@@ -10,7 +10,9 @@ use std::process::{Command, Stdio};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coque::scene::Fields;
-use coque::{Ended, Failure, FieldError, FieldFiles, FieldSink, Frame, Outcome, Scene, Silent, State};
+use coque::{
+    Ended, Failure, FieldError, FieldFiles, FieldSink, Frame, Outcome, RunOptions, Scene, Silent, State,
+};
 use sph_core::{Cell, Cloud, Vec3};
 
 const EVERYTHING: Fields = Fields { every: 1, extruded: true, stresses: true };
@@ -34,7 +36,8 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn run(scene: &Scene, sink: &mut dyn FieldSink) -> Outcome {
-    scene.build(1).unwrap().run_with_fields(&mut Silent, sink)
+    let options = RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(sink), from: None };
+    scene.build(1).unwrap().run_with(options).unwrap()
 }
 
 /// A file read back: numbers by name, and where the array stood.

@@ -5,7 +5,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::{Ended, FieldFiles, Outcome, Picture, Scene, Sheet, Silent, listed, mesh, picture_svg};
+use coque::{
+    Ended, FieldFiles, Outcome, Picture, RunOptions, Scene, Sheet, Silent, listed, mesh, picture_svg,
+};
 
 /// An empty folder of a test's own.
 fn folder(name: &str) -> PathBuf {
@@ -25,7 +27,9 @@ fn run(name: &str, origin: &Path, replaced: &[(&str, &str)]) -> (Outcome, Vec<Pa
     let scene = Scene::with_overrides(&text, &origin.to_string_lossy(), &pairs).unwrap();
     let folder = folder(name);
     let mut files = FieldFiles::create(&folder, &scene.output.fields.unwrap()).unwrap();
-    let outcome = scene.build(1).unwrap().run_with_fields(&mut Silent, &mut files);
+    let options =
+        RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut files), from: None };
+    let outcome = scene.build(1).unwrap().run_with(options).unwrap();
     assert_eq!(outcome.ended, Ended::Done);
     let frames = listed(&folder.join("shell.pvd")).unwrap();
     (outcome, frames.into_iter().map(|(_, path)| path).collect())

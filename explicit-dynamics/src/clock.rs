@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use serde::{Deserialize, Serialize};
+
 use crate::stable_step::{LinearisedDynamics, largest_eigenvalue, stable_step};
-use crate::{Dynamics, Instant, LevelReached, MarchError, Step, Work};
+use crate::{Dynamics, Instant, LevelReached, MarchError, Standing, Step, Work};
 
 /// Steps between two looks for runaway particles.
 const WATCH_EVERY: u64 = 64;
@@ -15,7 +17,7 @@ const SLIVER: f64 = 1e-6;
 const LANCZOS_STEPS: usize = 30;
 
 /// Energies of a run up to an instant \[F L\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
     /// Kinetic energy.
     pub kinetic: f64,
@@ -35,7 +37,7 @@ impl Balance {
 }
 
 /// What an observer is shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Steps done.
     pub step: u64,
@@ -57,12 +59,17 @@ pub trait Observer<S> {
     /// Told at the end of each load level of a quasi-static march.
     fn level(&mut self, _reached: &LevelReached) {}
 
-    /// Told now and then how far the run is, from 0 to 1, with the last record.
-    fn progress(&mut self, _done: f64, _record: &Record) {}
+    /// Told between any two steps where the march stands; `Break` ends it there in good order.
+    ///
+    /// `done` goes from 0 to 1; it is a guess where holds may end early. A march goes on from the standing and the
+    /// state of the system as if it had never stopped.
+    fn between(&mut self, _system: &mut S, _at: &Standing, _done: f64) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 /// Time, step size and energy balance of a system under way.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Clock {
     /// Where the run stands.
     pub now: Instant,
@@ -76,6 +83,8 @@ pub struct Clock {
     pub damping: f64,
     /// Kinetic energy at the last kick \[F L\].
     pub kinetic: f64,
+    /// Internal energy when it was last evaluated \[F L\].
+    pub internal: f64,
     external: f64,
     dissipated: f64,
     last_dt: f64,
@@ -107,6 +116,7 @@ impl Clock {
             safety,
             damping,
             kinetic: 0.0,
+            internal: 0.0,
             external: 0.0,
             dissipated: 0.0,
             last_dt: 0.0,
@@ -157,18 +167,24 @@ impl Clock {
         limit: f64,
         level: impl Fn(f64) -> f64,
     ) -> Result<ControlFlow<()>, MarchError> {
-        system.force(self.now, true);
+        self.evaluate(system);
         let step = self.next_step(limit, level);
         // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
         // velocities as they were given.
         let still = (self.steps == 0).then(|| system.kick(&Step { kick: 0.0, ..step }));
         let work = system.kick(&step);
-        let record = self.make_record(still.unwrap_or(work), system.internal_energy(), settled);
+        let record = self.make_record(still.unwrap_or(work), settled);
         let flow = observer.record(system, &record);
         self.last_good = Some(Box::new(record));
         system.drift(&step);
         self.finish(system, &step, work)?;
         Ok(flow)
+    }
+
+    /// Evaluates forces and energy of the present configuration.
+    pub(crate) fn evaluate<S: Dynamics>(&mut self, system: &mut S) {
+        system.force(self.now, true);
+        self.internal = system.internal_energy();
     }
 
     /// The last record of a run that was in good order.
@@ -190,10 +206,10 @@ impl Clock {
         }
     }
 
-    fn make_record(&mut self, work: Work, internal: f64, settled: bool) -> Record {
+    fn make_record(&mut self, work: Work, settled: bool) -> Record {
         let energy = Balance {
             kinetic: work.kinetic,
-            internal,
+            internal: self.internal,
             // The instant lies in the middle of the kick.
             external: self.external + 0.5 * work.external,
             dissipated: self.dissipated + 0.5 * work.dissipated,

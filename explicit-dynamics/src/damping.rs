@@ -1,5 +1,7 @@
 //! Damping: proportional to mass, or kinetic (stop where the kinetic energy peaks).
 
+use serde::{Deserialize, Serialize};
+
 /// How a quasi-static march comes to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damping {
@@ -20,7 +22,7 @@ impl Damping {
 }
 
 /// Finds the peaks of the kinetic energy.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct KineticDamping {
     last: f64,
     /// The highest peak since the last reset: what the stop criterion looks at \[F L\].

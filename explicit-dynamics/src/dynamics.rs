@@ -1,7 +1,9 @@
 //! What a system must offer to be marched: force, kick, drift.
 
+use serde::{Deserialize, Serialize};
+
 /// A moment of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Instant {
     /// Time \[T\].
     pub time: f64,

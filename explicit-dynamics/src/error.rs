@@ -33,6 +33,9 @@ pub enum MarchError {
         "no stable step: the largest eigenvalue of the stiffness over the mass was estimated as {0}; check masses and material"
     )]
     NoStableStep(f64),
+    /// A standing was handed to a march of another kind, or with fewer levels.
+    #[error("the march stands at {0}, which this one never comes to; go on with the march that stood there")]
+    OtherMarch(String),
     /// An option of the march is outside its bounds.
     #[error("{key} is {value}; it must be {bound}")]
     Option {

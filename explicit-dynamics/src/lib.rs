@@ -10,7 +10,8 @@
 //! | march freely in time | [`Transient`] |
 //! | find equilibria along a load path | [`QuasiStatic`] |
 //! | know the stable step | [`largest_eigenvalue`], [`stable_step`] |
-//! | watch | [`Observer`], [`Record`] |
+//! | watch, stop | [`Observer`], [`Record`] |
+//! | keep a march and go on later, to the same bits | [`Observer::between`], [`Standing`], `QuasiStatic::go_on`, `Transient::go_on` |
 
 mod amplitude;
 mod clock;
@@ -19,6 +20,7 @@ mod dynamics;
 mod error;
 mod quasi_static;
 mod stable_step;
+mod standing;
 mod transient;
 
 pub use amplitude::Amplitude;
@@ -28,4 +30,5 @@ pub use dynamics::{Dynamics, Instant, Step, Work};
 pub use error::MarchError;
 pub use quasi_static::{LevelReached, QuasiStatic};
 pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};
+pub use standing::{Hold, Place, Standing};
 pub use transient::Transient;

@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 
 use crate::amplitude::smooth;
 use crate::error::positive;
-use crate::{Clock, Damping, Dynamics, KineticDamping, LinearisedDynamics, MarchError, Observer};
+use crate::{
+    Clock, Damping, Dynamics, Hold, KineticDamping, LinearisedDynamics, MarchError, Observer, Place, Standing,
+};
 
 /// Ramp and hold. Loads are read after a hold: damping drags the reaction while a ramp runs.
 #[derive(Clone, Debug)]
@@ -65,72 +67,135 @@ impl QuasiStatic {
             let bound = "at most 1e8 stable steps; check the units of period, density and stiffness";
             return Err(MarchError::Option { key: "period", value: self.period, bound });
         }
-        if clock.recorded_step(system, observer, true, f64::INFINITY, |_| 0.0)?.is_break() {
+        let flow = clock.recorded_step(system, observer, true, f64::INFINITY, |_| 0.0)?;
+        if flow.is_break() || self.levels.is_empty() {
             return Ok(clock);
         }
-        for number in 0..self.levels.len() {
-            if number > 0 {
-                clock.estimate_step(system)?;
-            }
-            if self.one_level(&mut clock, system, observer, number)?.is_break() {
-                break;
-            }
-        }
-        Ok(clock)
+        let place = self.begin(0, &clock);
+        self.go_on(Standing { clock, place }, system, observer)
     }
 
-    fn one_level<S, O>(
-        &self,
-        clock: &mut Clock,
-        system: &mut S,
-        observer: &mut O,
-        number: usize,
-    ) -> Result<ControlFlow<()>, MarchError>
+    /// Goes on from where a march of the same data stood, with its system in the state it had there.
+    ///
+    /// # Errors
+    /// [`MarchError`] for divergence and for the standing of another march.
+    pub fn go_on<S, O>(&self, mut at: Standing, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
         S: Dynamics + LinearisedDynamics,
         O: Observer<S>,
     {
+        loop {
+            let Place::QuasiStatic { level, start, .. } = at.place else { return Err(at.other()) };
+            let Some(&to) = self.levels.get(level) else { return Err(at.other()) };
+            if self.ramp_up(&mut at, system, observer)?.is_break() {
+                break;
+            }
+            at.clock.now.level = to;
+            let Some(settled) = self.hold_still(&mut at, start, system, observer)? else { break };
+            let flow = at.clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
+            at.clock.watch(system)?;
+            if flow.is_break() || level + 1 == self.levels.len() {
+                break;
+            }
+            at.clock.estimate_step(system)?;
+            at.place = self.begin(level + 1, &at.clock);
+        }
+        Ok(at.clock)
+    }
+
+    /// The place at the foot of the ramp to a level.
+    fn begin(&self, level: usize, clock: &Clock) -> Place {
+        Place::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, hold: None }
+    }
+
+    /// Marches along the ramp, if it is not over; `Break` if the observer ends the march.
+    fn ramp_up<S, O>(
+        &self,
+        at: &mut Standing,
+        system: &mut S,
+        observer: &mut O,
+    ) -> Result<ControlFlow<()>, MarchError>
+    where
+        S: Dynamics,
+        O: Observer<S>,
+    {
+        let Place::QuasiStatic { level: number, start, first_step, hold: None } = at.place else {
+            return Ok(ControlFlow::Continue(()));
+        };
         let to = self.levels[number];
         let from = if number == 0 { 0.0 } else { self.levels[number - 1] };
-        let (start, first_step) = (clock.now.time, clock.steps);
         let ramp = self.ramp * self.period;
         let level = |time: f64| from + (to - from) * smooth((time - start) / ramp);
-        while start + ramp - clock.now.time > 0.5 * clock.dt {
-            clock.step(system, start + ramp - clock.now.time, level)?;
+        while start + ramp - at.clock.now.time > 0.5 * at.clock.dt {
+            let within = 0.5 * (at.clock.now.time - start) / ramp;
+            if observer.between(system, at, self.done(number, within)).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+            at.clock.step(system, start + ramp - at.clock.now.time, level)?;
         }
-        clock.now.level = to;
-        let hold_end = clock.now.time + self.hold * self.period;
-        let look = self.period / LOOKS_PER_PERIOD;
-        let mut peaks = KineticDamping::default();
-        let mut quiet = 0;
+        let now = at.clock.now.time;
+        let hold = Hold {
+            end: now + self.hold * self.period,
+            look: now + self.period / LOOKS_PER_PERIOD,
+            quiet: 0,
+            peaks: KineticDamping::default(),
+        };
+        at.place = Place::QuasiStatic { level: number, start, first_step, hold: Some(hold) };
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Marches until the motion has died (true) or the hold is over (false); nothing if the observer ends the march.
+    fn hold_still<S, O>(
+        &self,
+        at: &mut Standing,
+        start: f64,
+        system: &mut S,
+        observer: &mut O,
+    ) -> Result<Option<bool>, MarchError>
+    where
+        S: Dynamics,
+        O: Observer<S>,
+    {
         loop {
-            let look_end = clock.now.time + look;
-            while clock.now.time < look_end {
+            let Place::QuasiStatic { level: number, first_step, hold: Some(mut hold), .. } = at.place else {
+                return Err(at.other());
+            };
+            // Most holds end early: half a level for the ramp, the rest approached.
+            let held = at.clock.now.time - start - self.ramp * self.period;
+            let within = 1.0 - 0.5 / (1.0 + held / self.period);
+            if observer.between(system, at, self.done(number, within)).is_break() {
+                return Ok(None);
+            }
+            let (clock, to) = (&mut at.clock, self.levels[number]);
+            if clock.now.time < hold.look {
                 clock.step(system, f64::INFINITY, |_| to)?;
-                if self.damping == Damping::Kinetic && peaks.peaked(clock.kinetic) {
+                if self.damping == Damping::Kinetic && hold.peaks.peaked(clock.kinetic) {
                     system.stop();
                     clock.book_stop();
                 }
             }
-            system.force(clock.now, true);
-            // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
-            let kinetic = if self.damping == Damping::Kinetic { peaks.peak } else { clock.kinetic };
-            let ratio = kinetic / system.internal_energy().max(f64::MIN_POSITIVE);
-            let below = ratio < self.tolerance && (self.damping != Damping::Kinetic || peaks.peak > 0.0);
-            quiet = if below { quiet + 1 } else { 0 };
-            if let Some(good) = clock.last_good() {
-                // Most holds end early: half a level for the ramp, the rest approached.
-                let within = 1.0 - 0.5 / (1.0 + (clock.now.time - start - ramp) / self.period);
-                observer.progress((number as f64 + within) / self.levels.len() as f64, good);
+            if clock.now.time >= hold.look {
+                clock.evaluate(system);
+                // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
+                let kinetic = if self.damping == Damping::Kinetic { hold.peaks.peak } else { clock.kinetic };
+                let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
+                let below =
+                    ratio < self.tolerance && (self.damping != Damping::Kinetic || hold.peaks.peak > 0.0);
+                hold.quiet = if below { hold.quiet + 1 } else { 0 };
+                let settled = hold.quiet >= QUIET_LOOKS;
+                if settled || clock.now.time >= hold.end {
+                    let steps = clock.steps - first_step;
+                    observer.level(&LevelReached { level: to, settled, kinetic_over_internal: ratio, steps });
+                    return Ok(Some(settled));
+                }
+                hold.look = clock.now.time + self.period / LOOKS_PER_PERIOD;
             }
-            let settled = quiet >= QUIET_LOOKS;
-            if settled || clock.now.time >= hold_end {
-                let steps = clock.steps - first_step;
-                observer.level(&LevelReached { level: to, settled, kinetic_over_internal: ratio, steps });
-                let flow = clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
-                clock.watch(system)?;
-                return Ok(flow);
-            }
+            at.place = Place::QuasiStatic { level: number, start, first_step, hold: Some(hold) };
         }
+    }
+
+    /// Part of the way that is done, from the part of a level.
+    fn done(&self, level: usize, within: f64) -> f64 {
+        ((level as f64 + within) / self.levels.len() as f64).clamp(0.0, 1.0)
     }
 }

@@ -1,9 +1,7 @@
 //! A run in real time, recorded at equal intervals.
 
-use std::ops::ControlFlow;
-
 use crate::error::positive;
-use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, Observer};
+use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, Observer, Place, Standing};
 
 /// Steps between two estimates of the stable step.
 const ESTIMATE_EVERY: u64 = 5000;
@@ -43,27 +41,50 @@ impl Transient {
             let bound = "at most 1e10 stable steps and 1e7 records; check units, duration and record_every";
             return Err(MarchError::Option { key: "duration", value: self.duration, bound });
         }
+        let flow = clock.recorded_step(system, observer, false, self.record_every, |_| 1.0)?;
+        let place = Place::Transient { record: 0, next_estimate: ESTIMATE_EVERY };
+        if flow.is_break() {
+            return Ok(clock);
+        }
+        self.go_on(Standing { clock, place }, system, observer)
+    }
+
+    /// Goes on from where a march of the same data stood, with its system in the state it had there.
+    ///
+    /// # Errors
+    /// [`MarchError`] for divergence and for the standing of another march.
+    pub fn go_on<S, O>(&self, mut at: Standing, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
+    where
+        S: Dynamics + LinearisedDynamics,
+        O: Observer<S>,
+    {
         let records = (self.duration / self.record_every).ceil().max(1.0) as u64;
-        let mut next_estimate = ESTIMATE_EVERY;
-        for record in 0..=records {
-            let end = (record + 1) as f64 * self.record_every;
-            let flow = clock.recorded_step(system, observer, false, end - clock.now.time, |_| 1.0)?;
-            if let Some(good) = clock.last_good() {
-                observer.progress(record as f64 / records as f64, good);
-            }
-            if flow == ControlFlow::Break(()) || record == records {
+        loop {
+            let Place::Transient { record, next_estimate } = at.place else { return Err(at.other()) };
+            let done = at.clock.now.time / self.duration;
+            if observer.between(system, &at, done.clamp(0.0, 1.0)).is_break() {
                 break;
             }
+            let clock = &mut at.clock;
+            let left = (record + 1) as f64 * self.record_every - clock.now.time;
             // Half a step of slack: the last step of an interval ends on the record up to round-off.
-            while end - clock.now.time > 0.5 * clock.dt.min(self.record_every) {
-                clock.step(system, end - clock.now.time, |_| 1.0)?;
+            if left > 0.5 * clock.dt.min(self.record_every) {
+                clock.step(system, left, |_| 1.0)?;
+                continue;
             }
-            if clock.steps >= next_estimate {
+            let mut next = next_estimate;
+            if clock.steps >= next {
                 clock.estimate_step(system)?;
-                next_estimate = clock.steps + ESTIMATE_EVERY;
+                next = clock.steps + ESTIMATE_EVERY;
+            }
+            let left = (record + 2) as f64 * self.record_every - clock.now.time;
+            let flow = clock.recorded_step(system, observer, false, left, |_| 1.0)?;
+            at.place = Place::Transient { record: record + 1, next_estimate: next };
+            if flow.is_break() || record + 1 >= records {
+                break;
             }
         }
-        clock.watch(system)?;
-        Ok(clock)
+        at.clock.watch(system)?;
+        Ok(at.clock)
     }
 }

@@ -14,6 +14,9 @@ pub trait Kernel: Send + Sync {
     /// Name by which scenes choose the kernel.
     fn name(&self) -> &'static str;
 
+    /// One line for people.
+    fn describe(&self) -> &'static str;
+
     /// Radius of the support in units of `h`; `w` and `w'` vanish from there on.
     fn support(&self) -> f64;
 
@@ -55,6 +58,10 @@ impl Kernel for CubicSpline {
         "cubic-spline"
     }
 
+    fn describe(&self) -> &'static str {
+        "cubic B-spline, support 2 h"
+    }
+
     fn support(&self) -> f64 {
         2.0
     }
@@ -79,6 +86,10 @@ impl Kernel for WendlandC2 {
         "wendland-c2"
     }
 
+    fn describe(&self) -> &'static str {
+        "Wendland's C2 kernel, support 2 h"
+    }
+
     fn support(&self) -> f64 {
         2.0
     }
@@ -97,6 +108,10 @@ impl Kernel for WendlandC4 {
         "wendland-c4"
     }
 
+    fn describe(&self) -> &'static str {
+        "Wendland's C4 kernel, support 2 h"
+    }
+
     fn support(&self) -> f64 {
         2.0
     }
@@ -113,6 +128,10 @@ impl Kernel for WendlandC4 {
 impl Kernel for QuinticSpline {
     fn name(&self) -> &'static str {
         "quintic-spline"
+    }
+
+    fn describe(&self) -> &'static str {
+        "quintic B-spline, support 3 h"
     }
 
     fn support(&self) -> f64 {

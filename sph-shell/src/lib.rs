@@ -24,6 +24,7 @@ mod freedoms;
 mod fused;
 mod loads;
 mod march;
+mod motion;
 mod packs;
 mod pair_control;
 mod particle;

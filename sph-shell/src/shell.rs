@@ -219,55 +219,9 @@ impl Shell {
         5 * self.len() - held
     }
 
-    /// Present position of a particle \[L\].
-    pub fn position(&self, particle: usize) -> Vec3 {
-        let row = &self.state[particle];
-        Vec3::new(row[0], row[1], row[2])
-    }
-
-    /// Displacement of a particle \[L\].
-    pub fn displacement(&self, particle: usize) -> Vec3 {
-        self.position(particle) - self.reference.cloud.positions[particle]
-    }
-
-    /// Present director of a particle (unit vector).
-    pub fn director(&self, particle: usize) -> Vec3 {
-        let row = &self.state[particle];
-        Vec3::new(row[3], row[4], row[5])
-    }
-
     /// Internal energy found by the last evaluation that was asked for it \[F L\].
     pub fn stored_energy(&self) -> f64 {
         self.internal_energy
-    }
-
-    /// Velocity of a particle, half a step behind its position \[L/T\].
-    pub fn velocity(&self, particle: usize) -> Vec3 {
-        let row = &self.rates[particle];
-        Vec3::new(row[0], row[1], row[2])
-    }
-
-    /// Rate of a particle's director, in step with [`Shell::velocity`] \[1/T\].
-    pub fn director_rate(&self, particle: usize) -> Vec3 {
-        let row = &self.rates[particle];
-        Vec3::new(row[3], row[4], row[5])
-    }
-
-    /// Sets the velocity of a particle and the rate of its director; held parts are taken out.
-    pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
-        let d = self.director(particle);
-        let tangent = director_rate - d * d.dot(&director_rate);
-        let (mut v, mut w) = (velocity.into(), tangent.into());
-        if let Some(constraint) = self.constraint(particle) {
-            (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
-        }
-        self.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
-    }
-
-    /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
-    pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
-        let d = director.normalize();
-        self.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
     pub(crate) fn constraint(&self, particle: usize) -> Option<&Constraint> {

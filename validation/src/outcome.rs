@@ -72,7 +72,7 @@ impl From<coque::Outcome> for Outcome {
             restless: summary.levels.iter().filter(|level| !level.settled).count(),
             failure: match run.ended {
                 Ended::Done => None,
-                Ended::Diverged(failure) => Some(failure.to_string()),
+                ended => Some(ended.to_string()),
             },
             shapes: run.shapes,
             faces: run

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use sph_shell::PointResult;
 
 use super::content::{Content, read};
+use super::read::listed;
 use super::vtu::Vtu;
 use super::whole::write_whole;
 use super::{FieldError, FieldSink, Frame};
@@ -49,6 +50,23 @@ impl FieldFiles {
             results: Vec::new(),
         })
     }
+
+    /// Goes on after so many frames that an earlier sitting wrote; those after them are taken out, to be written again.
+    ///
+    /// # Errors
+    /// [`FieldError`] for a list that does not hold them, and a folder that cannot be cleared.
+    pub fn go_on(folder: &Path, wanted: &Fields, frames: u64) -> Result<Self, FieldError> {
+        if frames == 0 {
+            return Self::create(folder, wanted);
+        }
+        let series = |name| Series { folder: folder.into(), name, frames: Vec::new() }.up_to(frames as usize);
+        Ok(Self {
+            stresses: wanted.stresses,
+            sheet: series("shell")?,
+            solid: wanted.extruded.then(|| series("solid")).transpose()?,
+            results: Vec::new(),
+        })
+    }
 }
 
 impl FieldSink for FieldFiles {
@@ -86,6 +104,10 @@ impl Series {
         let name = format!("{}-{:04}.vtu", self.name, self.frames.len());
         write(&self.folder.join(&name))?;
         self.frames.push((along, name));
+        self.write_list()
+    }
+
+    fn write_list(&self) -> Result<(), FieldError> {
         write_whole(&self.list(), |mut file| {
             writeln!(file, "<?xml version=\"1.0\"?>")?;
             writeln!(file, "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">")?;
@@ -102,16 +124,38 @@ impl Series {
         self.folder.join(format!("{}.pvd", self.name))
     }
 
+    /// Reads the list of an earlier sitting back and keeps its first frames.
+    fn up_to(mut self, frames: usize) -> Result<Self, FieldError> {
+        let list = self.list();
+        let refused = |reason: String| FieldError { path: list.display().to_string(), reason };
+        let found = listed(&list).map_err(|error| refused(error.reason))?;
+        if found.len() < frames {
+            let reason = format!("it lists {} frames, the checkpoint goes on after {frames}", found.len());
+            return Err(refused(reason));
+        }
+        let name = |path: PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        self.frames = found.into_iter().take(frames).map(|(along, path)| (along, name(path))).collect();
+        self.write_list()?;
+        self.remove_frames()?;
+        Ok(self)
+    }
+
     /// Removes the list, then the frames: no list ever names what is gone.
     fn clear(&self) -> Result<(), FieldError> {
         let list = self.list();
         if list.exists() {
             fs::remove_file(&list).map_err(|error| refused(&list, &error))?;
         }
+        self.remove_frames()
+    }
+
+    /// Removes every frame that is not listed.
+    fn remove_frames(&self) -> Result<(), FieldError> {
         let entries = fs::read_dir(&self.folder).map_err(|error| refused(&self.folder, &error))?;
         for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            if self.is_frame(&name) && path.is_file() {
+            let listed = self.frames.iter().any(|(_, kept)| *kept == name);
+            if self.is_frame(&name) && !listed && path.is_file() {
                 fs::remove_file(&path).map_err(|error| refused(&path, &error))?;
             }
         }

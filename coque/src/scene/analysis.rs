@@ -1,5 +1,6 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, SeqAccess, Visitor};
@@ -7,38 +8,38 @@ use serde::de::{Deserializer, SeqAccess, Visitor};
 use super::{ArcLength, Buckling, Linear, Modal, Static};
 
 /// How to find answers; exactly one of the tables is given.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Analysis {
-    /// Central differences.
+    /// Marching in time by central differences.
     Explicit(Explicit),
     /// The linear answer to the loads.
     Linear(Linear),
-    /// Equilibria at load levels.
+    /// Equilibria at load levels, by Newton's method.
     Static(Static),
-    /// A path of equilibria.
+    /// A path of equilibria past limit and turning points, by arc length.
     ArcLength(ArcLength),
-    /// Modes of vibration.
+    /// Modes of free vibration of the unloaded shell.
     Modal(Modal),
-    /// Modes of buckling.
+    /// Buckling levels and modes, linearised about the unloaded shell.
     Buckling(Buckling),
 }
 
 /// Central differences; exactly one of the two tables is given.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Explicit {
     /// Fraction of the stable step \[–\].
     #[serde(default = "usual_safety")]
     pub safety: f64,
-    /// Equilibria along a load path.
+    /// Equilibria along a load path, by damped marching: ramp, then hold until the motion has died.
     pub quasi_static: Option<QuasiStatic>,
-    /// Real time.
+    /// Motion in real time.
     pub transient: Option<Transient>,
 }
 
 /// Equilibria along a load path: a smooth ramp to each level, then a hold until the motion has died.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct QuasiStatic {
     /// Load levels to stop at.
@@ -69,7 +70,7 @@ pub enum Levels {
 }
 
 /// How a quasi-static run comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Damping {
     /// Mass-proportional, this fraction of critical for the lowest mode \[–\].
@@ -79,7 +80,7 @@ pub enum Damping {
 }
 
 /// A run in real time.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transient {
     /// Length of the run \[T\].
@@ -188,5 +189,21 @@ impl<'de> Deserialize<'de> for Levels {
             }
         }
         deserializer.deserialize_any(CountOrList)
+    }
+}
+
+impl JsonSchema for Levels {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Levels".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Load levels: this many equal steps up to one, or these, in order.",
+            "oneOf": [
+                { "type": "integer", "minimum": 1 },
+                { "type": "array", "items": { "type": "number" }, "minItems": 1 }
+            ]
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Formulation, Reach, Region, Scene};
+use super::{Analysis, Formulation, Reach, Region, Scene};
 use crate::error::SceneError;
 use crate::probe::always;
 use crate::sets::BUILT_IN;
@@ -127,6 +127,18 @@ impl Scene {
         Err(SceneError::Set(self.source.fault(path, &format!("\"{name}\""), "which is no set", &repair)))
     }
 
+    fn check_checkpoints(&self) -> Checked {
+        let Some(every) = self.output.checkpoint_every else { return Ok(()) };
+        let path = "output.checkpoint_every";
+        if !matches!(self.analysis, Analysis::Explicit(_) | Analysis::Static(_)) {
+            let what = self.analysis.run_name();
+            let bound = format!("left out in {what}, which cannot go on from its middle");
+            let repair = "remove it, or use [analysis.explicit] or [analysis.static]";
+            return Err(self.source.value(path, every, &bound, repair));
+        }
+        self.source.positive(path, every)
+    }
+
     fn check_curve(&self) -> Checked {
         let s = &self.source;
         let mut names: BTreeSet<&str> = always(&self.analysis).iter().copied().collect();
@@ -154,6 +166,6 @@ impl Scene {
             s.word("output.plot.x", &plot.x, &known)?;
             s.word("output.plot.y", &plot.y, &known)?;
         }
-        Ok(())
+        self.check_checkpoints()
     }
 }

@@ -1,11 +1,12 @@
 //! Supports, prescribed motions and loads, each on a named set of particles.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
 /// A support: exactly one of its conditions is given.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
     /// Particle set.
@@ -27,12 +28,12 @@ pub struct Support {
 }
 
 /// A condition without options: `{}`.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fixed {}
 
 /// Mirror plane: neither displacement nor director along its normal.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Symmetry {
     /// Normal of the plane; its length does not matter.
@@ -40,7 +41,7 @@ pub struct Symmetry {
 }
 
 /// Rigid diaphragm: no displacement across its axis.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Diaphragm {
     /// Normal of the diaphragm, along which particles are free; its length does not matter.
@@ -48,7 +49,7 @@ pub struct Diaphragm {
 }
 
 /// No displacement along some directions, no turn of the director out of a plane; at least one of the two is given.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Held {
     /// Directions of no displacement, none to three, no two parallel; their length does not matter.
@@ -60,7 +61,7 @@ pub struct Held {
 }
 
 /// Displacement `by × level`, in a transient run `by × amplitude`, along a direction; the others stay free.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Moved {
     /// Direction; its length does not matter.
@@ -108,25 +109,25 @@ impl Support {
 }
 
 /// A load: exactly one kind is given.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
     /// Particle set.
     pub on: String,
-    /// Dead force.
+    /// Dead force, shared by the set.
     pub force: Option<Force>,
-    /// Couple on an edge.
+    /// Couple on an edge, about a fixed axis or about the moving edge.
     pub couple: Option<Couple>,
-    /// Pressure.
+    /// Pressure along the normal, dead or following the surface.
     pub pressure: Option<Pressure>,
-    /// Weight.
+    /// Weight: an acceleration of the mass of the set.
     pub gravity: Option<Gravity>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
 }
 
 /// Dead force shared by the set: by tributary length on an edge, else equally.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Force {
     /// Resultant \[F\].
@@ -134,7 +135,7 @@ pub struct Force {
 }
 
 /// Couple on an edge.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Couple {
     /// Moment of the whole edge \[F L\].
@@ -153,7 +154,7 @@ pub enum Axis {
 }
 
 /// Pressure.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pressure {
     /// Along the normal of the surface \[F/L²\].
@@ -164,7 +165,7 @@ pub struct Pressure {
 }
 
 /// Weight.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gravity {
     /// Acceleration \[L/T²\].
@@ -172,7 +173,7 @@ pub struct Gravity {
 }
 
 /// Variation of a load in time.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Amplitude {
     /// One throughout.
@@ -245,5 +246,21 @@ impl<'de> Deserialize<'de> for Axis {
             }
         }
         deserializer.deserialize_any(WordOrVector)
+    }
+}
+
+impl JsonSchema for Axis {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Axis".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Axis of a couple: fixed in space, or the current direction of the edge.",
+            "oneOf": [
+                { "const": "edge" },
+                { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }
+            ]
+        })
     }
 }

@@ -1,10 +1,11 @@
 //! The particle method: where strains are sampled and how wide the corrected kernel reaches.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
 
 /// The particle method.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Formulation {
     /// Strains at one point per cell of the cloud; forces are the exact transpose.
@@ -16,7 +17,7 @@ pub enum Formulation {
 }
 
 /// Options of [`Formulation::StressPoint`].
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StressPoint {
     /// Reach of the kernel.
@@ -40,7 +41,7 @@ pub enum Reach {
 }
 
 /// Options of [`Formulation::Nodal`].
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Nodal {
     /// Degree of the polynomials that gradients reproduce, 1 to 3.
@@ -59,7 +60,7 @@ pub struct Nodal {
 }
 
 /// Options of [`Formulation::StrongForm`].
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrongForm {
     /// Smoothing length in spacings.
@@ -191,5 +192,19 @@ impl<'de> Deserialize<'de> for Reach {
             }
         }
         deserializer.deserialize_any(WordOrNumber)
+    }
+}
+
+impl JsonSchema for Reach {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Reach".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "How far the kernel of a stress point reaches: to the particles of the cell, in closed form, \
+                            or to this many distances to the fourth nearest particle.",
+            "oneOf": [{ "const": "cell" }, { "type": "number" }]
+        })
     }
 }

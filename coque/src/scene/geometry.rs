@@ -1,11 +1,12 @@
 //! Shapes of the mid-surface, disorder, orientation, and regions that pick particles.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Mesh;
 
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Geometry {
     /// Rectangle.
@@ -21,7 +22,7 @@ pub enum Geometry {
 }
 
 /// Rectangle in the plane z = 0 from the origin, u along x, v along y.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plate {
     /// Extent along x and y \[L\].
@@ -37,7 +38,7 @@ pub struct Plate {
 }
 
 /// Part of a cylinder about the y axis; `u` is the angle from +z towards +x, `v` runs along y from 0.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
     /// Radius \[L\].
@@ -57,7 +58,7 @@ pub struct Cylinder {
 }
 
 /// Part of a sphere about the origin; `u` is the polar angle from +z, `v` the azimuth from +x towards +y.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Radius \[L\].
@@ -79,7 +80,7 @@ pub struct Sphere {
 /// Strip twisted uniformly about the x axis, its centre line; `u` runs along x, `v` across.
 ///
 /// At the root `u = 0` the width lies along +y and the normal is +z; at the tip both are turned by `twist`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Twisted {
     /// Length along x \[L\].
@@ -99,7 +100,7 @@ pub struct Twisted {
 }
 
 /// Random displacement of particles in the surface; edge particles slide along their edge, corners stay.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Disorder {
     /// Greatest displacement along u and v, in spacings.
@@ -109,7 +110,7 @@ pub struct Disorder {
 }
 
 /// Particles scattered over the surface at random, none near another; those on the edges stand evenly.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scattered {
     /// Distance between particles on the edges, and inside about the side of the square that each stands for \[L\].
@@ -119,7 +120,7 @@ pub struct Scattered {
 }
 
 /// Rotation about the origin of geometry, supports, loads and probes together.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orientation {
     /// Axis; its length does not matter.
@@ -129,7 +130,7 @@ pub struct Orientation {
 }
 
 /// Picks particles; exactly one of the three is given, in the un-turned frame.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
     /// The one particle nearest to this point \[L\].
@@ -142,7 +143,7 @@ pub struct Region {
 }
 
 /// Axis-parallel box.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Box3 {
     /// Least coordinates \[L\].
@@ -152,7 +153,7 @@ pub struct Box3 {
 }
 
 /// Plane.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OnPlane {
     /// A point of the plane \[L\].

@@ -1,9 +1,10 @@
 //! What the shell is made of and how it fills the thickness, as a scene says it.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Materials.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Material {
     /// Isotropic linear elasticity.
@@ -31,7 +32,7 @@ impl Material {
 }
 
 /// Isotropic linear elasticity.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Elastic {
     /// Young's modulus \[F/L²\].
@@ -43,7 +44,7 @@ pub struct Elastic {
 }
 
 /// Orthotropic linear elasticity, alike in all directions across the fibre as far as plane stress asks.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orthotropic {
     /// Young's modulus E_L along the fibre \[F/L²\].
@@ -61,7 +62,7 @@ pub struct Orthotropic {
 }
 
 /// Sections.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Section {
     /// One isotropic material through the thickness.
@@ -86,7 +87,7 @@ impl Section {
 }
 
 /// One isotropic material through the thickness.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Homogeneous {
     /// Thickness \[L\].
@@ -96,7 +97,7 @@ pub struct Homogeneous {
 }
 
 /// Plies of an orthotropic material on one another, their middle on the mid-surface.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Layered {
     /// Direction whose projection on the surface has the angle nought, in the un-turned frame.
@@ -106,7 +107,7 @@ pub struct Layered {
 }
 
 /// One ply.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ply {
     /// Thickness \[L\].

@@ -1,9 +1,10 @@
 //! The mid-surface from a file.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Triangles and quadrangles, or points, from a file; particles at its nodes.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
     /// The file, relative to the folder of the scene: `.msh`, `.inp`, `.stl`, `.obj`, `.vtu` or `.csv`.

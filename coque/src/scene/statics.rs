@@ -1,5 +1,6 @@
 //! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Levels;
@@ -7,7 +8,7 @@ use super::Levels;
 /// Equilibria at load levels, by Newton's method.
 ///
 /// A `moved` support makes it displacement control: its particle goes to `by × level`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Static {
     /// Load levels to stop at.
@@ -21,14 +22,14 @@ pub struct Static {
 }
 
 /// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Linear {}
 
 /// A path of equilibria past limit and turning points; ends by exactly one of `until` and `stop`.
 ///
 /// With a `moved` support the load is a force along the motion and the level is that force \[F\].
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ArcLength {
     /// Largest level, met exactly.
@@ -50,7 +51,7 @@ pub struct ArcLength {
 }
 
 /// Ends a path when a column of its curve exceeds a bound.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stop {
     /// Name of the column.
@@ -62,7 +63,7 @@ pub struct Stop {
 /// Modes of free vibration of the unloaded shell; `moved` supports stand still.
 ///
 /// Rigid motions that no support holds are modes too, of frequency nought within rounding.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Modal {
     /// Number of modes, the lowest ones.
@@ -70,7 +71,7 @@ pub struct Modal {
 }
 
 /// Buckling levels, linearised about the unloaded shell.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Buckling {
     /// Number of modes, those of the lowest positive levels.

@@ -1,0 +1,85 @@
+//! `coque check`: validates a scene and prints the model and what its run will cost.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use coque::{Estimate, Model, Quantity};
+
+use super::bar::clock;
+use super::teach::print;
+use crate::{build, read_scene, replacement};
+
+#[derive(Args)]
+pub struct Check {
+    /// The scene, a TOML file.
+    scene: PathBuf,
+    /// Threads that a run would use.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: u16,
+    /// Replace a value of the scene; may be given several times.
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
+    replaced: Vec<(String, String)>,
+}
+
+pub const HELP: &str = "\
+Reads and builds a scene as `coque run` would, times a few steps, and prints what is modelled, what is left out, and
+what a run will cost. How long levels hold is not known beforehand: the shortest and the longest are told.
+
+Examples:
+  coque check scenes/ring.toml
+  coque check scenes/panel.toml --set 'geometry.cylinder.particles=[101, 101]' --threads 2
+
+Exit codes: 0 sound, 2 refused.";
+
+/// Builds the model and prints it.
+pub fn carry_out(check: &Check) -> Result<(), String> {
+    let (scene, _) = read_scene(&check.scene, &check.replaced)?;
+    let model = build(&scene, check.threads.into())?;
+    let mut text = format!("{}\n{}", scene.title, described(&model));
+    let particles = model.describe().particles;
+    let time = scene.units.symbol(Quantity::Time);
+    text.push_str(&cost(&model.estimate(), particles, &time));
+    print(&text)
+}
+
+fn described(model: &Model) -> String {
+    let about = model.describe();
+    let mut text = format!(
+        "\n  particles                {}\n  points                   {}\n  freedoms                 {}\n",
+        about.particles, about.points, about.freedoms
+    );
+    for (heading, lines) in [("modelled", &about.modelled), ("left out", &about.left_out)] {
+        text.push_str(&format!("\n{heading}\n"));
+        lines.iter().for_each(|line| text.push_str(&format!("  {line}\n")));
+    }
+    text
+}
+
+fn cost(estimate: &Estimate, particles: usize, time: &str) -> String {
+    let mut text = String::from("\nwhat a run will cost\n");
+    let mut line = |word: &str, value: String| text.push_str(&format!("  {word:<24} {value}\n"));
+    let marched = estimate.stable_step > 0.0;
+    if marched {
+        line("stable step", format!("{:.3e} {time}", estimate.stable_step));
+        let rate = particles as f64 / estimate.seconds_a_step;
+        line("speed", format!("{:.1} million particle-steps/s, timed just now at rest", 1e-6 * rate));
+    } else {
+        line("one factorisation", format!("{:.2e} s, timed just now", estimate.seconds_a_step));
+    }
+    let word = if marched { "steps" } else { "factorisations" };
+    match estimate.steps {
+        Some([least, most]) => {
+            line(word, range(format!("{least:.0}"), format!("{most:.0}")));
+            let seconds = [least, most].map(|steps| clock(steps * estimate.seconds_a_step));
+            let [least, most] = seconds;
+            line("wall time", range(least, most));
+        }
+        None => line(word, "as the path will have it".into()),
+    }
+    line("memory of a step", format!("{:.1} MB", 1e-6 * estimate.bytes));
+    text
+}
+
+fn range(least: String, most: String) -> String {
+    if least == most { format!("about {least}") } else { format!("{least} to {most}") }
+}

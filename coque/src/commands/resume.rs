@@ -1,0 +1,59 @@
+//! `coque resume`: goes on with a run from the checkpoint in its folder.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use coque::{Checkpoint, CheckpointError, Scene, render};
+
+use crate::{build, launch, rendering};
+
+#[derive(Args)]
+pub struct Resume {
+    /// The folder of the run.
+    folder: PathBuf,
+    /// Threads [default: as before]; results are the same for any number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+pub const HELP: &str = "\
+A run whose scene asks for checkpoints can be stopped at any moment, by Ctrl-C, by the machine or by kill -9, and
+ends in the same bits as one that never was:
+  coque run scenes/ring.toml --set output.checkpoint_every=60
+  coque resume out/ring
+
+checkpoint_every is in seconds of wall time; a checkpoint is also kept at the start, after every settled level, and on
+Ctrl-C. Explicit runs go on between two steps, static ones after the last level found. An arc-length path carries
+its step size and its search for critical points from point to point and keeps no checkpoint; linear answers and modes
+are found at one stroke.
+
+Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another version or of a changed scene.";
+
+/// Reads the checkpoint, builds its scene again and goes on.
+pub fn carry_out(resume: &Resume) -> Result<u8, String> {
+    let folder = &resume.folder;
+    let (checkpoint, text) = Checkpoint::read(folder).map_err(|error| match (&error, ended(folder)) {
+        (CheckpointError::None(_), Some(how)) => format!(
+            "the run in {} has ended already ({how}); to run it anew: coque run {}\n",
+            folder.display(),
+            folder.join(coque::SCENE_COPY).display()
+        ),
+        _ => format!("{error}\n"),
+    })?;
+    let mut origin = checkpoint.origin.clone();
+    if let Some(threads) = resume.threads {
+        origin.threads = threads.into();
+    }
+    let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced);
+    let scene = scene.map_err(|error| render(&error, rendering()))?;
+    let model = build(&scene, origin.threads)?;
+    launch(model, folder, origin, Some(checkpoint))
+}
+
+/// How the run in a folder ended, if it did.
+fn ended(folder: &Path) -> Option<String> {
+    let summary = fs::read_to_string(folder.join("summary.json")).ok()?;
+    let summary: serde_json::Value = serde_json::from_str(&summary).ok()?;
+    Some(summary["ended"].as_str()?.to_owned())
+}

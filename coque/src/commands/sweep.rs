@@ -1,0 +1,261 @@
+//! `coque sweep`: runs a scene for every combination of values, several at a time, one table out.
+
+use std::fs;
+use std::io::{BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Instant;
+
+use clap::Args;
+use coque::{Column, Ended, News, Progress, Scene};
+
+use super::bar::stop_on_interrupt;
+use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, replacement};
+
+#[derive(Args)]
+pub struct Sweep {
+    /// The scene, a TOML file.
+    scene: PathBuf,
+    /// A value of the scene and what to replace it by in turn; given several times, every combination is run.
+    #[arg(long, value_name = "PATH=V1,V2,…", value_parser = replacement, required = true)]
+    over: Vec<(String, String)>,
+    /// Replace a value in all runs.
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
+    replaced: Vec<(String, String)>,
+    /// Runs at a time, one thread each.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: u16,
+    /// Folder for the results [default: out/<name of the scene>-sweep].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+pub const HELP: &str = "\
+Examples:
+  coque sweep scenes/ring.toml --over section.homogeneous.thickness=0.5,1,2 --jobs 2
+  coque sweep scenes/panel.toml --over 'geometry.cylinder.particles=[11, 11],[21, 21]' --over formulation.nodal.order=1,2
+
+Values are TOML; commas within brackets and quotes belong to the value.
+
+Results, in DIR:
+  sweep.csv      a row per run: its number, the values, how it ended, wall time, and the last row of its curve
+  001/curve.csv  the curve of each run, by number
+
+A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
+Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 130 interrupted.";
+
+/// Combinations beyond which a list of values is taken for a mistake.
+const MOST_RUNS: usize = 100_000;
+
+/// What became of one run.
+struct Row {
+    ended: String,
+    /// Exit code of such a run.
+    code: u8,
+    seconds: f64,
+    columns: Vec<Column>,
+    last: Vec<f64>,
+}
+
+/// Runs all combinations; the table is written whatever becomes of them.
+pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
+    let file = sweep.scene.display().to_string();
+    let text = fs::read_to_string(&sweep.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let runs = combinations(&sweep.over)?;
+    let stem = sweep.scene.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
+    let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
+    fs::create_dir_all(&out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
+    let interrupted = stop_on_interrupt()?;
+    let next = AtomicUsize::new(0);
+    let rows: Mutex<Vec<Option<Row>>> = Mutex::new(runs.iter().map(|_| None).collect());
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if interrupted.load(Ordering::Relaxed) {
+                return;
+            }
+            let Some(values) = runs.get(number) else { return };
+            let replaced = [&sweep.replaced[..], &values[..]].concat();
+            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &interrupted);
+            let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            eprintln!(
+                "[{}/{}] {}: {} ({:.1} s)",
+                number + 1,
+                runs.len(),
+                named.join(" "),
+                row.ended,
+                row.seconds
+            );
+            // A poisoned lock means that another run panicked; what it left is whole rows.
+            rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..usize::from(sweep.jobs).min(runs.len()) {
+            scope.spawn(work);
+        }
+    });
+    let rows = rows.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let table = out.join("sweep.csv");
+    write_table(&table, &sweep.over, &runs, &rows)
+        .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
+    let done = rows.iter().flatten().filter(|row| row.code == DONE).count();
+    eprintln!("{done} of {} runs done; the table is {}", runs.len(), table.display());
+    Ok(match () {
+        () if interrupted.load(Ordering::Relaxed) => INTERRUPTED,
+        () if done < runs.len() => DIVERGED,
+        () => DONE,
+    })
+}
+
+/// One run; whatever happens becomes a row.
+fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interrupted: &AtomicBool) -> Row {
+    let begun = Instant::now();
+    let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
+    let refused =
+        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: Vec::new(), last: Vec::new() };
+    let outcome = match model {
+        Ok(model) => model.run(&mut Watch(interrupted)),
+        Err(error) => return refused(format!("refused: {error}")),
+    };
+    let written =
+        fs::create_dir_all(out).and_then(|()| fs::File::create(out.join("curve.csv"))).and_then(|to| {
+            let mut to = BufWriter::new(to);
+            outcome.curve.write_csv(&mut to)?;
+            to.flush()
+        });
+    if let Err(error) = written {
+        return refused(format!("cannot write to {}: {error}", out.display()));
+    }
+    let code = match outcome.ended {
+        Ended::Done => DONE,
+        Ended::Diverged(_) => DIVERGED,
+        Ended::Interrupted { .. } => INTERRUPTED,
+    };
+    let last = outcome.curve.rows.last().cloned().unwrap_or_default();
+    let seconds = begun.elapsed().as_secs_f64();
+    Row { ended: outcome.ended.to_string(), code, seconds, columns: outcome.curve.columns, last }
+}
+
+/// Ends a run when Ctrl-C was pressed.
+struct Watch<'a>(&'a AtomicBool);
+
+impl Progress for Watch<'_> {
+    fn update(&mut self, _: &News) -> ControlFlow<()> {
+        if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+type Values = Vec<(String, String)>;
+
+/// Every combination of the values, the last list running fastest.
+fn combinations(over: &[(String, String)]) -> Result<Vec<Values>, String> {
+    let mut runs = vec![Values::new()];
+    for (path, list) in over {
+        let values = split(list);
+        if values.iter().any(|value| value.is_empty()) {
+            return Err(format!("--over {path}={list}: a value is empty; write PATH=V1,V2,…\n"));
+        }
+        if runs.len() * values.len() > MOST_RUNS {
+            return Err(format!("more than {MOST_RUNS} combinations; give fewer values\n"));
+        }
+        let with = |run: &Values, value: &&str| {
+            let mut run = run.clone();
+            run.push((path.clone(), (*value).to_owned()));
+            run
+        };
+        runs = runs.iter().flat_map(|run| values.iter().map(move |value| with(run, value))).collect();
+    }
+    Ok(runs)
+}
+
+/// Parts between commas that stand in no bracket and no quotes.
+fn split(list: &str) -> Vec<&str> {
+    let (mut depth, mut quote, mut start) = (0_i32, None, 0);
+    let mut parts = Vec::new();
+    for (at, c) in list.char_indices() {
+        match (quote, c) {
+            (Some(open), _) if c == open => quote = None,
+            (Some(_), _) => {}
+            (None, '"' | '\'') => quote = Some(c),
+            (None, '[' | '{') => depth += 1,
+            (None, ']' | '}') => depth -= 1,
+            (None, ',') if depth == 0 => {
+                parts.push(list[start..at].trim());
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(list[start..].trim());
+    parts
+}
+
+/// The table: columns of curves are those of the first run that has any, found by name in the others.
+fn write_table(
+    path: &Path,
+    over: &[(String, String)],
+    runs: &[Values],
+    rows: &[Option<Row>],
+) -> std::io::Result<()> {
+    let mut to = BufWriter::new(fs::File::create(path)?);
+    let mut columns: Vec<&Column> = Vec::new();
+    for column in rows.iter().flatten().flat_map(|row| &row.columns) {
+        if !columns.contains(&column) {
+            columns.push(column);
+        }
+    }
+    let titles = columns.iter().map(|column| column.title());
+    let paths = over.iter().map(|(path, _)| quoted(path));
+    let head: Vec<String> = std::iter::once("run".into())
+        .chain(paths)
+        .chain(["ended".into(), "wall [s]".into()])
+        .chain(titles)
+        .collect();
+    writeln!(to, "{}", head.join(","))?;
+    for (number, (values, row)) in runs.iter().zip(rows).enumerate() {
+        let values = values.iter().map(|(_, value)| quoted(value));
+        let mut cells: Vec<String> = std::iter::once((number + 1).to_string()).chain(values).collect();
+        match row {
+            None => cells.extend(["not run".into(), String::new()]),
+            Some(row) => cells.extend([quoted(&row.ended), format!("{:.3}", row.seconds)]),
+        }
+        for column in &columns {
+            let found = row
+                .as_ref()
+                .and_then(|row| row.last.get(row.columns.iter().position(|known| known == *column)?));
+            cells.push(found.map_or(String::new(), |value| format!("{value:?}")));
+        }
+        writeln!(to, "{}", cells.join(","))?;
+    }
+    to.flush()
+}
+
+/// A cell of the table: in quotes where it holds a comma, a quote or a line break.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_split_at_outer_commas() {
+        assert_eq!(split("1, 2.5,3e4"), ["1", "2.5", "3e4"]);
+        assert_eq!(split("[25, 3],[50, 5]"), ["[25, 3]", "[50, 5]"]);
+        assert_eq!(split("{ a = [1, 2], b = \"},\" },'x,y'"), ["{ a = [1, 2], b = \"},\" }", "'x,y'"]);
+        assert_eq!(split(""), [""]);
+    }
+
+    #[test]
+    fn combinations_run_through_the_last_list_first() {
+        let over = [("a".to_string(), "1,2".to_string()), ("b".to_string(), "x,y,z".to_string())];
+        let runs = combinations(&over).unwrap();
+        let shown: Vec<String> = runs.iter().map(|run| format!("{}{}", run[0].1, run[1].1)).collect();
+        assert_eq!(shown, ["1x", "1y", "1z", "2x", "2y", "2z"]);
+        assert!(combinations(&[("a".into(), "1,,2".into())]).is_err());
+    }
+}

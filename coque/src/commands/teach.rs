@@ -1,0 +1,125 @@
+//! `coque new`, `list`, `schema`: what a scene may say, and one to start from.
+
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use coque::{Scene, Shelf, catalogue, schema_text};
+
+#[derive(Args)]
+pub struct New {
+    /// What to start from; without it, the templates are listed.
+    template: Option<String>,
+    /// Where to write it [default: TEMPLATE.toml].
+    file: Option<PathBuf>,
+}
+
+pub const NEW_HELP: &str = "\
+Examples:
+  coque new                        the templates, a line each
+  coque new plate                  writes plate.toml
+  coque new ring roll-up.toml      writes roll-up.toml; then: coque check roll-up.toml";
+
+#[derive(Args)]
+pub struct List {
+    /// Only this kind, such as loads or analyses.
+    kind: Option<String>,
+}
+
+pub const LIST_HELP: &str = "\
+Examples:
+  coque list                       everything a scene may name
+  coque list loads                 only loads
+  coque list | grep -i pressure";
+
+pub const SCHEMA_HELP: &str = "\
+Editors with a TOML plug-in (taplo, Even Better TOML) complete and explain the keys of a scene:
+  coque schema > schema.json
+and in the first line of a scene beside it:
+  #:schema schema.json";
+
+/// The scenes of the repository, each a template.
+const TEMPLATES: [(&str, &str); 16] = [
+    ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
+    ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
+    ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
+    ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
+    ("panel", include_str!("../../../scenes/panel.toml")),
+    ("panel-laminated", include_str!("../../../scenes/panel-laminated.toml")),
+    ("patch-test", include_str!("../../../scenes/patch-test.toml")),
+    ("pinched-cylinder", include_str!("../../../scenes/pinched-cylinder.toml")),
+    ("pinched-cylinder-large", include_str!("../../../scenes/pinched-cylinder-large.toml")),
+    ("plate", include_str!("../../../scenes/plate.toml")),
+    ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
+    ("ring", include_str!("../../../scenes/ring.toml")),
+    ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
+    ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
+    ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
+    ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
+];
+
+/// Writes a scene to start from, or lists what there is.
+pub fn new(new: &New) -> Result<(), String> {
+    let Some(name) = &new.template else {
+        return print(&templates());
+    };
+    let Some((_, text)) = TEMPLATES.iter().find(|(known, _)| known == name) else {
+        return Err(format!("there is no template `{name}`; these are:\n{}", templates()));
+    };
+    let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
+    let shown = file.display().to_string();
+    let refuse = |error: io::Error| match error.kind() {
+        io::ErrorKind::AlreadyExists => format!("{shown} is there already; name another file\n"),
+        _ => format!("cannot write {shown}: {error}\n"),
+    };
+    let text = text.replace(&format!("scenes/{name}.toml"), &shown);
+    let mut to = OpenOptions::new().write(true).create_new(true).open(&file).map_err(refuse)?;
+    // The schema lies beside the scenes of the repository, not here.
+    for line in text.lines().filter(|line| !line.starts_with("#:schema")) {
+        writeln!(to, "{line}").map_err(refuse)?;
+    }
+    print(&format!("{shown}: look at it, then\n  coque check {shown}\n  coque run {shown}\n"))
+}
+
+/// Name and title of each template.
+fn templates() -> String {
+    let title = |text| Scene::parse(text, "template").map_or(String::new(), |scene| scene.title);
+    table(TEMPLATES.iter().map(|(name, text)| (name.to_string(), title(text))))
+}
+
+/// Prints what a scene may name.
+pub fn list(list: &List) -> Result<(), String> {
+    let mut shelves = catalogue();
+    if let Some(kind) = &list.kind {
+        let known: Vec<&str> = shelves.iter().map(|shelf| shelf.name).collect();
+        if !known.contains(&kind.as_str()) {
+            return Err(format!("there is no kind `{kind}`; known here: {}\n", known.join(", ")));
+        }
+        shelves.retain(|shelf| shelf.name == kind);
+    }
+    let text: Vec<String> = shelves.into_iter().map(shown).collect();
+    print(&text.join("\n"))
+}
+
+fn shown(shelf: Shelf) -> String {
+    format!("{} ({})\n{}", shelf.name, shelf.place, table(shelf.entries.into_iter()))
+}
+
+/// Words and lines in two columns.
+fn table(entries: impl Iterator<Item = (String, String)>) -> String {
+    entries.map(|(word, line)| format!("  {word:<24} {line}\n")).collect()
+}
+
+/// Prints the schema.
+pub fn schema() -> Result<(), String> {
+    print(&schema_text())
+}
+
+/// Prints to the standard output, whose reader may have gone.
+pub fn print(text: &str) -> Result<(), String> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}\n")),
+        _ => Ok(()),
+    }
+}

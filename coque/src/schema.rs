@@ -1,0 +1,82 @@
+//! The JSON schema of scenes, made from the types that read them: what editors complete and explain keys with.
+
+use schemars::schema_for;
+use serde_json::{Map, Value, json};
+
+use crate::scene::{Load, Scene, Support};
+
+/// The schema of a scene, as JSON.
+///
+/// Descriptions are the doc comments of the types. What a scene must give exactly one of, and names that other crates
+/// know, are added; TOML has no null, so nothing may be null.
+pub fn schema() -> Value {
+    let mut schema = Value::from(schema_for!(Scene));
+    plain(&mut schema);
+    if let Some(types) = schema["$defs"].as_object_mut() {
+        exactly_one(types, "Support", &Support::WORDS);
+        exactly_one(types, "Load", &Load::WORDS);
+        exactly_one(types, "Explicit", &["quasi-static", "transient"]);
+        exactly_one(types, "ArcLength", &["until", "stop"]);
+        let kernels = sph_core::kernels().map(|kernel| kernel.name());
+        let curvatures = shell_kinematics::strain_measures().map(|measure| measure.name());
+        for options in ["StressPoint", "Nodal", "StrongForm"] {
+            names(types, options, "kernel", &kernels);
+            names(types, options, "curvature", &curvatures);
+        }
+    }
+    schema
+}
+
+/// The schema as it is printed and kept in `scenes/schema.json`.
+pub fn schema_text() -> String {
+    format!("{:#}\n", schema())
+}
+
+/// Takes out null, formats of numbers and the marks of rustdoc.
+fn plain(value: &mut Value) {
+    match value {
+        Value::Object(map) => {
+            map.remove("format");
+            if map.get("default") == Some(&Value::Null) {
+                map.remove("default");
+            }
+            if let Some(Value::Array(types)) = map.get_mut("type") {
+                types.retain(|kind| kind != "null");
+                if let [only] = &types[..] {
+                    let only = only.clone();
+                    map.insert("type".into(), only);
+                }
+            }
+            one_of_two(map);
+            if let Some(Value::String(text)) = map.get_mut("description") {
+                *text = text.replace("\\[", "[").replace("\\]", "]").replace('\n', " ");
+            }
+            map.values_mut().for_each(plain);
+        }
+        Value::Array(items) => items.iter_mut().for_each(plain),
+        _ => {}
+    }
+}
+
+/// Something or null becomes something.
+fn one_of_two(map: &mut Map<String, Value>) {
+    let Some(Value::Array(choices)) = map.get_mut("anyOf") else { return };
+    choices.retain(|choice| choice["type"] != "null");
+    if let [Value::Object(only)] = &choices[..] {
+        let only = only.clone();
+        map.remove("anyOf");
+        only.into_iter().for_each(|(key, value)| {
+            map.entry(key).or_insert(value);
+        });
+    }
+}
+
+/// A table must give exactly one of these keys.
+fn exactly_one(types: &mut Map<String, Value>, table: &str, words: &[&str]) {
+    types[table]["oneOf"] = words.iter().map(|word| json!({ "required": [word] })).collect();
+}
+
+/// The words that a key may have.
+fn names(types: &mut Map<String, Value>, table: &str, key: &str, words: &[&str]) {
+    types[table]["properties"][key]["enum"] = json!(words);
+}

@@ -1,0 +1,283 @@
+//! Runs that are stopped and go on: the same bits as runs that never stopped; what is refused.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use coque::{
+    CHECKPOINT, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, News, Origin, Outcome, Progress,
+    RunOptions, SCENE_COPY, Scene, Silent,
+};
+
+/// A folder of its own, empty.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("resume").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn text(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
+}
+
+type Pairs = Vec<(String, String)>;
+
+fn pairs(replaced: &[(&str, &str)]) -> Pairs {
+    replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect()
+}
+
+/// Ends the run when it has been told this often how it goes.
+struct StopAfter(usize);
+
+impl Progress for StopAfter {
+    fn update(&mut self, _: &News) -> ControlFlow<()> {
+        self.0 = self.0.saturating_sub(1);
+        if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+    fn warn(&mut self, message: &str) {
+        panic!("{message}");
+    }
+}
+
+fn start(folder: &Path, text: &str, replaced: &Pairs, progress: &mut dyn Progress) -> Outcome {
+    fs::write(folder.join(SCENE_COPY), text).unwrap();
+    let scene = Scene::with_overrides(text, "test.toml", replaced).unwrap();
+    let origin = Origin::new(text, "test.toml".into(), replaced.clone(), 1);
+    sit(folder, &scene, origin, progress, None)
+}
+
+fn go_on(folder: &Path, progress: &mut dyn Progress) -> Outcome {
+    let (checkpoint, text) = Checkpoint::read(folder).unwrap();
+    let origin = checkpoint.origin.clone();
+    let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced).unwrap();
+    sit(folder, &scene, origin, progress, Some(checkpoint))
+}
+
+fn sit(
+    folder: &Path,
+    scene: &Scene,
+    origin: Origin,
+    progress: &mut dyn Progress,
+    from: Option<Checkpoint>,
+) -> Outcome {
+    // Once an hour: only where a checkpoint is written at any rate.
+    let mut checkpoints = Checkpoints::new(folder, origin, 3600.0);
+    let place = folder.join("fields");
+    let mut files = scene.output.fields.map(|wanted| match &from {
+        None => FieldFiles::create(&place, &wanted).unwrap(),
+        Some(checkpoint) => FieldFiles::go_on(&place, &wanted, checkpoint.frames()).unwrap(),
+    });
+    let fields = files.as_mut().map(|files| files as &mut dyn FieldSink);
+    let options = RunOptions { progress, checkpoints: Some(&mut checkpoints), fields, from };
+    scene.build(1).unwrap().run_with(options).unwrap()
+}
+
+/// The same but for the wall time.
+fn same(one: &Outcome, other: &Outcome) {
+    assert_eq!(one.ended, other.ended);
+    let bits = |outcome: &Outcome| -> Vec<Vec<u64>> {
+        outcome.curve.rows.iter().map(|row| row.iter().map(|x| x.to_bits()).collect()).collect()
+    };
+    assert_eq!(bits(one), bits(other));
+    assert_eq!(one.shapes, other.shapes);
+    let plain = |outcome: &Outcome| {
+        let mut summary = serde_json::to_value(&outcome.summary).unwrap();
+        for timed in ["wall_seconds", "particle_steps_per_second"] {
+            summary.as_object_mut().unwrap().remove(timed);
+        }
+        summary
+    };
+    assert_eq!(plain(one), plain(other));
+}
+
+/// Runs a scene through, then again in sittings that end after 1, 2, 4, 8 … updates.
+fn stopped_again_and_again(name: &str, text: &str, replaced: &[(&str, &str)], least_stops: usize) {
+    let (folder, replaced) = (folder(name), pairs(replaced));
+    let scene = Scene::with_overrides(text, "test.toml", &replaced).unwrap();
+    let whole = scene.build(1).unwrap().run(&mut Silent);
+    let mut after = 1;
+    let mut outcome = start(&folder, text, &replaced, &mut StopAfter(after));
+    let mut stops = 0;
+    while let Ended::Interrupted { .. } = outcome.ended {
+        stops += 1;
+        after *= 2;
+        outcome = go_on(&folder, &mut StopAfter(after));
+    }
+    assert!(stops >= least_stops, "{name}: {stops} stops");
+    same(&outcome, &whole);
+}
+
+#[test]
+fn quasi_static_runs_go_on_to_the_same_bits() {
+    let coarse = ("geometry.plate.particles", "[17, 3]");
+    let levels = ("analysis.explicit.quasi-static.levels", "4");
+    let kinetic = ("analysis.explicit.quasi-static.damping", "\"kinetic\"");
+    stopped_again_and_again("ratio", &text("ring.toml"), &[coarse, levels], 8);
+    stopped_again_and_again("kinetic", &text("ring.toml"), &[coarse, levels, kinetic], 8);
+}
+
+#[test]
+fn every_formulation_goes_on_to_the_same_bits() {
+    let coarse = ("geometry.plate.particles", "[13, 5]");
+    let levels = ("analysis.explicit.quasi-static.levels", "[0.05]");
+    for (name, formulation) in [
+        ("wide", "{ stress-point = { support = 1.4 } }"),
+        ("nodal", "{ nodal = { order = 2 } }"),
+        ("strong-form", "{ strong-form = {} }"),
+    ] {
+        let hold = ("analysis.explicit.quasi-static.hold", "0.5");
+        let replaced = [coarse, levels, hold, ("formulation", formulation)];
+        stopped_again_and_again(name, &text("ring.toml"), &replaced, 6);
+    }
+}
+
+#[test]
+fn transient_runs_go_on_to_the_same_bits() {
+    let transient = "{ transient = { duration = 0.003, record_every = 0.0001, damping = 10.0 } }";
+    let replaced = [
+        ("analysis.explicit", transient),
+        ("supports[3].amplitude", "{ sine = { period = 0.01 } }"),
+        ("geometry.cylinder.particles", "[11, 11]"),
+    ];
+    stopped_again_and_again("transient", &text("panel.toml"), &replaced, 6);
+}
+
+#[test]
+fn static_runs_go_on_from_the_last_level_to_the_same_bits() {
+    let coarse = ("geometry.plate.particles", "[17, 3]");
+    let levels = ("analysis.static.levels", "8");
+    stopped_again_and_again("static-load", &text("ring.toml"), &[coarse, levels], 3);
+    let coarse = ("geometry.cylinder.particles", "[9, 9]");
+    stopped_again_and_again("static-moved", &text("panel.toml"), &[coarse, levels], 3);
+}
+
+#[test]
+fn a_run_that_is_not_stopped_is_the_same_with_checkpoints() {
+    let folder = folder("kept");
+    let replaced = pairs(&[("geometry.plate.particles", "[17, 3]"), ("analysis.static.levels", "3")]);
+    let text = text("ring.toml");
+    let whole = Scene::with_overrides(&text, "test.toml", &replaced).unwrap().build(1).unwrap();
+    same(&start(&folder, &text, &replaced, &mut Silent), &whole.run(&mut Silent));
+    assert!(!folder.join("checkpoint.part").exists());
+}
+
+/// A folder with a checkpoint of the patch test, stopped after some steps.
+fn stopped(name: &str) -> PathBuf {
+    let folder = folder(name);
+    let outcome = start(&folder, &text("patch-test.toml"), &Pairs::new(), &mut StopAfter(50));
+    assert!(matches!(outcome.ended, Ended::Interrupted { time, .. } if time > 0.0));
+    assert!(outcome.summary.ended.starts_with("interrupted at time "), "{}", outcome.summary.ended);
+    folder
+}
+
+fn refusal(folder: &Path) -> String {
+    match Checkpoint::read(folder) {
+        Ok(_) => "not refused".into(),
+        Err(error) => {
+            error.to_string().replace(&folder.display().to_string(), "out").replace(" (os error 2)", "")
+        }
+    }
+}
+
+#[test]
+fn refused_checkpoints() {
+    let mut all = String::new();
+    let mut note = |name: &str, change: &dyn Fn(&Path, Vec<u8>)| {
+        let folder = stopped("refused");
+        let bytes = fs::read(folder.join(CHECKPOINT)).unwrap();
+        change(&folder, bytes);
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", refusal(&folder)));
+    };
+    let put = |folder: &Path, bytes: &[u8]| fs::write(folder.join(CHECKPOINT), bytes).unwrap();
+    note("none", &|folder, _| fs::remove_file(folder.join(CHECKPOINT)).unwrap());
+    note("something else", &|folder, _| put(folder, b"time [s],level [-]\n0.0,0.0\n"));
+    note("an empty file", &|folder, _| put(folder, b""));
+    note("cut off in its header", &|folder, bytes| put(folder, &bytes[..14]));
+    note("cut off", &|folder, bytes| put(folder, &bytes[..1000]));
+    note("one bit turned", &|folder, mut bytes| {
+        bytes[500] ^= 4;
+        put(folder, &bytes);
+    });
+    note("another layout", &|folder, mut bytes| {
+        bytes[8] = 99;
+        put(folder, &bytes);
+    });
+    note("another program", &|folder, mut bytes| {
+        // The version of the program is the first text of the contents, behind its length.
+        bytes[25..30].copy_from_slice(b"9.9.9");
+        let checksum = crc32fast::hash(&bytes[24..]);
+        bytes[20..24].copy_from_slice(&checksum.to_le_bytes());
+        put(folder, &bytes);
+    });
+    note("another scene", &|folder, _| {
+        fs::write(folder.join(SCENE_COPY), text("patch-test.toml").replacen("0.3", "0.31", 1)).unwrap();
+    });
+    note("no scene", &|folder, _| fs::remove_file(folder.join(SCENE_COPY)).unwrap());
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn no_damage_goes_unseen() {
+    let folder = stopped("damaged");
+    let whole = fs::read(folder.join(CHECKPOINT)).unwrap();
+    for at in (0..whole.len()).step_by(37).chain(0..24) {
+        let mut bytes = whole.clone();
+        bytes[at] ^= 1 << (at % 8);
+        fs::write(folder.join(CHECKPOINT), &bytes).unwrap();
+        assert_ne!(refusal(&folder), "not refused", "byte {at}");
+        fs::write(folder.join(CHECKPOINT), &whole[..at]).unwrap();
+        assert_ne!(refusal(&folder), "not refused", "{at} bytes");
+    }
+}
+
+#[test]
+fn a_checkpoint_of_another_model_is_refused() {
+    let folder = stopped("other-model");
+    let (checkpoint, text) = Checkpoint::read(&folder).unwrap();
+    let finer = pairs(&[("geometry.plate.particles", "[11, 7]")]);
+    let model = Scene::with_overrides(&text, "test.toml", &finer).unwrap().build(1).unwrap();
+    let options =
+        RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: Some(checkpoint) };
+    let error = model.run_with(options).unwrap_err().to_string();
+    assert!(error.contains("holds 45 particles, the scene now builds 77"), "{error}");
+}
+
+/// Names and contents of the files of a folder.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+    files.map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap())).collect()
+}
+
+#[test]
+fn frames_of_a_run_in_sittings_are_those_of_one_sitting() {
+    let fields = ("output.fields", "{ every = 2, extruded = true, stresses = true }");
+    let coarse = ("geometry.cylinder.particles", "[7, 7]");
+    let transient = "{ transient = { duration = 0.05, record_every = 0.005 } }";
+    let hinge = ("supports[2]", "{ on = \"u0v0\", hinged = {} }");
+    for (name, scene, replaced) in [
+        ("static", "panel.toml", vec![coarse, fields, ("analysis.static.levels", "7")]),
+        ("marched", "patch-test.toml", vec![hinge, fields, ("analysis.explicit", transient)]),
+    ] {
+        let (text, replaced) = (text(scene), pairs(&replaced));
+        let whole = folder(&format!("frames-{name}-whole"));
+        let expected = start(&whole, &text, &replaced, &mut Silent);
+        let parts = folder(&format!("frames-{name}"));
+        let (mut after, mut stops) = (1, 0);
+        let mut outcome = start(&parts, &text, &replaced, &mut StopAfter(after));
+        while let Ended::Interrupted { .. } = outcome.ended {
+            // What a sitting that was killed wrote after its checkpoint is taken out.
+            fs::create_dir_all(parts.join("fields")).unwrap();
+            fs::write(parts.join("fields/shell-0099.vtu"), "of a frame to come").unwrap();
+            (stops, after) = (stops + 1, 2 * after);
+            outcome = go_on(&parts, &mut StopAfter(after));
+        }
+        assert!(stops >= 2, "{name}: {stops}");
+        same(&outcome, &expected);
+        assert!(expected.summary.frames >= 4, "{name}: {}", expected.summary.frames);
+        assert!(contents(&parts.join("fields")) == contents(&whole.join("fields")), "{name}");
+    }
+}

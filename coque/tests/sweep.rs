@@ -1,0 +1,81 @@
+//! Sweeps: every combination, one table, whatever becomes of a run.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use coque::{Scene, Silent};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn sweep(name: &str, arguments: &[&str]) -> (Output, PathBuf) {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep").join(name);
+    let _ = fs::remove_dir_all(&out);
+    let output = Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(["sweep", "scenes/patch-test.toml", "--out"])
+        .arg(&out)
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    (output, out)
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn the_table_holds_every_combination_and_the_last_row_of_each_curve() {
+    let over = ["--over", "material.elastic.young=1e5,2e5", "--over", "material.elastic.poisson=0.1,0.2,0.3"];
+    let (output, out) = sweep("all", &[&over[..], &["--jobs", "3"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(said(&output).contains("6 of 6 runs done"), "{}", said(&output));
+    let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let mut rows = table.lines();
+    let head = "run,material.elastic.young,material.elastic.poisson,ended,wall [s],time [s],level [-],";
+    assert!(rows.next().unwrap().starts_with(head), "{table}");
+    let text = fs::read_to_string(root().join("scenes/patch-test.toml")).unwrap();
+    for (number, row) in rows.enumerate() {
+        let cells: Vec<&str> = row.split(',').collect();
+        let (young, poisson) = (["1e5", "2e5"][number / 3], ["0.1", "0.2", "0.3"][number % 3]);
+        assert_eq!(cells[..4], [&(number + 1).to_string(), young, poisson, "done"]);
+        let replaced = [("young", young), ("poisson", poisson)]
+            .map(|(key, value)| (format!("material.elastic.{key}"), value.to_string()));
+        let scene = Scene::with_overrides(&text, "patch-test.toml", &replaced).unwrap();
+        let alone = scene.build(1).unwrap().run(&mut Silent);
+        let last: Vec<String> = alone.curve.rows.last().unwrap().iter().map(|x| format!("{x:?}")).collect();
+        assert_eq!(cells[5..], last);
+        assert!(out.join(format!("{:03}/curve.csv", number + 1)).exists());
+    }
+    assert_eq!(table.lines().count(), 7);
+}
+
+#[test]
+fn a_run_that_fails_stops_no_other() {
+    let (output, out) = sweep(
+        "failing",
+        &["--over", "loads[0].force.total[0]=1e9,1.0", "--over", "section.homogeneous.thickness=-1,0.01"],
+    );
+    assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let ends: Vec<bool> = table.lines().skip(1).map(|row| row.contains(",done,")).collect();
+    assert_eq!(ends, [false, false, false, true], "{table}");
+    assert!(
+        table.contains("diverged at time ")
+            && table.contains("refused: `section.homogeneous.thickness` is -1")
+    );
+    assert!(said(&output).contains("1 of 4 runs done"));
+}
+
+#[test]
+fn what_cannot_be_swept_is_refused() {
+    let empty = sweep("empty", &["--over", "material.elastic.young=1,,2"]).0;
+    assert_eq!(empty.status.code(), Some(2));
+    assert!(said(&empty).contains("a value is empty; write PATH=V1,V2,"));
+    assert_eq!(sweep("nothing", &[]).0.status.code(), Some(2));
+}

@@ -1,0 +1,60 @@
+//! Where a march stands between two steps: plain data from which it goes on as if it had never stopped.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Clock, KineticDamping, MarchError};
+
+/// Where a march stands between two steps, beside the state of its system.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Standing {
+    /// Time, step size, energies booked so far.
+    pub clock: Clock,
+    /// Where on its way the march is.
+    pub place: Place,
+}
+
+/// Where on its way a march is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Place {
+    /// [`crate::QuasiStatic`].
+    QuasiStatic {
+        /// Number of the level it goes to, or holds, from 0.
+        level: usize,
+        /// When the ramp to it began \[T\].
+        start: f64,
+        /// Steps done when the ramp began.
+        first_step: u64,
+        /// The hold, once the ramp is over.
+        hold: Option<Hold>,
+    },
+    /// [`crate::Transient`].
+    Transient {
+        /// Number of the last record, from 0.
+        record: u64,
+        /// Steps after which the stable step is estimated anew.
+        next_estimate: u64,
+    },
+}
+
+/// A hold under way.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Hold {
+    /// When it ends at the latest \[T\].
+    pub end: f64,
+    /// When the motion is looked at next \[T\].
+    pub look: f64,
+    /// Looks in a row that found the motion dead.
+    pub quiet: usize,
+    /// Peaks of the kinetic energy.
+    pub peaks: KineticDamping,
+}
+
+impl Standing {
+    /// Refuses the place of another march.
+    pub(crate) fn other(&self) -> MarchError {
+        MarchError::OtherMarch(match self.place {
+            Place::QuasiStatic { level, .. } => format!("level number {level} of a quasi-static march"),
+            Place::Transient { record, .. } => format!("record number {record} of a transient march"),
+        })
+    }
+}

@@ -1,0 +1,163 @@
+//! A march taken up where it stood ends in the same bits as one that never stopped.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+use std::ops::ControlFlow;
+
+use explicit_dynamics::{
+    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, Observer, QuasiStatic, Record, Standing,
+    Step, Transient, Work,
+};
+
+/// `m ẍ + k x + c x³ = level · load`: the stable step changes on the way.
+#[derive(Clone)]
+struct Oscillator {
+    x: f64,
+    v: f64,
+    f: f64,
+    external: f64,
+}
+
+const MASS: f64 = 2.0;
+const STIFFNESS: f64 = 8.0;
+const CUBIC: f64 = 0.5;
+
+impl Oscillator {
+    fn new() -> Self {
+        Self { x: 0.3, v: 0.1, f: 0.0, external: 0.0 }
+    }
+}
+
+impl Dynamics for Oscillator {
+    fn force(&mut self, at: Instant, _: bool) {
+        self.external = 4.0 * at.level;
+        self.f = self.external - STIFFNESS * self.x - CUBIC * self.x.powi(3);
+    }
+    fn internal_energy(&self) -> f64 {
+        0.5 * STIFFNESS * self.x * self.x + 0.25 * CUBIC * self.x.powi(4)
+    }
+    fn kick(&mut self, step: &Step) -> Work {
+        let half = 0.5 * step.damping * step.kick;
+        let old = self.v;
+        self.v = (old * (1.0 - half) + step.kick * self.f / MASS) / (1.0 + half);
+        let mean = 0.5 * (old + self.v);
+        Work {
+            kinetic: 0.5 * MASS * mean * mean,
+            external: step.kick * self.external * mean,
+            dissipated: step.kick * step.damping * MASS * mean * mean,
+        }
+    }
+    fn drift(&mut self, step: &Step) {
+        self.x += step.drift() * self.v;
+    }
+    fn stop(&mut self) {
+        self.v = 0.0;
+    }
+    fn fastest(&self) -> (usize, f64) {
+        (0, self.v.abs())
+    }
+    fn speed_bound(&self) -> f64 {
+        1e3
+    }
+}
+
+impl LinearisedDynamics for Oscillator {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+        out[0] = (STIFFNESS + 3.0 * CUBIC * self.x * self.x) / MASS * v[0];
+    }
+}
+
+/// Notes every record, and every standing with the state beside it; ends the march where it is told.
+#[derive(Default)]
+struct Notes {
+    records: Vec<Record>,
+    standings: Vec<(usize, Standing, Oscillator)>,
+    last_done: f64,
+    stop_at: Option<usize>,
+}
+
+impl Observer<Oscillator> for Notes {
+    fn record(&mut self, _: &mut Oscillator, record: &Record) -> ControlFlow<()> {
+        self.records.push(*record);
+        ControlFlow::Continue(())
+    }
+    fn between(&mut self, system: &mut Oscillator, at: &Standing, done: f64) -> ControlFlow<()> {
+        assert!((self.last_done..=1.0).contains(&done), "{done} after {}", self.last_done);
+        self.last_done = done;
+        self.standings.push((self.records.len(), at.clone(), system.clone()));
+        if self.stop_at == Some(self.standings.len()) {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+fn quasi_static(damping: Damping) -> QuasiStatic {
+    let levels = vec![0.25, 0.6, 1.0];
+    QuasiStatic { levels, period: 3.1, ramp: 0.7, hold: 4.0, damping, tolerance: 1e-6, safety: 0.2 }
+}
+
+/// Marches through, then goes on from many a standing; all must end in the same bits.
+fn goes_on(
+    march: impl Fn(&mut Oscillator, &mut Notes) -> Result<(), MarchError>,
+    go_on: impl Fn(Standing, &mut Oscillator, &mut Notes) -> Result<(), MarchError>,
+) {
+    let (mut whole, mut notes) = (Oscillator::new(), Notes::default());
+    march(&mut whole, &mut notes).unwrap();
+    assert!(notes.standings.len() > 100);
+    for (seen, standing, system) in notes.standings.iter().step_by(17) {
+        let mut system = system.clone();
+        let mut rest = Notes::default();
+        go_on(standing.clone(), &mut system, &mut rest).unwrap();
+        assert_eq!(rest.records, notes.records[*seen..]);
+        assert_eq!([system.x, system.v].map(f64::to_bits), [whole.x, whole.v].map(f64::to_bits));
+    }
+}
+
+#[test]
+fn quasi_static_marches_go_on_to_the_same_bits() {
+    for damping in [Damping::Ratio(0.5), Damping::Kinetic] {
+        let run = quasi_static(damping);
+        goes_on(
+            |system, notes| run.march(system, notes).map(drop),
+            |at, system, notes| run.go_on(at, system, notes).map(drop),
+        );
+    }
+}
+
+#[test]
+fn transient_marches_go_on_to_the_same_bits() {
+    // Long enough for a new estimate of the step, every 5000 steps.
+    let run = Transient { duration: 700.0, record_every: 70.0, damping: 0.01, safety: 0.1 };
+    goes_on(
+        |system, notes| run.march(system, notes).map(drop),
+        |at, system, notes| run.go_on(at, system, notes).map(drop),
+    );
+}
+
+#[test]
+fn an_observer_ends_a_march_between_steps() {
+    for stop_at in [1, 7, 20] {
+        let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
+        let clock = quasi_static(Damping::Ratio(0.5)).march(&mut Oscillator::new(), &mut notes).unwrap();
+        assert_eq!(notes.standings.len(), stop_at);
+        // One step with the first record, one more between each two standings of the first level.
+        assert_eq!(clock.steps as usize, stop_at);
+    }
+}
+
+#[test]
+fn the_standing_of_another_march_is_refused() {
+    let mut notes = Notes { stop_at: Some(5), ..Notes::default() };
+    let run = quasi_static(Damping::Ratio(0.5));
+    run.march(&mut Oscillator::new(), &mut notes).unwrap();
+    let at = notes.standings.pop().unwrap().1;
+    let transient = Transient { duration: 7.0, record_every: 1.0, damping: 0.0, safety: 0.1 };
+    let error = transient.go_on(at.clone(), &mut Oscillator::new(), &mut Notes::default()).unwrap_err();
+    assert!(error.to_string().contains("level number 0 of a quasi-static march"), "{error}");
+    let shorter = QuasiStatic { levels: Vec::new(), ..run };
+    assert!(shorter.go_on(at, &mut Oscillator::new(), &mut Notes::default()).is_err());
+}
