@@ -116,8 +116,9 @@ fn the_consistent_operator_on_the_corners_of_a_cell_is_the_cell_operator() {
 fn curved_clouds_become_as_consistent_as_their_geometry_allows() {
     // The disordered dome has edges made of its cells, and nothing contradicts. The roof has flat cells inside exact
     // edges: chord and arc of Δφ = 0.19 differ by Δφ²/24 = 0.0015 per spacing, two or three times that at corners.
-    // The wave is nearly contradictory; 1e-4 is what was found, a thousandth of the error before.
-    let bounds = [("roof", 5e-3_f64), ("dome", 1e-9), ("wave", 2e-4), ("scattered roof", 1e-2)];
+    // The wave is nearly contradictory; 1e-4 is what was found, a thousandth of the error before. Strip: 7e-7 found.
+    let bounds =
+        [("roof", 5e-3_f64), ("dome", 1e-9), ("wave", 2e-4), ("strip", 1e-5), ("scattered roof", 1e-2)];
     for ((name, cloud), (same, bound)) in curved_clouds().into_iter().zip(bounds) {
         assert_eq!(name, same);
         let mut operator = kernel_operator(&cloud, &CubicSpline, 1.8).unwrap();
