@@ -28,7 +28,7 @@ enum Task {
 
     /// Everything that CI runs, from a bare checkout; stops at the first failure
     ///
-    /// Steps: format, lints, tidy, tests, documentation tests, quick validation. Each is timed; a failure prints
+    /// Steps: format, lints, tidy, tests, documentation tests, quick validation, quick hard cases. Each is timed; a failure prints
     /// the command that repeats it. A missing rustfmt or clippy is skipped, loudly. The last line counts the steps.
     Test,
 
