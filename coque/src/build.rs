@@ -3,13 +3,14 @@
 use std::fmt;
 
 use nalgebra::Rotation3;
-use sph_core::{Cloud, EndWeights, Patch, SpaceError, Vec3};
+use sph_core::{Cloud, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
+use crate::imported::Imported;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
-use crate::scene::{self, Axis, Geometry, LoadKind, Scene, SupportKind};
+use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
 use crate::sets::{self, Sets};
 
 /// A shell ready to be marched, with what its curve measures.
@@ -18,6 +19,8 @@ pub struct Model {
     pub shell: Shell,
     /// The scene it was built from.
     pub scene: Scene,
+    /// Where the surface comes from and what became of its faces, if it was read from a file.
+    pub(crate) surface: Option<String>,
     pub(crate) gauges: Vec<Gauge>,
     /// The prescribed motion whose force is sought, in analyses without time.
     pub(crate) driven: Option<Driven>,
@@ -50,13 +53,18 @@ impl Scene {
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
-        let weights = builder.end_weights();
-        let flat = builder.cloud(weights)?;
-        let sets = Sets::find(self, &flat)?;
+        let weights = self.end_weights();
+        let imported = Imported::read(self)?;
+        let flat = match &imported {
+            Some(imported) => imported.cloud.clone(),
+            None => self.place(weights)?,
+        };
+        let sets = Sets::find(self, &flat, imported.as_ref())?;
+        let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let gauges = builder.gauges(&sets)?;
         let supports = builder.supports(&sets)?;
-        let mut loads = builder.loads(&sets, &cloud, weights)?;
+        let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, &supports)?;
         if let Some(Driven { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
@@ -75,7 +83,8 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
-        Ok(Model { shell, scene: self.clone(), gauges, driven, threads: threads.max(1) })
+        let surface = imported.map(|imported| imported.describe());
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1) })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -94,61 +103,6 @@ pub(crate) struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Cubic end weights where gradients are cubic, on uniform lattices; other clouds have areas of their own.
-    fn end_weights(&self) -> EndWeights {
-        let geometry = &self.scene.geometry;
-        let uniform =
-            geometry.scattered().is_none() && geometry.disorder().is_none() && geometry.grading().is_none();
-        match &self.scene.formulation {
-            scene::Formulation::Nodal(f) if f.order == 3 && uniform => EndWeights::Gregory,
-            _ => EndWeights::Trapezoid,
-        }
-    }
-
-    /// The particles, not turned yet.
-    fn cloud(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
-        let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
-        let patch: Box<dyn Patch> = match &self.scene.geometry {
-            Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
-            Geometry::Cylinder(c) => {
-                Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
-            }
-            Geometry::Sphere(s) => Box::new(sph_core::Sphere {
-                radius: s.radius,
-                polar: radians(s.polar),
-                azimuth: radians(s.azimuth),
-            }),
-            Geometry::Twisted(s) => {
-                Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
-            }
-        };
-        let geometry = &self.scene.geometry;
-        let (cloud, key) = match geometry.scattered() {
-            Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing, s.seed), "scattered.spacing"),
-            // The checks leave one of the two; a lattice of nothing is refused below.
-            None => self.lattice(&*patch, geometry.particles().unwrap_or_default(), weights),
-        };
-        let path = format!("geometry.{}.{key}", self.scene.geometry.word());
-        cloud.map_err(|e| self.model_error(&path, &e.to_string()))
-    }
-
-    /// A lattice as the scene asks for it, and the key to blame.
-    fn lattice(
-        &self,
-        patch: &dyn Patch,
-        counts: [usize; 2],
-        weights: EndWeights,
-    ) -> (Result<Cloud, SpaceError>, &'static str) {
-        let (disorder, grading) = (self.scene.geometry.disorder(), self.scene.geometry.grading());
-        if disorder.is_none() && grading.is_none() {
-            return (sph_core::lattice(patch, counts, weights), "particles");
-        }
-        let (fraction, seed) = disorder.map_or((0.0, 0), |d| (d.fraction, d.seed));
-        let graded = sph_core::Graded::new(patch, counts, grading.unwrap_or([1.0, 1.0]));
-        let cloud = graded.and_then(|graded| sph_core::jittered_lattice(&graded, counts, fraction, seed));
-        (cloud, if disorder.is_some() { "disorder" } else { "grading" })
-    }
-
     fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {
         let gauge = |(i, probe): (usize, &scene::Probe)| {
             Ok(Gauge {
@@ -233,11 +187,21 @@ impl Builder<'_> {
         }
     }
 
-    fn loads(&self, sets: &Sets, cloud: &Cloud, weights: EndWeights) -> Result<Vec<AppliedLoad>, SceneError> {
+    fn loads(
+        &self,
+        sets: &Sets,
+        cloud: &Cloud,
+        weights: EndWeights,
+        imported: Option<&Imported>,
+    ) -> Result<Vec<AppliedLoad>, SceneError> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
-            let particles = sets.at(self.scene, &format!("loads[{i}].on"), &load.on)?;
-            let edge = sets::edge(&load.on, particles, cloud, weights);
+            let path = format!("loads[{i}].on");
+            let particles = sets.at(self.scene, &path, &load.on)?;
+            let edge = match imported {
+                None => sets::edge(&load.on, particles, cloud, weights),
+                Some(imported) => imported.edge(self.scene, &path, load, particles)?,
+            };
             let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
@@ -314,13 +278,7 @@ impl Builder<'_> {
                 "loads".into()
             }
         };
-        self.model_error(&path, &error.to_string())
-    }
-
-    /// Messages from below end with their repair, after the last semicolon.
-    pub(crate) fn model_error(&self, path: &str, message: &str) -> SceneError {
-        let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
-        SceneError::Model(self.scene.source.fault(path, value, "", repair))
+        self.scene.model_error(&path, &error.to_string())
     }
 }
 

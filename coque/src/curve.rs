@@ -1,6 +1,7 @@
 //! The curve of a run: columns with names and units, one row per record.
 
 use std::io::{self, Write};
+use std::str::FromStr;
 
 /// A column of a [`Curve`].
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
@@ -49,6 +50,43 @@ impl Curve {
     }
 }
 
+/// Text that is no curve.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line} of the curve is {found}; it must be {bound}, as `coque run` writes it")]
+pub struct NotACurve {
+    /// Number of the line, from 1.
+    pub line: usize,
+    /// What stands there.
+    pub found: String,
+    /// What should.
+    pub bound: &'static str,
+}
+
+impl FromStr for Curve {
+    type Err = NotACurve;
+
+    /// Reads what [`Curve::write_csv`] writes.
+    fn from_str(text: &str) -> Result<Self, NotACurve> {
+        let refused =
+            |line: usize, found: &str, bound| NotACurve { line, found: format!("`{found}`"), bound };
+        let mut lines = text.lines().enumerate();
+        let titles = lines.next().map_or("", |(_, titles)| titles);
+        let column = |title: &str| {
+            let (name, unit) = title.strip_suffix(']')?.rsplit_once(" [")?;
+            Some(Column { name: name.into(), unit: unit.into() })
+        };
+        let columns: Option<Vec<Column>> = titles.split(',').map(column).collect();
+        let columns = columns.ok_or_else(|| refused(1, titles, "names with units, such as `time [s]`"))?;
+        let rows = lines.map(|(i, line)| {
+            let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
+            let fits = numbers.ok().filter(|row| row.len() == columns.len());
+            fits.ok_or_else(|| refused(i + 1, line, "a number for each column"))
+        });
+        let rows = rows.collect::<Result<_, _>>()?;
+        Ok(Self { columns, rows })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +99,8 @@ mod tests {
         let mut text = Vec::new();
         curve.write_csv(&mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
+        let read: Curve = text.parse().unwrap();
+        assert_eq!((&read.columns, read.rows[0] == curve.rows[0]), (&curve.columns, true));
         let mut lines = text.lines();
         assert_eq!(lines.next(), Some("time [s],W [s]"));
         for (line, row) in lines.zip(&curve.rows) {
@@ -69,5 +109,19 @@ mod tests {
         }
         assert_eq!(curve.column("W").unwrap()[1], 1.0 / 3.0);
         assert_eq!(curve.column("nothing"), None);
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused_by_its_line() {
+        for (text, line) in
+            [("", 1), ("time,W", 1), ("time [s],W [s]\n1.0", 2), ("W [s]\n1.0\nx", 3), ("W [s]\n\n", 2)]
+        {
+            assert_eq!(text.parse::<Curve>().unwrap_err().line, line, "{text}");
+        }
+        let said = "W [s]\n1.0,2.0".parse::<Curve>().unwrap_err().to_string();
+        assert!(
+            said.starts_with("line 2 of the curve is `1.0,2.0`; it must be a number for each column"),
+            "{said}"
+        );
     }
 }

@@ -59,6 +59,9 @@ pub enum SceneError {
     /// A set that does not exist, is empty, or does not suit its use.
     #[error("`{}` is {}, {}", .0.key, .0.value, .0.bound)]
     Set(Box<Fault>),
+    /// The file of the surface cannot be read, or holds no sound surface.
+    #[error("`{}`: {}", .0.key, .0.value)]
+    Mesh(Box<Fault>),
     /// The supports leave a rigid motion free that a static answer cannot do without.
     #[error("the supports leave the shell free to move: {}", .0.value)]
     FreeMotion(Box<Fault>),
@@ -85,6 +88,7 @@ impl SceneError {
             | Self::Choice(f)
             | Self::Value(f)
             | Self::Set(f)
+            | Self::Mesh(f)
             | Self::FreeMotion(f)
             | Self::Model(f) => f,
         }
@@ -102,6 +106,7 @@ impl SceneError {
             Self::Choice(_) => "scene::choice",
             Self::Value(_) => "scene::value",
             Self::Set(_) => "scene::set",
+            Self::Mesh(_) => "scene::mesh",
             Self::FreeMotion(_) => "scene::free-motion",
             Self::Model(_) => "scene::model",
         }

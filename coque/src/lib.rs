@@ -7,21 +7,28 @@
 //! |---|---|
 //! | what a scene may say | `scene/*.rs` |
 //! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
-//! | scene → shell | `build.rs` |
+//! | scene → shell | `build.rs`, `places.rs`, `matter.rs` |
+//! | files of surfaces | `mesh/*.rs`; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
-//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs` |
+//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | a deformed shape as a picture | `picture.rs` |
 
 mod build;
 mod curve;
 mod error;
+mod fields;
+mod imported;
 mod linear;
 mod march;
 mod matter;
+pub mod mesh;
 mod modes;
 mod nearest;
 mod overrides;
 mod path;
+mod picture;
+mod places;
 mod plot;
 mod probe;
 mod render;
@@ -34,8 +41,10 @@ mod summary;
 mod units;
 
 pub use build::Model;
-pub use curve::{Column, Curve};
+pub use curve::{Column, Curve, NotACurve};
 pub use error::{Fault, Place, SceneError};
+pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
+pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
 pub use run::{Ended, Failure, Outcome, Progress, Shape, Silent};

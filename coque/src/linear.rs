@@ -4,7 +4,7 @@ use implicit_statics::{Equilibrium, linear_response};
 use sph_shell::StaticShell;
 
 use crate::build::Driven;
-use crate::modes::keep;
+use crate::modes::{keep_shape, scaled, show};
 use crate::path::energies;
 use crate::probe::Gauge;
 use crate::run::{Ended, Failure, Findings};
@@ -23,7 +23,7 @@ pub(crate) fn linear(
     system: &mut StaticShell,
     driven: Option<Driven>,
     mut gauges: Vec<Gauge>,
-    found: &mut Findings,
+    found: &mut Findings<'_>,
 ) {
     let response = match linear_response(system, 0.0) {
         Ok(response) => response,
@@ -60,11 +60,9 @@ pub(crate) fn linear(
     found.curve.rows.push(row);
     found.energies = energies(internal);
     found.newton_iterations = 1;
-    keep(system, &motion, 1.0, found);
-}
-
-fn scaled(motion: &[f64], factor: f64) -> Vec<f64> {
-    motion.iter().map(|q| factor * q).collect()
+    keep_shape(system, &motion, 1.0, found);
+    // Nothing follows: a frame that could not be taken is told by the frames themselves.
+    let _ = show(system, &motion, 1.0, found);
 }
 
 /// Largest displacement of a particle within a motion of the unknowns \[L\]; the state stays.

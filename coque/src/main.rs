@@ -1,12 +1,16 @@
 //! The command `coque`: runs a scene and writes its results.
 
+mod commands {
+    pub mod plot;
+}
+
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
-use coque::{Ended, Outcome, Progress, Rendering, Scene, render};
+use coque::{Ended, Failure, FieldFiles, Outcome, Progress, Rendering, Scene, render};
 use indicatif::{ProgressBar, ProgressStyle};
 
 const DONE: u8 = 0;
@@ -26,6 +30,11 @@ enum Command {
     /// Run a scene and write its curve.
     #[command(after_help = RUN_HELP)]
     Run(Run),
+    /// Read a surface and print what was found: sizes, boundary, sets, quality.
+    #[command(after_help = MESH_HELP)]
+    Mesh(Mesh),
+    /// Draw the last frame of a run with [output.fields] as SVG.
+    Plot(commands::plot::Plot),
 }
 
 #[derive(Args)]
@@ -43,12 +52,20 @@ struct Run {
     replaced: Vec<(String, String)>,
 }
 
+#[derive(Args)]
+struct Mesh {
+    /// The file: .msh (Gmsh 2.2, 4.1 ASCII), .inp (Abaqus), .stl, .obj, .vtu, or .csv (points).
+    file: PathBuf,
+}
+
 const START: &str = "\
 Start here:
   coque run scenes/ring.toml        results in out/ring
+  coque plot out/ring               the deformed shape, if the scene has [output.fields]
   coque run --help                  options, examples, where results are
+  coque mesh panel.msh              what a mesh holds, and what is wrong with it
 
-Exit codes: 0 done, 2 bad input, 3 diverged, 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted.";
 
 const RUN_HELP: &str = "\
 Examples:
@@ -58,14 +75,46 @@ Examples:
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
   coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
+  coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; written on the way
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
 
-Exit codes: 0 done, 2 bad input, 3 diverged (the curve so far is kept), 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 130 interrupted.";
+
+const MESH_HELP: &str = "\
+Examples:
+  coque mesh panel.msh
+  coque mesh hull.inp
+
+In a scene, beside it:
+  [geometry.mesh]
+  file = \"panel.msh\"     # relative to the scene
+  scale = 0.001           # lengths of the file times this; 1 without
+  flip = true             # normals to the other side; false without
+
+Sets for supports, loads and curves: `all`, the groups of the file by their names, the boundary loops
+`boundary0`, `boundary1`, ... (the longest first), and what the scene declares:
+  [sets]
+  crown = { nearest = [0.0, 0.0, 2540.0] }
+  end = { plane = { point = [254.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }
+  foot = { box = { min = [0.0, 0.0, 0.0], max = [1.0, 9.0, 0.1] } }
+A force on a set along the boundary is shared by length, a couple wants one such line.
+
+Where sets and normals come from:
+  .msh  physical groups; a view of three components called normals
+  .inp  *Nset and *Elset; direction cosines after the coordinates of a *Node
+  .stl  solids, if there are several; vertices that coincide are merged
+  .obj  groups and objects; vn
+  .vtu  point data of whole numbers 0 and 1; point data Normals
+  .csv  points with columns x,y,z,nx,ny,nz,area[,thickness], for formulation.nodal alone
+Other formats: `meshio convert FILE surface.vtu --ascii`.
+
+Exit codes: 0 sound, 2 refused.";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
@@ -75,8 +124,12 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
-    let Command::Run(run) = Cli::parse().command;
-    match carry_out(&run) {
+    let done = match Cli::parse().command {
+        Command::Run(run) => carry_out(&run),
+        Command::Mesh(mesh) => look(&mesh.file),
+        Command::Plot(plot) => commands::plot::carry_out(&plot).map(|()| DONE),
+    };
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(message) => {
             eprint!("{message}");
@@ -97,10 +150,24 @@ fn carry_out(run: &Run) -> Result<u8, String> {
     let described = model.describe();
     eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
     let mut bar = Bar::new();
-    let outcome = model.run(&mut bar);
+    let outcome = match &scene.output.fields {
+        None => model.run(&mut bar),
+        Some(wanted) => {
+            let mut files = FieldFiles::create(&out.join("fields"), wanted).map_err(|e| format!("{e}\n"))?;
+            model.run_with_fields(&mut bar, &mut files)
+        }
+    };
     bar.0.finish_and_clear();
     write_results(&scene, &outcome, &out)?;
     Ok(report(&outcome, &out))
+}
+
+/// Reads a surface and prints what was found.
+fn look(file: &Path) -> Result<u8, String> {
+    let text = coque::mesh::read(file).and_then(|surface| coque::mesh::report(&surface));
+    let text = text.map_err(|error| format!("{error}\n"))?;
+    io::stdout().write_all(text.as_bytes()).map_err(|error| format!("cannot print: {error}\n"))?;
+    Ok(DONE)
 }
 
 fn default_out(scene: &Path) -> PathBuf {
@@ -155,7 +222,7 @@ fn report(outcome: &Outcome, out: &Path) -> u8 {
         Ended::Done => DONE,
         Ended::Diverged(error) => {
             eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
-            DIVERGED
+            if matches!(error, Failure::Fields(_)) { BAD_INPUT } else { DIVERGED }
         }
     }
 }

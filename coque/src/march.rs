@@ -18,7 +18,7 @@ pub(crate) fn march(
     explicit: &Explicit,
     shell: &mut Shell,
     gauges: Vec<Gauge>,
-    found: &mut Findings,
+    found: &mut Findings<'_>,
     progress: &mut dyn Progress,
 ) {
     found.stable_step = reference_step(shell);
@@ -42,7 +42,11 @@ pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
     stable_step(&largest_eigenvalue(shell, LANCZOS_STEPS), 1.0).unwrap_or(0.0)
 }
 
-fn clocked(explicit: &Explicit, shell: &mut Shell, watcher: &mut Watcher<'_>) -> Result<Clock, MarchError> {
+fn clocked(
+    explicit: &Explicit,
+    shell: &mut Shell,
+    watcher: &mut Watcher<'_, '_>,
+) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
     match (&explicit.quasi_static, explicit.transient) {
         (Some(path), _) => explicit_dynamics::QuasiStatic {
@@ -87,15 +91,15 @@ fn energies(record: &Record) -> Energies {
     }
 }
 
-/// Fills the curve and keeps shapes; the place where field output plugs in.
-struct Watcher<'a> {
-    found: &'a mut Findings,
+/// Fills the curve, keeps shapes and offers frames.
+struct Watcher<'a, 'b> {
+    found: &'a mut Findings<'b>,
     gauges: Vec<Gauge>,
     keep_settled: bool,
     progress: &'a mut dyn Progress,
 }
 
-impl Observer<Shell> for Watcher<'_> {
+impl Observer<Shell> for Watcher<'_, '_> {
     fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
         let energy = record.energy;
         let mut row = vec![
@@ -113,7 +117,7 @@ impl Observer<Shell> for Watcher<'_> {
             self.found.shapes.clear();
         }
         if record.settled || !self.keep_settled {
-            self.found.keep_shape(shell, record.at.time, record.at.level);
+            return self.found.keep_shape(shell, record.at.time, record.at.level);
         }
         ControlFlow::Continue(())
     }

@@ -12,7 +12,8 @@ use crate::scene::{self, Matter};
 
 impl Builder<'_> {
     pub(crate) fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let refuse = |path: &'static str| move |e: MaterialError| self.model_error(path, &e.to_string());
+        let refuse =
+            |path: &'static str| move |e: MaterialError| self.scene.model_error(path, &e.to_string());
         Ok(match self.scene.matter()? {
             Matter::Homogeneous(elastic, section) => {
                 let material =
@@ -51,7 +52,7 @@ impl Builder<'_> {
         let name = self.scene.formulation.curvature();
         let path = format!("formulation.{}.curvature", self.scene.formulation.word());
         shell_kinematics::strain_measure(name)
-            .ok_or_else(|| self.model_error(&path, &format!("no strain measure is called {name}")))
+            .ok_or_else(|| self.scene.model_error(&path, &format!("no strain measure is called {name}")))
     }
 
     pub(crate) fn formulation(&self) -> Formulation {

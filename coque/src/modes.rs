@@ -1,6 +1,7 @@
 //! Analyses that give modes: free vibration and linearised buckling of the unloaded shell.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use implicit_statics::{BalanceError, Equilibrium, linear_buckling, natural_modes};
 use sph_core::Vec3;
@@ -16,7 +17,7 @@ const SCALE: f64 = 0.1;
 const SHIFT: f64 = 1e-10;
 
 /// Finds the lowest modes of vibration.
-pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings) {
+pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>) {
     found.stable_step = reference_step(&mut shell);
     let fastest = 2.0 / found.stable_step;
     let mut system = StaticShell::new(shell);
@@ -32,32 +33,47 @@ pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings) {
             for (number, mode) in modes.iter().enumerate() {
                 let omega = mode.circular_frequency();
                 found.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU]);
-                keep(&mut system, &mode.shape, omega / TAU, found);
+                if keep(&mut system, &mode.shape, omega / TAU, found).is_break() {
+                    return;
+                }
             }
         }
     }
 }
 
 /// Finds the lowest buckling levels.
-pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings) {
+pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings<'_>) {
     let mut system = StaticShell::new(shell);
     match linear_buckling(&mut system, 0.0, count) {
         Err(cause) => failed(found, cause),
         Ok(modes) => {
             for (number, mode) in modes.iter().enumerate() {
                 found.curve.rows.push(vec![number as f64 + 1.0, mode.level]);
-                keep(&mut system, &mode.shape, mode.level, found);
+                if keep(&mut system, &mode.shape, mode.level, found).is_break() {
+                    return;
+                }
             }
         }
     }
 }
 
-fn failed(found: &mut Findings, cause: BalanceError) {
+fn failed(found: &mut Findings<'_>, cause: BalanceError) {
     found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
 }
 
-/// Counts a mode or a linear answer and keeps its shape about the unloaded one.
-pub(crate) fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings) {
+/// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.
+fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings<'_>) -> ControlFlow<()> {
+    let factor = keep_shape(system, mode, level, found);
+    show(system, &scaled(mode, factor), level, found)
+}
+
+/// Counts a mode or a linear answer and keeps its shape about the unloaded one; returns the factor on its motion there.
+pub(crate) fn keep_shape(
+    system: &mut StaticShell,
+    mode: &[f64],
+    level: f64,
+    found: &mut Findings<'_>,
+) -> f64 {
     let rest = system.save();
     system.update(mode);
     let shell = system.shell();
@@ -71,4 +87,25 @@ pub(crate) fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &m
     let positions = start.iter().zip(&motion).map(|(x, u)| x + u * factor).collect();
     found.steps += 1;
     found.keep_positions(positions, 0.0, level);
+    factor
+}
+
+/// Offers the shell moved by `motion` as a frame, if frames are wanted, and moves it back.
+pub(crate) fn show(
+    system: &mut StaticShell,
+    motion: &[f64],
+    level: f64,
+    found: &mut Findings<'_>,
+) -> ControlFlow<()> {
+    let Some(frames) = &mut found.frames else { return ControlFlow::Continue(()) };
+    let rest = system.save();
+    system.update(motion);
+    let flow = frames.offer(system.shell(), 0.0, level);
+    system.restore(&rest);
+    flow
+}
+
+/// A motion times a factor.
+pub(crate) fn scaled(motion: &[f64], factor: f64) -> Vec<f64> {
+    motion.iter().map(|q| factor * q).collect()
 }

@@ -28,7 +28,7 @@ pub(crate) fn levels(
     system: &mut StaticShell,
     driven: Option<Driven>,
     gauges: Vec<Gauge>,
-    found: &mut Findings,
+    found: &mut Findings<'_>,
     progress: &mut dyn Progress,
 ) {
     let newton = newton(wanted.tolerance, wanted.iterations);
@@ -54,7 +54,7 @@ pub(crate) fn levels(
             row = reader.row(system, point, iterations);
             if point.step == 0 && number == 0 {
                 found.curve.rows.push(row.clone());
-                found.keep_shape(system.shell(), 0.0, 0.0);
+                return found.keep_shape(system.shell(), 0.0, 0.0);
             }
             ControlFlow::Continue(())
         });
@@ -75,9 +75,15 @@ pub(crate) fn levels(
         progress.update(level / last, &record(found.steps, level, row[1]));
         found.energies = energies(row[1]);
         found.curve.rows.push(row);
-        found.keep_shape(system.shell(), 0.0, level);
         let steps = path.points.len() as u64 - 1;
         found.levels.push(LevelSummary { level, settled: true, kinetic_over_internal: 0.0, steps });
+        if found.frames.is_some() {
+            // The search for critical points may have been elsewhere since the point was read.
+            reader.evaluate(system, path.restart.level);
+        }
+        if found.keep_shape(system.shell(), 0.0, level).is_break() {
+            return;
+        }
         (start, before) = (path.restart, level);
     }
 }
@@ -88,7 +94,7 @@ pub(crate) fn arc_length(
     system: &mut StaticShell,
     driven: Option<Driven>,
     gauges: Vec<Gauge>,
-    found: &mut Findings,
+    found: &mut Findings<'_>,
     progress: &mut dyn Progress,
 ) {
     let first = match driven.map(|driven| (driven, stiffness(system, &driven))) {
@@ -113,10 +119,10 @@ pub(crate) fn arc_length(
         let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
         progress.update(done.clamp(0.0, 1.0), &record(point.step as u64, point.level(), row[1]));
         found.energies = energies(row[1]);
-        found.keep_shape(system.shell(), 0.0, point.level());
         let reached = stop.is_some_and(|(at, above)| row[at] > above);
         found.curve.rows.push(row);
-        if reached { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let flow = found.keep_shape(system.shell(), 0.0, point.level());
+        if reached { ControlFlow::Break(()) } else { flow }
     });
     note(&path, found);
     let level = path.restart.level;
@@ -162,7 +168,7 @@ fn stiffness(system: &mut StaticShell, driven: &Driven) -> Result<f64, BalanceEr
 }
 
 /// Counts what a path took and takes over its critical points.
-fn note(path: &Path, found: &mut Findings) {
+fn note(path: &Path, found: &mut Findings<'_>) {
     let made = path.points.iter().skip(1);
     found.newton_iterations += made.clone().map(|point| point.converged.iterations as u64).sum::<u64>();
     found.steps += made.count() as u64;
@@ -182,9 +188,14 @@ struct Reader {
 }
 
 impl Reader {
-    fn row(&mut self, system: &mut StaticShell, point: &Point, iterations: usize) -> Vec<f64> {
+    /// Forces and energy of the present state at a level.
+    fn evaluate(&self, system: &mut StaticShell, level: f64) {
         // The force that brings a prescribed motion about is the reaction that is sought, not a load.
-        system.evaluate(if self.driven.is_some() { 0.0 } else { point.level() });
+        system.evaluate(if self.driven.is_some() { 0.0 } else { level });
+    }
+
+    fn row(&mut self, system: &mut StaticShell, point: &Point, iterations: usize) -> Vec<f64> {
+        self.evaluate(system, point.level());
         let shell = system.shell();
         let negative = point.inertia().negative;
         let mut row = vec![point.level(), shell.stored_energy(), iterations as f64, negative as f64];

@@ -1,5 +1,6 @@
 //! The run: hands a model to its analysis; what was recorded is kept however the run ends.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use explicit_dynamics::{MarchError, Record};
@@ -9,6 +10,7 @@ use sph_shell::{Shell, StaticShell};
 
 use crate::build::Model;
 use crate::curve::Curve;
+use crate::fields::{FieldError, FieldSink, Frames};
 use crate::linear::linear;
 use crate::march::march;
 use crate::modes::{buckling, modal};
@@ -83,6 +85,9 @@ pub enum Failure {
         /// What to do about it.
         repair: &'static str,
     },
+    /// A frame of fields could not be written.
+    #[error(transparent)]
+    Fields(#[from] FieldError),
 }
 
 /// The causes behind an error, in brackets.
@@ -106,8 +111,8 @@ pub struct Shape {
 const MOST_POSITIONS: usize = 20_000_000;
 
 /// What an analysis leaves behind, for the outcome.
-#[derive(Debug, Default)]
-pub(crate) struct Findings {
+#[derive(Default)]
+pub(crate) struct Findings<'a> {
     pub(crate) curve: Curve,
     pub(crate) shapes: Vec<Shape>,
     pub(crate) ended: Ended,
@@ -118,12 +123,17 @@ pub(crate) struct Findings {
     pub(crate) levels: Vec<LevelSummary>,
     pub(crate) newton_iterations: u64,
     pub(crate) critical: Vec<CriticalSummary>,
+    /// Where frames of fields go, if anywhere.
+    pub(crate) frames: Option<Frames<'a>>,
 }
 
-impl Findings {
-    /// Keeps the present shape, as long as there is room.
-    pub(crate) fn keep_shape(&mut self, shell: &Shell, time: f64, level: f64) {
+impl Findings<'_> {
+    /// Keeps the present shape, as long as there is room, and offers it as a frame; `Break` if that cannot go on.
+    ///
+    /// The forces of the shell must be those of its state.
+    pub(crate) fn keep_shape(&mut self, shell: &Shell, time: f64, level: f64) -> ControlFlow<()> {
         self.keep_positions((0..shell.len()).map(|a| shell.position(a)).collect(), time, level);
+        self.frames.as_mut().map_or(ControlFlow::Continue(()), |frames| frames.offer(shell, time, level))
     }
 
     pub(crate) fn keep_positions(&mut self, positions: Vec<Vec3>, time: f64, level: f64) {
@@ -136,19 +146,29 @@ impl Findings {
 impl Model {
     /// Runs to the end, or to divergence. With more than one thread the run has a pool of its own.
     pub fn run(self, progress: &mut dyn Progress) -> Outcome {
+        self.run_in_pool(progress, None)
+    }
+
+    /// The same, with every N-th frame (`output.fields.every` of the scene, else each) handed to a sink on the way.
+    pub fn run_with_fields(self, progress: &mut dyn Progress, sink: &mut dyn FieldSink) -> Outcome {
+        self.run_in_pool(progress, Some(sink))
+    }
+
+    fn run_in_pool(self, progress: &mut dyn Progress, sink: Option<&mut dyn FieldSink>) -> Outcome {
         let threads = self.threads;
         match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-            Ok(pool) if threads > 1 => pool.install(|| self.analyse(progress)),
-            _ => self.analyse(progress),
+            Ok(pool) if threads > 1 => pool.install(|| self.analyse(progress, sink)),
+            _ => self.analyse(progress, sink),
         }
     }
 
-    fn analyse(self, progress: &mut dyn Progress) -> Outcome {
+    fn analyse(self, progress: &mut dyn Progress, sink: Option<&mut dyn FieldSink>) -> Outcome {
         let described = self.describe();
         let curve = Curve { columns: columns(&self), rows: Vec::new() };
-        let Self { mut shell, scene, gauges, driven, threads } = self;
+        let Self { mut shell, scene, gauges, driven, threads, .. } = self;
         let (cells, spacing) = (shell.reference().cloud.cells.clone(), shell.reference().cloud.spacing());
-        let mut found = Findings { curve, ..Findings::default() };
+        let frames = sink.map(|sink| Frames::new(sink, &scene, driven.map(|driven| driven.particle)));
+        let mut found = Findings { curve, frames, ..Findings::default() };
         let started = Instant::now();
         match &scene.analysis {
             Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, progress),
@@ -161,6 +181,13 @@ impl Model {
             }
             Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found),
             Analysis::Buckling(wanted) => buckling(wanted.modes, shell, &mut found),
+        }
+        let mut frames = 0;
+        if let Some(shown) = found.frames.take() {
+            frames = shown.taken;
+            if let Some(failure) = shown.failure {
+                found.ended = Ended::Diverged(failure);
+            }
         }
         let wall_seconds = started.elapsed().as_secs_f64();
         let marched = if matches!(scene.analysis, Analysis::Explicit(_)) { found.steps } else { 0 };
@@ -183,6 +210,7 @@ impl Model {
             particle_steps_per_second: described.particles as f64 * marched as f64 / wall_seconds,
             energies,
             levels,
+            frames,
             modelled: described.modelled,
             left_out: described.left_out,
             ended: match &ended {

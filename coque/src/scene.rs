@@ -11,6 +11,7 @@ mod conditions;
 mod formulation;
 mod geometry;
 mod material;
+mod mesh;
 mod read;
 mod statics;
 
@@ -22,9 +23,10 @@ pub use conditions::{
 };
 pub use formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use geometry::{
-    Box3, Cylinder, Disorder, Geometry, Orientation, Plate, Region, Scattered, Sphere, Twisted,
+    Box3, Cylinder, Disorder, Geometry, OnPlane, Orientation, Plate, Region, Scattered, Sphere, Twisted,
 };
 pub use material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
+pub use mesh::Mesh;
 pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 use std::collections::BTreeMap;
@@ -117,6 +119,23 @@ pub enum Measured {
 pub struct Output {
     /// Columns of the plot `curve.svg`.
     pub plot: Option<Plot>,
+    /// Frames for ParaView, in the folder `fields`.
+    pub fields: Option<Fields>,
+}
+
+/// Which frames are written, and what stands in them beside the motion of the particles.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fields {
+    /// Every N-th settled level, record in time, converged point or mode; the first always.
+    #[serde(default = "each")]
+    pub every: u64,
+    /// The shell with its thickness as well, in files of its own.
+    #[serde(default)]
+    pub extruded: bool,
+    /// Strains, resultants and surface stresses at the sampling points.
+    #[serde(default)]
+    pub stresses: bool,
 }
 
 /// Which column is drawn over which.
@@ -127,6 +146,10 @@ pub struct Plot {
     pub x: String,
     /// Column along the vertical axis.
     pub y: String,
+}
+
+fn each() -> u64 {
+    1
 }
 
 fn one() -> f64 {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
 
 use crate::error::SceneError;
+use crate::imported::{self, Imported};
 use crate::scene::{Region, Scene};
 
 /// Sets that every scene has.
@@ -22,13 +23,18 @@ pub(crate) struct Sets {
 
 impl Sets {
     /// Finds every set that the scene uses or declares; `cloud` is not turned yet.
-    pub(crate) fn find(scene: &Scene, cloud: &Cloud) -> Result<Self, SceneError> {
-        let mut members = BTreeMap::new();
-        for name in BUILT_IN {
-            if let Some(particles) = built_in(name, cloud) {
-                members.insert(name.to_string(), particles);
+    pub(crate) fn find(
+        scene: &Scene,
+        cloud: &Cloud,
+        imported: Option<&Imported>,
+    ) -> Result<Self, SceneError> {
+        let mut members = match imported {
+            Some(imported) => imported.sets(scene)?,
+            None => {
+                let found = |name: &str| Some((name.to_string(), built_in(name, cloud)?));
+                BUILT_IN.into_iter().filter_map(found).collect()
             }
-        }
+        };
         for (name, region) in &scene.sets {
             let particles = inside(region, cloud);
             if particles.is_empty() {
@@ -49,6 +55,9 @@ impl Sets {
     /// Particles of the set that the scene names at `path`.
     pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
+            if scene.geometry.mesh().is_some() {
+                return imported::no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
+            }
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
             let (bound, repair) = match scene.geometry.particles() {
                 Some(counts) => (
@@ -105,6 +114,12 @@ fn inside(region: &Region, cloud: &Cloud) -> Vec<u32> {
         let distance = |x: &Vec3| (x - Vec3::from(point)).norm_squared();
         let nearest = numbered().min_by(|(_, x), (_, y)| distance(x).total_cmp(&distance(y)));
         return nearest.map(|(a, _)| a).into_iter().collect();
+    }
+    if let Some(plane) = region.plane {
+        let normal = Vec3::from(plane.normal).normalize();
+        let within = plane.within.unwrap_or(1e-3 * cloud.spacing());
+        let on = |x: &Vec3| (x - Vec3::from(plane.point)).dot(&normal).abs() <= within;
+        return numbered().filter(|(_, x)| on(x)).map(|(a, _)| a).collect();
     }
     let Some(faces) = region.inside else { return Vec::new() };
     // A particle on a face belongs to the box, whatever rounding did to it.

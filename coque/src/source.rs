@@ -74,6 +74,11 @@ impl Source {
         }
     }
 
+    /// Name of the text.
+    pub(crate) fn origin(&self) -> &str {
+        &self.origin
+    }
+
     /// The text as a whole.
     pub(crate) fn text(&self) -> Arc<str> {
         self.text.clone()

@@ -96,6 +96,8 @@ pub struct Summary {
     pub energies: Energies,
     /// How each load level ended; empty without levels.
     pub levels: Vec<LevelSummary>,
+    /// Frames of fields written; nought without `output.fields`.
+    pub frames: u64,
     /// What is modelled.
     pub modelled: Vec<String>,
     /// What is not.
@@ -124,6 +126,7 @@ impl Model {
             format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
             format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
         ];
+        modelled.extend(self.surface.clone());
         let mut left_out: Vec<String> =
             ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
         match &scene.section {
@@ -149,6 +152,15 @@ impl Model {
         }
         if scene.loads.is_empty() {
             left_out.push("loads".into());
+        }
+        if scene.output.fields.is_some_and(|fields| fields.stresses) {
+            if scene.analysis.gives_modes() {
+                left_out.push("stresses of modes, which have a shape but no size".into());
+            } else if matches!(scene.analysis, Analysis::Linear(_)) {
+                left_out.push("stresses and reactions of the linear answer in the fields".into());
+            } else if !scene.section.homogeneous() {
+                left_out.push("stresses of the plies: the fields hold resultants".into());
+            }
         }
         let Analysis::Explicit(explicit) = &scene.analysis else {
             let damping = ["damping".to_string()];

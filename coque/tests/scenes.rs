@@ -10,8 +10,9 @@ use coque::scene::{Analysis, Formulation, Geometry, LoadKind};
 
 fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    let mut files: Vec<PathBuf> = fs::read_dir(folder)
-        .unwrap()
+    let mut files: Vec<PathBuf> = [folder.clone(), folder.join("meshes")]
+        .iter()
+        .flat_map(|folder| fs::read_dir(folder).unwrap())
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|e| e == "toml"))
         .collect();
@@ -30,11 +31,12 @@ fn set(pairs: &[(&str, &str)]) -> Result<Scene, coque::SceneError> {
 
 #[test]
 fn every_scene_builds() {
-    assert!(scenes().len() >= 6);
+    assert!(scenes().len() >= 7);
     for path in scenes() {
         let text = fs::read_to_string(&path).unwrap();
-        let name = path.file_name().unwrap().to_string_lossy();
-        assert!(text.contains(&format!("coque run scenes/{name}")), "{name} must say how to run it");
+        let name = path.to_string_lossy();
+        let (_, below) = name.rsplit_once("/scenes/").unwrap();
+        assert!(text.contains(&format!("coque run scenes/{below}")), "{name} must say how to run it");
         let scene = Scene::parse(&text, &name).unwrap_or_else(|e| panic!("{name}: {e}"));
         let model = scene.build(1).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert!(model.describe().particles > 0);

@@ -10,6 +10,7 @@
 //! | the point loop (strain → stress → force) | `point.rs`, `Shell::internal_force` |
 //! | the step of one particle (kick, hold, drift) | `particle.rs` |
 //! | the whole step in one sweep | `fused.rs` |
+//! | strains and resultants, to be read | `results.rs` |
 //! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
 //! | what a clamp does | `supports.rs` |
 //! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
@@ -29,6 +30,7 @@ mod particle;
 mod point;
 mod pressure;
 mod reference;
+mod results;
 mod shell;
 mod spectrum;
 mod statics;
@@ -43,6 +45,7 @@ pub use formulation::{Formulation, FormulationRow, Reach, formulations};
 pub use loads::{AppliedLoad, Body, Force, Gravity, Load};
 pub use pressure::Pressure;
 pub use reference::Reference;
+pub use results::PointResult;
 pub use shell::{Parts, Shell, Supported};
 pub use statics::StaticShell;
 pub use strong_form::density_rate;

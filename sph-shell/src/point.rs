@@ -1,6 +1,8 @@
 //! The sweep over sampling points: particles → strains → resultants → forces in slots.
 
-use shell_kinematics::{LANES, MeasureForces, Measures, Pack, Pack3, Placement, Section, StrainMeasure};
+use shell_kinematics::{
+    LANES, MeasureForces, Measures, Pack, Pack3, Placement, Section, StrainMeasure, Strains,
+};
 
 use crate::cell_control::CellPack;
 use crate::packs::{Entry, PointPack};
@@ -74,10 +76,29 @@ pub(crate) fn place<const CELL: bool>(
     (p, raw)
 }
 
-/// Forces on the measures of a point per area: strain, Kirchhoff-consistent shear, section, transpose.
+/// Strains of a point, with the Kirchhoff-consistent shear.
 ///
 /// The shear strain is `γ̂_α = γ_α + E_α,βγ κ_βγ`: what a Kirchhoff deflection of that curvature would leave in
-/// `x,α·d` on this stencil is taken out. Returns the energy per area if `ENERGY`.
+/// `x,α·d` on this stencil is taken out.
+#[inline(always)]
+pub(crate) fn point_strains<M: StrainMeasure + ?Sized>(
+    pack: &PointPack,
+    kirchhoff: Option<&[Pack; 6]>,
+    measure: &M,
+    now: &Measures,
+) -> Strains {
+    let mut strains = measure.strains(now, &pack.reference);
+    if let Some(e) = kirchhoff {
+        let k = strains.curvature;
+        strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
+        strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
+    }
+    strains
+}
+
+/// Forces on the measures of a point per area: strain, section, transpose.
+///
+/// Returns the energy per area if `ENERGY`.
 #[inline(always)]
 pub(crate) fn measure_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
@@ -85,12 +106,7 @@ pub(crate) fn measure_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: S
     law: PointLaw<'_, M, S>,
     measures: &Measures,
 ) -> (MeasureForces, Pack) {
-    let mut strains = law.strain.strains(measures, &pack.reference);
-    if let Some(e) = kirchhoff {
-        let k = strains.curvature;
-        strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
-        strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
-    }
+    let strains = point_strains(pack, kirchhoff, law.strain, measures);
     let mut stress = law.section.resultants(&strains);
     let energy = if ENERGY { law.section.energy(&strains) } else { Pack::ZERO };
     if let Some(e) = kirchhoff {

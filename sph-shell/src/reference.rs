@@ -108,7 +108,7 @@ pub(crate) fn pair_gradients(cloud: &Cloud) -> Result<SamplingOperator, ShellErr
     Ok(nodal_operator(cloud, &CubicSpline, 2, 1.3)?)
 }
 
-/// Mean area of the cells at each particle \[L²\].
+/// Mean area of the cells at each particle \[L²\]; without cells its own area.
 pub(crate) fn mean_cell_areas(cloud: &Cloud) -> Vec<f64> {
     let mut sum = vec![(0.0, 0.0); cloud.len()];
     for cell in &cloud.cells {
@@ -118,5 +118,6 @@ pub(crate) fn mean_cell_areas(cloud: &Cloud) -> Vec<f64> {
             *entry = (entry.0 + area, entry.1 + 1.0);
         }
     }
-    sum.into_iter().map(|(area, count)| area / count).collect()
+    let mean = |((area, count), own): ((f64, f64), &f64)| if count > 0.0 { area / count } else { *own };
+    sum.into_iter().zip(&cloud.areas).map(mean).collect()
 }

@@ -1,8 +1,9 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · new-case`.
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case`.
 
 mod bench;
 mod cargo;
 mod new_case;
+mod python;
 mod test_all;
 mod tidy;
 mod validate;
@@ -28,8 +29,10 @@ enum Task {
 
     /// Everything that CI runs, from a bare checkout; stops at the first failure
     ///
-    /// Steps: format, lints, tidy, tests, documentation tests, quick validation, quick hard cases. Each is timed; a failure prints
-    /// the command that repeats it. A missing rustfmt or clippy is skipped, loudly. The last line counts the steps.
+    /// Steps: format, lints, tidy, Python, tests, documentation tests, quick validation, quick hard cases. Each is
+    /// timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
+    /// target/python with which the tests read fields back, where there is no Python 3.10 or no network. The last
+    /// line counts the steps.
     Test,
 
     /// Run the benches, all or those whose name contains FILTER
@@ -49,6 +52,12 @@ enum Task {
     /// Citations: every key in square brackets has its entry in references.bib.
     Tidy,
 
+    /// The environment in target/python with which the tests read fields back: meshio and numpy, locked by hashes
+    ///
+    /// Made anew when coque/tests/python/requirements.txt has changed; with uv if there is one, else with venv and pip.
+    /// Without it the tests pass and say what they left out. `test` makes it too.
+    Python,
+
     /// Lay out a new benchmark: a scene, a case file, and the line that lists it
     ///
     /// Writes scenes/NAME.toml and validation/src/cases/NAME.rs (with underscores) from templates that explain
@@ -64,6 +73,7 @@ fn main() -> ExitCode {
         Task::Bench(options) => bench::run(&options),
         Task::Ci => test_all::run(test_all::Depth::Full),
         Task::Tidy => tidy::run(),
+        Task::Python => python::make(),
         Task::NewCase(options) => new_case::run(&options),
     };
     match outcome {

@@ -1,6 +1,6 @@
 //! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
 
-use crate::{cargo, tidy, validate};
+use crate::{cargo, python, tidy, validate};
 use std::time::{Duration, Instant};
 
 /// How far the validation goes.
@@ -25,6 +25,8 @@ enum Action {
     IfInstalled(&'static str, Vec<String>),
     /// The rules of [`tidy`], in this process.
     Tidy,
+    /// The environment of [`python`]; skipped where it cannot be made.
+    Python,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -81,6 +83,7 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "format", action: Action::IfInstalled("fmt", words(&["fmt", "--all", "--check"])) },
         Step { name: "tidy", action: Action::Tidy },
         Step { name: "lints", action: Action::IfInstalled("clippy", clippy) },
+        Step { name: "python", action: Action::Python },
         Step { name: "tests", action: Action::Cargo(words(tests)) },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
@@ -100,6 +103,10 @@ impl Action {
             }
             Self::IfInstalled(_, words) | Self::Cargo(words) => cargo::succeeds(words),
             Self::Tidy => tidy::run().map(|()| true),
+            Self::Python => match python::make() {
+                Ok(()) => Ok(true),
+                Err(why) => return Outcome::Skipped(format!("{why}; fields are not read back by meshio")),
+            },
         };
         match result {
             Ok(true) => Outcome::Passed,
@@ -116,6 +123,7 @@ impl Action {
         match self {
             Self::Cargo(words) | Self::IfInstalled(_, words) => cargo::spelled(words),
             Self::Tidy => "cargo xtask tidy".to_owned(),
+            Self::Python => "cargo xtask python".to_owned(),
         }
     }
 }
@@ -154,6 +162,7 @@ mod tests {
                 "cargo fmt --all --check",
                 "cargo xtask tidy",
                 "cargo clippy --workspace --all-targets -- -D warnings",
+                "cargo xtask python",
                 "cargo nextest run --workspace",
                 "cargo test --doc --workspace",
                 "cargo run --release --package validation --bin validate -- --quick",
@@ -161,7 +170,7 @@ mod tests {
                  --report target/validation-hard",
             ]
         );
-        assert_eq!(commands(Depth::Quick, false)[3..4], ["cargo test --workspace"]);
+        assert_eq!(commands(Depth::Quick, false)[4..5], ["cargo test --workspace"]);
         assert!(!commands(Depth::Quick, false).iter().any(|command| command.contains("--doc")));
     }
 

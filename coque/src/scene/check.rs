@@ -77,7 +77,7 @@ impl Scene {
 
     fn check_sets(&self) -> Checked {
         let s = &self.source;
-        for (name, Region { nearest, inside }) in &self.sets {
+        for (name, Region { nearest, inside, plane }) in &self.sets {
             let at = format!("sets.{name}");
             if BUILT_IN.contains(&name.as_str()) {
                 let fault = s.fault(
@@ -91,9 +91,15 @@ impl Scene {
             let mut given = Vec::new();
             given.extend(nearest.map(|_| "nearest"));
             given.extend(inside.map(|_| "box"));
-            s.exactly_one(&at, "region", &given, &["nearest", "box"])?;
+            given.extend(plane.map(|_| "plane"));
+            s.exactly_one(&at, "region", &given, &["nearest", "box", "plane"])?;
             if let Some(point) = nearest {
                 s.sized_all(&format!("{at}.nearest"), point)?;
+            }
+            if let Some(plane) = plane {
+                s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
+                s.direction(&format!("{at}.plane.normal"), plane.normal)?;
+                s.positive(&format!("{at}.plane.within"), plane.within.unwrap_or(1.0))?;
             }
             if let Some(region) = inside {
                 s.sized_all(&format!("{at}.box.min"), &region.min)?;
@@ -108,8 +114,11 @@ impl Scene {
         Ok(())
     }
 
-    /// Refuses a name that is no set.
+    /// Refuses a name that is no set; those of a mesh are known when its file has been read.
     pub(super) fn check_set_name(&self, path: &str, name: &str) -> Checked {
+        if self.geometry.mesh().is_some() {
+            return Ok(());
+        }
         let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
         if known.contains(&name) {
             return Ok(());
@@ -136,6 +145,9 @@ impl Scene {
             self.check_set_name(&at("on"), &probe.on)?;
             s.direction(&at("direction"), probe.direction)?;
             s.sized(&at("factor"), probe.factor)?;
+        }
+        if self.output.fields.is_some_and(|fields| fields.every == 0) {
+            return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
         }
         if let Some(plot) = &self.output.plot {
             let known = Vec::from_iter(names);

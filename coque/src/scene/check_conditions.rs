@@ -133,7 +133,8 @@ impl Scene {
     }
 
     fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
-        if fit.contains(&on) {
+        // Whether a set of a mesh is an edge is known when its file has been read.
+        if fit.contains(&on) || (fit == EDGES && self.geometry.mesh().is_some()) {
             return Ok(());
         }
         let repair = format!("use one of {}", fit.join(", "));

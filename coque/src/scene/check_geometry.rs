@@ -38,8 +38,11 @@ impl Scene {
                 s.sized(&at("twist"), strip.twist)?;
                 s.within(&at("twist"), strip.twist, [-360.0, 360.0], "give the angle within one turn")?;
             }
+            Geometry::Mesh(mesh) => s.positive(&at("scale"), mesh.scale)?,
         }
-        self.check_places()?;
+        if self.geometry.mesh().is_none() {
+            self.check_places()?;
+        }
         if let Some(turn) = self.orientation {
             s.direction("orientation.axis", turn.axis)?;
             s.within("orientation.degrees", turn.degrees, [-360.0, 360.0], "give the angle within one turn")?;

@@ -66,7 +66,7 @@ impl Scene {
             }
         };
         let radius = match &self.geometry {
-            Geometry::Plate(_) => f64::INFINITY,
+            Geometry::Plate(_) | Geometry::Mesh(_) => f64::INFINITY,
             Geometry::Cylinder(cylinder) => cylinder.radius,
             Geometry::Sphere(sphere) => sphere.radius,
             // On the centre line the curvatures are ± twist / length.

@@ -148,7 +148,7 @@ pub struct Couple {
 pub enum Axis {
     /// Fixed in space; its length does not matter.
     Fixed([f64; 3]),
-    /// The current direction of the edge, along growing u or v.
+    /// The current direction of the edge: along growing u or v, on the boundary of a mesh with the surface to the left.
     Edge,
 }
 

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::Mesh;
+
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -14,6 +16,8 @@ pub enum Geometry {
     Sphere(Sphere),
     /// Strip twisted about the x axis.
     Twisted(Twisted),
+    /// Surface from a file.
+    Mesh(Mesh),
 }
 
 /// Rectangle in the plane z = 0 from the origin, u along x, v along y.
@@ -124,7 +128,7 @@ pub struct Orientation {
     pub degrees: f64,
 }
 
-/// Picks particles; exactly one of the two is given, in the un-turned frame.
+/// Picks particles; exactly one of the three is given, in the un-turned frame.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
@@ -133,6 +137,8 @@ pub struct Region {
     /// All particles in a box, its faces included.
     #[serde(rename = "box")]
     pub inside: Option<Box3>,
+    /// All particles on a plane.
+    pub plane: Option<OnPlane>,
 }
 
 /// Axis-parallel box.
@@ -145,6 +151,18 @@ pub struct Box3 {
     pub max: [f64; 3],
 }
 
+/// Plane.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OnPlane {
+    /// A point of the plane \[L\].
+    pub point: [f64; 3],
+    /// Its normal; the length does not matter.
+    pub normal: [f64; 3],
+    /// Greatest distance from the plane \[L\]; a thousandth of the spacing without.
+    pub within: Option<f64>,
+}
+
 impl Geometry {
     /// Key of the shape in a scene.
     pub fn word(&self) -> &'static str {
@@ -153,16 +171,26 @@ impl Geometry {
             Self::Cylinder(_) => "cylinder",
             Self::Sphere(_) => "sphere",
             Self::Twisted(_) => "twisted",
+            Self::Mesh(_) => "mesh",
         }
     }
 
-    /// Particles along u and v; none where they are scattered.
+    /// The file of a mesh.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            _ => None,
+        }
+    }
+
+    /// Particles along u and v; none where they are scattered or from a file.
     pub fn particles(&self) -> Option<[usize; 2]> {
         match self {
             Self::Plate(s) => s.particles,
             Self::Cylinder(s) => s.particles,
             Self::Sphere(s) => s.particles,
             Self::Twisted(s) => s.particles,
+            Self::Mesh(_) => None,
         }
     }
 
@@ -173,6 +201,7 @@ impl Geometry {
             Self::Cylinder(s) => s.disorder,
             Self::Sphere(s) => s.disorder,
             Self::Twisted(s) => s.disorder,
+            Self::Mesh(_) => None,
         }
     }
 
@@ -183,16 +212,18 @@ impl Geometry {
             Self::Cylinder(s) => s.grading,
             Self::Sphere(s) => s.grading,
             Self::Twisted(s) => s.grading,
+            Self::Mesh(_) => None,
         }
     }
 
-    /// How particles are scattered; none on a lattice.
+    /// How particles are scattered; none on a lattice or from a file.
     pub fn scattered(&self) -> Option<Scattered> {
         match self {
             Self::Plate(s) => s.scattered,
             Self::Cylinder(s) => s.scattered,
             Self::Sphere(s) => s.scattered,
             Self::Twisted(s) => s.scattered,
+            Self::Mesh(_) => None,
         }
     }
 }

@@ -78,6 +78,11 @@ impl Section {
             Self::Layered(section) => section.plies.iter().map(|ply| ply.thickness).sum(),
         }
     }
+
+    /// Whether one law holds through the thickness, so that stresses run linearly.
+    pub(crate) fn homogeneous(&self) -> bool {
+        matches!(self, Self::Homogeneous(_))
+    }
 }
 
 /// One isotropic material through the thickness.

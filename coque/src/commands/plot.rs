@@ -1,0 +1,82 @@
+//! `coque plot`: the last frame of a run, or its curve, as a picture without a viewer.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::Args;
+use coque::{Curve, Picture, Sheet, listed, picture_svg, plot_svg};
+
+#[derive(Args)]
+pub struct Plot {
+    /// Folder of a run; of a scene with [output.fields] unless --curve is given.
+    folder: PathBuf,
+    /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: von_mises_top, else
+    /// displacement]
+    #[arg(long, value_name = "FIELD")]
+    field: Option<String>,
+    /// Number of the frame, from 0 [default: the last].
+    #[arg(long, value_name = "N")]
+    frame: Option<usize>,
+    /// Where the viewer stands: azimuth and height in degrees.
+    #[arg(long, value_name = "AZIMUTH,HEIGHT", allow_hyphen_values = true, value_parser = view, default_value = "-60,30")]
+    view: [f64; 2],
+    /// Draw the curve instead: this column along, that one up.
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "frame", "view"])]
+    curve: Option<(String, String)>,
+    /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+fn view(text: &str) -> Result<[f64; 2], String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let both = text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]));
+    both.ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+}
+
+fn columns(text: &str) -> Result<(String, String), String> {
+    let both = text.split_once(',').map(|(x, y)| (x.trim().to_string(), y.trim().to_string()));
+    both.ok_or_else(|| "write two columns of curve.csv, such as w_crown,P".into())
+}
+
+/// Reads, draws, writes; the error is ready to print.
+pub fn carry_out(plot: &Plot) -> Result<(), String> {
+    let out = match &plot.curve {
+        None => shape(plot),
+        Some((x, y)) => curve(plot, x, y),
+    }?;
+    eprintln!("{}", out.display());
+    Ok(())
+}
+
+fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
+    let file = plot.folder.join("curve.csv");
+    let wrong = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}\n", file.display());
+    let text = fs::read_to_string(&file).map_err(|e| wrong(&e))?;
+    let curve: Curve = text.parse().map_err(|e| wrong(&e))?;
+    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
+    plot_svg(&curve, x, y, &name(&plot.folder), &out).map_err(|e| format!("{e}\n"))?;
+    Ok(out)
+}
+
+fn shape(plot: &Plot) -> Result<PathBuf, String> {
+    let list = plot.folder.join("fields/shell.pvd");
+    let frames = listed(&list).map_err(|e| format!("{e}\n"))?;
+    let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
+    let Some((along, path)) = frames.get(number) else {
+        let count = frames.len();
+        return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
+    };
+    let sheet = Sheet::read(path).map_err(|e| format!("{e}\n"))?;
+    let title = format!("{}, frame {number} at {along}", name(&plot.folder));
+    let wanted = Picture { field: plot.field.as_deref(), view: plot.view, title: &title };
+    let svg = picture_svg(&sheet, &wanted).map_err(|e| format!("{e}\n"))?;
+    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
+    fs::write(&out, svg).map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
+    Ok(out)
+}
+
+/// The last part of a folder's path.
+fn name(folder: &std::path::Path) -> String {
+    folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned()
+}

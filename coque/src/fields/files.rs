@@ -1,0 +1,132 @@
+//! Frames on disk: one `.vtu` a frame and a `.pvd` that lists them, whole at any moment.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use sph_shell::PointResult;
+
+use super::content::{Content, read};
+use super::vtu::Vtu;
+use super::whole::write_whole;
+use super::{FieldError, FieldSink, Frame};
+use crate::scene::Fields;
+
+/// Writes frames into a folder: `shell.pvd` and `shell-0000.vtu` …, for the extruded shell `solid.pvd` likewise.
+///
+/// Each file is written under another name and renamed, the list of frames after each frame: a run that is killed
+/// leaves whole files, and lists that name only those.
+pub struct FieldFiles {
+    stresses: bool,
+    sheet: Series,
+    solid: Option<Series>,
+    results: Vec<PointResult>,
+}
+
+/// The frames of one kind.
+struct Series {
+    folder: PathBuf,
+    name: &'static str,
+    /// Where each frame stands, and its file.
+    frames: Vec<(f64, String)>,
+}
+
+impl FieldFiles {
+    /// Makes the folder and takes out the frames that an earlier run left there.
+    ///
+    /// # Errors
+    /// [`FieldError`] for a folder that cannot be made or cleared.
+    pub fn create(folder: &Path, wanted: &Fields) -> Result<Self, FieldError> {
+        let series = |name| Series { folder: folder.into(), name, frames: Vec::new() };
+        fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
+        for name in ["shell", "solid"] {
+            series(name).clear()?;
+        }
+        Ok(Self {
+            stresses: wanted.stresses,
+            sheet: series("shell"),
+            solid: wanted.extruded.then(|| series("solid")),
+            results: Vec::new(),
+        })
+    }
+}
+
+impl FieldSink for FieldFiles {
+    fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
+        let stresses = self.stresses && frame.state.has_forces();
+        if stresses {
+            read(frame.shell, &mut self.results);
+        }
+        let content = Content { frame, results: stresses.then_some(&self.results[..]) };
+        self.sheet.add(frame.along, |path| {
+            write_whole(path, |file| {
+                let mut file = Vtu::begin(file)?;
+                content.sheet(&mut file)?;
+                file.end()
+            })
+        })?;
+        let Some(solid) = &mut self.solid else { return Ok(()) };
+        solid.add(frame.along, |path| {
+            write_whole(path, |file| {
+                let mut file = Vtu::begin(file)?;
+                content.solid(&mut file)?;
+                file.end()
+            })
+        })
+    }
+}
+
+impl Series {
+    /// Writes one more frame, then the list of all of them.
+    fn add(
+        &mut self,
+        along: f64,
+        write: impl FnOnce(&Path) -> Result<(), FieldError>,
+    ) -> Result<(), FieldError> {
+        let name = format!("{}-{:04}.vtu", self.name, self.frames.len());
+        write(&self.folder.join(&name))?;
+        self.frames.push((along, name));
+        write_whole(&self.list(), |mut file| {
+            writeln!(file, "<?xml version=\"1.0\"?>")?;
+            writeln!(file, "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">")?;
+            writeln!(file, "<Collection>")?;
+            for (along, name) in &self.frames {
+                writeln!(file, "<DataSet timestep=\"{along:?}\" part=\"0\" file=\"{name}\"/>")?;
+            }
+            writeln!(file, "</Collection>\n</VTKFile>")?;
+            Ok(file)
+        })
+    }
+
+    fn list(&self) -> PathBuf {
+        self.folder.join(format!("{}.pvd", self.name))
+    }
+
+    /// Removes the list, then the frames: no list ever names what is gone.
+    fn clear(&self) -> Result<(), FieldError> {
+        let list = self.list();
+        if list.exists() {
+            fs::remove_file(&list).map_err(|error| refused(&list, &error))?;
+        }
+        let entries = fs::read_dir(&self.folder).map_err(|error| refused(&self.folder, &error))?;
+        for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if self.is_frame(&name) && path.is_file() {
+                fs::remove_file(&path).map_err(|error| refused(&path, &error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a file is a frame of this series, whole or under way.
+    fn is_frame(&self, name: &str) -> bool {
+        let name = name.strip_suffix(".part").unwrap_or(name);
+        let number = name.strip_prefix(self.name).and_then(|rest| rest.strip_prefix('-'));
+        let number = number.and_then(|rest| rest.strip_suffix(".vtu"));
+        number.is_some_and(|number| number.len() >= 4 && number.bytes().all(|c| c.is_ascii_digit()))
+    }
+}
+
+fn refused(path: &Path, error: &std::io::Error) -> FieldError {
+    FieldError { path: path.display().to_string(), reason: error.to_string() }
+}

@@ -1,0 +1,17 @@
+//! The mid-surface from a file.
+
+use serde::Deserialize;
+
+/// Triangles and quadrangles, or points, from a file; particles at its nodes.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// The file, relative to the folder of the scene: `.msh`, `.inp`, `.stl`, `.obj`, `.vtu` or `.csv`.
+    pub file: String,
+    /// Factor on all lengths of the file, such as 0.001 from mm to m.
+    #[serde(default = "super::one")]
+    pub scale: f64,
+    /// Whether to turn the normals to the other side.
+    #[serde(default)]
+    pub flip: bool,
+}

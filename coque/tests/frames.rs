@@ -1,0 +1,124 @@
+//! Fields of every kind of scene: written, read back as a mesh, and without what the resultants do not tell.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use coque::{Ended, FieldFiles, Outcome, Picture, Scene, Sheet, Silent, listed, mesh, picture_svg};
+
+/// An empty folder of a test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("frames").join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).unwrap();
+    }
+    folder
+}
+
+/// Runs a scene with all fields; its frames.
+fn run(name: &str, origin: &Path, replaced: &[(&str, &str)]) -> (Outcome, Vec<PathBuf>) {
+    let everything = [("output.fields", "{ stresses = true, extruded = true }")];
+    let pairs = replaced.iter().chain(&everything);
+    let pairs: Vec<_> = pairs.map(|(path, value)| (path.to_string(), value.to_string())).collect();
+    let text = fs::read_to_string(origin).unwrap();
+    let scene = Scene::with_overrides(&text, &origin.to_string_lossy(), &pairs).unwrap();
+    let folder = folder(name);
+    let mut files = FieldFiles::create(&folder, &scene.output.fields.unwrap()).unwrap();
+    let outcome = scene.build(1).unwrap().run_with_fields(&mut Silent, &mut files);
+    assert_eq!(outcome.ended, Ended::Done);
+    let frames = listed(&folder.join("shell.pvd")).unwrap();
+    (outcome, frames.into_iter().map(|(_, path)| path).collect())
+}
+
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
+}
+
+fn left_out(outcome: &Outcome, what: &str) -> bool {
+    outcome.summary.left_out.iter().any(|line| line.contains(what))
+}
+
+#[test]
+fn a_frame_is_a_mesh_for_another_scene() {
+    let replaced = [("geometry.cylinder.particles", "[5, 4]"), ("analysis.static.levels", "1")];
+    let (outcome, frames) = run("mesh", &shipped("panel.toml"), &replaced);
+    let surface = mesh::read(&frames[1]).unwrap();
+    // The same bits: base64 on both sides, and twenty nodes keep their order.
+    assert_eq!(surface.positions, outcome.shapes[1].positions);
+    assert_eq!((surface.faces.len(), surface.pieces, surface.turned, surface.loops.len()), (12, 1, 0, 1));
+    let (cloud, _) = surface.cloud(surface.node_normals()).unwrap();
+    assert_eq!(cloud.cells, outcome.cells);
+    // Fields are no sets, and directors no normals: a mesh begins free of stress.
+    assert!(surface.sets.is_empty() && surface.normals.is_none());
+}
+
+#[test]
+fn plies_leave_out_the_stresses_at_the_faces() {
+    let replaced = [("geometry.cylinder.particles", "[5, 5]"), ("analysis.static.levels", "2")];
+    let (outcome, frames) = run("plies", &shipped("panel-laminated.toml"), &replaced);
+    assert!(left_out(&outcome, "stresses of the plies"));
+    let sheet = Sheet::read(&frames[2]).unwrap();
+    for name in ["membrane_force", "moment", "shear_force", "membrane_strain", "curvature", "shear_strain"] {
+        assert!(sheet.cell_data[name].numbers.iter().any(|&value| value != 0.0), "{name}");
+    }
+    assert!(!sheet.cell_data.keys().any(|name| name.contains("stress") || name.contains("mises")));
+    let solid = Sheet::read(&frames[2].with_file_name("solid-0002.vtu")).unwrap();
+    assert!(solid.cell_data.is_empty());
+    // The first direction is the axis of the plies: along y, the axis of the cylinder, where symmetry holds it.
+    assert!(sheet.cell_data["t1"].numbers.chunks(3).all(|t1| t1[1] > 0.99));
+}
+
+#[test]
+fn the_linear_answer_is_one_frame_of_its_displacements() {
+    let (outcome, frames) = run("linear", &shipped("scordelis-lo.toml"), &[]);
+    assert_eq!((outcome.summary.frames, frames.len()), (1, 1));
+    assert!(left_out(&outcome, "linear answer in the fields"));
+    let sheet = Sheet::read(&frames[0]).unwrap();
+    let names: Vec<&str> = sheet.point_data.keys().map(String::as_str).collect();
+    assert_eq!(names, ["director", "displacement", "thickness"]);
+    assert!(sheet.cell_data.is_empty());
+    // The middle of the free edge sinks most of all; the curve has it to 1e-9 by differences.
+    let sunk = sheet.point_data["displacement"].numbers.chunks(3).map(|u| -u[2]).fold(0.0, f64::max);
+    let expected = outcome.curve.column("w_edge").unwrap()[0];
+    assert!((sunk / expected - 1.0).abs() < 1e-7, "{sunk} for {expected}");
+}
+
+#[test]
+fn points_without_faces_are_shown_as_points() {
+    let text = "title = \"Points\"\nunits = { length = \"m\", force = \"N\", time = \"s\" }\n\
+        geometry.mesh.file = \"points.csv\"\nmaterial.elastic = { young = 12e6, poisson = 0.3, density = 10.0 }\n\
+        section.homogeneous.thickness = 0.1\nformulation.nodal = { order = 1, consistent = false }\n\
+        sets.fixed.box = { min = [0.0, 0.0, 0.0], max = [0.0, 2.0, 0.0] }\n\
+        sets.tip.box = { min = [2.0, 0.0, 0.0], max = [2.0, 2.0, 0.0] }\n\
+        supports = [{ on = \"fixed\", clamped = {} }]\n\
+        loads = [{ on = \"tip\", force = { total = [0.0, 0.0, 300.0] } }]\nanalysis.static.levels = 1\n";
+    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("frames-of-points");
+    fs::create_dir_all(&place).unwrap();
+    // A lattice of 6 × 6 points, areas of half a cell at the edges.
+    let (n, side) = (6, 0.4);
+    let mut points = String::from("x,y,z,nx,ny,nz,area\n");
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let share = |k: usize| if k == 0 || k + 1 == n { 0.5 * side } else { side };
+        points.push_str(&format!(
+            "{},{},0,0,0,1,{}\n",
+            i as f64 * side,
+            j as f64 * side,
+            share(i) * share(j)
+        ));
+    }
+    fs::write(place.join("points.csv"), points).unwrap();
+    let origin = place.join("points.toml");
+    fs::write(&origin, text).unwrap();
+    let (_, frames) = run("points", &origin, &[]);
+    let sheet = Sheet::read(&frames[1]).unwrap();
+    assert_eq!(sheet.cells, (0..n * n).map(|a| vec![a]).collect::<Vec<_>>());
+    assert_eq!(sheet.point_data["moment"].numbers.len(), 3 * n * n);
+    let solid = Sheet::read(&frames[1].with_file_name("solid-0001.vtu")).unwrap();
+    assert_eq!(solid.cells, (0..n * n).map(|a| vec![a, a + n * n]).collect::<Vec<_>>());
+    let svg = picture_svg(&sheet, &Picture { field: None, view: [-60.0, 30.0], title: "points" }).unwrap();
+    assert_eq!(svg.matches("<circle class=\"cell\"").count(), n * n);
+    // No faces, no surface: the same refusal as for any file of points.
+    let refused = mesh::read(&frames[1]).unwrap_err().to_string();
+    assert!(refused.contains("no triangles or quadrangles among 36 nodes"), "{refused}");
+}
