@@ -70,6 +70,12 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
     // `cargo test --workspace` already runs the documentation tests
     let documentation = nextest.then(|| words(&["test", "--doc", "--workspace"]));
     let quick = validate::Options { quick: true, ..Default::default() };
+    let hard = validate::Options {
+        quick: true,
+        hard: true,
+        report: Some("target/validation-hard".to_owned()),
+        ..Default::default()
+    };
     let full = validate::Options { report: Some("target/ci-report".to_owned()), ..Default::default() };
 
     let clippy = words(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
@@ -82,6 +88,7 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
     steps.push(Step { name: "validation, quick", action: Action::Cargo(quick.words()) });
+    steps.push(Step { name: "hard cases, quick", action: Action::Cargo(hard.words()) });
     if depth == Depth::Full {
         steps.push(Step { name: "validation, full", action: Action::Cargo(full.words()) });
     }
@@ -159,6 +166,8 @@ mod tests {
                 "cargo nextest run --workspace",
                 "cargo test --doc --workspace",
                 "cargo run --release --package validation --bin validate -- --quick",
+                "cargo run --release --package validation --bin validate -- --quick --hard \
+                 --report target/validation-hard",
             ]
         );
         assert_eq!(commands(Depth::Quick, false)[4..5], ["cargo test --workspace"]);
