@@ -10,7 +10,7 @@ use crate::measure::largest;
 use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../scenes/open-cylinder.toml");
+pub const SCENE: &str = include_str!("../../../scenes/open-cylinder.toml");
 const TABLE: &str = "sze_open_cylinder_pullout";
 const COLUMNS: [&str; 3] = ["W_A", "minus_U_B", "minus_U_C"];
 /// Largest displacement of the table.
@@ -48,12 +48,18 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+/// The largest distance of each displacement from the table, in percent of the largest displacement.
+pub fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
     let mut errors = Vec::new();
     for column in COLUMNS {
         let compared = Compared { table: TABLE, known: ["P/Pmax", column], found: ["load", column] };
         errors.push(compared.largest(run, 1.0, Some(SNAP.0))?.map(|error| 100.0 * error / LARGEST));
     }
+    Ok(errors)
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let errors = errors(run)?;
     let snap = value_at(&run.column("minus_U_B")?, &run.column("load")?, SNAP.1);
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
         (ELEMENTS, "25×17") => {

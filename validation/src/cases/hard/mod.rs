@@ -2,9 +2,14 @@
 //!
 //! A case that fails stays in the table, asserted as it is, with the cause.
 
+mod common;
+mod disorder;
+mod large;
+mod thickness;
+
 use crate::Case;
 
 /// Every hard case, in the order of the survival table.
 pub fn all() -> Vec<Case> {
-    Vec::new()
+    vec![disorder::case(), thickness::case(), large::case()]
 }

@@ -1,0 +1,162 @@
+//! large: deep in large rotations: hemisphere, cylinders, a jump of the panel in time, a strip rolled twice, a whip.
+
+use benchmarks_ref::elastica::end_moment;
+use benchmarks_ref::{Curve, reference};
+
+use super::common::{Asked, ERROR, asked, or_refused, tuned};
+use crate::case::{Case, Headline, Run, Variant};
+use crate::cases::dial::{CELL, NODAL_1, NODAL_3, STATIC, WIDE_14};
+use crate::cases::{hemisphere, hemisphere_large, open_cylinder, panel, pinched_cylinder_large, ring, strip};
+use crate::measure::largest;
+use crate::{JudgeError, Metric};
+
+/// A strip hit at its free end by a pulse that turns the tip by more than half a turn; nothing is damped.
+const WHIP: &str = include_str!("../../../../scenes/cantilever-end-shear.toml");
+/// Limit load of the thin panel \[N\], in parts of which its loads are off.
+const LIMIT: f64 = 586.0;
+/// Displacements of the crown \[mm\]: up to the turning point at 17.0 mm, and after the jump.
+const BEFORE: [f64; 5] = [4.0, 8.0, 12.0, 14.0, 16.0];
+const AFTER: [f64; 4] = [17.5, 18.2, 19.0, 19.8];
+const ENERGY: &str = "energy, % of the work";
+
+/// The scenes, their references, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "large",
+        title: "Large rotations, a jump, a whip",
+        about: "Hemisphere, open and pinched cylinder against the tables of Sze et al.; the panel of 6.35 mm driven in time \
+                past the turning point of its displacement, where it has to jump to the branch beyond; a strip rolled twice; \
+                a cantilever whipped through large rotations by a pulse at its end, its energy balance counted.",
+        citation: "Sze, Liu and Lo 2004; end moment on an inextensible elastica; balance of energy",
+        variants: variants().into_iter().map(or_refused).collect(),
+        each,
+        together: |_| Ok(Vec::new()),
+        headline: Some(Headline { metric: ERROR, floor: 0.01, published: || Ok(Vec::new()) }),
+        figures: |_| Ok(Vec::new()),
+    }
+}
+
+fn named(mut variant: Variant, grid: &str) -> Variant {
+    variant.grid = grid.into();
+    tuned(variant)
+}
+
+fn levels(values: impl IntoIterator<Item = f64>) -> String {
+    let words: Vec<String> = values.into_iter().map(|value| format!("{value:?}")).collect();
+    format!("[{}]", words.join(", "))
+}
+
+fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    let hemisphere = |method, n: usize| {
+        let variant = Variant::new(method, hemisphere::SCENE, "sphere", [n, n])
+            .set("loads[0].force.total", "[200, 0, 0]")
+            .set("loads[1].force.total", "[0, -200, 0]")
+            .set("analysis.static.levels", 20);
+        named(variant, &format!("hemisphere {n}×{n}"))
+    };
+    variants.extend([
+        hemisphere(STATIC, 21),
+        hemisphere(STATIC, 31),
+        hemisphere(WIDE_14, 21),
+        hemisphere(NODAL_1, 21),
+    ]);
+    for [u, v] in [[25, 17], [37, 25]] {
+        let cylinder = Variant::new(STATIC, open_cylinder::SCENE, "cylinder", [u, v]);
+        variants.push(named(cylinder, &format!("open cylinder {u}×{v}")));
+    }
+    for n in [21, 31] {
+        let cylinder = Variant::new(STATIC, pinched_cylinder_large::SCENE, "cylinder", [n, n]);
+        variants.push(named(cylinder, &format!("pinched cylinder {n}×{n}")));
+    }
+    let path = levels(BEFORE.into_iter().chain(AFTER).map(|w| w / 30.0));
+    for (method, n) in [(CELL, 11), (CELL, 21), (WIDE_14, 11), (NODAL_1, 11), (NODAL_3, 11)] {
+        let jump = Variant::new(method, panel::SCENE, "cylinder", [n, n])
+            .set("section.homogeneous.thickness", 6.35)
+            .set("analysis.explicit.quasi-static.levels", &path);
+        variants.push(named(jump, &format!("panel jumps {n}×{n}")));
+    }
+    for (method, [u, v]) in
+        [(STATIC, [50, 5]), (CELL, [50, 5]), (STATIC, [99, 5]), (WIDE_14, [50, 5]), (NODAL_3, [50, 5])]
+    {
+        let twice = Variant::new(method, ring::SCENE, "plate", [u, v])
+            .set("loads[0].couple.moment", 4.0 * std::f64::consts::PI * 10.0);
+        let twice = if method == CELL {
+            twice.set("analysis.explicit.quasi-static.levels", 16)
+        } else {
+            twice.set("analysis.static.levels", 16)
+        };
+        variants.push(named(twice, &format!("rolled twice {u}×{v}")));
+    }
+    for (method, [u, v]) in [(CELL, [41, 5]), (CELL, [81, 9]), (WIDE_14, [41, 5]), (NODAL_3, [41, 5])] {
+        let whip = Variant::new(method, WHIP, "plate", [u, v])
+            .set("analysis.explicit", "{ transient = { duration = 6.0, record_every = 0.01 } }")
+            .set("loads[0].force.total", "[0, 0, 20]")
+            .set("loads[0].amplitude", "{ table = [[0.0, 0.0], [0.25, 1.0], [0.5, 0.0]] }")
+            .set(
+                "curve[2]",
+                "{ name = \"turn\", of = \"rotation\", on = \"u1\", direction = [0.0, -1.0, 0.0] }",
+            )
+            .restless();
+        variants.push(named(whip, &format!("whip {u}×{v}")));
+    }
+    variants
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let grid = run.variant.grid.as_str();
+    if !run.done() {
+        return Ok(asked(run, None, Asked::Lost("first look")));
+    }
+    if grid.starts_with("whip") {
+        return whip(run);
+    }
+    let error = match grid {
+        _ if grid.starts_with("hemisphere") => largest(hemisphere_large::errors(run)?),
+        _ if grid.starts_with("open") => largest(open_cylinder::errors(run)?),
+        _ if grid.starts_with("pinched") => largest(pinched_cylinder_large::errors(run)?),
+        _ if grid.starts_with("panel") => jump(run)?,
+        _ => largest(
+            (1..=4).map(|quarter| twice(run, 0.25 * f64::from(quarter))).collect::<Result<Vec<_>, _>>()?,
+        ),
+    };
+    Ok(asked(run, error, Asked::Shown("first look at it, to be judged")))
+}
+
+/// Distance of the tip from the circles \[% of L\].
+fn twice(run: &Run, level: f64) -> Result<Option<f64>, JudgeError> {
+    let tip = end_moment(2.0 * std::f64::consts::TAU * level);
+    strip::tip_error(run, level, 10.0, (tip.u, tip.w))
+}
+
+/// Largest difference of the load from the branch beyond the jump \[% of the limit load\].
+fn jump(run: &Run) -> Result<Option<f64>, JudgeError> {
+    let table = reference("sze_hinged_roof_t6p35_isotropic")?;
+    let (w, p) = (table.column("minus_W_C")?, table.column("P/Pmax")?);
+    // Behind the second turning point the displacement grows again.
+    let first = w.windows(2).position(|pair| pair[1] < pair[0]).unwrap_or(0);
+    let second = first + w[first..].windows(2).position(|pair| pair[1] > pair[0]).unwrap_or(0);
+    let branch = Curve::new(w[second..].to_vec(), p[second..].iter().map(|p| 3000.0 * p).collect())?;
+    let mut errors = Vec::new();
+    for w in AFTER {
+        let load = run.at("P", w / 30.0)?;
+        errors.push(
+            load.map(|load| branch.at(w).map(|known| 100.0 * (load - known).abs() / LIMIT)).transpose()?,
+        );
+    }
+    Ok(largest(errors))
+}
+
+/// Energy that is missing or too much, in percent of the work done, and how far the tip turned.
+fn whip(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let [kinetic, internal, external] = ["kinetic", "internal", "external"].map(|name| run.column(name));
+    let (kinetic, internal, external) = (kinetic?, internal?, external?);
+    let work = external.last().copied();
+    let missing =
+        (0..work.map_or(0, |_| external.len())).map(|i| Some((kinetic[i] + internal[i] - external[i]).abs()));
+    let error = largest(missing).zip(work).map(|(missing, work)| 100.0 * missing / work);
+    let turn = run.column("turn")?.into_iter().map(f64::abs).reduce(f64::max);
+    let mut metrics = asked(run, error, Asked::Shown("first look at it, to be judged"));
+    metrics.push(Metric::at_least("largest turn of the tip", turn, "rad", std::f64::consts::FRAC_PI_2));
+    Ok(metrics)
+}
