@@ -4,7 +4,7 @@ use benchmarks_ref::fe_shell::cases::open_cylinder as elements;
 use benchmarks_ref::reference;
 
 use super::dial::{ELEMENTS, STATIC};
-use super::path::{Compared, value_at};
+use super::path::{Compared, distance, value_at};
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
 use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
@@ -56,6 +56,20 @@ pub fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
         errors.push(compared.largest(run, 1.0, Some(SNAP.0))?.map(|error| 100.0 * error / LARGEST));
     }
     Ok(errors)
+}
+
+/// The largest distance of the table's points from the paths of the three displacements, in percent of the largest
+/// displacement and of the full load: for runs whose load falls in the snap, where [`errors`] end.
+pub fn from_path(run: &Run) -> Result<Option<f64>, JudgeError> {
+    let (table, load) = (reference(TABLE)?, run.column("load")?);
+    let loads = table.column("P/Pmax")?;
+    let mut errors = Vec::new();
+    for column in COLUMNS {
+        let path: Vec<_> = run.column(column)?.into_iter().zip(load.iter().copied()).collect();
+        let points: Vec<_> = table.column(column)?.into_iter().zip(loads.iter().copied()).collect();
+        errors.push(distance(&path, &points, (LARGEST, 1.0)));
+    }
+    Ok(largest(errors))
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {

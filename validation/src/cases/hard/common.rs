@@ -77,18 +77,16 @@ impl Shape {
     }
 }
 
-/// What is asked of an error.
-#[derive(Clone, Copy, Debug)]
-pub enum Asked {
-    /// At most this, for a reason.
-    Within(f64, &'static str),
-    /// More than was asked: it is asserted to be this, give or take that, and the cause is named.
-    Known(f64, f64, &'static str),
-    /// The run does not reach its end: refused, or lost on the way; the cause is named.
-    Lost(&'static str),
-    /// Nothing, for a reason.
-    Shown(&'static str),
-}
+/// Method, problem and error \[%\] of a run that misses what is asked; not a number where it does not reach its end.
+pub type Miss = (&'static str, &'static str, f64);
+
+/// Why nodal sampling misses what is asked of plates and curved shells.
+pub const NODAL: &str = "strains sampled at the particles lock as the shell gets thin, on lattices too: in shear on flat plates, in \
+                         stretch on curved shells, worst with the widest rows (order 3); orders 1 and 2 are off by several percent \
+                         while thick, at clamped edges and on disordered clouds. Not isolated further";
+
+/// Part of a known error by which it may change before it has to be looked at again.
+const DRIFT: f64 = 0.1;
 
 /// Makes a refusal of the scene an outcome of the run: a method that cannot be built on a cloud is a row of the table.
 pub fn or_refused(mut variant: Variant) -> Variant {
@@ -107,21 +105,25 @@ pub fn or_refused(mut variant: Variant) -> Variant {
     variant
 }
 
-/// The metrics of an error \[%\] of which something is asked; the error of a run that did not reach its end is none.
-pub fn asked(run: &Run, error: Option<f64>, asked: Asked) -> Vec<Metric> {
+/// Asks that an error \[%\] stay below a bound for a reason, or, where it is known to miss that, that it stay what it is;
+/// the cause is named.
+pub fn asked(
+    run: &Run,
+    error: Option<f64>,
+    (bound, reason): (f64, &str),
+    misses: &[Miss],
+    cause: &str,
+) -> Vec<Metric> {
     let metric = Metric::error(ERROR, error.filter(|_| run.done()), "%");
-    match asked {
-        Asked::Within(bound, reason) => vec![metric.within(bound, reason)],
-        Asked::Shown(reason) => vec![metric.because(reason)],
-        Asked::Known(known, slack, cause) => {
-            let asserted = Metric::compared(KNOWN, error, "%", known).within(slack, cause);
-            vec![metric.because("asserted as it is, see the known failure"), asserted]
-        }
-        Asked::Lost(cause) => {
-            let lost = Metric::compared(KNOWN, Some(f64::from(!run.done())), "-", 1.0).within(0.0, cause);
-            vec![metric.because("refused or lost before its end, see the known failure"), lost]
-        }
-    }
+    let Some((.., known)) = misses.iter().find(|(method, grid, _)| run.is(method, grid)) else {
+        return vec![metric.within(bound, reason)];
+    };
+    let asserted = if known.is_nan() {
+        Metric::compared(KNOWN, Some(f64::from(u8::from(!run.done()))), "-", 1.0).within(0.0, cause)
+    } else {
+        Metric::compared(KNOWN, error, "%", *known).within(DRIFT * known.abs(), cause)
+    };
+    vec![metric.because(format!("asked {bound} %: {reason}; known to miss it: {cause}")), asserted]
 }
 
 /// The outcome of a study: one row of figures without a unit.

@@ -2,12 +2,11 @@
 
 use benchmarks_ref::elastica::end_moment;
 
-use super::common::{Asked, Cloud, ERROR, Shape, asked, last, off, or_refused};
+use super::common::{Cloud, ERROR, Miss, NODAL, Shape, asked, last, off, or_refused};
+use crate::JudgeError;
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
 use crate::cases::dial::{CELL, NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::cases::{hemisphere, open_cylinder, panel, plate, ring, strip};
-use crate::measure::largest;
-use crate::{JudgeError, Metric};
 
 /// Central deflection of the clamped plate in q a⁴/D for a thickness over side (`plate_static_square`).
 const PLATES: [(f64, f64); 4] =
@@ -125,7 +124,11 @@ fn variants() -> Vec<Variant> {
             coarse.on(CELL, cloud).set("analysis.explicit.quasi-static.levels", "[0.2, 0.36666666666666664]"),
         );
     }
-    variants.into_iter().map(or_refused).collect()
+    let quick = |variant: Variant| {
+        let slow = variant.grid.starts_with("panel") || variant.grid.starts_with("open");
+        if variant.method == STATIC && !slow { variant.quick() } else { variant }
+    };
+    variants.into_iter().map(or_refused).map(quick).collect()
 }
 
 /// A clamped plate; the place of the particle next to the centre is measured, too.
@@ -164,18 +167,114 @@ fn error(run: &Run) -> Result<Option<f64>, JudgeError> {
         return Ok(off(loads.filter(|_| run.done()).map(|load| 1e-3 * load / panel::LIMIT)));
     }
     if grid.starts_with("open") {
-        return Ok(largest(open_cylinder::errors(run)?));
+        return Ok(open_cylinder::from_path(run)?);
     }
     let tip = end_moment(0.75 * std::f64::consts::TAU);
     strip::tip_error(run, 0.75, 10.0, (tip.u, tip.w))
 }
 
+/// What is asked of a run \[%\], and why.
+fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
+    let grid = run.variant.grid.as_str();
+    if let Some(at) = ["jitter 0.1", "jitter 0.25", "Poisson"].iter().find_map(|cloud| grid.find(cloud)) {
+        // The name of the cloud is followed by its seed, and that by what else sets the problem apart.
+        let rest =
+            grid[at..].find('#').and_then(|hash| grid[at + hash..].find(' ').map(|end| at + hash + end));
+        let lattice = format!("{}lattice{}", &grid[..at], rest.map_or("", |rest| &grid[rest..]));
+        let reason = "issue 4: at most twice the error of the lattice, or of what it may have, and half a percent for what \
+                      uneven spacings do";
+        let Some(lattice) = runs.get(&run.variant.method, &lattice) else { return Ok((0.5, reason)) };
+        let own = error(lattice)?.map_or(0.0, f64::abs).min(bound(runs, lattice)?.0);
+        return Ok((2.0 * own + 0.5, reason));
+    }
+    Ok(match grid {
+        _ if grid.contains("jitter 0.4") => (2.0, "issue 4: at ±0.4 all run, and the plate stays within 2 %"),
+        _ if grid.contains("graded") && grid.starts_with("hemisphere") => (
+            2.0,
+            "the coarse end has 2.5 times the spacing of the lattice, whose error is .3 %, of second order",
+        ),
+        _ if grid.starts_with("hemisphere") => (1.0, "issue 3: particles within 1 % at 21² a quarter"),
+        _ if grid.starts_with("open") => (2.0, "issue 3: particles within 2 % of the largest at 21² to 31²"),
+        _ if grid.contains("ring") => (0.4, "issue 2: the ring at 50×5 within .4 % of L"),
+        _ => (0.5, "issue 3: plates and the limit load within half a percent at 21²"),
+    })
+}
+
+/// Why a method misses what is asked.
+fn cause(run: &Run) -> &'static str {
+    let grid = run.variant.grid.as_str();
+    match run.variant.method.as_str() {
+        NODAL_2 | NODAL_3 => NODAL,
+        WIDE_14 if run.done() => {
+            "the kernel reaches other particles than those of the cell, and the correction for a consistent divergence changes \
+             its rows; what is left of shear and membrane strain in pure bending stiffens thin shells"
+        }
+        WIDE_14 => {
+            "the conditions of a consistent divergence contradict each other on a curved disordered cloud: refused, with the \
+             advice to use cells"
+        }
+        _ if grid.starts_with("hemisphere") => {
+            "chords of curved cells fall short of arcs unevenly where cells are uneven, and membrane stiffness answers \
+             (docs/zero-energy-control.md, what it does not cure)"
+        }
+        _ => "the few triangles that pairing leaves over sample shear once each and lock in the thin limit",
+    }
+}
+
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics: Vec<Booked> = Vec::new();
     for (number, run) in runs.0.iter().enumerate() {
-        let own: Vec<Metric> =
-            asked(run, error(run)?, Asked::Shown("to be judged, this is a first look at it"));
+        let own = asked(run, error(run)?, bound(runs, run)?, &MISSES, cause(run));
         metrics.extend(own.into_iter().map(|metric| (number, metric)));
     }
     Ok(metrics)
 }
+
+/// Runs that miss what is asked.
+#[rustfmt::skip]
+const MISSES: [Miss; 44] = [
+    (WIDE_14, "plate Poisson #1 h/a 0.1", 1.452),
+    (NODAL_2, "plate lattice h/a 0.1", -3.334),
+    (NODAL_2, "plate jitter 0.25 #1 h/a 0.1", 10.17),
+    (NODAL_2, "plate jitter 0.4 #1 h/a 0.1", 10.8),
+    (NODAL_2, "plate Poisson #1 h/a 0.1", 10.97),
+    (NODAL_2, "plate lattice h/a 0.01", -4.209),
+    (NODAL_2, "plate jitter 0.25 #1 h/a 0.01", 11.61),
+    (NODAL_2, "plate jitter 0.4 #1 h/a 0.01", 12.13),
+    (NODAL_2, "plate Poisson #1 h/a 0.01", 12.07),
+    (NODAL_3, "plate lattice h/a 0.01", -0.6021),
+    (NODAL_3, "plate jitter 0.25 #1 h/a 0.01", -1.716),
+    (NODAL_3, "plate Poisson #1 h/a 0.01", -1.894),
+    (STATIC, "plate Poisson #1 h/a 0.001", -0.6996),
+    (WIDE_14, "plate Poisson #1 h/a 0.001", -1.578),
+    (NODAL_2, "plate lattice h/a 0.001", -6.183),
+    (NODAL_2, "plate jitter 0.25 #1 h/a 0.001", 10.48),
+    (NODAL_2, "plate jitter 0.4 #1 h/a 0.001", 10.06),
+    (NODAL_2, "plate Poisson #1 h/a 0.001", 9.317),
+    (NODAL_3, "plate lattice h/a 0.001", -13.07),
+    (NODAL_3, "plate jitter 0.25 #1 h/a 0.001", -10.12),
+    (NODAL_3, "plate jitter 0.4 #1 h/a 0.001", -9.66),
+    (NODAL_3, "plate Poisson #1 h/a 0.001", -9.962),
+    (STATIC, "plate Poisson #1 h/a 0.0001", -1.07),
+    (STATIC, "plate Poisson #2 h/a 0.0001", -0.8375),
+    (WIDE_14, "plate jitter 0.25 #1 h/a 0.0001", -0.9529),
+    (WIDE_14, "plate Poisson #1 h/a 0.0001", -3.705),
+    (NODAL_2, "plate lattice h/a 0.0001", -42.64),
+    (NODAL_2, "plate jitter 0.25 #1 h/a 0.0001", -6.82),
+    (NODAL_2, "plate jitter 0.4 #1 h/a 0.0001", -9.207),
+    (NODAL_2, "plate Poisson #1 h/a 0.0001", -21.75),
+    (NODAL_3, "plate lattice h/a 0.0001", -45.82),
+    (NODAL_3, "plate jitter 0.25 #1 h/a 0.0001", -46.28),
+    (NODAL_3, "plate jitter 0.4 #1 h/a 0.0001", -44.44),
+    (NODAL_3, "plate Poisson #1 h/a 0.0001", -46.42),
+    (STATIC, "hemisphere jitter 0.4 #1", -2.514),
+    (STATIC, "hemisphere Poisson #1", -2.04),
+    (STATIC, "hemisphere Poisson #2", -3.076),
+    (WIDE_14, "hemisphere jitter 0.25 #1", f64::NAN),
+    (WIDE_14, "hemisphere Poisson #1", 1.497),
+    (NODAL_2, "hemisphere jitter 0.25 #1", -4.2),
+    (NODAL_2, "hemisphere Poisson #1", f64::NAN),
+    (NODAL_3, "hemisphere lattice", -17.36),
+    (NODAL_3, "hemisphere jitter 0.25 #1", -20.43),
+    (NODAL_3, "hemisphere Poisson #1", -15.09),
+];
