@@ -187,8 +187,8 @@ fn error(runs: &Runs, run: &Run) -> Result<Option<f64>, JudgeError> {
         return Ok(off(last(run, "w")?.map(|w| w / (stretch - 1.0))));
     }
     if grid.starts_with("cap") {
-        let half = 0.5 * 0.7 * 0.1;
-        let stretch = half + (1.0 + half * half as f64).sqrt();
+        let half: f64 = 0.5 * 0.7 * 0.1;
+        let stretch = half + (1.0 + half * half).sqrt();
         return Ok(off(last(run, "w")?.map(|w| w / (stretch - 1.0))));
     }
     if grid.starts_with("twist") {

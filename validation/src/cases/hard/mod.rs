@@ -7,6 +7,7 @@ mod common;
 mod disorder;
 mod large;
 mod loads;
+mod misses;
 mod sheets;
 mod thickness;
 

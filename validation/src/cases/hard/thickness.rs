@@ -2,7 +2,8 @@
 
 use benchmarks_ref::fe_shell::cases::hemisphere_of_thickness;
 
-use super::common::{Cloud, ERROR, Miss, NODAL, Shape, asked, last, off, or_refused};
+use super::common::{Cloud, ERROR, NODAL, Shape, asked, last, off, or_refused};
+use super::misses::THICKNESS;
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
 use crate::cases::dial::{CELL, ELEMENTS, NODAL_1, NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::cases::{hemisphere, plate};
@@ -193,60 +194,9 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
                           seventh at free edges, a step of bending would be t/Δ = .002 at 10⁴";
             metrics.push((number, Metric::at_least(STEP, step(run), "-", 1.0).within(0.2, reason)));
         } else {
-            let own = asked(run, error(runs, run)?, bound(runs, run)?, &MISSES, cause(run));
+            let own = asked(run, error(runs, run)?, bound(runs, run)?, &THICKNESS, cause(run));
             metrics.extend(own.into_iter().map(|metric| (number, metric)));
         }
     }
     Ok(metrics)
 }
-
-/// Runs that miss what is asked.
-#[rustfmt::skip]
-const MISSES: [Miss; 46] = [
-    (NODAL_1, "plate lattice L/t 5", 8.242),
-    (NODAL_2, "plate lattice L/t 5", -2.285),
-    (NODAL_1, "plate lattice L/t 10", 11.59),
-    (NODAL_2, "plate lattice L/t 10", -3.334),
-    (NODAL_1, "plate lattice L/t 20", 12.89),
-    (NODAL_2, "plate lattice L/t 20", -4.015),
-    (NODAL_3, "plate lattice L/t 20", -0.5597),
-    (NODAL_1, "plate lattice L/t 100", 13.62),
-    (NODAL_2, "plate lattice L/t 100", -4.209),
-    (NODAL_3, "plate lattice L/t 100", -0.6021),
-    (NODAL_1, "plate lattice L/t 1000", 11.5),
-    (NODAL_2, "plate lattice L/t 1000", -6.183),
-    (NODAL_3, "plate lattice L/t 1000", -13.07),
-    (NODAL_1, "plate lattice L/t 10000", -8.221),
-    (NODAL_2, "plate lattice L/t 10000", -42.64),
-    (NODAL_3, "plate lattice L/t 10000", -45.82),
-    (NODAL_1, "hemisphere lattice R/t 5", 4.314),
-    (NODAL_1, "hemisphere lattice R/t 10", 3.505),
-    (NODAL_1, "hemisphere lattice R/t 20", 3.007),
-    (NODAL_2, "hemisphere lattice R/t 20", 1.125),
-    (NODAL_3, "hemisphere lattice R/t 20", -1.064),
-    (NODAL_2, "arc lattice R/t 100", -2.125),
-    (NODAL_3, "arc lattice R/t 100", -4.814),
-    (NODAL_1, "hemisphere lattice R/t 100", 4.371),
-    (NODAL_2, "hemisphere lattice R/t 100", 1.337),
-    (NODAL_3, "hemisphere lattice R/t 100", -5.534),
-    (NODAL_1, "arc lattice R/t 250", -0.5347),
-    (NODAL_2, "arc lattice R/t 250", -5.99),
-    (NODAL_3, "arc lattice R/t 250", -14.92),
-    (NODAL_1, "hemisphere lattice R/t 250", 4.369),
-    (NODAL_3, "hemisphere lattice R/t 250", -17.18),
-    (NODAL_1, "arc lattice R/t 1000", -4.1),
-    (NODAL_2, "arc lattice R/t 1000", -16.08),
-    (NODAL_3, "arc lattice R/t 1000", -37.68),
-    (NODAL_1, "hemisphere lattice R/t 1000", -1.489),
-    (NODAL_2, "hemisphere lattice R/t 1000", -9.261),
-    (NODAL_3, "hemisphere lattice R/t 1000", -59.63),
-    (STATIC, "hemisphere jitter 0.25 #1 R/t 1000", -8.487),
-    (NODAL_1, "arc lattice R/t 10000", -71.43),
-    (NODAL_2, "arc lattice R/t 10000", -31.93),
-    (NODAL_3, "arc lattice R/t 10000", -52.63),
-    (STATIC, "arc jitter 0.25 #1 R/t 10000", -1.154),
-    (NODAL_1, "hemisphere lattice R/t 10000", -75.95),
-    (NODAL_2, "hemisphere lattice R/t 10000", -80.13),
-    (NODAL_3, "hemisphere lattice R/t 10000", -98.24),
-    (STATIC, "hemisphere jitter 0.25 #1 R/t 10000", -60.69),
-];
