@@ -46,6 +46,8 @@ pub struct Outcome {
     pub wall_seconds: f64,
     /// Particles times time steps per second \[1/s\]; nought without time.
     pub particle_steps_per_second: f64,
+    /// Greatest stable step at rest \[T\]; nought without time.
+    pub stable_step: f64,
     /// Load levels at which the motion had not died.
     pub restless: usize,
     /// Why it did not reach its end.
@@ -69,6 +71,7 @@ impl From<coque::Outcome> for Outcome {
             threads: summary.threads,
             wall_seconds: summary.wall_seconds,
             particle_steps_per_second: summary.particle_steps_per_second,
+            stable_step: summary.stable_step,
             restless: summary.levels.iter().filter(|level| !level.settled).count(),
             failure: match run.ended {
                 Ended::Done => None,
@@ -101,6 +104,7 @@ impl From<Solved> for Outcome {
             threads: 1,
             wall_seconds: solved.seconds,
             particle_steps_per_second: 0.0,
+            stable_step: 0.0,
             restless: 0,
             failure: None,
             shapes: Vec::new(),

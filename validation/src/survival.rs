@@ -6,6 +6,9 @@ use crate::report::Numbers;
 use crate::run::CaseResult;
 use crate::table::short;
 
+/// Name of the metric that asserts a failure as it is, with its cause.
+pub const KNOWN: &str = "known failure";
+
 /// One row a problem, one column a method, in the order in which they appear.
 ///
 /// A cell says what became of the run, its error, and how much of the tolerance is left.
@@ -36,7 +39,8 @@ pub fn survival(results: &[CaseResult]) -> Numbers {
     let head = std::iter::once("problem".to_owned()).chain(methods.iter().map(|m| (*m).to_owned())).collect();
     Numbers {
         title: "Survival".into(),
-        caption: "● held, ○ ran but nothing is asked, ✗ missed its tolerance, † diverged or was lost. Then the error, and in \
+        caption: "● held, ○ ran but nothing is asked, ✗ missed what is asked, † diverged or was lost (known \
+                  failures included). Then the error, and in \
                   brackets the part of the tolerance that is left. Empty: not run."
             .into(),
         head,
@@ -47,7 +51,8 @@ pub fn survival(results: &[CaseResult]) -> Numbers {
 fn cell(result: &CaseResult, record: &Record, at: usize) -> String {
     let run = &result.runs.0[at];
     let metric = result.case.headline.and_then(|headline| record.metric(headline.metric));
-    let sign = match (run.done(), record.passes(), record.metrics.iter().any(|m| m.tolerance.is_some())) {
+    let held = record.passes() && record.metric(KNOWN).is_none();
+    let sign = match (run.done(), held, record.metrics.iter().any(|m| m.tolerance.is_some())) {
         (false, ..) => "†",
         (_, false, _) => "✗",
         (_, true, true) => "●",

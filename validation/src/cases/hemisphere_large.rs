@@ -50,12 +50,18 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+/// The largest distance of each displacement from the table, in percent of the largest displacement.
+pub fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
     let mut errors = Vec::new();
     for (found, known) in COLUMNS {
         let compared = Compared { table: TABLE, known: ["P/Pmax", known], found: ["level", found] };
         errors.push(compared.largest(run, 1.0, None)?.map(|error| 100.0 * error / LARGEST));
     }
+    Ok(errors)
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let errors = errors(run)?;
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
         (ELEMENTS, "25×25" | "31×31") => {
             Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))

@@ -4,13 +4,13 @@ use benchmarks_ref::fe_shell::cases::open_cylinder as elements;
 use benchmarks_ref::reference;
 
 use super::dial::{ELEMENTS, STATIC};
-use super::path::{Compared, value_at};
+use super::path::{Compared, distance, value_at};
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
 use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../scenes/open-cylinder.toml");
+pub const SCENE: &str = include_str!("../../../scenes/open-cylinder.toml");
 const TABLE: &str = "sze_open_cylinder_pullout";
 const COLUMNS: [&str; 3] = ["W_A", "minus_U_B", "minus_U_C"];
 /// Largest displacement of the table.
@@ -48,12 +48,32 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+/// The largest distance of each displacement from the table, in percent of the largest displacement.
+pub fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
     let mut errors = Vec::new();
     for column in COLUMNS {
         let compared = Compared { table: TABLE, known: ["P/Pmax", column], found: ["load", column] };
         errors.push(compared.largest(run, 1.0, Some(SNAP.0))?.map(|error| 100.0 * error / LARGEST));
     }
+    Ok(errors)
+}
+
+/// The largest distance of the table's points from the paths of the three displacements, in percent of the largest
+/// displacement and of the full load: for runs whose load falls in the snap, where [`errors`] end.
+pub fn from_path(run: &Run) -> Result<Option<f64>, JudgeError> {
+    let (table, load) = (reference(TABLE)?, run.column("load")?);
+    let loads = table.column("P/Pmax")?;
+    let mut errors = Vec::new();
+    for column in COLUMNS {
+        let path: Vec<_> = run.column(column)?.into_iter().zip(load.iter().copied()).collect();
+        let points: Vec<_> = table.column(column)?.into_iter().zip(loads.iter().copied()).collect();
+        errors.push(distance(&path, &points, (LARGEST, 1.0)));
+    }
+    Ok(largest(errors))
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let errors = errors(run)?;
     let snap = value_at(&run.column("minus_U_B")?, &run.column("load")?, SNAP.1);
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
         (ELEMENTS, "25×17") => {

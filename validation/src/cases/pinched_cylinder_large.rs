@@ -8,7 +8,7 @@ use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::measure::largest;
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../scenes/pinched-cylinder-large.toml");
+pub const SCENE: &str = include_str!("../../../scenes/pinched-cylinder-large.toml");
 const TABLE: &str = "sze_pinched_cylinder_diaphragm";
 const COLUMNS: [&str; 2] = ["minus_W_A", "U_B"];
 /// Load up to which bricks confirm the table, in parts of 12000, and the displacement there.
@@ -45,12 +45,18 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+/// The largest distance of each displacement from the confirmed part of the table, in percent of the largest there.
+pub fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
     let mut errors = Vec::new();
     for column in COLUMNS {
         let compared = Compared { table: TABLE, known: ["P/Pmax", column], found: ["load", column] };
         errors.push(compared.largest(run, CONFIRMED.0, None)?.map(|error| 100.0 * error / CONFIRMED.1));
     }
+    Ok(errors)
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let errors = errors(run)?;
     let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
         (ELEMENTS, "33×33") => {
             Some((1.0, "issue 3: finite elements within 1 % of the largest displacement"))

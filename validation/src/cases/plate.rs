@@ -53,7 +53,12 @@ fn variants() -> Vec<Variant> {
 
 /// The plate of bending stiffness one and unit mass per area, of some thickness.
 pub fn of_thickness(method: &str, n: usize, thickness: f64) -> Variant {
-    dial::variant(method, SCENE, "plate", [n, n])
+    thin(dial::variant(method, SCENE, "plate", [n, n]), thickness)
+}
+
+/// Gives a plate some thickness.
+pub fn thin(variant: Variant, thickness: f64) -> Variant {
+    variant
         .set("section.homogeneous.thickness", format!("{thickness:?}"))
         .set("material.elastic.young", format!("{:?}", 10.92 / thickness.powi(3)))
         .set("material.elastic.density", format!("{:?}", 1.0 / thickness))

@@ -19,7 +19,7 @@ use crate::measure::{largest, order_of_convergence};
 use crate::report::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../scenes/ring.toml");
+pub const SCENE: &str = include_str!("../../../scenes/ring.toml");
 /// Length of the strip \[cm\].
 const LENGTH: f64 = 10.0;
 const QUARTERS: [(f64, &str); 4] =

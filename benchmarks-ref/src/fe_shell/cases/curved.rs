@@ -1,6 +1,6 @@
 //! Doubly symmetric shells under large point forces: hemisphere, open cylinder, cylinder between diaphragms.
 
-use super::linear::{eighth, hemisphere, quarter_force};
+use super::linear::{HEMISPHERE_THICKNESS, eighth, hemisphere, quarter_force};
 use super::{CaseError, Solved, displacement_steps, load_steps, solve_path};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support};
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Hemisphere with an 18° hole under forces of 400 (200 on the quarter): displacements under them.
 pub fn hemisphere_with_hole_large(n: usize, steps: usize) -> Result<Solved, CaseError> {
-    let (mesh, model) = hemisphere(n, 200.0)?;
+    let (mesh, model) = hemisphere(n, HEMISPHERE_THICKNESS, 200.0)?;
     let (out, inward) = (mesh.node(0, 0), mesh.node(n, 0));
     let names = ["level [-]", "outward [length]", "inward [length]"];
     let (solved, path) = solve_path(model, &load_steps(steps), &names, |level, model| {

@@ -50,15 +50,23 @@ pub(super) fn quarter_force(mesh: &Mesh) -> Load {
 /// Hemisphere with an 18° hole under two pairs of forces, one quarter: mean of the outward and the inward
 /// displacement under the forces; reference 0.0940, computed 0.0937.
 pub fn hemisphere_with_hole(n: usize) -> Result<Solved, CaseError> {
-    let (mesh, model) = hemisphere(n, 1.0)?;
+    hemisphere_of_thickness(n, HEMISPHERE_THICKNESS)
+}
+
+/// The same of some thickness; the radius is 10.
+pub fn hemisphere_of_thickness(n: usize, thickness: f64) -> Result<Solved, CaseError> {
+    let (mesh, model) = hemisphere(n, thickness, 1.0)?;
     let (out, inward) = (mesh.node(0, 0), mesh.node(n, 0));
     solve_linear(model, &["outward [length]", "inward [length]"], |model, motion| {
         vec![model.displacement_in(motion, out).x, -model.displacement_in(motion, inward).y]
     })
 }
 
+/// Thickness of the published hemisphere.
+pub(super) const HEMISPHERE_THICKNESS: f64 = 0.04;
+
 /// One quarter of the hemisphere with a force on each loaded node.
-pub(super) fn hemisphere(n: usize, force: f64) -> Result<(Mesh, Model), CaseError> {
+pub(super) fn hemisphere(n: usize, thickness: f64, force: f64) -> Result<(Mesh, Model), CaseError> {
     let mesh = Mesh::belt(n, n, 10.0, 72.0_f64.to_radians());
     let (out, inward) = (mesh.node(0, 0), mesh.node(n, 0));
     let supports = [
@@ -67,7 +75,7 @@ pub(super) fn hemisphere(n: usize, force: f64) -> Result<(Mesh, Model), CaseErro
         Support::roller(vec![out], Vector3::z()),
     ];
     let loads = [Load::Node(out, Vector3::x() * force), Load::Node(inward, -Vector3::y() * force)];
-    let section = Section::isotropic(6.825e7, 0.3, 0.04, 1.0);
+    let section = Section::isotropic(6.825e7, 0.3, thickness, 1.0);
     let model = Model::new(&mesh, section, Vector3::z(), &supports, &loads)?;
     Ok((mesh, model))
 }

@@ -9,9 +9,11 @@ mod strips;
 
 pub use buckling::{column_buckling, plate_buckling};
 pub use curved::{hemisphere_with_hole_large, open_cylinder, pinched_cylinder_large};
-pub use linear::{TwistedBeam, hemisphere_with_hole, pinched_cylinder, scordelis_lo, twisted_beam};
+pub use linear::{
+    TwistedBeam, hemisphere_of_thickness, hemisphere_with_hole, pinched_cylinder, scordelis_lo, twisted_beam,
+};
 pub use panel::{PanelSection, panel, panel_path};
-pub use plates::{PlateEdges, plate_deflection, plate_frequencies};
+pub use plates::{PlateEdges, plate_centre_against_corners, plate_deflection, plate_frequencies};
 pub use strips::{Strip, end_moment, end_shear};
 
 use super::{FeShellError, Model};

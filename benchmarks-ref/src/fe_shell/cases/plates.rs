@@ -31,6 +31,17 @@ const POISSON: f64 = 0.3;
 
 /// A plate of side one that only bends, with D = 1 and unit density.
 fn plate(n: usize, slenderness: f64, edges: PlateEdges, loads: &[Load]) -> Result<(Mesh, Model), CaseError> {
+    plate_on(n, slenderness, edges, loads, Vec::new())
+}
+
+/// The same with further supports.
+fn plate_on(
+    n: usize,
+    slenderness: f64,
+    edges: PlateEdges,
+    loads: &[Load],
+    further: Vec<Support>,
+) -> Result<(Mesh, Model), CaseError> {
     let mesh = Mesh::plate(n, n, 1.0, 1.0);
     let all: Vec<usize> = (0..mesh.positions.len()).collect();
     let mut supports = vec![Support::roller(all.clone(), Vector3::x()), Support::roller(all, Vector3::y())];
@@ -43,6 +54,7 @@ fn plate(n: usize, slenderness: f64, edges: PlateEdges, loads: &[Load]) -> Resul
         };
         supports.push(Support { nodes: mesh.side(side), held: vec![Vector3::z()], director });
     }
+    supports.extend(further);
     let young = 12.0 * (1.0 - POISSON * POISSON) / slenderness.powi(3);
     let section = Section::isotropic(young, POISSON, slenderness, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, loads)?;
@@ -54,6 +66,22 @@ pub fn plate_deflection(n: usize, slenderness: f64, edges: PlateEdges) -> Result
     let (mesh, model) = plate(n, slenderness, edges, &[Load::Area(Vector3::z())])?;
     let middle = mesh.node(n / 2, n / 2);
     solve_linear(model, &["w_centre [-]"], |model, motion| vec![model.displacement_in(motion, middle).z])
+}
+
+/// Deflection of the middle against the corners, in P a²/D, of a free plate under a force P there and −P/4 at each corner.
+///
+/// Three corners are held, which the balanced forces leave without reaction; n elements a side, n even.
+pub fn plate_centre_against_corners(n: usize, slenderness: f64) -> Result<Solved, CaseError> {
+    let nodes = Mesh::plate(n, n, 1.0, 1.0);
+    let middle = nodes.node(n / 2, n / 2);
+    let corners = [[0, 0], [n, 0], [0, n], [n, n]].map(|[i, j]| nodes.node(i, j));
+    let mut loads = vec![Load::Node(middle, Vector3::z())];
+    loads.extend(corners.map(|corner| Load::Node(corner, -0.25 * Vector3::z())));
+    let held = Support::roller(corners[..3].to_vec(), Vector3::z());
+    let (_, model) = plate_on(n, slenderness, PlateEdges::Free, &loads, vec![held])?;
+    solve_linear(model, &["w_centre [-]", "w_corner [-]"], |model, motion| {
+        [middle, corners[3]].map(|node| model.displacement_in(motion, node).z).to_vec()
+    })
 }
 
 /// The first six ω a² √(ρh/D) of bending, a row each, rigid motions left out; n elements a side.

@@ -58,6 +58,7 @@ pub fn outcome(
         threads: 1,
         wall_seconds,
         particle_steps_per_second: shell.len() as f64 * steps as f64 / wall_seconds,
+        stable_step: 0.0,
         restless: 0,
         failure,
         shapes: Vec::new(),

@@ -3,23 +3,36 @@
 //! A case that fails stays in the table, asserted as it is, with the cause.
 
 mod bare;
+mod bodies;
+mod common;
+mod disorder;
 mod energy_drift;
+mod large;
+mod loads;
+mod misses;
 mod noise;
 mod numbers;
 mod point_driven;
 mod same_bits;
+mod sheets;
 mod spin;
 mod step_estimate;
 mod step_limit;
 mod sudden;
+mod thickness;
 mod zero_energy;
 
 use crate::Case;
 
 /// Every hard case, in the order of the survival table.
-#[rustfmt::skip]
+#[rustfmt::skip] // one line a case
 pub fn all() -> Vec<Case> {
     vec![
+        disorder::case(),
+        thickness::case(),
+        large::case(),
+        loads::case(),
+        bodies::case(),
         zero_energy::case(),
         noise::case(),
         point_driven::case(),
