@@ -7,6 +7,9 @@ use crate::error::require;
 use crate::stepper::Stepper;
 use crate::{BalanceError, Converged, Equilibrium, Increment, Inertia, NewtonOptions};
 
+/// Part of the first step above which a load step that may have strayed is halved.
+const STRAY: f64 = 0.1;
+
 /// What drives a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Control {
@@ -228,7 +231,12 @@ fn march<E: Equilibrium + ?Sized>(
         let (converged, increment, bound) = loop {
             let trial = clip(size, travelled, stepper.level, &options.control);
             match step_within(&mut stepper, system, &saved, trial, &options.control) {
-                Ok(done) => break done,
+                Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => break done,
+                Ok(_) => {
+                    stepper.newton.go_back(system, &saved);
+                    restarts += 1;
+                    size = 0.5 * trial;
+                }
                 Err(cause) => {
                     stepper.newton.go_back(system, &saved);
                     restarts += 1;
@@ -268,6 +276,14 @@ fn march<E: Equilibrium + ?Sized>(
         size = (size * ratio.sqrt().clamp(0.5, 2.0)).min(options.largest * first);
     }
     Ok(End::Steps)
+}
+
+/// Whether Newton may have strayed to another branch: a load step after which several more pivots are negative, while it
+/// is not yet small. Critical points are passed one at a time, but for symmetry.
+fn strayed(converged: &Converged, path: &Path, size: f64, first: f64, control: &Control) -> bool {
+    let before = path.points.last().map_or(0, |point| point.inertia().negative);
+    let load = matches!(control, Control::Load { .. });
+    load && converged.inertia.negative > before + 1 && size > STRAY * first
 }
 
 /// Makes one step; an arc that leaves the range of levels is replaced by a step to the bound.

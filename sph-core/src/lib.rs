@@ -40,6 +40,7 @@ mod sampling;
 mod sides;
 mod surface_mesh;
 mod triangulate;
+mod unevenness;
 
 pub use cell::{Cell, CellGeometry};
 pub use cell_stencil::cell_operator;

@@ -9,6 +9,8 @@
 use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::{SamplingOperator, Vec3};
 
+use crate::shear::ShearPack;
+
 /// Points are sorted by the size of their stencil inside blocks of this many, so that packs waste few lanes.
 const BLOCK: usize = 64;
 
@@ -41,9 +43,8 @@ pub(crate) struct Entry {
 pub(crate) struct Packs {
     pub points: Vec<PointPack>,
     pub entries: Vec<Entry>,
-    /// `E_α,βγ` of the Kirchhoff-consistent shear, `[1·11, 1·22, 1·12, 2·11, 2·22, 2·12]` \[L\], for each pack;
-    /// empty where all are nought (a lattice of parallelograms).
-    pub kirchhoff: Vec<[Pack; 6]>,
+    /// Constants of the shear on uneven stencils, for each pack; empty on a lattice of parallelograms.
+    pub shear: Vec<ShearPack>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
     /// First slot of each particle in `slots`, and the end.
@@ -66,35 +67,30 @@ impl PointPack {
 
 impl Packs {
     /// Lays out an operator; reference measures are filled in by the caller, who owns the sweep.
-    pub fn new(operator: &SamplingOperator, positions: &[Vec3]) -> Self {
+    pub fn new(operator: &SamplingOperator, positions: &[Vec3], thickness: f64) -> Self {
         let count = operator.points.len();
         let mut order: Vec<u32> = (0..count as u32).collect();
         let size = |p: u32| operator.stencil(p as usize).particles.len();
         for block in order.chunks_mut(BLOCK) {
             block.sort_by_key(|&p| size(p));
         }
-        let moments = operator.second_moments(positions);
         let mut packs = Self {
             points: Vec::with_capacity(count.div_ceil(LANES)),
             entries: Vec::new(),
-            kirchhoff: Vec::new(),
+            shear: Vec::new(),
             order: Vec::with_capacity(count.div_ceil(LANES)),
             offsets: Vec::new(),
             slots: Vec::new(),
         };
         for lanes in order.chunks(LANES) {
-            packs.push(operator, lanes, &moments);
+            packs.push(operator, lanes);
         }
-        // Round-off of a spacing is no bending.
-        let spacing = operator.points.iter().fold(0.0_f64, |most, p| most.max(p.weight)).sqrt();
-        if moments.iter().flatten().all(|e| e.abs() < 1e-12 * spacing) {
-            packs.kirchhoff = Vec::new();
-        }
+        packs.shear = ShearPack::all(operator, &packs.order, &operator.second_moments(positions), thickness);
         packs.find_slots(operator);
         packs
     }
 
-    fn push(&mut self, operator: &SamplingOperator, points: &[u32], moments: &[[f64; 6]]) {
+    fn push(&mut self, operator: &SamplingOperator, points: &[u32]) {
         // Lanes beyond the last point repeat it with no weight.
         let lane_points: [u32; LANES] = std::array::from_fn(|lane| points[lane.min(points.len() - 1)]);
         let stencils = lane_points.map(|p| operator.stencil(p as usize));
@@ -120,8 +116,6 @@ impl Packs {
             }),
             reference: Measures::default(),
         });
-        self.kirchhoff
-            .push(std::array::from_fn(|i| Pack::from_fn(|lane| moments[lane_points[lane] as usize][i])));
         self.order.push(lane_points);
     }
 

@@ -5,7 +5,9 @@ use shell_kinematics::{
 };
 
 use crate::cell_control::CellPack;
+use crate::membrane_arcs::ArcPack;
 use crate::packs::{Entry, PointPack};
+use crate::shear::ShearPack;
 
 /// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
 pub(crate) type Row = [f64; 6];
@@ -76,22 +78,17 @@ pub(crate) fn place<const CELL: bool>(
     (p, raw)
 }
 
-/// Strains of a point, with the Kirchhoff-consistent shear.
-///
-/// The shear strain is `γ̂_α = γ_α + E_α,βγ κ_βγ`: what a Kirchhoff deflection of that curvature would leave in
-/// `x,α·d` on this stencil is taken out.
+/// Strains of a point, with the Kirchhoff-consistent shear of [`ShearPack`].
 #[inline(always)]
 pub(crate) fn point_strains<M: StrainMeasure + ?Sized>(
     pack: &PointPack,
-    kirchhoff: Option<&[Pack; 6]>,
+    shear: Option<&ShearPack>,
     measure: &M,
     now: &Measures,
 ) -> Strains {
     let mut strains = measure.strains(now, &pack.reference);
-    if let Some(e) = kirchhoff {
-        let k = strains.curvature;
-        strains.shear[0] += e[0] * k[0] + e[1] * k[1] + e[2] * k[2];
-        strains.shear[1] += e[3] * k[0] + e[4] * k[1] + e[5] * k[2];
+    if let Some(shear) = shear {
+        shear.adjust(&mut strains);
     }
     strains
 }
@@ -102,18 +99,15 @@ pub(crate) fn point_strains<M: StrainMeasure + ?Sized>(
 #[inline(always)]
 pub(crate) fn measure_forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
     pack: &PointPack,
-    kirchhoff: Option<&[Pack; 6]>,
+    shear: Option<&ShearPack>,
     law: PointLaw<'_, M, S>,
     measures: &Measures,
 ) -> (MeasureForces, Pack) {
-    let strains = point_strains(pack, kirchhoff, law.strain, measures);
+    let strains = point_strains(pack, shear, law.strain, measures);
     let mut stress = law.section.resultants(&strains);
     let energy = if ENERGY { law.section.energy(&strains) } else { Pack::ZERO };
-    if let Some(e) = kirchhoff {
-        let [q1, q2] = stress.shear;
-        for i in 0..3 {
-            stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
-        }
+    if let Some(shear) = shear {
+        shear.transpose(&mut stress);
     }
     (law.strain.transpose(measures, &pack.reference, &stress), energy)
 }
@@ -128,7 +122,8 @@ pub(crate) fn sweep_pack<
 >(
     pack: &PointPack,
     entries: &[Entry],
-    kirchhoff: Option<&[Pack; 6]>,
+    shear: Option<&ShearPack>,
+    arcs: Option<&ArcPack>,
     cell: Option<&CellPack>,
     law: PointLaw<'_, M, S>,
     state: &[Row],
@@ -140,7 +135,13 @@ pub(crate) fn sweep_pack<
     if let Some((_, state)) = &control {
         measures.curvature = state.arc(measures.curvature);
     }
-    let (mut on_measures, density) = measure_forces::<ENERGY, M, S>(pack, kirchhoff, law, &measures);
+    if let Some(arcs) = arcs {
+        arcs.adjust(&mut measures);
+    }
+    let (mut on_measures, density) = measure_forces::<ENERGY, M, S>(pack, shear, law, &measures);
+    if let Some(arcs) = arcs {
+        arcs.transpose(&measures.curvature, &mut on_measures);
+    }
     let mut released = Pack::ZERO;
     if let Some((_, state)) = &control {
         released = state.released(&on_measures.curvature) * pack.weight;

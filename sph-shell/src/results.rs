@@ -47,7 +47,10 @@ impl Shell {
             if let Some(cell) = self.cells.get(index) {
                 measures.curvature = cell.state(&p, &measures.curvature, raw).arc(measures.curvature);
             }
-            let strains = point_strains(pack, packs.kirchhoff.get(index), self.strain, &measures);
+            if let Some(arcs) = self.arcs.get(index) {
+                arcs.adjust(&mut measures);
+            }
+            let strains = point_strains(pack, packs.shear.get(index), self.strain, &measures);
             let stress = self.section.resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

@@ -6,6 +6,7 @@ use sph_core::{Cloud, Vec3};
 use crate::cell_control::CellPack;
 use crate::fused::Fused;
 use crate::loads::{AppliedLoad, Body};
+use crate::membrane_arcs::ArcPack;
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
@@ -54,6 +55,8 @@ pub struct Shell {
     pub(crate) packs: Packs,
     /// Control of cells; empty for wider stencils.
     pub(crate) cells: Vec<CellPack>,
+    /// What chords of uneven curved cells lose; empty where that is nothing.
+    pub(crate) arcs: Vec<ArcPack>,
     pub(crate) pairs: Option<PairControl>,
     pub(crate) strong_form: Option<StrongForm>,
     /// Number of each particle's entry in `constraints`, one up; nought for a free particle.
@@ -103,7 +106,7 @@ impl Shell {
         }
         let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
         let count = reference.cloud.len();
-        let packs = Packs::new(&reference.operator, &reference.cloud.positions);
+        let packs = Packs::new(&reference.operator, &reference.cloud.positions, scales.thickness);
         let state: Vec<Row> = reference
             .cloud
             .positions
@@ -126,6 +129,12 @@ impl Shell {
                     )
                 })
                 .collect(),
+            _ => Vec::new(),
+        };
+        let arcs = match parts.formulation {
+            Formulation::StressPoint(Reach::Cell) => {
+                ArcPack::all(&reference.operator, &packs.order, &reference.cloud.positions)
+            }
             _ => Vec::new(),
         };
         let pairs = match parts.formulation {
@@ -154,6 +163,7 @@ impl Shell {
             state,
             packs,
             cells,
+            arcs,
             pairs,
             strong_form,
             constraint_of,
@@ -179,6 +189,9 @@ impl Shell {
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
                 pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
+            }
+            if let Some(arcs) = self.arcs.get(index) {
+                arcs.adjust(&mut pack.reference);
             }
         }
     }
@@ -286,7 +299,7 @@ impl Shell {
     /// The sweep over the points of the present state.
     pub(crate) fn sweep(&self, energy: bool) -> Sweep<'_> {
         let law = PointLaw { strain: self.strain, section: &*self.section };
-        Sweep { packs: &self.packs, cells: &self.cells, law, state: &self.state, energy }
+        Sweep { packs: &self.packs, cells: &self.cells, arcs: &self.arcs, law, state: &self.state, energy }
     }
 
     pub(crate) fn evaluate_external(&mut self, at: explicit_dynamics::Instant) {
@@ -308,9 +321,10 @@ impl Shell {
             + size_of_val(&packs.entries[..])
             + size_of_val(&packs.slots[..])
             + size_of_val(&packs.offsets[..])
-            + size_of_val(&packs.kirchhoff[..])
+            + size_of_val(&packs.shear[..])
             + self.fused.as_ref().map_or(0, Fused::bytes)
             + size_of_val(&self.cells[..])
+            + size_of_val(&self.arcs[..])
             + self.pairs.as_ref().map_or(0, PairControl::bytes)
             + size_of::<Row>()
                 * (self.slots.len()

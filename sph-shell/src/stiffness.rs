@@ -101,33 +101,29 @@ impl Shell {
         if let Some((_, state)) = &control {
             now.curvature = state.arc(now.curvature);
         }
+        let arcs = self.arcs.get(index);
+        if let Some(arcs) = arcs {
+            arcs.adjust(&mut now);
+        }
         let mut strains = self.strain.strains(&now, &pack.reference);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
-        let kirchhoff = self.packs.kirchhoff.get(index);
-        if let Some(e) = kirchhoff {
-            let k = strains.curvature;
-            for (alpha, row) in [&e[..3], &e[3..]].into_iter().enumerate() {
-                strains.shear[alpha] += row[0] * k[0] + row[1] * k[1] + row[2] * k[2];
-                for measure in 0..8 {
-                    let add = row[0] * gradient[3][measure]
-                        + row[1] * gradient[4][measure]
-                        + row[2] * gradient[5][measure];
-                    gradient[6 + alpha][measure] += add;
-                }
-            }
+        let shear = self.packs.shear.get(index);
+        if let Some(shear) = shear {
+            shear.adjust(&mut strains);
+            shear.adjust_gradient(&mut gradient);
         }
         let mut stress = self.section.resultants(&strains);
         let mut over = congruence(&gradient, &self.section.tangent(&strains));
-        if let Some(e) = kirchhoff {
-            let [q1, q2] = stress.shear;
-            for i in 0..3 {
-                stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
-            }
+        if let Some(shear) = shear {
+            shear.transpose(&mut stress);
         }
         for (row, add) in over.iter_mut().zip(self.strain.second_gradient(&stress)) {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
         let mut forces = self.strain.transpose(&now, &pack.reference, &stress);
+        if let Some(arcs) = arcs {
+            arcs.tangent(&now.curvature, &mut over, &mut forces);
+        }
         let scale =
             control.as_ref().map(|(_, state)| scale_tangent(&p, state, pack.weight, &mut over, &mut forces));
         let placement = p.tangent(&over, &forces);

@@ -65,7 +65,7 @@ impl StrongForm {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
             let (on_measures, density) =
-                measure_forces::<true, _, _>(pack, packs.kirchhoff.get(index), law, &p.measures());
+                measure_forces::<true, _, _>(pack, packs.shear.get(index), law, &p.measures());
             let f = p.transpose(&on_measures);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {

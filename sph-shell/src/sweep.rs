@@ -3,12 +3,14 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, Pack, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{IsotropicSection, Section, StrainMeasure, StretchCorrected};
 
 use crate::cell_control::CellPack;
 use crate::dispatch::widest;
+use crate::membrane_arcs::ArcPack;
 use crate::packs::Packs;
 use crate::point::{PointLaw, Row, sweep_pack};
+use crate::shear::ShearPack;
 
 /// Packs under which a sweep is not split further between threads.
 const PACK_CHUNK: usize = 64;
@@ -18,6 +20,7 @@ const PACK_CHUNK: usize = 64;
 pub(crate) struct Sweep<'a> {
     pub packs: &'a Packs,
     pub cells: &'a [CellPack],
+    pub arcs: &'a [ArcPack],
     pub law: PointLaw<'a>,
     pub state: &'a [Row],
     pub energy: bool,
@@ -67,7 +70,8 @@ impl Sweep<'_> {
             sweep_pack::<true, false, M, S>(
                 pack,
                 entries,
-                self.bent(index),
+                self.shear(index),
+                self.arcs.get(index),
                 self.cells.get(index),
                 law,
                 self.state,
@@ -84,10 +88,10 @@ impl Sweep<'_> {
         Some(PointLaw { strain, section })
     }
 
-    /// The Kirchhoff tensors of a pack, where they are not nought throughout the cloud.
+    /// Shear constants of a pack, unless the cloud is a lattice of parallelograms.
     #[inline(always)]
-    fn bent(&self, index: usize) -> Option<&[Pack; 6]> {
-        self.packs.kirchhoff.get(index)
+    fn shear(&self, index: usize) -> Option<&ShearPack> {
+        self.packs.shear.get(index)
     }
 
     #[inline(always)]
@@ -106,7 +110,8 @@ impl Sweep<'_> {
             let found = sweep_pack::<CELL, ENERGY, M, S>(
                 pack,
                 entries,
-                self.bent(first + i),
+                self.shear(first + i),
+                self.arcs.get(first + i),
                 cell,
                 law,
                 self.state,
@@ -159,7 +164,7 @@ mod tests {
         let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
         let operator = cell_operator(&cloud).unwrap();
-        let mut packs = Packs::new(&operator, &cloud.positions);
+        let mut packs = Packs::new(&operator, &cloud.positions, section.scales().thickness);
         let mut cells: Vec<CellPack> = packs
             .points
             .iter()
@@ -168,6 +173,7 @@ mod tests {
                 CellPack::new(&operator, points, pack.weight, &cloud.positions, &section.scales())
             })
             .collect();
+        let arcs = ArcPack::all(&operator, &packs.order, &cloud.positions);
         let mut state: Vec<Row> = cloud
             .positions
             .iter()
@@ -187,7 +193,7 @@ mod tests {
         }
         let law =
             PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
-        let sweep = Sweep { packs: &packs, cells: &cells, law, state: &state, energy: false };
+        let sweep = Sweep { packs: &packs, cells: &cells, arcs: &arcs, law, state: &state, energy: false };
         let count = packs.points.len();
         let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
             let mut slots = vec![[0.0; 6]; packs.slot_count()];
