@@ -18,7 +18,7 @@
 //! forces and tangent follow. Rigid motion leaves k alone, and on flat bodies at rest nothing changes (patch tests).
 
 use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Pack};
-use sph_core::{SamplingOperator, Vec3};
+use sph_core::SamplingOperator;
 
 /// Forms of four points: for each membrane measure the entries 11, 22, 33, 12, 13, 23 of Q over `k11, k22, 2k12` \[L²\].
 #[derive(Clone, Debug)]
@@ -28,10 +28,15 @@ pub(crate) struct ArcPack {
 
 impl ArcPack {
     /// One pack for each four points of `order`; none where nothing is lost (lattices on developable surfaces).
-    pub fn all(operator: &SamplingOperator, order: &[[u32; LANES]], positions: &[Vec3]) -> Vec<Self> {
-        let second = operator.second_moments(positions);
-        let third = operator.uneven_third_moments(positions);
-        let forms: Vec<[[f64; 6]; 3]> = second.iter().zip(&third).map(|(e, t)| forms(e, t)).collect();
+    ///
+    /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\].
+    pub fn all(
+        operator: &SamplingOperator,
+        order: &[[u32; LANES]],
+        second: &[[f64; 6]],
+        third: &[[[f64; 4]; 2]],
+    ) -> Vec<Self> {
+        let forms: Vec<[[f64; 6]; 3]> = second.iter().zip(third).map(|(e, t)| forms(e, t)).collect();
         // Round-off of an area is no loss.
         let area = operator.points.iter().fold(0.0_f64, |most, p| most.max(p.weight));
         if forms.iter().flatten().flatten().all(|q| q.abs() < 1e-12 * area) {

@@ -7,9 +7,7 @@
 //! depend on threads.
 
 use shell_kinematics::{LANES, Measures, Pack};
-use sph_core::{SamplingOperator, Vec3};
-
-use crate::shear::ShearPack;
+use sph_core::SamplingOperator;
 
 /// Points are sorted by the size of their stencil inside blocks of this many, so that packs waste few lanes.
 const BLOCK: usize = 64;
@@ -43,8 +41,6 @@ pub(crate) struct Entry {
 pub(crate) struct Packs {
     pub points: Vec<PointPack>,
     pub entries: Vec<Entry>,
-    /// Constants of the shear on uneven stencils, for each pack; empty on a lattice of parallelograms.
-    pub shear: Vec<ShearPack>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
     /// First slot of each particle in `slots`, and the end.
@@ -67,7 +63,7 @@ impl PointPack {
 
 impl Packs {
     /// Lays out an operator; reference measures are filled in by the caller, who owns the sweep.
-    pub fn new(operator: &SamplingOperator, positions: &[Vec3], thickness: f64) -> Self {
+    pub fn new(operator: &SamplingOperator) -> Self {
         let count = operator.points.len();
         let mut order: Vec<u32> = (0..count as u32).collect();
         let size = |p: u32| operator.stencil(p as usize).particles.len();
@@ -77,7 +73,6 @@ impl Packs {
         let mut packs = Self {
             points: Vec::with_capacity(count.div_ceil(LANES)),
             entries: Vec::new(),
-            shear: Vec::new(),
             order: Vec::with_capacity(count.div_ceil(LANES)),
             offsets: Vec::new(),
             slots: Vec::new(),
@@ -85,7 +80,6 @@ impl Packs {
         for lanes in order.chunks(LANES) {
             packs.push(operator, lanes);
         }
-        packs.shear = ShearPack::all(operator, &packs.order, &operator.second_moments(positions), thickness);
         packs.find_slots(operator);
         packs
     }

@@ -50,7 +50,7 @@ impl Shell {
             if let Some(arcs) = self.arcs.get(index) {
                 arcs.adjust(&mut measures);
             }
-            let strains = point_strains(pack, packs.shear.get(index), self.strain, &measures);
+            let strains = point_strains(pack, self.shear.get(index), self.strain, &measures);
             let stress = self.section.resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

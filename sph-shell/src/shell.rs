@@ -10,6 +10,7 @@ use crate::membrane_arcs::ArcPack;
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
+use crate::shear::ShearPack;
 use crate::strong_form::StrongForm;
 use crate::supports::{Constraint, constraints};
 use crate::sweep::Sweep;
@@ -55,6 +56,8 @@ pub struct Shell {
     pub(crate) packs: Packs,
     /// Control of cells; empty for wider stencils.
     pub(crate) cells: Vec<CellPack>,
+    /// Shear on uneven stencils; empty on lattices of developable surfaces.
+    pub(crate) shear: Vec<ShearPack>,
     /// What chords of uneven curved cells lose; empty where that is nothing.
     pub(crate) arcs: Vec<ArcPack>,
     pub(crate) pairs: Option<PairControl>,
@@ -106,7 +109,7 @@ impl Shell {
         }
         let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
         let count = reference.cloud.len();
-        let packs = Packs::new(&reference.operator, &reference.cloud.positions, scales.thickness);
+        let packs = Packs::new(&reference.operator);
         let state: Vec<Row> = reference
             .cloud
             .positions
@@ -131,9 +134,12 @@ impl Shell {
                 .collect(),
             _ => Vec::new(),
         };
+        let second = reference.operator.second_moments(&reference.cloud.positions);
+        let third = reference.operator.uneven_third_moments(&reference.cloud.positions);
+        let shear = ShearPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness);
         let arcs = match parts.formulation {
             Formulation::StressPoint(Reach::Cell) => {
-                ArcPack::all(&reference.operator, &packs.order, &reference.cloud.positions)
+                ArcPack::all(&reference.operator, &packs.order, &second, &third)
             }
             _ => Vec::new(),
         };
@@ -163,6 +169,7 @@ impl Shell {
             state,
             packs,
             cells,
+            shear,
             arcs,
             pairs,
             strong_form,
@@ -277,6 +284,7 @@ impl Shell {
             let total = strong.evaluate(
                 &self.reference,
                 &self.packs,
+                &self.shear,
                 law,
                 &self.state,
                 &self.rates,
@@ -299,7 +307,15 @@ impl Shell {
     /// The sweep over the points of the present state.
     pub(crate) fn sweep(&self, energy: bool) -> Sweep<'_> {
         let law = PointLaw { strain: self.strain, section: &*self.section };
-        Sweep { packs: &self.packs, cells: &self.cells, arcs: &self.arcs, law, state: &self.state, energy }
+        Sweep {
+            packs: &self.packs,
+            cells: &self.cells,
+            shear: &self.shear,
+            arcs: &self.arcs,
+            law,
+            state: &self.state,
+            energy,
+        }
     }
 
     pub(crate) fn evaluate_external(&mut self, at: explicit_dynamics::Instant) {
@@ -321,7 +337,7 @@ impl Shell {
             + size_of_val(&packs.entries[..])
             + size_of_val(&packs.slots[..])
             + size_of_val(&packs.offsets[..])
-            + size_of_val(&packs.shear[..])
+            + size_of_val(&self.shear[..])
             + self.fused.as_ref().map_or(0, Fused::bytes)
             + size_of_val(&self.cells[..])
             + size_of_val(&self.arcs[..])

@@ -107,7 +107,7 @@ impl Shell {
         }
         let mut strains = self.strain.strains(&now, &pack.reference);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
-        let shear = self.packs.shear.get(index);
+        let shear = self.shear.get(index);
         if let Some(shear) = shear {
             shear.adjust(&mut strains);
             shear.adjust_gradient(&mut gradient);

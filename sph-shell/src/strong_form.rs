@@ -16,6 +16,7 @@ use sph_core::Vec3;
 use crate::Reference;
 use crate::packs::Packs;
 use crate::point::{PointLaw, Row, measure_forces, place};
+use crate::shear::ShearPack;
 
 /// Resultants of one particle: `n1, n2, q, m1, m2`.
 type PointRow = [[f64; 3]; 5];
@@ -55,6 +56,7 @@ impl StrongForm {
         &mut self,
         reference: &Reference,
         packs: &Packs,
+        shear: &[ShearPack],
         law: PointLaw<'_>,
         state: &[Row],
         rates: &[Row],
@@ -65,7 +67,7 @@ impl StrongForm {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
             let (p, _) = place::<false>(pack, entries, state);
             let (on_measures, density) =
-                measure_forces::<true, _, _>(pack, packs.shear.get(index), law, &p.measures());
+                measure_forces::<true, _, _>(pack, shear.get(index), law, &p.measures());
             let f = p.transpose(&on_measures);
             energy += (density * pack.weight).sum();
             for lane in 0..LANES {

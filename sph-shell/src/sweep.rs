@@ -20,6 +20,7 @@ const PACK_CHUNK: usize = 64;
 pub(crate) struct Sweep<'a> {
     pub packs: &'a Packs,
     pub cells: &'a [CellPack],
+    pub shear: &'a [ShearPack],
     pub arcs: &'a [ArcPack],
     pub law: PointLaw<'a>,
     pub state: &'a [Row],
@@ -91,7 +92,7 @@ impl Sweep<'_> {
     /// Shear constants of a pack, unless the cloud is a lattice of parallelograms.
     #[inline(always)]
     fn shear(&self, index: usize) -> Option<&ShearPack> {
-        self.packs.shear.get(index)
+        self.shear.get(index)
     }
 
     #[inline(always)]
@@ -164,7 +165,7 @@ mod tests {
         let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
         let operator = cell_operator(&cloud).unwrap();
-        let mut packs = Packs::new(&operator, &cloud.positions, section.scales().thickness);
+        let mut packs = Packs::new(&operator);
         let mut cells: Vec<CellPack> = packs
             .points
             .iter()
@@ -173,7 +174,10 @@ mod tests {
                 CellPack::new(&operator, points, pack.weight, &cloud.positions, &section.scales())
             })
             .collect();
-        let arcs = ArcPack::all(&operator, &packs.order, &cloud.positions);
+        let second = operator.second_moments(&cloud.positions);
+        let third = operator.uneven_third_moments(&cloud.positions);
+        let shear = ShearPack::all(&operator, &packs.order, &second, &third, 0.1);
+        let arcs = ArcPack::all(&operator, &packs.order, &second, &third);
         let mut state: Vec<Row> = cloud
             .positions
             .iter()
@@ -193,7 +197,15 @@ mod tests {
         }
         let law =
             PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
-        let sweep = Sweep { packs: &packs, cells: &cells, arcs: &arcs, law, state: &state, energy: false };
+        let sweep = Sweep {
+            packs: &packs,
+            cells: &cells,
+            shear: &shear,
+            arcs: &arcs,
+            law,
+            state: &state,
+            energy: false,
+        };
         let count = packs.points.len();
         let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
             let mut slots = vec![[0.0; 6]; packs.slot_count()];
