@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn moments_do_not_depend_on_frames() {
         let patch = Plate { lengths: [1.0, 1.0] };
-        let cloud = jittered_lattice(&patch, [6, 5], EndWeights::Trapezoid, 0.3, 7).unwrap();
+        let cloud = jittered_lattice(&patch, [6, 5], 0.3, 7).unwrap();
         let operator = cell_operator(&cloud).unwrap();
         let mut turned = operator.clone();
         turned.align(&Vec3::new(0.6, 0.8, 0.0)).unwrap();

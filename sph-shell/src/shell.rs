@@ -138,10 +138,8 @@ impl Shell {
         let third = reference.operator.uneven_third_moments(&reference.cloud.positions);
         let shear = ShearPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness);
         let arcs = match parts.formulation {
-            Formulation::StressPoint(Reach::Cell) => {
-                ArcPack::all(&reference.operator, &packs.order, &second, &third)
-            }
-            _ => Vec::new(),
+            Formulation::StrongForm { .. } => Vec::new(),
+            _ => ArcPack::all(&reference.operator, &packs.order, &second, &third),
         };
         let pairs = match parts.formulation {
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
