@@ -135,12 +135,10 @@ pub(crate) fn sweep_pack<
     if let Some((_, state)) = &control {
         measures.curvature = state.arc(measures.curvature);
     }
-    if let Some(arcs) = arcs {
-        arcs.adjust(&mut measures);
-    }
+    let arcs = arcs.map(|arcs| arcs.adjust(&mut measures, &pack.reference));
     let (mut on_measures, density) = measure_forces::<ENERGY, M, S>(pack, shear, law, &measures);
-    if let Some(arcs) = arcs {
-        arcs.transpose(&measures.curvature, &mut on_measures);
+    if let Some(arcs) = &arcs {
+        arcs.transpose(&mut on_measures);
     }
     let mut released = Pack::ZERO;
     if let Some((_, state)) = &control {

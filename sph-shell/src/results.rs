@@ -48,7 +48,7 @@ impl Shell {
                 measures.curvature = cell.state(&p, &measures.curvature, raw).arc(measures.curvature);
             }
             if let Some(arcs) = self.arcs.get(index) {
-                arcs.adjust(&mut measures);
+                arcs.adjust(&mut measures, &pack.reference);
             }
             let strains = point_strains(pack, self.shear.get(index), self.strain, &measures);
             let stress = self.section.resultants(&strains);

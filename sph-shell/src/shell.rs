@@ -139,7 +139,7 @@ impl Shell {
         let shear = ShearPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness);
         let arcs = match parts.formulation {
             Formulation::StrongForm { .. } => Vec::new(),
-            _ => ArcPack::all(&reference.operator, &packs.order, &second, &third),
+            _ => ArcPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness),
         };
         let pairs = match parts.formulation {
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
@@ -195,8 +195,8 @@ impl Shell {
             if let Some(cell) = self.cells.get_mut(index) {
                 pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
             }
-            if let Some(arcs) = self.arcs.get(index) {
-                arcs.adjust(&mut pack.reference);
+            if let Some(arcs) = self.arcs.get_mut(index) {
+                arcs.rest(&pack.reference.curvature);
             }
         }
     }

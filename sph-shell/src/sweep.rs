@@ -177,7 +177,7 @@ mod tests {
         let second = operator.second_moments(&cloud.positions);
         let third = operator.uneven_third_moments(&cloud.positions);
         let shear = ShearPack::all(&operator, &packs.order, &second, &third, 0.1);
-        let arcs = ArcPack::all(&operator, &packs.order, &second, &third);
+        let arcs = ArcPack::all(&operator, &packs.order, &second, &third, 0.1);
         let mut state: Vec<Row> = cloud
             .positions
             .iter()
