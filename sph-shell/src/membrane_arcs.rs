@@ -57,7 +57,7 @@ const NORM: [f64; 3] = [1.0, 1.0, 0.5];
 impl ArcPack {
     /// One pack for each four points of `order`; none where nothing is lost (lattices on developable surfaces).
     ///
-    /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\].
+    /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\]; without it nothing is given back.
     pub fn all(
         operator: &SamplingOperator,
         order: &[[u32; LANES]],
@@ -71,7 +71,7 @@ impl ArcPack {
         if forms.iter().flatten().flatten().all(|q| q.abs() < 1e-12 * area) {
             return Vec::new();
         }
-        let limit = |p: usize| (12.0 * size(&forms[p]) / (thickness * thickness)).powi(2);
+        let limit = |p: usize| (12.0 * size(&second[p], &third[p]) / (thickness * thickness)).powi(2);
         let pack = |points: &[u32; LANES]| Self {
             forms: std::array::from_fn(|m| {
                 std::array::from_fn(|i| Pack::from_fn(|lane| forms[points[lane] as usize][m][i]))
@@ -214,14 +214,11 @@ fn dot(a: &[Pack; 3], b: &[Pack; 3]) -> Pack {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Largest stretch of the forms over unit curvatures, by their entries \[L²\].
-fn size(forms: &[[f64; 6]; 3]) -> f64 {
-    forms
-        .iter()
-        .map(|q| {
-            (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + 2.0 * (q[3] * q[3] + q[4] * q[4] + q[5] * q[5])).sqrt()
-        })
-        .fold(0.0, f64::max)
+/// Bound of |l| = ½|k·Q·k| over |k|², twice: whatever the frame \[L²\].
+fn size(e: &[f64; 6], t: &[[f64; 4]; 2]) -> f64 {
+    let e2: f64 = e.chunks_exact(3).map(|e| e[0] * e[0] + e[1] * e[1] + 2.0 * e[2] * e[2]).sum();
+    let t2: f64 = t.iter().map(|t| t[0] * t[0] + 3.0 * (t[1] * t[1] + t[2] * t[2]) + t[3] * t[3]).sum();
+    t2.sqrt() / 3.0 + e2
 }
 
 /// Q of the three measures, from the values of the loss by polarisation.

@@ -34,7 +34,7 @@ pub(crate) struct ShearPack {
 impl ShearPack {
     /// One pack for each four points of `order`; none if nothing is to be done (lattices on developable surfaces).
     ///
-    /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\].
+    /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\]; without it nothing is relaxed.
     pub fn all(
         operator: &SamplingOperator,
         order: &[[u32; LANES]],
@@ -50,8 +50,9 @@ impl ShearPack {
         }
         let share = |p: usize| {
             // 1111 + 3·1112 + 3·1122 + 1222 are the components of a tensor that is symmetric in its last three places.
-            let norm: f64 =
-                third[p].iter().map(|t| t[0] * t[0] + 3.0 * (t[1] * t[1] + t[2] * t[2]) + t[3] * t[3]).sum();
+            let norm = third.get(p).map_or(0.0, |rows| {
+                rows.iter().map(|t| t[0] * t[0] + 3.0 * (t[1] * t[1] + t[2] * t[2]) + t[3] * t[3]).sum()
+            });
             let squared = thickness * thickness;
             (squared / (squared + RELAXATION * norm / operator.points[p].weight)).sqrt()
         };

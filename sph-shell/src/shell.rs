@@ -134,13 +134,17 @@ impl Shell {
                 .collect(),
             _ => Vec::new(),
         };
-        let second = reference.operator.second_moments(&reference.cloud.positions);
-        let third = reference.operator.uneven_third_moments(&reference.cloud.positions);
-        let shear = ShearPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness);
-        let arcs = match parts.formulation {
-            Formulation::StrongForm { .. } => Vec::new(),
-            _ => ArcPack::all(&reference.operator, &packs.order, &second, &third, scales.thickness),
+        let operator = &reference.operator;
+        let second = operator.second_moments(&reference.cloud.positions);
+        // Wide rows and rows at particles are uneven at every edge by design; relaxed there, they lose what holds them.
+        let third = match parts.formulation {
+            Formulation::StressPoint(Reach::Cell) => {
+                operator.uneven_third_moments(&reference.cloud.positions)
+            }
+            _ => Vec::new(),
         };
+        let shear = ShearPack::all(operator, &packs.order, &second, &third, scales.thickness);
+        let arcs = ArcPack::all(operator, &packs.order, &second, &third, scales.thickness);
         let pairs = match parts.formulation {
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
                 Some(PairControl::new(&reference, &scales)?)
