@@ -1,7 +1,7 @@
-//! The truth that coque is judged by: published curves with their provenance, and closed forms.
+//! The truth that coque is judged by: published curves with their provenance, closed forms, an independent shell.
 //!
-//! Of the workspace it uses `implicit-statics` alone, and only `validation` may read it:
-//! a solver that could see the answer would be no test of the method.
+//! Of the workspace it uses `implicit-statics` alone, and only `validation` may read it: a solver that could see the
+//! answer would be no test of the method.
 //!
 //! - [`mod@catalogue`]: the table of references, each with citation, quantity, units, values and uncertainty;
 //! - [`curve`]: what is done with a curve: interpolate, find a limit point, measure a distance;
@@ -9,6 +9,91 @@
 //! - [`rolled_strip`]: the same strip with a Green–Lagrange strain, which is *not* the elastica when it is thick;
 //! - [`vibration`]: the first natural frequency of a cantilever;
 //! - [`fe_shell`]: an independent implicit finite-element shell.
+//!
+//! ```
+//! use benchmarks_ref::{elastica, reference, rolled_strip};
+//!
+//! // Half a circle: the tip stands over the clamp, 2/π of the length above it.
+//! let tip = elastica::end_moment(std::f64::consts::PI);
+//! assert!((tip.u - 1.0).abs() < 1e-15);
+//! assert!((tip.w - 2.0 / std::f64::consts::PI).abs() < 1e-15);
+//!
+//! // The same moment on a strip of t/L = 1/10 whose strain is Green–Lagrange turns it farther.
+//! let strip = rolled_strip::under_moment(std::f64::consts::PI, 0.1)?;
+//! assert!(strip.theta > std::f64::consts::PI && strip.stretch < 1.0);
+//!
+//! // Published curves come with their source.
+//! let panel = reference("sze_hinged_roof_t12p7_isotropic")?;
+//! assert!(panel.citation.contains("Sze"));
+//! # Ok::<(), benchmarks_ref::ReferenceError>(())
+//! ```
+//!
+//! # Closed forms
+//!
+//! Lengths are parts of L, EI is the bending stiffness, θ the rotation of the end section.
+//!
+//! **End moment**, [`elastica::end_moment`] (\[simo1989\], and tabulated in \[sze2004\]): the strip is an arc,
+//!
+//! ```text
+//! θ = ML/EI      u/L = 1 − sin θ/θ      w/L = (1 − cos θ)/θ
+//! ```
+//!
+//! u is the shortening, w the deflection of the tip. **End load**, [`elastica::end_load`] \[mattiasson1981\]: with
+//! `m = (1 + sin θ)/2`, `sin²φ₁ = 1/(2m)`, α = PL²/EI
+//!
+//! ```text
+//! √α = K(m) − F(φ₁, m)      w/L = 1 − 2/√α [E(m) − E(φ₁, m)]      u/L = 1 − √(2 sin θ/α)
+//! ```
+//!
+//! K, E, F the elliptic integrals, by Carlson's duplication \[carlson1995\].
+//!
+//! **Rolled strip**, [`rolled_strip`]: a shell whose strain is `½(λ² − 1) + ζλk`, stretch λ, turn k per reference
+//! length, has the energy `½Et[½(λ² − 1)]² + ½(Et³/12)(λk)²` per width, and in equilibrium
+//!
+//! ```text
+//! λ² = 1 − (kt)²/6      M/(EIk) = 1 − (kt)²/6      greatest M t/EI = 2√2/3, at kt = √2
+//! ```
+//!
+//! This is the law of the Green–Lagrange split, 6.6 % below the elastica at t/L = 0.1 and a full turn: a formulation
+//! that obeys it is right about its own strain and wrong about the ring.
+//!
+//! **Cantilever**, [`vibration`]: `ω₁ = (β₁L)² √(EI/(ρA))/L²`, β₁L the first root of `cos β cosh β = −1`.
+//!
+//! Plates of the catalogue follow \[timoshenko1959\] and \[timoshenko1961\], the linear obstacle course
+//! \[macneal1985\], large displacements \[sze2004\]. Each JSON file in `data/` says how its numbers were obtained, how
+//! solid they are held to be, and against what that was checked ([`Reference`]).
+//!
+//! # The finite-element shell
+//!
+//! Four nodes with position and director, both bilinear, 2×2 Gauss points: the degenerated solid with resultants
+//! \[hughes1981\]. Membrane strains are tied after \[ko2017\] and enhanced after \[simo1990\] and \[andelfinger1993\],
+//! shears tied after \[dvorkin1984\]:
+//!
+//! ```text
+//! membrane   E_αβ = ½(a_α·a_β − A_α·A_β), tied at edges and centre (MITC4+)
+//!            relaxed by seven enhanced modes, eliminated once
+//! bending    κ_ab = sym(k_ab − E_ac k_cb) − B_ab,  k_ab = a_a·d,_b, arcs for chords
+//! shear      γ_α = a_α·d − A_α·D, tied at the middle of the edges (MITC4)
+//! ```
+//!
+//! Sections are those of classical lamination with 5/6 of the shear stiffness ([`fe_shell::Section`]). It shares no
+//! code with the particle shell and no choice of strain but that of curvature free of stretch, which it writes in
+//! another way; both are solved by `implicit-statics`. Where particles and elements agree with each other and with what
+//! is published, the reference is confirmed; where only one does, the report shows it.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | every entry names source, units, how obtained, how certain | `every_entry_is_complete` (tests/catalogue.rs) |
+//! | tabulated rings are the elastica, to their printed digits | `the_seed_ring_is_the_elastica`, `the_sze_ring_is_the_elastica` |
+//! | the elastica satisfies its differential equation, keeps its length | `end_load_satisfies_the_differential_equation`, `end_moment_keeps_the_length_and_closes_the_circle` (src/elastica.rs) |
+//! | the rolled strip is in equilibrium, and without thickness the elastica | `equilibrium_is_the_derivative_of_the_energy`, `a_strip_without_thickness_is_the_elastica` (src/rolled_strip.rs) |
+//! | elliptic integrals: published values, Legendre's relation | `published_values`, `legendre_relation` (src/elliptic.rs) |
+//! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
+//! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
+//! | elements: patch tests on distorted meshes | `a_homogeneous_stretch_of_any_size_is_in_balance_on_a_distorted_mesh`, `constant_curvatures_are_in_balance_on_a_distorted_mesh` |
+//! | elements: published problems | `the_linear_obstacle_course`, `the_panel_snaps_through`, `point_forces_on_doubly_curved_shells` and others (tests/fe_shell_cases.rs) |
 
 pub mod catalogue;
 pub mod curve;

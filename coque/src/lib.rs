@@ -1,20 +1,110 @@
 //! From a scene file to results: reads and checks scenes, builds shells, runs them, writes curves.
 //!
-//! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a shell ready to move) → [`Outcome`]
-//! (curve, summary, shapes). The command `coque` is a thin wrapper round these three.
+//! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a shell ready to move) → [`Outcome`] (curve, summary,
+//! shapes). The command `coque` is a thin wrapper round these three.
+//!
+//! ```
+//! use coque::{Scene, Silent};
+//!
+//! let text = r#"
+//! title = "Cantilever, linear"
+//! units = { length = "m", force = "N", time = "s" }
+//! geometry.plate = { lengths = [10.0, 1.0], particles = [21, 3] }
+//! material.elastic = { young = 1.2e6, poisson = 0.0, density = 1.0 }
+//! section.homogeneous = { thickness = 0.1 }
+//! supports = [{ on = "u0", clamped = {} }]
+//! loads = [{ on = "u1", force = { total = [0.0, 0.0, 1.0] } }]
+//! analysis.linear = {}
+//! curve = [{ name = "w_tip", of = "displacement", on = "u1", direction = [0.0, 0.0, 1.0] }]
+//! "#;
+//! let outcome = Scene::parse(text, "cantilever.toml")?.build(1)?.run(&mut Silent);
+//! let tip = outcome.curve.column("w_tip").ok_or("no such column")?[0];
+//! let beam = 1.0 * 1000.0 / (3.0 * 100.0); // PL³/3EI
+//! assert!((tip / beam - 1.0).abs() < 5e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! | where is | look in |
 //! |---|---|
-//! | what a scene may say | `scene/*.rs` |
+//! | what a scene may say | [`scene`], `scene/*.rs` |
 //! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs`, `places.rs`, `matter.rs` |
-//! | files of surfaces | `mesh/*.rs`; into a scene: `imported.rs` |
+//! | files of surfaces | [`mesh`]; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
 //! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
+//!
+//! # From words to the mechanics
+//!
+//! The crate adds no mechanics: it chooses among that of the layers below.
+//!
+//! | a scene says | and gets |
+//! |---|---|
+//! | `geometry` | a cloud of `sph-core`, or a mesh by [`mesh::Surface::cloud`] |
+//! | `material`, `section` | a section of `shell-kinematics`; of `layered` the plies with a material axis |
+//! | `formulation` | the position of the dial in `sph-shell`, with the strain measure |
+//! | `supports`, `loads` | supports and loads of `sph-shell` on named sets of particles |
+//! | `analysis` | see below |
+//!
+//! | `analysis.` | solves | by |
+//! |---|---|---|
+//! | `explicit.quasi-static` | equilibria along load levels, by damped marching | `explicit_dynamics::QuasiStatic` |
+//! | `explicit.transient` | `M q̈ + cM q̇ + ∂U/∂q = f(t)` | `explicit_dynamics::Transient` |
+//! | `linear` | `K u = p` at the unloaded shell | `implicit_statics::linear_response` |
+//! | `static` | `∂U/∂q = λ p` at given levels λ | `implicit_statics::follow`, load control; displacement control for a motion |
+//! | `arc-length` | the same along a path past limit and turning points | `implicit_statics::follow`, arc length |
+//! | `modal` | `K φ = ω² M φ` | `implicit_statics::natural_modes` |
+//! | `buckling` | `(K + μ K_g) φ = 0` | `implicit_statics::linear_buckling` |
+//!
+//! A prescribed motion without time becomes a force along it whose size is sought; its level is then that force, or the
+//! share of the motion where levels are given.
+//!
+//! # What a column means
+//!
+//! Over the particles of a set, a the particle, e the unit direction ([`scene::Measured`]):
+//!
+//! ```text
+//! displacement    mean of u_a·e           reaction   sum of (∂U/∂x_a − f_a)·e, f_a the loads
+//! position        mean of x_a·e           rotation   mean of the angle by which d_a has turned about e, counted on beyond π
+//! director        mean of d_a·e           all times the column's factor
+//! ```
+//!
+//! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
+//!
+//! ```text
+//! v(0) + (4 s(ε) − s(2ε))/3,     s(ε) = (v(ε) − v(−ε))/2ε,     ε of a hundredth of a thickness
+//! ```
+//!
+//! Stresses at the faces of a homogeneous section, in the field files, are `σ = N/t ± 6M/t²`; von Mises is
+//! `√(σ11² + σ22² − σ11σ22 + 3σ12²)`, plane stress.
+//!
+//! # Surfaces from files
+//!
+//! Every reader takes text to what stands in it and allocates no more than the text is long; [`mesh::Surface`] then
+//! makes it sound: faces turned the same way, edges of three faces, one-sided sheets and hanging nodes refused with
+//! file and line. Without normals in the file they are means over the faces by area, turned into the symmetry planes of
+//! the scene. Triangles are joined in pairs. Nodes are numbered anew along the surface \[cuthill1969\] where their own
+//! order would cost much. A force on a set along the boundary is shared by tributary length, else in equal parts.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | exact answers: uniform strain of the patch test, the closed ring | `patch_test_strains_uniformly`, `the_ring_closes` (tests/run.rs), `the_ring_closes_without_time` (tests/statics.rs) |
+//! | a turned scene answers the same; threads change no bit | `a_turned_scene_answers_the_same`, `threads_change_no_bit` |
+//! | with and without time the same equilibria | `time_changes_no_equilibrium` (tests/statics.rs) |
+//! | a linear answer is the limit of small loads, and linear | `a_linear_answer_is_the_limit_of_small_loads`, `a_factor_on_the_load_is_one_on_the_answer` (tests/linear.rs) |
+//! | every kind of load in one scene: the energy balances | `a_scene_with_everything_keeps_its_energy_balance` |
+//! | plates of any thickness do not lock, on lattices and in disorder | `plates_of_any_thickness_bend`, `clamped_plates_of_any_thickness_keep_their_deflection_on_any_cloud` (tests/scattered.rs) |
+//! | every format gives the same plate; the same particles the same limit load | `every_format_gives_the_same_plate` (tests/meshes.rs), `the_same_particles_give_the_same_limit_load` (tests/mesh_panel.rs) |
+//! | no damaged scene or mesh panics | `damaged_scenes_never_panic` (tests/no_panic.rs), `damaged_meshes_never_panic` (tests/mesh_no_panic.rs) |
+//! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
+//! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
+//! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
+//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
 
 mod build;
 mod catalogue;

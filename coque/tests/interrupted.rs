@@ -122,7 +122,7 @@ fn a_resumed_scene_keeps_what_the_command_line_replaced() {
     let out = folder("replaced");
     let path = out.to_string_lossy();
     let mut run =
-        coque(&ring(&path, &["title=\"turned = round\"", "analysis.static.levels=400"])).spawn().unwrap();
+        coque(&ring(&path, &["title=\"turned = round\"", "analysis.static.levels=150"])).spawn().unwrap();
     begun(&mut run, &out);
     signal(&run, "-INT");
     let code = run.wait().unwrap().code();

@@ -2,32 +2,21 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use std::fs;
-use std::path::Path;
+mod common;
 
-use coque::{Ended, Outcome, Scene, Silent};
+use common::{Replaced, column, ran, run};
+use coque::{Ended, Outcome, Scene};
 
 fn strip(rest: &str) -> Outcome {
-    Scene::parse(&format!("{STRIP}{rest}"), "strip.toml").unwrap().build(1).unwrap().run(&mut Silent)
+    ran(Scene::parse(&format!("{STRIP}{rest}"), "strip.toml"))
 }
 
 /// The roof with few particles and some values replaced.
-fn roof(replaced: &[(&str, &str)]) -> Outcome {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/panel-laminated.toml");
-    let pairs: Vec<_> = [("geometry.cylinder.particles", "[11, 11]")]
-        .iter()
-        .chain(replaced)
-        .map(|(path, value)| (path.to_string(), value.to_string()))
-        .collect();
-    let text = fs::read_to_string(path).unwrap();
-    let scene = Scene::with_overrides(&text, "panel-laminated.toml", &pairs).unwrap();
-    let outcome = scene.build(1).unwrap().run(&mut Silent);
+fn roof(replaced: Replaced) -> Outcome {
+    let few = [("geometry.cylinder.particles", "[11, 11]")];
+    let outcome = run("panel-laminated.toml", &[&few, replaced].concat());
     assert_eq!(outcome.ended, Ended::Done);
     outcome
-}
-
-fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
-    outcome.curve.column(name).unwrap()
 }
 
 /// A cantilever strip of two plies, stiff below and soft above, without Poisson's ratio: a composite beam.

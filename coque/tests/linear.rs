@@ -2,38 +2,23 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use std::fs;
-use std::path::Path;
+mod common;
 
-use coque::{Ended, Outcome, Rendering, Scene, SceneError, Silent, render};
-
-/// Overrides of a scene: paths and values.
-type Replaced<'a> = &'a [(&'a str, &'a str)];
-
-fn scene(name: &str, replaced: Replaced) -> Result<Scene, SceneError> {
-    let text =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap();
-    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
-    Scene::with_overrides(&text, name, &pairs)
-}
+use common::{Replaced, last, ran, scene};
+use coque::{Ended, Outcome, Rendering, Scene, SceneError, render};
 
 fn solved(scene: Result<Scene, SceneError>) -> Outcome {
-    let outcome = scene.unwrap().build(1).unwrap().run(&mut Silent);
+    let outcome = ran(scene);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     outcome
 }
 
-fn run(name: &str, replaced: &[(&str, &str)]) -> Outcome {
+fn run(name: &str, replaced: Replaced) -> Outcome {
     solved(scene(name, replaced))
 }
 
 fn strip(rest: &str) -> Outcome {
     solved(Scene::parse(&format!("{STRIP}{rest}\n{GAUGES}"), "strip.toml"))
-}
-
-/// The last value of a column: of a linear answer the only one.
-fn last(outcome: &Outcome, name: &str) -> f64 {
-    *outcome.curve.column(name).unwrap().last().unwrap()
 }
 
 /// A cantilever strip without Poisson's ratio: a beam. L = 10, EI = E b h³ / 12 = 1000 \[N m²\].

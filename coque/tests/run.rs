@@ -2,33 +2,18 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
-use coque::{Ended, Outcome, Scene, Silent};
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
-}
-
-fn run(name: &str, replaced: &[(&str, &str)], threads: usize) -> Outcome {
-    let text = fs::read_to_string(folder().join(name)).unwrap();
-    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
-    Scene::with_overrides(&text, name, &pairs).unwrap().build(threads).unwrap().run(&mut Silent)
-}
-
-fn run_text(text: &str) -> Outcome {
-    Scene::parse(text, "test.toml").unwrap().build(1).unwrap().run(&mut Silent)
-}
-
-fn last(outcome: &Outcome, column: &str) -> f64 {
-    *outcome.curve.column(column).unwrap().last().unwrap()
-}
+use common::{column, last, ran, run, scene, scenes};
+use coque::{Ended, Scene, Silent};
 
 #[test]
 fn patch_test_strains_uniformly() {
-    let outcome = run("patch-test.toml", &[], 1);
+    let outcome = run("patch-test.toml", &[]);
     assert_eq!(outcome.ended, Ended::Done);
     assert!(outcome.summary.levels.iter().all(|level| level.settled));
     // Exact for small strain; the strain of 1e-5 itself is the relative size of what that leaves out.
@@ -42,7 +27,7 @@ fn patch_test_strains_uniformly() {
 #[test]
 fn a_turned_scene_answers_the_same() {
     let turn = ("orientation", "{ axis = [1.0, -2.0, 0.5], degrees = 73.0 }");
-    let (straight, turned) = (run("patch-test.toml", &[], 1), run("patch-test.toml", &[turn], 1));
+    let (straight, turned) = (run("patch-test.toml", &[]), run("patch-test.toml", &[turn]));
     for column in ["U_end", "V_side", "internal"] {
         // Rounding of positions of size 1 against displacements of 1e-6.
         assert!((last(&turned, column) / last(&straight, column) - 1.0).abs() < 1e-7, "{column}");
@@ -57,7 +42,10 @@ fn threads_change_no_bit() {
         ("analysis.explicit", "{ transient = { duration = 0.05, record_every = 0.01 } }"),
         ("supports[2]", "{ on = \"u0v0\", hinged = {} }"),
     ];
-    let (one, three) = (run("patch-test.toml", &replaced, 1), run("patch-test.toml", &replaced, 3));
+    let (one, three) = (
+        run("patch-test.toml", &replaced),
+        scene("patch-test.toml", &replaced).unwrap().build(3).unwrap().run(&mut Silent),
+    );
     assert_eq!(one.curve.rows.len(), 6);
     assert_eq!(one.curve, three.curve);
 }
@@ -69,7 +57,7 @@ fn a_motion_follows_its_course_in_time() {
         ("supports[3].amplitude", "{ ramp = 0.003 }"),
         ("geometry.cylinder.particles", "[11, 11]"),
     ];
-    let crown = run("panel.toml", &replaced, 1).curve.column("w_crown").unwrap();
+    let crown = column(&run("panel.toml", &replaced), "w_crown");
     for (reached, wanted) in crown.iter().zip([0.0, 10.0, 20.0, 30.0]) {
         assert!((reached - wanted).abs() < 1e-9, "{crown:?}");
     }
@@ -79,7 +67,7 @@ fn a_motion_follows_its_course_in_time() {
 fn the_ring_closes() {
     // A coarse ring: at the full circle the chords of its cells close, whatever their number.
     let replaced = [("geometry.plate.particles", "[25, 3]"), ("analysis.explicit.quasi-static.levels", "4")];
-    let outcome = run("ring.toml", &replaced, 1);
+    let outcome = run("ring.toml", &replaced);
     assert!((last(&outcome, "minus_U_tip") - 10.0).abs() < 0.005, "{}", last(&outcome, "minus_U_tip"));
     assert!(last(&outcome, "W_tip").abs() < 0.005);
     // The tip has turned once; the rotation is counted on past π.
@@ -92,14 +80,13 @@ fn a_couple_about_the_moving_edge_bends_the_same() {
     let levels = ("analysis.explicit.quasi-static.levels", "[0.5]");
     // The edge runs along +y, the fixed axis of the scene along −y.
     let edge = ("loads[0].couple", "{ moment = -62.83185307179586, axis = \"edge\" }");
-    let (fixed, moving) =
-        (run("ring.toml", &[coarse, levels], 1), run("ring.toml", &[coarse, levels, edge], 1));
+    let (fixed, moving) = (run("ring.toml", &[coarse, levels]), run("ring.toml", &[coarse, levels, edge]));
     assert!((last(&fixed, "W_tip") - last(&moving, "W_tip")).abs() < 1e-3);
 }
 
 #[test]
 fn a_scene_with_everything_keeps_its_energy_balance() {
-    let outcome = run_text(EVERYTHING);
+    let outcome = ran(Scene::parse(EVERYTHING, "test.toml"));
     assert_eq!(outcome.ended, Ended::Done);
     assert_eq!(outcome.curve.rows.len(), 101);
     let energies = outcome.summary.energies;
@@ -134,7 +121,7 @@ curve = [
 
 #[test]
 fn divergence_keeps_the_curve() {
-    let outcome = run("patch-test.toml", &[("loads[0].force.total[0]", "1e9")], 1);
+    let outcome = run("patch-test.toml", &[("loads[0].force.total[0]", "1e9")]);
     assert!(matches!(outcome.ended, Ended::Diverged(_)));
     assert!(!outcome.curve.rows.is_empty());
     assert!(outcome.summary.ended.contains("particle"), "{}", outcome.summary.ended);
@@ -143,7 +130,7 @@ fn divergence_keeps_the_curve() {
 fn coque(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_coque"))
         .args(arguments)
-        .current_dir(folder().join(".."))
+        .current_dir(scenes().join(".."))
         .output()
         .unwrap()
 }

@@ -2,23 +2,15 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
 use std::f64::consts::TAU;
-use std::fs;
-use std::path::Path;
 
-use coque::{Ended, Outcome, Scene, Silent};
+use common::{Replaced, last, overridden, ran, text};
+use coque::{Ended, Outcome};
 
-fn text(name: &str) -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
-}
-
-fn run(text: &str, replaced: &[(&str, &str)]) -> Outcome {
-    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
-    Scene::with_overrides(text, "test.toml", &pairs).unwrap().build(1).unwrap().run(&mut Silent)
-}
-
-fn last(outcome: &Outcome, name: &str) -> f64 {
-    *outcome.curve.column(name).unwrap().last().unwrap()
+fn run(text: &str, replaced: Replaced) -> Outcome {
+    ran(overridden(text, "test.toml", replaced))
 }
 
 /// Half of the ring's width, with a plane of symmetry where the full strip has its centre row.

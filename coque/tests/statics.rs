@@ -2,33 +2,18 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
 use std::f64::consts::{PI, TAU};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
-use coque::{Ended, Failure, Outcome, Rendering, Scene, SceneError, Silent, render};
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
-}
-
-fn scene(name: &str, replaced: &[(&str, &str)]) -> Result<Scene, SceneError> {
-    let text = fs::read_to_string(folder().join(name)).unwrap();
-    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
-    Scene::with_overrides(&text, name, &pairs)
-}
-
-fn run(name: &str, replaced: &[(&str, &str)]) -> Outcome {
-    scene(name, replaced).unwrap().build(1).unwrap().run(&mut Silent)
-}
+use common::{column, ran, run, scene, scenes};
+use coque::{Ended, Failure, Outcome, Rendering, Scene, render};
 
 fn strip(rest: &str) -> Outcome {
-    Scene::parse(&format!("{STRIP}{rest}"), "strip.toml").unwrap().build(1).unwrap().run(&mut Silent)
-}
-
-fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
-    outcome.curve.column(name).unwrap()
+    ran(Scene::parse(&format!("{STRIP}{rest}"), "strip.toml"))
 }
 
 /// A cantilever strip without Poisson's ratio: a beam.
@@ -264,7 +249,7 @@ fn the_command_runs_a_scene_without_time() {
         ];
         Command::new(env!("CARGO_BIN_EXE_coque"))
             .args(all.concat())
-            .current_dir(folder().join(".."))
+            .current_dir(scenes().join(".."))
             .output()
             .unwrap()
     };
@@ -296,7 +281,7 @@ fn a_run_that_cannot_converge_tells_where_and_keeps_its_rows() {
     for pair in replaced {
         command.args(["--set", pair]);
     }
-    let failed = command.current_dir(folder().join("..")).output().unwrap();
+    let failed = command.current_dir(scenes().join("..")).output().unwrap();
     assert_eq!(failed.status.code(), Some(3));
     let message = String::from_utf8_lossy(&failed.stderr).into_owned();
     for part in [

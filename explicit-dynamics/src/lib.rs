@@ -1,9 +1,8 @@
 //! Marching `M q̈ = f` by central differences: amplitudes, damping, stable step, energy balance.
 //!
-//! This crate knows no shell and no particle method. A system tells by [`Dynamics`] how to evaluate
-//! forces, how to kick its velocities and how to drift its configuration (which is where a rotation
-//! advances on its sphere); everything else is here. Velocities live at the half steps: this is the leapfrog
-//! form of velocity Verlet, the same trajectory of configurations with one kick a step.
+//! This crate knows no shell and no particle method. A system tells by [`Dynamics`] how to evaluate forces, how to kick
+//! its velocities and how to drift its configuration (which is where a rotation advances on its sphere); everything
+//! else is here.
 //!
 //! | to | use |
 //! |---|---|
@@ -11,7 +10,102 @@
 //! | find equilibria along a load path | [`QuasiStatic`] |
 //! | know the stable step | [`largest_eigenvalue`], [`stable_step`] |
 //! | watch, stop | [`Observer`], [`Record`] |
-//! | keep a march and go on later, to the same bits | [`Observer::between`], [`Standing`], `QuasiStatic::go_on`, `Transient::go_on` |
+//! | keep a march and go on later, to the same bits | [`Observer::between`], [`Standing`], [`QuasiStatic::go_on`], [`Transient::go_on`] |
+//!
+//! # The step
+//!
+//! Velocities live at the half steps: the leapfrog form of velocity Verlet, the same trajectory of configurations with
+//! one kick a step. From time tₙ to tₙ₊₁ = tₙ + Δt
+//!
+//! ```text
+//! f = external(qₙ, tₙ, λ) − internal(qₙ)                        Dynamics::force
+//! v ← [v(1 − ½cκ) + κ f/m] / (1 + ½cκ)                          Dynamics::kick
+//! q ← q + Δt v            directors: along their great circles  Dynamics::drift
+//! ```
+//!
+//! κ is the span of the kick, from the middle of the last step to the middle of this one ([`Step::kick`]; half a step
+//! at the start), c the mass-proportional damping \[1/T\]. Without damping, at constant Δt and for conservative forces,
+//! the trajectory is that of velocity Verlet: reversible, second order, its energy error bounded. Steps are therefore
+//! kept equal between any two records: [`Clock`] divides the way to the next record into whole steps.
+//!
+//! # The stable step
+//!
+//! Central differences are stable for `Δt ω_max ≤ 2`, ω_max² the largest eigenvalue of `M⁻½ K M⁻½`.
+//! [`largest_eigenvalue`] finds it by 30 Lanczos steps \[lanczos1950\] on the present tangent
+//! ([`LinearisedDynamics::apply`]); an eigenvalue lies within the residual r of the Ritz value θ, and the step is taken
+//! from their sum:
+//!
+//! ```text
+//! Δt = safety · 2/√(θ + |r|)                                     stable_step
+//! ```
+//!
+//! It is estimated anew at every load level and every 5000 steps of a transient. Damping does not enter: the scheme
+//! takes half of cκ before and half after the kick, which leaves the limit where it is.
+//!
+//! ```
+//! use explicit_dynamics::{LinearisedDynamics, largest_eigenvalue, stable_step};
+//!
+//! /// A chain of equal masses m and springs k, held at both ends: ω_j² = 4 (k/m) sin²(jπ/(2n + 2)).
+//! struct Chain(f64);
+//! impl LinearisedDynamics for Chain {
+//!     fn unknowns(&self) -> usize {
+//!         8
+//!     }
+//!     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+//!         let at = |i: Option<usize>| i.and_then(|i| v.get(i)).copied().unwrap_or(0.0);
+//!         for i in 0..8 {
+//!             out[i] = self.0 * (2.0 * v[i] - at(i.checked_sub(1)) - at(Some(i + 1)));
+//!         }
+//!     }
+//! }
+//! let fastest = 2.0 * 100.0_f64.sqrt() * (8.0 * std::f64::consts::PI / 18.0).sin();
+//! let step = stable_step(&largest_eigenvalue(&mut Chain(100.0), 30), 0.9)?;
+//! assert!((step * fastest / 2.0 - 0.9).abs() < 1e-9);
+//! # Ok::<(), explicit_dynamics::MarchError>(())
+//! ```
+//!
+//! # Energy
+//!
+//! At each instant, with the mean v̄ of the velocities before and after the kick ([`Work`], [`Balance`])
+//!
+//! ```text
+//! kinetic     T = ½ Σ m v̄²
+//! external    W ← W + κ Σ f_ext·v̄         and the work of supports on prescribed motions
+//! dissipated  D ← D + κ c Σ m v̄²           and what a stop of all particles takes away
+//! error         = T + U + D − W − (T + U − W at the first record)
+//! ```
+//!
+//! A particle faster than [`Dynamics::speed_bound`] ends the run as [`MarchError::Diverged`], which names the particle,
+//! its speed and the last record in good order. The look is taken every 64 steps, and at once when the kinetic energy
+//! has grown fourfold.
+//!
+//! # Finding equilibria by marching
+//!
+//! [`QuasiStatic`] goes from load level to load level by the quintic `s³(10 − 15s + 6s²)`, which starts and ends
+//! without velocity or acceleration, and then holds the load until the motion has died: kinetic over internal energy
+//! below a tolerance at two looks in a row, twenty looks a period. This is dynamic relaxation \[underwood1983\] with
+//!
+//! ```text
+//! Damping::Ratio     c = 4πζ/T₁       a share ζ of critical damping of the mode of period T₁
+//! Damping::Kinetic   v ← 0            whenever the kinetic energy has passed a peak
+//! ```
+//!
+//! Loads are read after the hold: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
+//! motion had died. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | second order: an oscillator is the cosine, the error falls with Δt² | `free_vibration_is_the_cosine_to_second_order` (tests/oscillator.rs) |
+//! | kinetic, internal, external and dissipated energy balance | `energy_is_booked_to_the_last` |
+//! | both dampings end at the static answer | `ramp_and_hold_ends_at_the_static_answer` |
+//! | a hold without rest says so | `a_hold_that_never_rests_says_so` |
+//! | beyond the stable step a run diverges and hands back its last good record | `beyond_the_limit_it_diverges_with_the_last_good_record` |
+//! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
+//! | the eigenvalue is bounded from both sides | `chain_spectrum_is_bounded_from_both_sides` (src/stable_step.rs) |
+//! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/standing.rs) |
+//! | ramps start and end at rest | `smooth_starts_and_ends_without_velocity_or_acceleration` (src/amplitude.rs) |
 
 mod amplitude;
 mod clock;

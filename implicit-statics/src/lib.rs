@@ -12,6 +12,109 @@
 //! | go over to another branch | [`switch_branch`] |
 //! | know frequencies | [`natural_modes`] |
 //! | estimate buckling loads | [`linear_buckling`] |
+//!
+//! A spring that softens, `q − q³ = λ`, has its limit point at q = 1/√3:
+//!
+//! ```
+//! use implicit_statics::{
+//!     Control, CriticalKind, CriticalOptions, Equilibrium, PathOptions, Start, follow,
+//! };
+//! use std::ops::ControlFlow;
+//!
+//! struct Softening(f64);
+//! impl Equilibrium for Softening {
+//!     fn unknowns(&self) -> usize { 1 }
+//!     fn pattern(&self) -> Vec<(usize, usize)> { vec![(0, 0)] }
+//!     fn internal(&mut self, out: &mut [f64]) { out[0] = self.0 - self.0.powi(3); }
+//!     fn external(&mut self, level: f64, out: &mut [f64]) { out[0] = level; }
+//!     fn load_rate(&mut self, _: f64, out: &mut [f64]) { out[0] = 1.0; }
+//!     fn tangent(&mut self, _: f64, values: &mut [f64]) { values[0] = 1.0 - 3.0 * self.0.powi(2); }
+//!     fn update(&mut self, increment: &[f64]) { self.0 += increment[0]; }
+//!     fn save(&self) -> Vec<f64> { vec![self.0] }
+//!     fn restore(&mut self, saved: &[f64]) { self.0 = saved[0]; }
+//!     fn energy(&mut self) -> f64 { 0.5 * self.0.powi(2) - 0.25 * self.0.powi(4) }
+//!     fn masses(&self) -> Vec<f64> { vec![1.0] }
+//!     fn name_unknown(&self, _: usize) -> String { "the spring".into() }
+//! }
+//!
+//! let mut options = PathOptions::new(Control::ArcLength { first: 0.05, range: (-0.1, 1.0) });
+//! options.critical = Some(CriticalOptions::default());
+//! let path = follow(&mut Softening(0.0), &Start::default(), &options, |_, _| ControlFlow::Continue(()));
+//! assert!(path.end.is_ok());
+//! let [limit] = &path.critical[..] else { panic!("one limit point") };
+//! assert_eq!(limit.kind, CriticalKind::Limit);
+//! assert!((limit.level - 2.0 / 27.0_f64.sqrt()).abs() < 1e-6);
+//! ```
+//!
+//! # The problem
+//!
+//! `internal(q) = external(q, λ)`, one load level λ, unknowns q without held freedoms. With the residual
+//! `r = external − internal`, `p = ∂external/∂λ` and the symmetric tangent `K = ∂(internal − external)/∂q`, one
+//! iteration of [`Newton`] under a further equation c(q, λ) = 0 is the bordered solve \[batoz1979\] by two solves with
+//! one factor:
+//!
+//! ```text
+//! K δ_r = r     K δ_p = p     δ = δ_r + δλ δ_p      δλ from the linearised further equation
+//! ```
+//!
+//! | [`Control`] | further equation | source |
+//! |---|---|---|
+//! | `Load` | `λ` given; steps that overshoot are shortened by a line search on `δ·r` | \[matthies1979\], \[crisfield1991\] |
+//! | `Displacement` | `c·Δq = target` | \[batoz1979\] |
+//! | `ArcLength` | `Σ w_i Δq_i² + ψ² Δλ² = R²`, linearised consistently | \[crisfield1981\], \[schweizerhof1986\] |
+//!
+//! Increments live in the tangent space of the present state and [`Equilibrium::update`] moves along it, so that
+//! directors may turn on their spheres. Weights w_i of the arc are the masses over their sum ([`Measure`]), R is the
+//! arc length of a step, `ψ²` is `load_share` times the square of the linear answer to a unit of level at the start. An
+//! arc-length step starts ([`Direction`]) along the last step \[feng1996\], or by the sign of the work `p·δ_p`
+//! \[bergan1978\], or by the inertia of K.
+//!
+//! Converged means `|r| ≤ 1e-9` of the largest of `|external|`, `|p Δλ|` and the internal forces so far; where rounding
+//! of forces exceeds that, a residual that no longer falls while corrections are below 1e-8 of the way. Steps grow and
+//! shrink by `√(target/iterations)`; one that fails is repeated with half its size from the last converged state
+//! ([`PathOptions`]).
+//!
+//! # Inertia, critical points, branches
+//!
+//! `K = L B Lᵀ` with 1×1 and 2×2 pivots \[bunch1977\] after scaling to a unit diagonal by powers of two. By Sylvester's
+//! law the signs of the pivots are those of the eigenvalues, [`Inertia`]: where the number of negative ones changes
+//! along a path, the tangent was singular. That place is found by bisection of the step; the mode φ is the weakest
+//! direction of K at the near end, and
+//!
+//! ```text
+//! |p·φ| / (|p| |φ|)  > 1e-4   limit point          CriticalKind::Limit
+//!                    else     bifurcation          CriticalKind::Bifurcation
+//! ```
+//!
+//! with norms scaled by the diagonal stiffness \[wriggers1990\] ([`CriticalPoint`]). [`switch_branch`] moves by a given
+//! amplitude along φ and finds the equilibrium with that much of the mode in its motion \[wagner1988\]. Under load
+//! control a step over a limit point is refused by the change of sign of the response ([`BalanceError::Fold`]).
+//!
+//! # Modes
+//!
+//! ```text
+//! K φ = ω² M φ                      natural_modes: (K − σM)⁻¹M is iterated, σ the shift
+//! (K + μ K_g) φ = 0                 linear_buckling: K_g = dK/dλ along the whole linear response; critical level λ + μ
+//! ```
+//!
+//! both by restarted block Krylov sweeps with full orthogonalisation and Rayleigh–Ritz \[parlett1998\]; M diagonal. K_g
+//! is a central difference of exact tangents, and so holds the displacement before buckling as well as the stress.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | residuals fall quadratically, bordered steps too | `residuals_fall_quadratically`, `bordered_steps_converge_quadratically_too` (tests/newton.rs) |
+//! | a failure says where, and leaves the state as it was | `failures_say_where_and_leave_the_state`, `a_mechanism_is_named` |
+//! | rounding of the forces ends the iteration | `rounding_of_the_forces_ends_the_iteration` |
+//! | load control stops at a limit point and does not leap over it | `load_control_follows_the_arch_up_to_its_limit`, `a_load_step_that_leaps_over_a_limit_point_is_refused` (tests/paths.rs) |
+//! | arc length passes limit and turning points, ends exactly at its bound | `arc_length_goes_through_both_limit_points_and_ends_at_the_bound`, `arc_length_passes_both_turning_points_of_the_displacement` |
+//! | limit points and bifurcations are told apart and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
+//! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
+//! | singular matrices are counted and never solved | `a_free_chain_is_singular_and_never_solved` |
+//! | factors repeat to the last bit | `factors_repeat_to_the_last_bit` |
+//! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
+//! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 
 mod critical;
 mod eigen;

@@ -1,9 +1,8 @@
 //! One point of a shell: frames, finite rotations, strains with their transposes, sections.
 //!
-//! This crate knows neither neighbours nor time. A point is given by five vectors, its
-//! [`Placement`]: the tangents `x,1` `x,2` of the mid-surface along two orthonormal reference
-//! directions, the director `d`, and the director's derivatives `d,1` `d,2`. From them follow, in
-//! this order,
+//! This crate knows neither neighbours nor time. A point is given by five vectors, its [`Placement`]: the tangents x,₁
+//! x,₂ of the mid-surface along two orthonormal directions of the *reference* surface, the director d, and its
+//! derivatives d,₁ d,₂. From them follow, in this order,
 //!
 //! | step | type | function |
 //! |---|---|---|
@@ -13,8 +12,129 @@
 //! | back to the products | [`MeasureForces`] | [`StrainMeasure::transpose`] |
 //! | back to the vectors | [`PlacementForces`] | [`Placement::transpose`] |
 //!
-//! Every step stands beside its transpose, so that forces are the exact derivative of the energy.
-//! Four points are treated at a time in a [`Pack`]; formulas read as if it were one number.
+//! Every step stands beside its transpose, so that forces are the exact derivative of the energy. Four points are
+//! treated at a time in a [`Pack`]; formulas read as if it were one number. No fused multiply-add is asked for: the
+//! same bits on every processor.
+//!
+//! ```
+//! use shell_kinematics::{
+//!     Isotropic, IsotropicSection, Pack3, Placement, Section, StrainMeasure, StretchCorrected,
+//! };
+//! let flat = Placement {
+//!     x1: Pack3::splat([1.0, 0.0, 0.0]),
+//!     x2: Pack3::splat([0.0, 1.0, 0.0]),
+//!     d: Pack3::splat([0.0, 0.0, 1.0]),
+//!     ..Placement::default()
+//! };
+//! let stretched = Placement { x1: Pack3::splat([1.1, 0.0, 0.0]), ..flat };
+//! let (now, before) = (stretched.measures(), flat.measures());
+//!
+//! let strains = StretchCorrected.strains(&now, &before);
+//! assert!((strains.membrane[0].lanes()[0] - 0.5 * (1.1 * 1.1 - 1.0)).abs() < 1e-15);
+//!
+//! // N11 = Et/(1−ν²) e11, and n¹ = N11 x,1 on the way back.
+//! let section = IsotropicSection::new(Isotropic::new(200.0, 0.0)?, 0.5)?;
+//! let stress = section.resultants(&strains);
+//! let forces = stretched.transpose(&StretchCorrected.transpose(&now, &before, &stress));
+//! assert!((stress.membrane[0].lanes()[0] - 100.0 * 0.105).abs() < 1e-12);
+//! assert!((forces.n1.lane(0)[0] - 100.0 * 0.105 * 1.1).abs() < 1e-12);
+//! # Ok::<(), shell_kinematics::MaterialError>(())
+//! ```
+//!
+//! # From the body to eight strains
+//!
+//! The shell of \[lin2013\] is the body `x + ζ d`, `−t/2 ≤ ζ ≤ t/2`, with a straight director of constant length (eqs.
+//! 5–6; the geometrically exact shell of \[simo1989\]). Its natural basis 𝔽 has the columns `x,₁ + ζd,₁`, `x,₂ + ζd,₂`,
+//! `d` (eq. 7, [`natural_basis`]), its Green–Lagrange tensor the covariant components `½(a_i·a_j − A_i·A_j)`
+//! ([`covariant_green_lagrange`], in the local frame [`local_green_lagrange`]). The solver uses what is left of that to
+//! first order in ζ, `𝔼 = E_m + ζE_f` and the shear, on the products
+//!
+//! ```text
+//! membrane    ½ x,₁·x,₁     ½ x,₂·x,₂     x,₁·x,₂
+//! curvature   k11 = x,₁·d,₁   k22 = x,₂·d,₂   k12 = x,₁·d,₂ + x,₂·d,₁
+//! shear       x,₁·d     x,₂·d
+//! ```
+//!
+//! [`Measures`]. Membrane strains e₁₁, e₂₂, g = 2e₁₂ and shears γ₁, γ₂ are their changes from the reference. For the
+//! curvature there are two choices, [`strain_measures`]:
+//!
+//! ```text
+//! GreenLagrange       κ_αβ = k_αβ − k_αβ⁰                                          the paper's split, §3 of it
+//! StretchCorrected    κ11  = k11 − k11⁰ − (e11 k11 + ¼ g k12)          κ22 likewise
+//!                     2κ12 = k12 − k12⁰ − ½[(e11 + e22) k12 + g (k11 + k22)]
+//! ```
+//!
+//! k without a zero is the current total, k12 the sum of both mixed products, as is 2κ12 ([`Strains::curvature`]).
+//! [`GreenLagrange`] mixes stretch into curvature: a strip of thickness t rolled to the curvature k carries
+//! `EIk(1 − (kt)²/6)` and shrinks to `λ² = 1 − (kt)²/6`, which moves the tip of the closed ring of t/L = 0.1 by 7.7 %
+//! of L whatever the particles do. [`StretchCorrected`] divides `x,α·d,β` by the stretch, to first order: the exact
+//! circle under an end couple is an exact solution. It assumes small membrane strain.
+//!
+//! # Sections
+//!
+//! A [`Section`] gives resultants as the derivative of an energy per reference area ψ, `N = ∂ψ/∂e`, `M = ∂ψ/∂κ`,
+//! `Q = ∂ψ/∂γ`, its tangent `C = ∂σ/∂ε`, and the scales by which control and stable step are sized ([`SectionScales`]).
+//!
+//! ```text
+//! IsotropicSection    N = t C e    M = t³/12 C κ    Q = (5/6) G t γ      C = E/(1−ν²) [[1,ν,0],[ν,1,0],[0,0,(1−ν)/2]]
+//! IntegratedSection   N = Σ w C (e + ζκ)    M = Σ w ζ C (e + ζκ)          Gauss points ζ with weights w
+//! LayeredSection      N = A e + B κ    M = B e + D κ    A, B, D = Σ_k ∫ Q̄_k (1, ζ, ζ²) dζ    Q = (5/6) Σ_k t_k Ḡ_k γ
+//! ```
+//!
+//! Here ζ runs through the thickness, 5/6 is Reissner's factor of the homogeneous section. Plies are orthotropic in
+//! plane stress ([`Orthotropic`]: `Q11 = E_L/(1−ν²E_T/E_L)`, `Q22 = Q11 E_T/E_L`, `Q12 = ν Q22`, `Q66 = G_LT`, ν =
+//! ν_LT) and turned by the invariants of \[tsai1968\]. Bending in the scales of a laminate is `D − BA⁻¹B`, the
+//! stiffness where the membrane follows free of force, as a mean over directions; the membrane scale is that of the
+//! stiffest ply in its stiffest direction, so that no wave is faster.
+//!
+//! # Back: placement forces
+//!
+//! With s the forces on the products (membrane, curvature b, shear q),
+//!
+//! ```text
+//! n¹ = s11 x,₁ + s12 x,₂ + q1 d + b11 d,₁ + b12 d,₂        m¹ = b11 x,₁ + b12 x,₂
+//! n² = s22 x,₂ + s12 x,₁ + q2 d + b22 d,₂ + b12 d,₁        m² = b22 x,₂ + b12 x,₁        q = q1 x,₁ + q2 x,₂
+//! ```
+//!
+//! [`Placement::transpose`]: n^α, m^α and q do work on the rates of x,α, d,α and d, and are the resultants of the first
+//! Piola–Kirchhoff stress. Second derivatives, which Newton's method needs, are in [`Placement::tangent`] and
+//! [`StrainMeasure::second_gradient`]:
+//!
+//! ```text
+//! ∂²ψ/∂v² = Aᵀ (Jᵀ C J + Σ σ ∂²ε/∂m²) A + Σ s ∂²m/∂v²      A = ∂m/∂v,  J = ∂ε/∂m,  s = Jᵀσ
+//! ```
+//!
+//! v the five vectors, m the eight measures, ε and σ the eight strains and resultants.
+//!
+//! # Finite rotations
+//!
+//! With Ξ the matrix of θ×,
+//!
+//! ```text
+//! R(θ) = I + sinθ/θ Ξ + (1−cosθ)/θ² Ξ²                     rodrigues, eq. 11
+//! 𝕎(θ) = sinθ/θ I + (1−cosθ)/θ² Ξ + (θ−sinθ)/θ³ θ⊗θ        tangent_map, eq. 10;  ω = 𝕎(θ) θ̇
+//! ```
+//!
+//! [`rodrigues`] and [`tangent_map`] are eqs. 11 and 10 of \[lin2013\], after \[simo1989\] (the paper prints θ × θ
+//! where the dyadic product is meant). The march itself needs only [`parallel_transport`]: a director without drilling
+//! moves along the great circle of its rate and carries the rate with it, `d ← d cos θ + ḋ Δt sin θ/θ`,
+//! `ḋ ← ḋ cos θ − d |ḋ| sin θ`, `θ = |ḋ|Δt`.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | `transpose` is the transpose of the derivative of `strains` | `transposes_are_those_of_the_strains` (tests/point.rs) |
+//! | tangents are the derivatives of the forces | `tangents_are_the_derivatives_of_the_forces` |
+//! | rigid rotations leave no strain | `rotations_do_not_strain` |
+//! | resultants are the derivative of the energy | `resultants_are_the_derivative_of_the_energy` |
+//! | the split is the paper's tensor to first order in ζ | `the_split_is_the_papers_tensor_to_first_order_in_the_thickness` |
+//! | a circle is free of membrane force, for the corrected curvature only | `a_circle_is_free_of_membrane_force_for_the_corrected_curvature_only` |
+//! | R is the exponential, 𝕎 gives the angular velocity | `rodrigues_is_the_exponential`, `tangent_map_gives_the_angular_velocity` |
+//! | transport is the paper's update, the rate is carried | `parallel_transport_is_the_papers_update` |
+//! | isotropic, integrated and layered sections of one material agree | `sections_of_one_isotropic_material_agree`, `isotropic_plies_are_the_isotropic_section` (tests/layered.rs) |
+//! | laminates: positive definite, turned plies a turned stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `turned_plies_are_a_turned_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
+//! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 mod frame;
 mod integrated_section;

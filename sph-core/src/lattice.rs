@@ -15,7 +15,7 @@ pub struct Lattice {
 pub enum EndWeights {
     /// ½, 1, 1, …: exact for linear functions.
     Trapezoid,
-    /// ⅜, 7/6, 23/24, 1, … \[gregory\]: exact for cubic functions; at least three particles in a row.
+    /// ⅜, 7/6, 23/24, 1, … \[davis1984\]: exact for cubic functions; at least three particles in a row.
     Gregory,
 }
 

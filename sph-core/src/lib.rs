@@ -1,8 +1,8 @@
 //! Space: particles on a surface, their neighbours, and gradients that are exact where they promise to be.
 //!
-//! A [`Cloud`] is the immutable reference geometry; a [`SamplingOperator`] turns nodal fields of that cloud into
-//! values and surface gradients at sampling points, and its transpose turns point quantities into nodal sums.
-//! There is no mechanics and no time in this crate.
+//! A [`Cloud`] is the immutable reference geometry; a [`SamplingOperator`] turns nodal fields of that cloud into values
+//! and surface gradients at sampling points, and its transpose turns point quantities into nodal sums. There is no
+//! mechanics and no time in this crate.
 //!
 //! ```
 //! use sph_core::{EndWeights, Plate, cell_operator, lattice};
@@ -14,6 +14,121 @@
 //! assert!(slope.iter().all(|g| (g[0] - 3.0).abs() < 1e-12 && (g[1] + 1.0).abs() < 1e-12));
 //! # Ok::<(), sph_core::SpaceError>(())
 //! ```
+//!
+//! # Sampling and its transpose
+//!
+//! A sampling point p has a position, a frame t₁ t₂ n and an area w_p; its stencil is a list of particles b with three
+//! numbers each. The rest of the workspace sees particles through these sums:
+//!
+//! ```text
+//! f(p)   = Σ_b φ_b f_b                                 SamplingOperator::value
+//! f,α(p) = Σ_b G_αb f_b                                SamplingOperator::gradient
+//! F_b    = Σ_p w_p (φ_b q + G₁_b n₁ + G₂_b n₂)         SamplingOperator::gather
+//! ```
+//!
+//! The third is the transpose of the first two under the weights: `Σ_b F_b f_b = Σ_p w_p (q f + n₁ f,₁ + n₂ f,₂)` for
+//! any field f and any q, n₁, n₂. Forces built with it are the derivative of an energy sampled with the others. Frames
+//! belong to the reference surface; [`SamplingOperator::align`] turns them until t₁ follows a material axis, and leaves
+//! the gradients as vectors of space what they are.
+//!
+//! # Kernels
+//!
+//! `W(r, h) = w(q)/h²` with `q = r/h` and `∫ w(q) 2πq dq = 1` on the surface, behind the trait [`Kernel`]:
+//!
+//! ```text
+//! CubicSpline      10/(7π)   · { 1 − 3q²/2 + 3q³/4 | q < 1 ;  (2−q)³/4 | q < 2 }
+//! WendlandC2        7/(4π)   · (1−q/2)⁴ (1+2q)
+//! WendlandC4        9/(4π)   · (1−q/2)⁶ (1+3q+35q²/12)
+//! QuinticSpline     7/(478π) · [(3−q)⁵₊ − 6(2−q)⁵₊ + 15(1−q)⁵₊]
+//! ```
+//!
+//! from \[monaghan1985\], \[wendland1995\] (two) and \[morris1997\]. Plain SPH sums \[gingold1977\] differentiate
+//! nothing exactly near an edge or in disorder: every operator below corrects them.
+//!
+//! # Three operators
+//!
+//! ξ_b, η_b are coordinates of particle b from the point, along t₁ and t₂ of the point.
+//!
+//! **Cells**, [`cell_operator`]: one point at the area centroid of each quadrangle or triangle; the stencil is its m
+//! corners, counter-clockwise. With `A = ½Σ(ξ_b η_{b+1} − ξ_{b+1} η_b)`
+//!
+//! ```text
+//! G₁_b = (η_{b+1} − η_{b−1})/2A      G₂_b = −(ξ_{b+1} − ξ_{b−1})/2A
+//! φ_b  = 1/m + B_bᵀ(BBᵀ)⁻¹[(1,0,0)ᵀ − (1/m)Σ_c B_c],     B_b = (1, ξ_b, η_b)ᵀ
+//! ```
+//!
+//! G is the mean gradient over the cell: the uniform-gradient quadrilateral \[flanagan1981\]. One point does not see
+//! the pattern (1, −1, 1, −1); what holds that is the business of `sph-shell`.
+//!
+//! **Corrected kernels at the cells**, [`kernel_operator`]: moving least squares of order one \[belytschko1996\],
+//! [`LinearlyExact`], over the particles within `reach · r₄`, r₄ the distance to the fourth nearest:
+//!
+//! ```text
+//! p_b = (1, ξ_b/h, η_b/h)     𝓜 = Σ_b W_b p_b p_bᵀ
+//! φ_b = W_b e₁ᵀ𝓜⁻¹p_b        G₁_b = W_b e₂ᵀ𝓜⁻¹p_b / h        G₂_b = W_b e₃ᵀ𝓜⁻¹p_b / h
+//! ```
+//!
+//! **Least squares at the particles**, [`nodal_operator`] with [`ThroughParticle`]: `f_b − f_a ≈` a polynomial of order
+//! 1, 2 or 3 without constant, with weights `W A_b`; order 1 takes `−W′A_b/r`, the corrective smoothed particle method
+//! \[chen1999\] in its symmetric form. Particles on an edge get order 2 at most. Smoothing lengths follow the local
+//! spacing.
+//!
+//! Supports grow by 1.1 until the moment matrix has a condition number below 1e7 ([`Correction::shape`]); the order
+//! each point reached stands in [`SamplingOperator::orders`].
+//!
+//! # Divergence consistency
+//!
+//! A constant stress is in equilibrium only if its nodal sums are the edge tractions. With the edge normals r_b
+//! (outward normal of the edge at b times its tributary length, zero inside: [`Cloud::edge_normals`]) that asks of
+//! every particle b and its tangents T₁, T₂
+//!
+//! ```text
+//! T_βb · Σ_p w_p (G₁_b t₁ + G₂_b t₂) = T_βb · r_b
+//! ```
+//!
+//! the discrete divergence theorem, known as the integration constraint of meshless methods \[chen2001\].
+//! [`cell_operator`] obeys it on any flat cloud. The two others are changed by [`make_divergence_consistent`], which
+//! takes the least `Σ δG²/ω`, ω the kernel weight of an entry, among all changes that leave rows exact on polynomials
+//! up to their order:
+//!
+//! ```text
+//! (C Q Cᵀ + ε) λ = residual     δG = Q Cᵀλ     Q = Ω − ΩBᵀ(BΩBᵀ)⁺BΩ   (per point)
+//! ```
+//!
+//! solved by conjugate gradients: C are the conditions above, Ω the weights ω, B the polynomials at the stencil, ε a
+//! regularisation of 1e-9 of the mean diagonal. On curved clouds, and where areas do not integrate the polynomials that
+//! the rows keep, the conditions contradict each other; what remains is in [`ConsistencyReport`].
+//!
+//! # Clouds
+//!
+//! | cloud | made by | areas A_a |
+//! |---|---|---|
+//! | rows and columns | [`lattice`] on a [`Patch`]: [`Plate`], [`Cylinder`], [`Sphere`], [`Twisted`], [`Parametric`] | end weights × Jacobian: trapezoid or Gregory ([`EndWeights`], \[davis1984\]) |
+//! | disorder; growing spacings | [`jittered_lattice`]; on a [`Graded`] patch | `Σ_cells w_p/m` |
+//! | no lattice | [`poisson_cloud`]: dart throwing \[bridson2007\] with the random numbers of \[steele2014\] | the same |
+//! | any cells, a mesh | [`Cloud::from_cells`]; triangles joined by [`pair_triangles`] | the same |
+//!
+//! Scattered particles are triangulated in the parameter plane, flipped until Delaunay by their angles in space
+//! \[lawson1977\] and joined to quadrangles: best corners first, then exchanged along alternating paths, since a
+//! triangle has one sampling point for half the area and many of them lock. [`Cloud::check`] refuses what no operator
+//! can be built on, with particle or cell, value, bound and repair ([`SpaceError`]).
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | values and gradients exact on constant and linear fields | `constants_and_linear_fields_are_exact` (tests/operators.rs) |
+//! | nodal gradients exact up to the order they report | `nodal_gradients_are_exact_up_to_the_order_they_report` |
+//! | `gather` is the transpose | `gather_is_the_transpose_of_value_and_gradient` |
+//! | rigid motion leaves φ and G | `rigid_motion_leaves_the_numbers` |
+//! | turned frames: the same gradients in space | `aligned_frames_keep_gradients_in_space` |
+//! | cells: a constant flux sums to the edge normals | `cells_sum_a_constant_flux_to_the_edge_normals` |
+//! | kernels and nodal stencils do once changed, rows kept | `kernel_stencils_become_consistent_on_flat_clouds`, `nodal_stencils_become_consistent_on_flat_clouds` (tests/consistency.rs) |
+//! | on four corners the consistent kernel *is* the cell operator | `the_consistent_operator_on_the_corners_of_a_cell_is_the_cell_operator` |
+//! | flat clouds: `Σ r·X = 2ΣA`, `Σ r = 0` | `flat_clouds_obey_the_divergence_theorem` (tests/clouds.rs) |
+//! | kernels: integral one, slope the derivative, smooth end | `every_kernel_integrates_to_one`, `every_slope_is_the_derivative_of_the_value`, `every_kernel_falls_smoothly_to_zero_at_its_support` (src/kernel.rs) |
+//! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
+//! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
 mod boundary;
 mod cell;

@@ -67,7 +67,7 @@ pub(crate) struct CellPack {
     twist: [Pack; 3],
     /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; nought for triangles.
     stiffness: [Pack; 2],
-    /// `w k_a` \[F L\]; nought for triangles.
+    /// `w k_a` \[F L³\]; nought for triangles.
     swirl: Pack,
     /// One quarter; nought for triangles, which have no pattern.
     quarter: Pack,

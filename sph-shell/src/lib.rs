@@ -1,19 +1,172 @@
 //! A thin shell carried by one layer of SPH particles: the model.
 //!
-//! Particles hold a position `x` and a unit director `d`. Strains are sampled at points whose
-//! stencils come from `sph-core`, turned into resultants by `shell-kinematics`, and carried back to
-//! the particles by the transposed stencils, so that forces are the exact derivative of an energy.
-//! `explicit-dynamics` marches the result. [`Formulation`] says where the points lie.
+//! After \[lin2013\]; shells over meshless fields go back to \[krysl1996\]. Particles hold a position x and a unit
+//! director d. Strains are sampled at points whose stencils come from `sph-core`, turned into resultants by
+//! `shell-kinematics`, and carried back to the particles by the transposed stencils, so that forces are the exact
+//! derivative of an energy. `explicit-dynamics` marches the result, `implicit-statics` balances it.
 //!
 //! | where is | look in |
 //! |---|---|
-//! | the point loop (strain → stress → force) | `point.rs`, `Shell::internal_force` |
+//! | the point loop (strain → stress → force) | `point.rs`, [`Shell::internal_force`] |
 //! | the step of one particle (kick, hold, drift) | `particle.rs` |
 //! | the whole step in one sweep | `fused.rs` |
-//! | strains and resultants, to be read | `results.rs` |
+//! | strains and resultants, to be read | `results.rs`, [`Shell::point_results`] |
+//! | the tangent | `stiffness.rs`, [`StaticShell`] |
 //! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
 //! | what a clamp does | `supports.rs` |
 //! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
+//!
+//! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
+//!
+//! ```
+//! use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
+//! use sph_core::{EndWeights, Plate, Vec3, lattice};
+//! use sph_shell::{Formulation, Parts, Reach, Shell};
+//!
+//! let (young, thickness) = (200.0, 0.5);
+//! let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [9, 5], EndWeights::Trapezoid)?;
+//! let places = cloud.positions.clone();
+//! let edge = cloud.lattice.map_or(Vec::new(), |lattice| lattice.column(0));
+//! let mut shell = Shell::new(Parts {
+//!     cloud,
+//!     section: Box::new(IsotropicSection::new(Isotropic::new(young, 0.0)?, thickness)?),
+//!     strain: &StretchCorrected,
+//!     material_axis: None,
+//!     density: 1.0,
+//!     formulation: Formulation::StressPoint(Reach::Cell),
+//!     supports: Vec::new(),
+//!     loads: Vec::new(),
+//!     threads: 1,
+//! })?;
+//! for (a, x) in places.iter().enumerate() {
+//!     shell.set_state(a, Vec3::new(1.1 * x.x, x.y, x.z), Vec3::z());
+//! }
+//! shell.evaluate_internal(true);
+//! let e11 = 0.5 * (1.1_f64.powi(2) - 1.0);
+//! assert!((shell.stored_energy() - 0.5 * young * thickness * e11 * e11 * 2.0).abs() < 1e-12);
+//! let pull: f64 = edge.iter().map(|&a| shell.internal_force(a as usize)[0]).sum();
+//! assert!((pull + young * thickness * e11 * 1.1).abs() < 1e-11); // n¹ = N11 x,1 over a width of one
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The discrete shell
+//!
+//! ```text
+//! U = Σ_p w_p ψ(ε_p) + U_h                     ε_p from x,α = Σ G_αb x_b,  d = Σ φ_b d_b,  d,α = Σ G_αb d_b
+//! f_b = −∂U/∂x_b = −Σ_p w_p (n¹ G₁_b + n² G₂_b) + …
+//! τ_b = −∂U/∂d_b = −Σ_p w_p (q φ_b + m¹ G₁_b + m² G₂_b) + …
+//! m_a ẍ_a = f_a + load          I_a d̈_a = (f_d)_⊥,  f_d = τ_a + load,  the part across d_a, on the sphere |d_a| = 1
+//! ```
+//!
+//! ψ is the section's energy per area, U_h that of the zero-energy control, the dots its forces. Masses are
+//! `m_a = ρ t A_a` ([`Reference::masses`]), rotary inertias `I_a = ρ t A_a max(t², Ā_a)/12` with Ā_a the mean area of
+//! the cells at a ([`Reference::inertias`]): scaled up for thin shells, so that the stable step does not collapse with
+//! the thickness. Modes of vibration take `ρ t A_a t²/12`. Since [`Shell`] sums forces by the transpose of the
+//! stencils, a free shell keeps momentum and moment of momentum to round-off, and energy to second order of the step.
+//!
+//! # The dial: where strains are sampled
+//!
+//! | [`Formulation`] | points | stencil | zero-energy control |
+//! |---|---|---|---|
+//! | `StressPoint` with [`Reach::Cell`] | one a cell | its three or four particles | hourglass of the cell |
+//! | `StressPoint` with [`Reach::Kernel`] | one a cell | corrected kernel, divergence-consistent | pairs |
+//! | `Nodal` | the particles | least squares of order 1, 2, 3 | pairs |
+//! | `StrongForm` | the particles | least squares of order 1 | none |
+//!
+//! Stress points apart from the particles are a known cure of nodal sampling \[belytschko2000\]; with four particles a
+//! cell it is algebraically the uniform-gradient quadrilateral \[flanagan1981\] with a director.
+//!
+//! # Kirchhoff-consistent shear
+//!
+//! On a stencil that is not exact on quadratic fields a Kirchhoff deflection of curvature κ leaves a shear in `x,α·d`.
+//! What it leaves is known and taken out:
+//!
+//! ```text
+//! γ̂_α = γ_α + E_α,βγ κ_βγ        E_α,11 = ½Σ G_α ξ²,  E_α,22 = ½Σ G_α η²,  E_α,12 = ½Σ G_α ξη
+//! ```
+//!
+//! with κ₁₂ entering as 2κ₁₂, once. The tensor is `sph_core::SamplingOperator::second_moments`; it vanishes on
+//! parallelograms.
+//!
+//! # Zero-energy control of cells
+//!
+//! One point does not see the pattern h = (1, −1, 1, −1). With `γ_b = ¼[h_b − G₁_b(h·ξ) − G₂_b(h·η)]`, which is blind
+//! to linear fields \[flanagan1981\], `q_x = Σ γ_b x_b`, `q_d = Σ γ_b d_b`, `H_αβ = Σ γ_b ξ_α ξ_β`,
+//!
+//! ```text
+//! s1 = q_x·x,₁    s2 = q_x·x,₂    s3 = q_x·d + ½ H:k    s4 = q_d·x,₁    s5 = q_d·x,₂    s6 = x,₁·d,₂ − x,₂·d,₁
+//! U_h = (4/3) [β_x k_s (s1² + s2² + s3²) + β_d D_b (s4² + s5²)] + ½ w k_a s6²           (each s less its reference)
+//! k_s = (5/6)Gt · t²/(t² + w)      k_a = k_s ρ²/12      β_x = 0.1 + 0.4 t²/(t² + w)      β_d = 0.2
+//! ```
+//!
+//! ρ² is here the mean of ξ² + η² over the four particles. s3 leaves a constant twist free, since a Kirchhoff shell has
+//! `x,αβ·d = −k_αβ`; s6, the swirl, is curl of shear alone. The measurements behind β_x and β_d are in
+//! docs/zero-energy-control.md.
+//!
+//! # Curvature along arcs
+//!
+//! Directors are unit vectors and their differences chords: a cell that turns by ψ finds `(2/Δ) sin ½ψ` for `ψ/Δ`.
+//! Strains take `k̂ = c k`,
+//!
+//! ```text
+//! u = 1 − d·d      z = s4² + s5²      c = 1 + u/6 + 3u²/40 + z (1/3 + 13u/30)
+//! ```
+//!
+//! to second order the exact ratio of arc to chord for a cell that turns about one axis and swings in that plane. It is
+//! part of the energy, with its forces and its tangent, for the formulation by cells.
+//!
+//! # Zero-energy control of wide stencils
+//!
+//! The residual of a pair of particles over nodal gradients of order 2, as \[ganzenmuller2015\] controls solids, made
+//! blind to quadratic fields:
+//!
+//! ```text
+//! e = x_b − x_a − (what the gradients and directors of both ends predict),     g likewise for d
+//! U_h = Σ_pairs ½ (ω/|X_b − X_a|²) (β k_s |e|² + β D_b |g|²)      β = 0.1 (1 + 4t²/(t² + A)),  A the mean area of both ends
+//! ```
+//!
+//! k_s takes A in the place of w. e and g are linear in (x, d): a constant matrix, assembled once. The full formula
+//! opens `pair_control.rs`.
+//!
+//! # The strong form
+//!
+//! [`Formulation::StrongForm`] is \[lin2013\] to the letter, with the corrected gradient \[chen1999\] of the first
+//! particle of each pair:
+//!
+//! ```text
+//! m_a ẍ_a = A_a Σ_b [(P_a + P_b)·g_ab − ρ₀² t Π_ab g_ab],   P = n¹⊗T₁ + n²⊗T₂        eq. 4;  eq. 9 likewise with moments and q
+//! Π = (μ/ρ₀)(−c̄ϑ + 2ϑ²) for approaching particles, else 0
+//! ρ̇_a = −ρ_a Σ_b (v_b − v_a)·g_ab                                                     eq. 3, density_rate
+//! ```
+//!
+//! g_ab is the corrected gradient of a towards b, ϑ < 0 the rate of their distance, c̄ the sound speed, ρ₀ the density;
+//! Π is subtracted as a pressure, where the paper adds it. There is no energy behind it, its stiffness is not
+//! symmetric, momentum is not kept; the tests measure that, and validation what it costs in accuracy.
+//!
+//! # Supports and loads
+//!
+//! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
+//! or both turns. [`Held`] is the general one; [`Clamped`], [`Hinged`], [`SymmetryPlane`], [`Diaphragm`] are named
+//! cases, [`Moved`] prescribes. Held parts are taken out of velocities in the march and are no unknowns in statics. A
+//! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower) and [`EdgeCouple`],
+//! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | force is the derivative of the energy, every formulation and strain | `force_is_the_derivative_of_the_energy` (tests/energy.rs) |
+//! | internal forces and moments cancel; rigid motion is free of force and energy | `forces_and_moments_cancel`, `finite_rigid_motion_is_free_of_force_and_energy` |
+//! | a turned shell has turned forces | `turned_clouds_give_turned_forces` |
+//! | patch tests: constant membrane force and constant moment are in balance, and are read exactly | `constant_membrane_force_is_balanced`, `constant_moment_is_balanced` (tests/patch.rs), `a_constant_stretch_is_read_exactly`, `a_constant_bending_is_read_exactly` (tests/results.rs) |
+//! | a free shell has six zero modes and no more; no negative stiffness | `free_shells_have_exactly_six_zero_modes`, `laminated_free_shells_have_exactly_six_zero_modes` (tests/modes.rs) |
+//! | tangent and forces along the unknowns are derivatives of the energy | `the_tangent_is_the_second_derivative_of_the_energy`, `forces_along_the_unknowns_are_the_first_derivative` (tests/statics.rs) |
+//! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
+//! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
+//! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
+//! | what a laminate and its axes promise | tests/layered.rs |
+//! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
+//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs) |
 
 mod cell_control;
 mod couple;

@@ -1,7 +1,7 @@
 //! The judge: runs scenes, holds their results against references, and says which tolerance is missed.
 //!
-//! Data flow one way: [`Case`] (what to run, what to compare with) → [`Run`] (what came out) → [`Record`]
-//! (metrics with verdicts) → table, JSON, report.
+//! Data flow one way: [`Case`] (what to run, what to compare with) → [`Run`] (what came out) → [`Record`] (metrics with
+//! verdicts) → table, JSON, report.
 //!
 //! | where is | look in |
 //! |---|---|
@@ -13,6 +13,77 @@
 //! | explicit, static, finite elements and published side by side | `answers.rs` |
 //! | interpolation, order of convergence, frontier | `measure.rs` |
 //! | the printed table, the HTML report | `table.rs`, `report/*.rs` |
+//!
+//! ```
+//! use validation::{Metric, measure};
+//!
+//! // A limit load of 2.2219 against the published 2.222, judged to half a per cent.
+//! let metric = Metric::compared("limit load", Some(2.2219), "kN", 2.222)
+//!     .within(0.011, "half a per cent: the spread of the published values");
+//! assert!(metric.pass && metric.error.is_some_and(|error| error < 2e-4));
+//!
+//! // Errors that fall with the square of the spacing are of order two.
+//! let order = measure::order_of_convergence(&[(0.4, 0.16), (0.2, 0.04), (0.1, 0.01)]);
+//! assert!(order.is_some_and(|order| (order - 2.0).abs() < 1e-12));
+//! ```
+//!
+//! # Verdicts
+//!
+//! A [`Metric`] has a value, a unit and, where there is one, a reference:
+//!
+//! ```text
+//! error = |value − reference|              Metric::compared
+//!         max(0, reference − value)        Metric::at_least
+//!         the value itself                 Metric::error
+//! pass  = error ≤ tolerance                Metric::within, with a reason; else the metric is only reported
+//! ```
+//!
+//! A value that was not reached fails where it is judged. Each run also has to come to rest at every load level and to
+//! reach its end, unless its method is known not to ([`Variant::restless`], for the strong form). The exit code is 1 if
+//! any record fails ([`run::exit_code`]).
+//!
+//! # What is compared with what
+//!
+//! The problems have up to four answers ([`answers`]): the particles marched in time, the same particles and energy
+//! without time, the finite-element shell of `benchmarks-ref` on the same nodes, and what is published. For the default
+//! formulation the error of an explicit run splits into
+//!
+//! ```text
+//! explicit − reference = (static − reference) + (explicit − static)
+//!                         discretisation         dynamics: damping, unfinished rest, the stop criterion
+//! ```
+//!
+//! | problems | references |
+//! |---|---|
+//! | ring, thin ring, end shear | the elastica \[simo1989\], \[mattiasson1981\]; shell elements \[sze2004\] |
+//! | hinged panel: limit load, snap-back, laminates | \[sze2004\]; bricks; the seed paper \[lin2013\] and its reference \[klinkel1999\] |
+//! | linear obstacle course, twisted beam | \[macneal1985\] and the values confirmed since, in the catalogue |
+//! | plates of any thickness: deflection, frequencies, buckling | \[timoshenko1959\], \[timoshenko1961\], tables in the catalogue |
+//! | hemisphere, open cylinder, pinched cylinder, large displacements | \[sze2004\] |
+//! | ring with the Green–Lagrange split | its own closed form, `benchmarks_ref::rolled_strip` |
+//! | patch test, turned scene, smoothness under a point load | exact, or the run itself |
+//!
+//! Where a run has several spacings, the order of convergence is the slope of the straight line through the logarithms
+//! of spacing and error ([`measure::order_of_convergence`]); values between recorded points are cubic, of order h⁴
+//! ([`measure::cubic_at`]). A limit load is the top of the parabola through the largest recorded load and its
+//! neighbours (`benchmarks_ref::Curve::maximum`). Cost against error along the dial is drawn as the runs that no other
+//! beats in both ([`measure::frontier`]).
+//!
+//! # The quick set, the full set, the hard cases
+//!
+//! A quick variant ([`Variant::quick`]) is judged by `cargo xtask test`, the full set by `cargo xtask ci`. The hard
+//! cases are ways to break a shell, known from practice: disorder, extreme thickness, spin, sudden loads, steps at the
+//! limit, bad clouds. What is known to fail is asserted as it fails, with its cause, under the metric
+//! [`survival::KNOWN`]: a repair shows as a changed verdict.
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | the quick set keeps its tolerances, each with a reason, and stays as it was reviewed | `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` (tests/quick) |
+//! | a missed tolerance gives exit code one; what was not reached fails | `a_missed_tolerance_gives_exit_code_one`, `a_level_that_was_never_reached_fails` (src/run.rs), `what_was_not_reached_fails_but_only_if_it_is_judged` (src/record.rs) |
+//! | cases and their runs can be told apart | `cases_and_their_runs_can_be_told_apart` (src/cases/mod.rs) |
+//! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/measure.rs) |
 
 pub mod answers;
 pub mod case;

@@ -37,7 +37,7 @@ enum Task {
 
     /// Run the benches, all or those whose name contains FILTER
     ///
-    /// Finds every [[bench]] target of the workspace. Targets named "…instructions…" count instructions under
+    /// Finds every `[[bench]]` target of the workspace. Targets named "…instructions…" count instructions under
     /// valgrind, which does not drift with the load of the machine; without valgrind they are skipped, and said so.
     Bench(bench::Options),
 

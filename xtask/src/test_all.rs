@@ -79,10 +79,14 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
     let full = validate::Options { report: Some("target/ci-report".to_owned()), ..Default::default() };
 
     let clippy = words(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+    // broken links between pages are warnings, and no page should have one
+    let strict = r#"build.rustdocflags = ["-D", "warnings"]"#;
+    let pages = words(&["doc", "--workspace", "--no-deps", "--config", strict]);
     let mut steps = vec![
         Step { name: "format", action: Action::IfInstalled("fmt", words(&["fmt", "--all", "--check"])) },
         Step { name: "tidy", action: Action::Tidy },
         Step { name: "lints", action: Action::IfInstalled("clippy", clippy) },
+        Step { name: "pages", action: Action::Cargo(pages) },
         Step { name: "python", action: Action::Python },
         Step { name: "tests", action: Action::Cargo(words(tests)) },
     ];
@@ -162,6 +166,7 @@ mod tests {
                 "cargo fmt --all --check",
                 "cargo xtask tidy",
                 "cargo clippy --workspace --all-targets -- -D warnings",
+                "cargo doc --workspace --no-deps --config 'build.rustdocflags = [\"-D\", \"warnings\"]'",
                 "cargo xtask python",
                 "cargo nextest run --workspace",
                 "cargo test --doc --workspace",
@@ -170,7 +175,7 @@ mod tests {
                  --report target/validation-hard",
             ]
         );
-        assert_eq!(commands(Depth::Quick, false)[4..5], ["cargo test --workspace"]);
+        assert_eq!(commands(Depth::Quick, false)[5..6], ["cargo test --workspace"]);
         assert!(!commands(Depth::Quick, false).iter().any(|command| command.contains("--doc")));
     }
 

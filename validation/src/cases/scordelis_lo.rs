@@ -7,9 +7,8 @@
 
 use benchmarks_ref::fe_shell::cases::scordelis_lo as elements;
 
-use super::dial::ELEMENTS;
 use super::linear;
-use crate::case::{Case, Headline, Published, Run};
+use crate::case::{Case, Headline, Run};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../scenes/scordelis-lo.toml");
@@ -29,25 +28,12 @@ pub fn case() -> Case {
         each,
         together: |_| Ok(Vec::new()),
         // The published value and that of bricks are 0.33 % apart.
-        headline: Some(Headline { metric: NAME, floor: 0.1, published }),
+        headline: Some(Headline { metric: NAME, floor: 0.1, published: || linear::published(0, DEFLECTION) }),
         figures: |_| Ok(Vec::new()),
     }
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let judged = match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (ELEMENTS, "17×17") => (Some(1.0), "issue 3: finite elements within 1 % at 16 elements a side"),
-        (ELEMENTS, _) => (None, "judged at 16 elements a side"),
-        (_, "21×21") => (Some(1.0), "issue 3: particles within 1 % at 21² a quarter"),
-        _ => (None, "judged at 21²"),
-    };
+    let judged = linear::one_percent(run);
     Ok(vec![linear::figure(run, NAME, "w_edge", DEFLECTION, judged)?])
-}
-
-fn published() -> Result<Vec<Published>, JudgeError> {
-    let error = 100.0 * (linear::bricks(0)? / DEFLECTION - 1.0).abs();
-    Ok(vec![
-        Published { source: "MacNeal and Harder 1985", error: None },
-        Published { source: "CalculiX, bricks", error: Some(error) },
-    ])
 }

@@ -4,10 +4,13 @@
 //! machine, and round-off where a stop criterion falls on its edge.
 
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use serde_json::{Value, json};
 use validation::record::{Metric, Table};
-use validation::{Record, Run};
+use validation::{CaseResult, Record, Run};
+
+use crate::Faults;
 
 /// Significant digits of values; rest is asked for to about 1e-5 of the displacements.
 const VALUE_DIGITS: usize = 4;
@@ -75,14 +78,21 @@ fn record((run, record): (&Run, &Record)) -> Value {
     })
 }
 
-#[test]
-fn the_quick_set_stays_as_it_was_reviewed() {
-    insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false }, {
-        for result in crate::quick() {
-            let records: Vec<Value> = result.runs.0.iter().zip(&result.records).map(record).collect();
+/// Cases that differ from their snapshots; each difference is printed and left as `.snap.new` beside the snapshot.
+pub fn changed(results: &[CaseResult]) -> Faults {
+    let agrees = |result: &CaseResult| {
+        let records: Vec<Value> = result.runs.0.iter().zip(&result.records).map(record).collect();
+        insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false }, {
             insta::assert_json_snapshot!(result.case.name, records);
-        }
-    });
+        });
+    };
+    // A snapshot that differs panics: caught, so that one run shows them all.
+    let differs = |result: &&CaseResult| catch_unwind(AssertUnwindSafe(|| agrees(result))).is_err();
+    results
+        .iter()
+        .filter(differs)
+        .map(|result| format!("{}: see the difference above", result.case.name))
+        .collect()
 }
 
 #[test]

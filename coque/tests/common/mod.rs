@@ -1,0 +1,53 @@
+//! Scenes for tests: those of the repository with values replaced, their runs, and what a column reads.
+
+#![allow(dead_code)] // each test binary uses its own part
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use coque::{Outcome, Scene, SceneError, Silent};
+
+/// Overrides of a scene: paths and values.
+pub type Replaced<'a> = &'a [(&'a str, &'a str)];
+
+/// The scenes of the repository.
+pub fn scenes() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
+}
+
+/// The text of one of them.
+pub fn text(name: &str) -> String {
+    fs::read_to_string(scenes().join(name)).unwrap()
+}
+
+/// A scene of some text with values replaced.
+pub fn overridden(text: &str, origin: &str, replaced: Replaced) -> Result<Scene, SceneError> {
+    let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+    Scene::with_overrides(text, origin, &pairs)
+}
+
+/// A scene of the repository with values replaced.
+pub fn scene(name: &str, replaced: Replaced) -> Result<Scene, SceneError> {
+    overridden(&text(name), name, replaced)
+}
+
+/// Runs a scene on one thread.
+pub fn ran(scene: Result<Scene, SceneError>) -> Outcome {
+    scene.unwrap().build(1).unwrap().run(&mut Silent)
+}
+
+/// Runs a scene of the repository with values replaced, on one thread.
+pub fn run(name: &str, replaced: Replaced) -> Outcome {
+    ran(scene(name, replaced))
+}
+
+/// All values of a column.
+pub fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
+    outcome.curve.column(name).unwrap()
+}
+
+/// The last value of a column: of a linear answer the only one.
+pub fn last(outcome: &Outcome, name: &str) -> f64 {
+    *column(outcome, name).last().unwrap()
+}
