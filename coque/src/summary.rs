@@ -128,7 +128,7 @@ impl Model {
             format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
             format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
         ];
-        modelled.extend(self.surface.clone());
+        modelled.extend(self.surface.as_ref().map(|surface| surface.line.clone()));
         let mut left_out: Vec<String> =
             ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
         match &scene.section {

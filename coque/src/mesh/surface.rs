@@ -21,6 +21,8 @@ pub struct Surface {
     pub file: String,
     /// What the file was.
     pub format: Format,
+    /// Checksum of its bytes.
+    pub checksum: u32,
     /// Positions of the nodes `[L]`.
     pub positions: Vec<Vec3>,
     /// Triangles and quadrangles, counter-clockwise about the normal; none for points.
@@ -108,6 +110,7 @@ impl Surface {
         let mut surface = Self {
             file: String::new(),
             format,
+            checksum: 0,
             loops: loops(&raw.positions, &edges),
             positions: raw.positions,
             faces,
