@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use sph_shell::PointResult;
 
-use super::content::{Content, read};
+use super::content::{Content, results};
 use super::read::listed;
 use super::vtu::Vtu;
 use super::whole::write_whole;
@@ -71,11 +71,8 @@ impl FieldFiles {
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        let stresses = self.stresses && frame.state.has_forces();
-        if stresses {
-            read(frame.shell, &mut self.results);
-        }
-        let content = Content { frame, results: stresses.then_some(&self.results[..]) };
+        let stresses = self.stresses && frame.has_forces();
+        let content = Content { frame, results: stresses.then(|| results(frame, &mut self.results)) };
         self.sheet.add(frame.along, |path| {
             write_whole(path, |file| {
                 let mut file = Vtu::begin(file)?;
