@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 use common::fields::{EVERYTHING, HINGE, Read, folder, listed, names, run, scene};
 use coque::scene::Fields;
-use coque::{Ended, Failure, FieldError, FieldFiles, FieldSink, Frame};
+use coque::{Ended, Failure, FieldError, FieldFiles, FieldSink, Frame, RunOptions, Silent};
 
 /// Looks at the folder after each frame, and cannot go on after some.
 struct Looking {
@@ -100,6 +100,23 @@ fn a_killed_program_leaves_whole_frames_and_a_list_of_them() {
         );
         fs::remove_dir_all(&out).unwrap();
     }
+}
+
+/// Two threads write sheet and body at once, one thread one after the other.
+#[test]
+fn any_number_of_threads_writes_the_same_files() {
+    let replaced = [("geometry.cylinder.particles", "[7, 7]"), ("analysis.static.levels", "2")];
+    let scene = scene("panel.toml", &replaced);
+    let written = [1, 2].map(|threads| {
+        let folder = folder(&format!("threads-{threads}"));
+        let mut files = FieldFiles::create(&folder, &EVERYTHING).unwrap();
+        let options =
+            RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut files), from: None };
+        assert_eq!(scene.build(threads).unwrap().run_with(options).unwrap().ended, Ended::Done);
+        names(&folder).into_iter().map(|name| fs::read(folder.join(name)).unwrap()).collect::<Vec<_>>()
+    });
+    assert_eq!(written[0].len(), 2 * (3 + 1));
+    assert!(written[0] == written[1]);
 }
 
 #[test]

@@ -73,21 +73,30 @@ impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
         let stresses = self.stresses && frame.has_forces();
         let content = Content { frame, results: stresses.then(|| results(frame, &mut self.results)) };
-        self.sheet.add(frame.along, |path| {
-            write_whole(path, |file| {
-                let mut file = Vtu::begin(file)?;
-                content.sheet(&mut file)?;
-                file.end()
+        let mut sheet = || {
+            self.sheet.add(frame.along, |path| {
+                write_whole(path, |file| {
+                    let mut file = Vtu::begin(file)?;
+                    content.sheet(&mut file)?;
+                    file.end()
+                })
             })
-        })?;
-        let Some(solid) = &mut self.solid else { return Ok(()) };
-        solid.add(frame.along, |path| {
-            write_whole(path, |file| {
-                let mut file = Vtu::begin(file)?;
-                content.solid(&mut file)?;
-                file.end()
+        };
+        let mut solid = || {
+            let Some(solid) = &mut self.solid else { return Ok(()) };
+            solid.add(frame.along, |path| {
+                write_whole(path, |file| {
+                    let mut file = Vtu::begin(file)?;
+                    content.solid(&mut file)?;
+                    file.end()
+                })
             })
-        })
+        };
+        // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
+        // has no pool, and must not wake that of the whole process.
+        let pooled = rayon::current_thread_index().is_some();
+        let (sheet, solid) = if pooled { rayon::join(sheet, solid) } else { (sheet(), solid()) };
+        sheet.and(solid)
     }
 }
 
