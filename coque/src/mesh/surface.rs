@@ -273,7 +273,8 @@ fn given_normals(raw: &mut Raw, faces: &[Cell]) -> Result<Option<Vec<Vec3>>, Mes
         let along = normal.try_normalize(0.0).map(|unit| unit.dot(mean));
         if !along.is_some_and(|along| along > 0.0 || faces.is_empty()) {
             let what = format!("the normal of {} does not point along those of its faces", raw.name(node));
-            return Err(MeshError::whole(what, "turn it round, or leave the normals out of the file"));
+            let repair = "turn it round, or leave the normals out of the file";
+            return Err(MeshError::at(raw.line_at(node), what, repair));
         }
     }
     Ok(Some(given))
