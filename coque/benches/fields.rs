@@ -45,6 +45,7 @@ fn frames(c: &mut Criterion) {
                 level: 1.0,
                 driven: None,
                 homogeneous: true,
+                linear: None,
             };
             let wanted = Fields { every: 1, stresses, extruded };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {

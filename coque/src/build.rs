@@ -7,7 +7,7 @@ use sph_core::{Cloud, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
-use crate::imported::Imported;
+use crate::imported::{Imported, Provenance};
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
@@ -19,8 +19,8 @@ pub struct Model {
     pub shell: Shell,
     /// The scene it was built from.
     pub scene: Scene,
-    /// Where the surface comes from and what became of its faces, if it was read from a file.
-    pub(crate) surface: Option<String>,
+    /// Where the surface comes from, if it was read from a file.
+    pub(crate) surface: Option<Provenance>,
     pub(crate) gauges: Vec<Gauge>,
     /// The prescribed motion whose force is sought, in analyses without time.
     pub(crate) driven: Option<Driven>,
@@ -83,7 +83,7 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
-        let surface = imported.map(|imported| imported.describe());
+        let surface = imported.map(|imported| imported.provenance());
         Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1) })
     }
 

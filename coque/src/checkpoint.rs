@@ -57,9 +57,11 @@ pub struct Checkpoint {
     kept: Kept<'static>,
 }
 
-/// All that changes while a run goes on.
+/// All that changes while a run goes on, and the checksum of what does not.
 #[derive(Serialize, Deserialize)]
 struct Kept<'a> {
+    /// Of the particles at rest, as [`checksum`] finds it.
+    model: u32,
     place: Cow<'a, Place>,
     motion: [Cow<'a, [[f64; 6]]>; 2],
     /// Directors and angles of each gauge.
@@ -118,6 +120,10 @@ impl Checkpoint {
         let kept = self.kept;
         let width = found.curve.columns.len();
         let [state, rates] = &kept.motion;
+        if state.len() == model.shell.len() && kept.model != checksum(model) {
+            let surface = model.surface.as_ref().map_or("the mid-surface", |surface| &surface.file);
+            return Err(CheckpointError::Surface(surface.into()));
+        }
         let fits = kept.turned.len() == model.gauges.len()
             && kept.rows.iter().all(|row| row.len() == width)
             && model.shell.take_up([state, rates]);
@@ -141,10 +147,29 @@ impl Checkpoint {
     }
 }
 
+/// Checksum of where the particles are and how they are joined at rest, and of the file that tells it, if one does:
+/// sets, and so supports and loads, stand there too.
+fn checksum(model: &Model) -> u32 {
+    let mut sum = crc32fast::Hasher::new();
+    let cloud = &model.shell.reference().cloud;
+    for x in cloud.positions.iter().flat_map(|position| position.iter()) {
+        sum.update(&x.to_le_bytes());
+    }
+    for corner in cloud.cells.iter().flat_map(|cell| cell.particles()) {
+        sum.update(&corner.to_le_bytes());
+    }
+    if let Some(surface) = &model.surface {
+        sum.update(&surface.checksum.to_le_bytes());
+    }
+    sum.finalize()
+}
+
 /// Writes the checkpoints of a run into its folder.
 pub struct Checkpoints {
     file: PathBuf,
     origin: Origin,
+    /// Checksum of the model that runs.
+    model: u32,
     every: Duration,
     begun: Instant,
     last: Option<Instant>,
@@ -155,7 +180,12 @@ impl Checkpoints {
     pub fn new(folder: &Path, origin: Origin, every: f64) -> Self {
         // Beyond the range of durations there is no second checkpoint.
         let every = Duration::try_from_secs_f64(every).unwrap_or(Duration::MAX);
-        Self { file: folder.join(CHECKPOINT), origin, every, begun: Instant::now(), last: None }
+        Self { file: folder.join(CHECKPOINT), origin, model: 0, every, begun: Instant::now(), last: None }
+    }
+
+    /// Takes note of the model that is about to run.
+    pub(crate) fn of(&mut self, model: &Model) {
+        self.model = checksum(model);
     }
 
     /// Whether one is to be written now; `asked` where one is wanted at any rate.
@@ -172,6 +202,7 @@ impl Checkpoints {
         found: &Findings<'_>,
     ) -> Result<(), CheckpointError> {
         let kept = Kept {
+            model: self.model,
             place: Cow::Borrowed(place),
             motion: motion.map(Cow::Borrowed),
             turned: gauges.iter().map(|gauge| Cow::Borrowed(&gauge.turned[..])).collect(),

@@ -22,7 +22,8 @@ mod whole;
 
 use std::ops::ControlFlow;
 
-use sph_shell::Shell;
+use sph_core::Vec3;
+use sph_shell::{PointResult, Shell};
 
 pub use files::FieldFiles;
 pub use read::{Array, ReadError, Sheet, listed};
@@ -52,7 +53,7 @@ pub struct FieldError {
 /// A state of the shell that is worth showing.
 #[derive(Clone, Copy)]
 pub struct Frame<'a> {
-    /// The shell in this state; its forces are those of the state where [`State::has_forces`].
+    /// The shell in this state; its forces are those of the state, but for a linear answer and a mode.
     pub shell: &'a Shell,
     /// What kind of state it is.
     pub state: State,
@@ -66,6 +67,28 @@ pub struct Frame<'a> {
     pub driven: Option<u32>,
     /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
     pub homogeneous: bool,
+    /// The forces of a linear answer.
+    pub linear: Option<&'a LinearForces>,
+}
+
+impl Frame<'_> {
+    /// Whether there are forces to show: stresses and reactions.
+    pub fn has_forces(&self) -> bool {
+        match self.state {
+            State::Moving | State::Balance => true,
+            State::Linear => self.linear.is_some(),
+            State::Mode => false,
+        }
+    }
+}
+
+/// What a linear answer holds beside its motion: all of it grows with the load, none of it is that of the moved shell.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinearForces {
+    /// Strains and resultants of every sampling point, with its direction at rest.
+    pub points: Vec<PointResult>,
+    /// Reactions of all particles \[F\].
+    pub reactions: Vec<Vec3>,
 }
 
 /// Kinds of states.
@@ -75,18 +98,11 @@ pub enum State {
     Moving,
     /// An equilibrium found without time.
     Balance,
-    /// A linear answer: displacements are its own, directors turned by its rotations. The forces of that state are none of
-    /// the linear answer.
+    /// A linear answer: displacements are its own, directors turned by its rotations, forces those of
+    /// [`Frame::linear`].
     Linear,
     /// A mode, scaled for the eye: displacements show its shape, stresses and reactions have no size.
     Mode,
-}
-
-impl State {
-    /// Whether the forces of the shell in this state are those that were sought: stresses and reactions can be shown.
-    pub fn has_forces(self) -> bool {
-        matches!(self, Self::Moving | Self::Balance)
-    }
 }
 
 /// Counts the frames that a run offers and hands on every N-th.
@@ -131,6 +147,22 @@ impl<'a> Frames<'a> {
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
     pub(crate) fn offer(&mut self, shell: &Shell, time: f64, level: f64) -> ControlFlow<()> {
+        self.offer_with(shell, time, level, None)
+    }
+
+    /// The same for a linear answer, of which there is but one.
+    pub(crate) fn offer_linear(&mut self, shell: &Shell, forces: &LinearForces) {
+        // Nothing follows: a frame that could not be taken is told by the failure.
+        let _ = self.offer_with(shell, 0.0, 1.0, Some(forces));
+    }
+
+    fn offer_with(
+        &mut self,
+        shell: &Shell,
+        time: f64,
+        level: f64,
+        linear: Option<&LinearForces>,
+    ) -> ControlFlow<()> {
         let number = self.offered;
         let wanted = self.failure.is_none() && number.is_multiple_of(self.every);
         self.offered += 1;
@@ -141,7 +173,7 @@ impl<'a> Frames<'a> {
                 Along::Number(first) => (first + number) as f64,
             };
             let Self { state, driven, homogeneous, .. } = *self;
-            let frame = Frame { shell, state, along, level, driven, homogeneous };
+            let frame = Frame { shell, state, along, level, driven, homogeneous, linear };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,
                 Err(error) => self.failure = Some(Failure::Fields(error)),

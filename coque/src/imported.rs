@@ -16,6 +16,17 @@ const NO_DIRECTION: f64 = 1e-6;
 /// Parts of a thickness by which points may differ from that of the section.
 const SAME_THICKNESS: f64 = 1e-6;
 
+/// Where the particles of a model come from, if from a file.
+#[derive(Clone, Debug)]
+pub(crate) struct Provenance {
+    /// The file.
+    pub(crate) file: String,
+    /// Checksum of its bytes.
+    pub(crate) checksum: u32,
+    /// What became of its faces, in a line for the summary.
+    pub(crate) line: String,
+}
+
 /// A surface, the cloud made of it, and its boundary.
 #[derive(Clone, Debug)]
 pub(crate) struct Imported {
@@ -112,11 +123,12 @@ impl Imported {
         cloud.map_err(|error| refuse(scene, &self.surface.refusal(&error)))
     }
 
-    /// One line for the summary.
-    pub(crate) fn describe(&self) -> String {
-        let normals = if self.surface.normals.is_some() { "the file" } else { "the faces" };
-        let cells = self.cells.to_string();
-        format!("surface from {}: {cells}, normals from {normals}", self.surface.file)
+    /// Where the particles come from.
+    pub(crate) fn provenance(&self) -> Provenance {
+        let Surface { file, checksum, normals, .. } = &self.surface;
+        let from = if normals.is_some() { "the file" } else { "the faces" };
+        let line = format!("surface from {file}: {}, normals from {from}", self.cells);
+        Provenance { file: file.clone(), checksum: *checksum, line }
     }
 }
 

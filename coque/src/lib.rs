@@ -142,7 +142,9 @@ pub use checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origi
 pub use curve::{Column, Curve, NotACurve};
 pub use error::{Fault, Place, SceneError};
 pub use estimate::Estimate;
-pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
+pub use fields::{
+    Array, FieldError, FieldFiles, FieldSink, Frame, LinearForces, ReadError, Sheet, State, listed,
+};
 pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};

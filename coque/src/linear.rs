@@ -1,15 +1,19 @@
-//! The linear answer: one factorisation at the unloaded shell, and what every gauge reads along it.
+//! The linear answer: one factorisation at the unloaded shell, and what is read along it: gauges, stresses, reactions.
+
+use std::array::from_fn;
 
 use implicit_statics::{Equilibrium, linear_response};
-use sph_shell::StaticShell;
+use sph_core::Vec3;
+use sph_shell::{PointResult, Shell, StaticShell};
 
 use crate::build::Driven;
-use crate::modes::{keep_shape, scaled, show};
+use crate::fields::LinearForces;
+use crate::modes::{keep_shape, scaled};
 use crate::path::energies;
 use crate::probe::Gauge;
 use crate::run::{Ended, Failure, Findings};
 
-/// Largest displacement, in thicknesses, of the states between which gauges are differentiated.
+/// Largest displacement, in thicknesses, of the states between which gauges, stresses and reactions are differentiated.
 ///
 /// A gauge reads `v(ε)` along the motion; the linear value adds to `v(0)` the slope there, by central differences over
 /// ε and 2ε: `(4 s(ε) − s(2ε)) / 3` with `s(ε) = (v(ε) − v(−ε)) / 2ε`. Rounding of positions is 2e-16 of the extent
@@ -38,12 +42,17 @@ pub(crate) fn linear(
     let rest = system.save();
     let largest = largest(system, &motion);
     let step = if largest > 0.0 { REACH * system.shell().thickness() / largest } else { 1.0 };
+    let (columns, fields) = (gauges.len(), found.frames.is_some());
     let mut read = |system: &mut StaticShell, level: f64| {
         system.restore(&rest);
         system.update(&scaled(&motion, level));
         // The force that brings a prescribed motion about is the reaction that is sought, not a load.
         system.evaluate(if driven.is_some() { 0.0 } else { level });
-        gauges.iter_mut().map(|gauge| gauge.read(system.shell())).collect::<Vec<f64>>()
+        let mut values: Vec<f64> = gauges.iter_mut().map(|gauge| gauge.read(system.shell())).collect();
+        if fields {
+            read_forces(system.shell(), &mut values);
+        }
+        values
     };
     // Rotations are counted on from the first reading, at rest.
     let [here, ahead, beyond, behind, before] = [0.0, 1.0, 2.0, -1.0, -2.0].map(|k| read(system, k * step));
@@ -53,16 +62,62 @@ pub(crate) fn linear(
     let internal = 0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>();
     // One solve; at rest no direction is unstable.
     let mut row = vec![1.0, internal, 1.0, 0.0];
-    row.extend((0..here.len()).map(|i| {
+    let linear = |i: usize| {
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
-    }));
+    };
+    row.extend((0..columns).map(linear));
     found.curve.rows.push(row);
     found.energies = energies(internal);
     found.newton_iterations = 1;
     keep_shape(system, &motion, 1.0, found);
-    // Nothing follows: a frame that could not be taken is told by the frames themselves.
-    let _ = show(system, &motion, 1.0, found);
+    let Some(frames) = &mut found.frames else { return };
+    let values: Vec<f64> = (columns..here.len()).map(linear).collect();
+    let forces = forces(system.shell(), &values);
+    system.update(&motion);
+    frames.offer_linear(system.shell(), &forces);
+    system.restore(&rest);
+}
+
+/// Numbers of a sampling point in a reading.
+const NUMBERS: usize = 16;
+
+/// Appends the reactions of all particles and the strains and resultants of all points.
+fn read_forces(shell: &Shell, values: &mut Vec<f64>) {
+    values.extend((0..shell.len()).flat_map(|a| <[f64; 3]>::from(shell.reaction(a))));
+    for point in points(shell) {
+        let PointResult { membrane, curvature, shear, force, moment, shear_force, t1: _ } = point;
+        for three in [membrane, curvature, force, moment] {
+            values.extend(three);
+        }
+        values.extend(shear);
+        values.extend(shear_force);
+    }
+}
+
+/// What [`read_forces`] wrote, put back in its place; the shell is at rest.
+fn forces(shell: &Shell, values: &[f64]) -> LinearForces {
+    let (reactions, numbers) = values.split_at(3 * shell.len());
+    let point = |(rest, n): (PointResult, &[f64])| PointResult {
+        membrane: from_fn(|i| n[i]),
+        curvature: from_fn(|i| n[3 + i]),
+        force: from_fn(|i| n[6 + i]),
+        moment: from_fn(|i| n[9 + i]),
+        shear: from_fn(|i| n[12 + i]),
+        shear_force: from_fn(|i| n[14 + i]),
+        t1: rest.t1,
+    };
+    LinearForces {
+        points: points(shell).into_iter().zip(numbers.chunks_exact(NUMBERS)).map(point).collect(),
+        reactions: reactions.chunks_exact(3).map(Vec3::from_column_slice).collect(),
+    }
+}
+
+/// Strains and resultants of the present state.
+fn points(shell: &Shell) -> Vec<PointResult> {
+    let mut points = vec![PointResult::default(); shell.reference().operator.points.len()];
+    shell.point_results(&mut points);
+    points
 }
 
 /// Largest displacement of a particle within a motion of the unknowns \[L\]; the state stays.

@@ -91,12 +91,7 @@ pub(crate) fn keep_shape(
 }
 
 /// Offers the shell moved by `motion` as a frame, if frames are wanted, and moves it back.
-pub(crate) fn show(
-    system: &mut StaticShell,
-    motion: &[f64],
-    level: f64,
-    found: &mut Findings<'_>,
-) -> ControlFlow<()> {
+fn show(system: &mut StaticShell, motion: &[f64], level: f64, found: &mut Findings<'_>) -> ControlFlow<()> {
     let Some(frames) = &mut found.frames else { return ControlFlow::Continue(()) };
     let rest = system.save();
     system.update(motion);

@@ -212,9 +212,12 @@ impl Model {
     /// The same with options: keeps checkpoints, shows frames, goes on from a checkpoint.
     ///
     /// # Errors
-    /// [`CheckpointError::Model`] for the checkpoint of another model.
+    /// [`CheckpointError::Surface`] and [`CheckpointError::Model`] for the checkpoint of another model.
     pub fn run_with(mut self, mut options: RunOptions<'_>) -> Result<Outcome, CheckpointError> {
         let mut found = self.nothing_yet(options.fields.take());
+        if let Some(checkpoints) = &mut options.checkpoints {
+            checkpoints.of(&self);
+        }
         let from = options.from.take().map(|from| from.put_into(&mut self, &mut found)).transpose()?;
         Ok(self.in_pool(options, found, from))
     }

@@ -128,7 +128,7 @@ impl Model {
             format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
             format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
         ];
-        modelled.extend(self.surface.clone());
+        modelled.extend(self.surface.as_ref().map(|surface| surface.line.clone()));
         let mut left_out: Vec<String> =
             ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
         match &scene.section {
@@ -158,8 +158,6 @@ impl Model {
         if scene.output.fields.is_some_and(|fields| fields.stresses) {
             if scene.analysis.gives_modes() {
                 left_out.push("stresses of modes, which have a shape but no size".into());
-            } else if matches!(scene.analysis, Analysis::Linear(_)) {
-                left_out.push("stresses and reactions of the linear answer in the fields".into());
             } else if !scene.section.homogeneous() {
                 left_out.push("stresses of the plies: the fields hold resultants".into());
             }

@@ -202,7 +202,12 @@ fn refused_checkpoints() {
         bytes[500] ^= 4;
         put(folder, &bytes);
     });
-    note("another layout", &|folder, mut bytes| {
+    // What stood in the header before the layout changed.
+    note("an older layout", &|folder, mut bytes| {
+        bytes[8] = 1;
+        put(folder, &bytes);
+    });
+    note("a later layout", &|folder, mut bytes| {
         bytes[8] = 99;
         put(folder, &bytes);
     });
@@ -237,13 +242,46 @@ fn no_damage_goes_unseen() {
 #[test]
 fn a_checkpoint_of_another_model_is_refused() {
     let folder = stopped("other-model");
-    let (checkpoint, text) = Checkpoint::read(&folder).unwrap();
-    let finer = pairs(&[("geometry.plate.particles", "[11, 7]")]);
-    let model = Scene::with_overrides(&text, "test.toml", &finer).unwrap().build(1).unwrap();
+    let finer = refused_by_the_model(&folder, &pairs(&[("geometry.plate.particles", "[11, 7]")]));
+    assert!(finer.contains("holds 45 particles, the scene now builds 77"), "{finer}");
+    let as_many = refused_by_the_model(&folder, &pairs(&[("geometry.plate.particles", "[5, 9]")]));
+    assert!(as_many.contains("the mid-surface has changed since the run began"), "{as_many}");
+}
+
+/// Why a model of the scene in a folder does not take up the checkpoint there.
+fn refused_by_the_model(folder: &Path, replaced: &Pairs) -> String {
+    let (checkpoint, text) = Checkpoint::read(folder).unwrap();
+    let model = Scene::with_overrides(&text, &checkpoint.origin.file, replaced).unwrap().build(1).unwrap();
     let options =
         RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: Some(checkpoint) };
-    let error = model.run_with(options).unwrap_err().to_string();
-    assert!(error.contains("holds 45 particles, the scene now builds 77"), "{error}");
+    model.run_with(options).unwrap_err().to_string().replace(&folder.display().to_string(), "out")
+}
+
+#[test]
+fn a_checkpoint_of_another_mesh_is_refused() {
+    let folder = folder("other-mesh");
+    let (scene, mesh) = (folder.join(SCENE_COPY), folder.join("roof.msh"));
+    let whole = text("meshes/roof.msh");
+    fs::write(&mesh, &whole).unwrap();
+    let text = text("meshes/roof.toml");
+    fs::write(&scene, &text).unwrap();
+    let replaced = pairs(&[("analysis.static.levels", "2")]);
+    let name = scene.display().to_string();
+    let origin = Origin::new(&text, name.clone(), replaced.clone(), 1);
+    let sound = Scene::with_overrides(&text, &name, &replaced).unwrap();
+    sit(&folder, &sound, origin, &mut StopAfter(4), None);
+    // A node that moved, and a group that holds another line: both leave the number of particles.
+    let moved = whole.replacen(" 25.4 ", " 25.4000001 ", 1);
+    let regrouped = whole.replacen("11 1 2 2 2 111 112", "11 1 2 3 2 111 112", 1);
+    for changed in [moved, regrouped] {
+        assert_ne!(changed, whole);
+        fs::write(&mesh, changed).unwrap();
+        let error = refused_by_the_model(&folder, &replaced);
+        assert!(error.starts_with("out/roof.msh has changed since the run began"), "{error}");
+        assert!(error.ends_with("put it back, or run the scene again from its start"), "{error}");
+    }
+    fs::write(&mesh, whole).unwrap();
+    assert_eq!(go_on(&folder, &mut Silent).ended, Ended::Done);
 }
 
 /// Names and contents of the files of a folder.

@@ -56,6 +56,23 @@ fn the_table_holds_every_combination_and_the_last_row_of_each_curve() {
 }
 
 #[test]
+fn every_run_has_frames_of_its_own() {
+    let fields = ["--set", "output.fields={ stresses = true }", "--set", "analysis={ linear = {} }"];
+    let over =
+        ["--set", "supports[2]={ on = \"u0v0\", hinged = {} }", "--over", "loads[0].force.total[0]=1,2"];
+    let (output, out) = sweep("fields", &[fields, over].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    // Tension on 1 × 0.1: ten times the force.
+    for (run, stress) in [("001", 10.0), ("002", 20.0)] {
+        let frames = coque::listed(&out.join(run).join("fields/shell.pvd")).unwrap();
+        assert_eq!(frames.len(), 1);
+        let sheet = coque::Sheet::read(&frames[0].1).unwrap();
+        let found = &sheet.cell_data["von_mises_top"].numbers;
+        assert!(found.iter().all(|s| (s / stress - 1.0).abs() < 1e-6), "{run}: {found:?}");
+    }
+}
+
+#[test]
 fn a_run_that_fails_stops_no_other() {
     let (output, out) = sweep(
         "failing",

@@ -125,8 +125,9 @@ impl Cloud {
         })?;
         self.check_cells()?;
         let lonely = if self.cells.is_empty() {
-            let list = CellList::new(&self.positions, self.spacing());
-            self.positions.iter().position(|x| list.nearest(x, 2) > LONELY * self.spacing())
+            let spacing = self.spacing();
+            let list = CellList::new(&self.positions, spacing);
+            self.positions.iter().position(|x| list.nearest(x, 2) > LONELY * spacing)
         } else {
             used.iter().position(Vec::is_empty)
         };

@@ -9,7 +9,7 @@ use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 /// First bytes of the file.
 const MARK: [u8; 8] = *b"coque-cp";
 /// Version of what follows; to be raised with every change of what is kept.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// Mark, version, length of the rest, checksum of the rest.
 const HEADER: usize = 8 + 4 + 8 + 4;
 
@@ -78,6 +78,12 @@ pub enum CheckpointError {
          put it back, or run the changed scene from its start"
     )]
     Scene(String),
+    /// The surface is another one now.
+    #[error(
+        "{0} has changed since the run began: a run goes on with the surface it began with; \
+         put it back, or run the scene again from its start"
+    )]
+    Surface(String),
     /// The model that the scene builds is another one now.
     #[error(
         "the checkpoint holds {particles} particles, the scene now builds {here}, or measures something else: \

@@ -9,10 +9,10 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use coque::{Column, Ended, News, Progress, Scene};
+use coque::{Column, Ended, FieldSink, Model, News, Outcome, Progress, RunOptions, Scene};
 
 use super::bar::stop_on_interrupt;
-use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, replacement};
+use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, fields, replacement};
 
 #[derive(Args)]
 pub struct Sweep {
@@ -42,6 +42,7 @@ Values are TOML; commas within brackets and quotes belong to the value.
 Results, in DIR:
   sweep.csv      a row per run: its number, the values, how it ended, wall time, and the last row of its curve
   001/curve.csv  the curve of each run, by number
+  001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
 
 A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
 Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 130 interrupted.";
@@ -117,8 +118,12 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
     let refused =
         |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: Vec::new(), last: Vec::new() };
     let outcome = match model {
-        Ok(model) => model.run(&mut Watch(interrupted)),
+        Ok(model) => run(model, out, interrupted),
         Err(error) => return refused(format!("refused: {error}")),
+    };
+    let outcome = match outcome {
+        Ok(outcome) => outcome,
+        Err(error) => return refused(error),
     };
     let written =
         fs::create_dir_all(out).and_then(|()| fs::File::create(out.join("curve.csv"))).and_then(|to| {
@@ -137,6 +142,18 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
     Row { ended: outcome.ended.to_string(), code, seconds, columns: outcome.curve.columns, last }
+}
+
+/// Runs a model; its frames go into its folder.
+fn run(model: Model, out: &Path, interrupted: &AtomicBool) -> Result<Outcome, String> {
+    let mut files = fields(&model.scene, out, None).map_err(|error| error.to_string())?;
+    let options = RunOptions {
+        progress: &mut Watch(interrupted),
+        checkpoints: None,
+        fields: files.as_mut().map(|files| files as &mut dyn FieldSink),
+        from: None,
+    };
+    model.run_with(options).map_err(|error| error.to_string())
 }
 
 /// Ends a run when Ctrl-C was pressed.

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use sph_core::{Cell, Vec3};
-use sph_shell::{Formulation, PointResult, Shell};
+use sph_shell::{Formulation, PointResult};
 
 use super::stress::{face, von_mises};
 use super::vtu::{Kind, Vtu};
@@ -104,17 +104,18 @@ impl Content<'_> {
     }
 
     fn particles<W: Write>(&self, file: &mut Vtu<W>) -> io::Result<()> {
-        let Frame { shell, state, driven, .. } = *self.frame;
+        let Frame { shell, state, driven, linear, .. } = *self.frame;
         let all = || 0..shell.len();
         file.rows("displacement", XYZ, all().map(|a| xyz(shell.displacement(a))))?;
         if state == State::Moving {
             file.rows("velocity", XYZ, all().map(|a| xyz(shell.velocity(a))))?;
         }
         file.rows("director", XYZ, all().map(|a| xyz(shell.director(a))))?;
-        if state.has_forces() {
+        if self.frame.has_forces() {
             // Where nothing is held the same difference of forces is what accelerates: no reaction.
             let bears = |a: usize| shell.is_held(a) || driven == Some(a as u32);
-            let reaction = |a: usize| if bears(a) { xyz(shell.reaction(a)) } else { [0.0; 3] };
+            let force = |a: usize| linear.map_or_else(|| shell.reaction(a), |linear| linear.reactions[a]);
+            let reaction = |a: usize| if bears(a) { xyz(force(a)) } else { [0.0; 3] };
             file.rows("reaction", XYZ, all().map(reaction))?;
         }
         let thickness = shell.thickness();
@@ -168,10 +169,14 @@ fn lean<const N: usize>(row: [f64; N]) -> [f32; N] {
     row.map(|value| value as f32)
 }
 
-/// Allocates room for the results of a shell and fills it.
-pub(crate) fn read(shell: &Shell, results: &mut Vec<PointResult>) {
-    results.resize(shell.reference().operator.points.len(), PointResult::default());
-    shell.point_results(results);
+/// Strains and resultants of a frame: those of a linear answer, else those of the shell, read into `room`.
+pub(crate) fn results<'r>(frame: &Frame<'r>, room: &'r mut Vec<PointResult>) -> &'r [PointResult] {
+    if let Some(linear) = frame.linear {
+        return &linear.points;
+    }
+    room.resize(frame.shell.reference().operator.points.len(), PointResult::default());
+    frame.shell.point_results(room);
+    room
 }
 
 fn points<W: Write>(file: &mut Vtu<W>, points: impl ExactSizeIterator<Item = Vec3>) -> io::Result<()> {

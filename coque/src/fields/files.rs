@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use sph_shell::PointResult;
 
-use super::content::{Content, read};
+use super::content::{Content, results};
 use super::read::listed;
 use super::vtu::Vtu;
 use super::whole::write_whole;
@@ -71,26 +71,32 @@ impl FieldFiles {
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        let stresses = self.stresses && frame.state.has_forces();
-        if stresses {
-            read(frame.shell, &mut self.results);
-        }
-        let content = Content { frame, results: stresses.then_some(&self.results[..]) };
-        self.sheet.add(frame.along, |path| {
-            write_whole(path, |file| {
-                let mut file = Vtu::begin(file)?;
-                content.sheet(&mut file)?;
-                file.end()
+        let stresses = self.stresses && frame.has_forces();
+        let content = Content { frame, results: stresses.then(|| results(frame, &mut self.results)) };
+        let mut sheet = || {
+            self.sheet.add(frame.along, |path| {
+                write_whole(path, |file| {
+                    let mut file = Vtu::begin(file)?;
+                    content.sheet(&mut file)?;
+                    file.end()
+                })
             })
-        })?;
-        let Some(solid) = &mut self.solid else { return Ok(()) };
-        solid.add(frame.along, |path| {
-            write_whole(path, |file| {
-                let mut file = Vtu::begin(file)?;
-                content.solid(&mut file)?;
-                file.end()
+        };
+        let mut solid = || {
+            let Some(solid) = &mut self.solid else { return Ok(()) };
+            solid.add(frame.along, |path| {
+                write_whole(path, |file| {
+                    let mut file = Vtu::begin(file)?;
+                    content.solid(&mut file)?;
+                    file.end()
+                })
             })
-        })
+        };
+        // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
+        // has no pool, and must not wake that of the whole process.
+        let pooled = rayon::current_thread_index().is_some();
+        let (sheet, solid) = if pooled { rayon::join(sheet, solid) } else { (sheet(), solid()) };
+        sheet.and(solid)
     }
 }
 

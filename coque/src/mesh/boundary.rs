@@ -111,11 +111,13 @@ fn near_edge(list: &CellList, start: &Vec3, along: &Vec3, step: f64, near: &mut 
     near.dedup();
 }
 
-/// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones.
+/// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones. Messages
+/// call a node by its name, and point to the line of a face that uses it.
 pub(super) fn refuse_hanging(
     positions: &[Vec3],
     edges: &[(u32, u32)],
     name: &dyn Fn(u32) -> String,
+    line: &dyn Fn(u32) -> usize,
 ) -> Result<usize, MeshError> {
     let mut nodes: Vec<u32> = edges.iter().flat_map(|&(a, b)| [a, b]).collect();
     nodes.sort_unstable();
@@ -135,7 +137,7 @@ pub(super) fn refuse_hanging(
         near_edge(&list, &start, &along, step, &mut near);
         if near.len() > CROWD && near.iter().filter(|&&i| places[i as usize] == start).count() > CROWD {
             let what = format!("more than {CROWD} nodes stand on the place of {}", name(a));
-            return Err(MeshError::whole(what, "merge nodes that coincide"));
+            return Err(MeshError::at(line(a), what, "merge nodes that coincide"));
         }
         for node in near.iter().map(|&i| nodes[i as usize]).filter(|&node| node != a && node != b) {
             let arm = positions[node as usize] - start;
@@ -151,7 +153,7 @@ pub(super) fn refuse_hanging(
                     name(b)
                 );
                 let repair = "mesh the surfaces with common nodes along their common line";
-                return Err(MeshError::whole(what, repair));
+                return Err(MeshError::at(line(node), what, repair));
             }
             seams.insert(node);
         }

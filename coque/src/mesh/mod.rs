@@ -132,5 +132,5 @@ pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshEr
         Format::Csv => csv::parse(&text()),
     };
     let surface = raw.and_then(|raw| Surface::new(raw, format)).map_err(|error| error.named(name))?;
-    Ok(Surface { file: name.into(), ..surface })
+    Ok(Surface { file: name.into(), checksum: crc32fast::hash(bytes), ..surface })
 }

@@ -115,6 +115,11 @@ impl Raw {
         }
     }
 
+    /// Line of the first face that uses a node; nought where no face does, or the format has no lines.
+    pub fn line_at(&self, node: u32) -> usize {
+        self.faces.iter().find(|face| face.cell.particles().contains(&node)).map_or(0, |face| face.line)
+    }
+
     /// How messages call a node.
     pub fn name(&self, node: u32) -> String {
         node_name(&self.positions, &self.labels, node)

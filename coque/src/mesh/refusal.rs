@@ -9,8 +9,13 @@ impl Surface {
     /// Names particles and cells as the file does.
     pub(crate) fn refusal(&self, error: &SpaceError) -> MeshError {
         let name = |node: usize| self.name(node as u32);
+        let line = |node: usize| {
+            let used = |face: &Cell| face.particles().contains(&(node as u32));
+            self.faces.iter().position(used).map_or(0, |face| self.origins[face].1)
+        };
         let refusal = match *error {
-            SpaceError::Coincident { first, second, .. } => MeshError::whole(
+            SpaceError::Coincident { first, second, .. } => MeshError::at(
+                line(second),
                 format!("{} and {} coincide", name(first), name(second)),
                 "merge them: in Gmsh with Coherence Mesh or Mesh.MeshSizeMin, elsewhere by equivalencing nodes",
             ),
@@ -18,7 +23,8 @@ impl Surface {
                 format!("{} is far from all others", name(particle)),
                 "remove it, or bring its neighbours",
             ),
-            SpaceError::BadNumber { particle, what, value, bound } => MeshError::whole(
+            SpaceError::BadNumber { particle, what, value, bound } => MeshError::at(
+                line(particle),
                 format!("{}: {what} is {value}; it must be {bound}", name(particle)),
                 "correct it in the file",
             ),

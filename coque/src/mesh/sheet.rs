@@ -85,7 +85,7 @@ pub(super) fn orient(raw: &mut Raw) -> Result<Turned, MeshError> {
     let neighbours = neighbours(raw, &sides)?;
     let alone = sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high)).filter(|shared| shared.len() == 1);
     let edges: Vec<(u32, u32)> = alone.map(|shared| (shared[0].low, shared[0].high)).collect();
-    let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node))?;
+    let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node), &|node| raw.line_at(node))?;
     refuse_pinched(raw, &sides)?;
     let mut turned = vec![None; raw.faces.len()];
     let mut result = Turned { seams, ..Turned::default() };
@@ -179,7 +179,8 @@ fn neighbours(raw: &Raw, sides: &[Side]) -> Result<Neighbours, MeshError> {
                     labels.take(5).collect::<Vec<_>>().join(", ")
                 );
                 let repair = "junctions are not modelled: keep two of the faces, or split the surface there";
-                return Err(MeshError::whole(what, repair));
+                let last = shared.iter().map(|side| raw.faces[side.face as usize].line).max();
+                return Err(MeshError::at(last.unwrap_or(0), what, repair));
             }
         }
     }
@@ -192,7 +193,8 @@ fn one_sided(raw: &Raw, (a, b): (u32, u32)) -> MeshError {
         raw.name(a),
         raw.name(b)
     );
-    MeshError::whole(what, "cut the surface along a line across it, with nodes of their own on both lips")
+    let repair = "cut the surface along a line across it, with nodes of their own on both lips";
+    MeshError::at(raw.line_at(a), what, repair)
 }
 
 /// Refuses nodes where faces meet that are joined by no edge there: two fans touching at a point.
@@ -221,7 +223,7 @@ fn refuse_pinched(raw: &Raw, sides: &[Side]) -> Result<(), MeshError> {
             if *group[node as usize].get_or_insert(own) != own {
                 let what = format!("two parts of the surface meet in {} alone", raw.name(node));
                 let repair = "give each part a node of its own there, or join the parts along an edge";
-                return Err(MeshError::whole(what, repair));
+                return Err(MeshError::at(raw.faces[face as usize].line, what, repair));
             }
         }
     }

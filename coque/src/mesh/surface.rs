@@ -21,6 +21,8 @@ pub struct Surface {
     pub file: String,
     /// What the file was.
     pub format: Format,
+    /// Checksum of its bytes.
+    pub checksum: u32,
     /// Positions of the nodes `[L]`.
     pub positions: Vec<Vec3>,
     /// Triangles and quadrangles, counter-clockwise about the normal; none for points.
@@ -108,6 +110,7 @@ impl Surface {
         let mut surface = Self {
             file: String::new(),
             format,
+            checksum: 0,
             loops: loops(&raw.positions, &edges),
             positions: raw.positions,
             faces,
@@ -270,7 +273,8 @@ fn given_normals(raw: &mut Raw, faces: &[Cell]) -> Result<Option<Vec<Vec3>>, Mes
         let along = normal.try_normalize(0.0).map(|unit| unit.dot(mean));
         if !along.is_some_and(|along| along > 0.0 || faces.is_empty()) {
             let what = format!("the normal of {} does not point along those of its faces", raw.name(node));
-            return Err(MeshError::whole(what, "turn it round, or leave the normals out of the file"));
+            let repair = "turn it round, or leave the normals out of the file";
+            return Err(MeshError::at(raw.line_at(node), what, repair));
         }
     }
     Ok(Some(given))

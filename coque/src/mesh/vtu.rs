@@ -72,6 +72,11 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
     Ok(raw)
 }
 
+/// Line of an element; only where it is told, as counting lines takes as long as the file.
+fn line(node: Node) -> usize {
+    node.document().text_pos_at(node.range().start).row as usize
+}
+
 /// An open document with what its header says.
 struct File<'a, 'i> {
     piece: Node<'a, 'i>,
@@ -82,7 +87,7 @@ struct File<'a, 'i> {
 impl<'a, 'i> File<'a, 'i> {
     fn open(document: &'a Document<'i>) -> Result<Self, MeshError> {
         let root = document.root_element();
-        let refuse = |what: String, repair: &str| Err(MeshError::whole(what, repair));
+        let refuse = |what: String, repair: &str| Err(MeshError::at(line(root), what, repair));
         let kind = root.attribute("type").unwrap_or("without type");
         if !root.has_tag_name("VTKFile") || kind != "UnstructuredGrid" {
             let what = format!(
@@ -115,13 +120,15 @@ impl<'a, 'i> File<'a, 'i> {
 
     fn piece(&self, name: &str) -> Result<Node<'a, 'i>, MeshError> {
         let found = self.piece.children().find(|node| node.has_tag_name(name));
-        found.ok_or_else(|| MeshError::whole(format!("the piece has no <{name}>"), "write the file again"))
+        let what = || format!("the piece has no <{name}>");
+        found.ok_or_else(|| MeshError::at(line(self.piece), what(), "write the file again"))
     }
 
     fn whole(&self, parent: Node<'a, 'i>, name: &str) -> Result<Vec<i64>, MeshError> {
         match self.array(parent, Some(name))? {
             Numbers::Whole(values) => Ok(values),
-            Numbers::Real(_) => Err(MeshError::whole(
+            Numbers::Real(_) => Err(MeshError::at(
+                line(parent),
                 format!("array {name} has reals; whole numbers are needed"),
                 "write the file again",
             )),
@@ -135,14 +142,13 @@ impl<'a, 'i> File<'a, 'i> {
         };
         let found = parent.children().find(fits).ok_or_else(|| {
             let what = format!("<{}> has no array {}", parent.tag_name().name(), name.unwrap_or_default());
-            MeshError::whole(what, "write the file again")
+            MeshError::at(line(parent), what, "write the file again")
         })?;
         self.numbers(found)
     }
 
     fn numbers(&self, array: Node<'a, 'i>) -> Result<Numbers, MeshError> {
-        // Only where it is told: counting lines takes as long as the file.
-        let line = || array.document().text_pos_at(array.range().start).row as usize;
+        let line = || line(array);
         let kind = array.attribute("type").unwrap_or_default();
         let text = array.text().unwrap_or_default();
         let name = shortened(array.attribute("Name").unwrap_or("Points"));

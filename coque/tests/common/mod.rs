@@ -1,7 +1,10 @@
-//! Scenes for tests: those of the repository with values replaced, their runs, and what a column reads.
+//! What several test files use: scenes of the repository with values replaced, their runs, frames read back, surfaces.
 
 #![allow(dead_code)] // each test binary uses its own part
 #![allow(clippy::unwrap_used)] // a failed test may stop here
+
+pub mod fields;
+pub mod meshes;
 
 use std::fs;
 use std::path::{Path, PathBuf};
