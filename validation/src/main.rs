@@ -50,6 +50,7 @@ Examples:
   validate --quick                     what every commit has to pass
   validate --hard                      the survival table
   validate --case ring --case panel    the two cases of Lin et al. 2013
+  validate --case option-cost          what each option of a scene costs
   validate --json records.json         for further analysis
   validate --jobs 1                    wall times without a neighbour on the other core
 
