@@ -11,7 +11,7 @@ use crate::outcome::{Outcome, Solver};
 use crate::{JudgeError, Metric};
 
 /// Some ten seconds: 2500 particles stay in the cache, and a frame of fields is spread over 200 steps.
-const FULL: Extent = Extent { side: 50, steps: 200, rounds: 5 };
+const FULL: Extent = Extent { side: 50, steps: 200, rounds: 4 };
 
 const SHOWN: &str = "shown: times follow the machine";
 

@@ -59,9 +59,9 @@ pub fn table_rows(extent: &Extent) -> Result<Vec<Row>, String> {
 pub fn measure(extent: &Extent) -> Result<Vec<Cost>, String> {
     let rows = table_rows(extent)?;
     let mut sittings: Vec<Vec<Sitting>> = vec![Vec::new(); rows.len()];
-    for _ in 0..extent.rounds.max(1) {
-        for (row, own) in rows.iter().zip(&mut sittings) {
-            let steps = ((extent.steps as f64 * row.part) as u64).max(1);
+    for round in 0..extent.rounds.max(1) {
+        for (row, own) in rows.iter().zip(&mut sittings).filter(|(row, _)| round < 2 || !row.dear) {
+            let steps = if row.dear { extent.steps.div_ceil(4) } else { extent.steps };
             own.push(sit(row, extent.side, steps)?);
         }
     }

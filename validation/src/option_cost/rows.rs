@@ -35,8 +35,8 @@ pub struct Row {
     pub set: Vec<(String, String)>,
     /// Threads.
     pub threads: usize,
-    /// Part of the steps that is marched: dear formulations need fewer for the same time.
-    pub part: f64,
+    /// Whether a step costs so much that a quarter of the steps and two rounds do.
+    pub dear: bool,
 }
 
 /// The lattice and the pace of all scenes.
@@ -52,7 +52,7 @@ pub struct Pace {
 
 impl Row {
     fn new(name: &'static str, about: &'static str) -> Self {
-        Self { name, about, over: BARE, set: Vec::new(), threads: 1, part: 1.0 }
+        Self { name, about, over: BARE, set: Vec::new(), threads: 1, dear: false }
     }
 
     fn set(mut self, path: &str, value: impl ToString) -> Self {
@@ -91,7 +91,7 @@ impl Row {
     }
 
     fn dear(mut self) -> Self {
-        self.part = 0.25;
+        self.dear = true;
         self
     }
 }
