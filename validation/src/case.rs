@@ -68,6 +68,8 @@ pub struct Variant {
     pub quick: bool,
     /// Whether every load level has to come to rest; false for methods known to flutter.
     pub settles: bool,
+    /// Whether it runs by itself, when all others are done: its times are the result.
+    pub alone: bool,
 }
 
 /// A run that is no scene; an error says why there is no outcome.
@@ -107,6 +109,7 @@ impl Variant {
             source: Problem::Scene { text: scene, set: vec![particles] },
             quick: false,
             settles: true,
+            alone: false,
         }
     }
 
@@ -128,7 +131,14 @@ impl Variant {
         run: impl Fn() -> Result<Outcome, String> + Send + Sync + 'static,
     ) -> Self {
         let (method, grid) = (method.into(), grid.into());
-        Self { method, grid, source: Problem::Study(Arc::new(run)), quick: false, settles: false }
+        Self {
+            method,
+            grid,
+            source: Problem::Study(Arc::new(run)),
+            quick: false,
+            settles: false,
+            alone: false,
+        }
     }
 
     /// Replaces a value of the scene.
@@ -151,6 +161,13 @@ impl Variant {
     #[must_use]
     pub fn quick(mut self) -> Self {
         self.quick = true;
+        self
+    }
+
+    /// Runs it by itself, when all others are done.
+    #[must_use]
+    pub fn alone(mut self) -> Self {
+        self.alone = true;
         self
     }
 

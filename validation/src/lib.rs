@@ -11,6 +11,7 @@
 //! | what a verdict is | `record.rs` |
 //! | the table of the hard cases | `survival.rs` |
 //! | explicit, static, finite elements and published side by side | `answers.rs` |
+//! | what each option costs | `option_cost/*.rs` |
 //! | interpolation, order of convergence, frontier | `measure.rs` |
 //! | the printed table, the HTML report | `table.rs`, `report/*.rs` |
 //!
@@ -89,6 +90,7 @@ pub mod answers;
 pub mod case;
 pub mod cases;
 pub mod measure;
+pub mod option_cost;
 pub mod outcome;
 pub mod record;
 pub mod report;

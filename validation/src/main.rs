@@ -1,11 +1,18 @@
 //! The command `validate`: runs the cases, prints the table, writes records and report.
 
+use std::alloc::System;
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
+use validation::option_cost::what_each_option_costs;
 use validation::{JudgeError, Record, Selection, cases, judge, report, run, table};
+
+/// Counts what is allocated, for the memory that each option costs.
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 /// Judge coque: scenes against references.
 ///
@@ -43,6 +50,7 @@ Examples:
   validate --quick                     what every commit has to pass
   validate --hard                      the survival table
   validate --case ring --case panel    the two cases of Lin et al. 2013
+  validate --case option-cost          what each option of a scene costs
   validate --json records.json         for further analysis
   validate --jobs 1                    wall times without a neighbour on the other core
 
@@ -80,6 +88,9 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     };
     let results = judge(&selection, &|line| eprintln!("{line}"))?;
     print!("{}", table::table(&results));
+    if let Some(costs) = what_each_option_costs(&results) {
+        println!("\n{}", table::numbers(&costs));
+    }
     if let Some(file) = &cli.json {
         let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
         let text = serde_json::to_string_pretty(&records).map_err(|error| write_error(file, &error))?;

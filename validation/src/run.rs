@@ -113,6 +113,8 @@ fn build(case: &'static str, variant: &Variant) -> Result<Work, JudgeError> {
 }
 
 /// Workers take the next scene from one queue, the dearest first, so that none is left with a long one at the end.
+///
+/// What runs alone comes after all others, one by one.
 fn run_all(
     works: Vec<(&'static str, &Variant, Work)>,
     jobs: usize,
@@ -121,6 +123,7 @@ fn run_all(
     let count = works.len();
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|&a, &b| rough_cost(&works[b].2).total_cmp(&rough_cost(&works[a].2)));
+    let (alone, shared): (Vec<usize>, Vec<usize>) = order.into_iter().partition(|&at| works[at].1.alone);
     let labels: Vec<(&'static str, String)> =
         works.iter().map(|(case, v, _)| (*case, v.method.clone())).collect();
     let grids: Vec<String> = works.iter().map(|(_, v, _)| v.grid.clone()).collect();
@@ -128,29 +131,35 @@ fn run_all(
         works.into_iter().map(|(_, _, work)| Mutex::new(Some(work))).collect();
     let outcomes: Vec<Mutex<Option<Result<Outcome, String>>>> =
         (0..count).map(|_| Mutex::new(None)).collect();
-    let (next, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    std::thread::scope(|scope| {
-        for _ in 0..jobs.clamp(1, count) {
-            scope.spawn(|| {
-                while let Some(&at) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let outcome = match take(&queue[at]) {
-                        Some(Work::Particles(model)) => Ok(Outcome::from(model.run(&mut Silent))),
-                        Some(Work::Study(study)) => study(),
-                        None => continue,
-                    };
-                    let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
-                    let how = match &outcome {
-                        Ok(Outcome { failure: Some(failure), .. }) => failure.clone(),
-                        Ok(outcome) => format!("{:.1} s", outcome.wall_seconds),
-                        Err(cause) => cause.clone(),
-                    };
-                    let (case, method) = &labels[at];
-                    tell(format!("[{number}/{count}] {case}: {method} {}: {how}", grids[at]));
-                    *outcomes[at].lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(outcome);
-                }
-            });
-        }
-    });
+    let ended = AtomicUsize::new(0);
+    let in_order = |order: &[usize], jobs: usize| {
+        let next = AtomicUsize::new(0);
+        std::thread::scope(|scope| {
+            for _ in 0..jobs.clamp(1, count) {
+                scope.spawn(|| {
+                    while let Some(&at) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        let outcome = match take(&queue[at]) {
+                            Some(Work::Particles(model)) => Ok(Outcome::from(model.run(&mut Silent))),
+                            Some(Work::Study(study)) => study(),
+                            None => continue,
+                        };
+                        let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
+                        let how = match &outcome {
+                            Ok(Outcome { failure: Some(failure), .. }) => failure.clone(),
+                            Ok(outcome) => format!("{:.1} s", outcome.wall_seconds),
+                            Err(cause) => cause.clone(),
+                        };
+                        let (case, method) = &labels[at];
+                        tell(format!("[{number}/{count}] {case}: {method} {}: {how}", grids[at]));
+                        *outcomes[at].lock().unwrap_or_else(std::sync::PoisonError::into_inner) =
+                            Some(outcome);
+                    }
+                });
+            }
+        });
+    };
+    in_order(&shared, jobs);
+    in_order(&alone, 1);
     let outcomes = outcomes.iter().filter_map(take).zip(labels);
     outcomes
         .map(|(outcome, (case, method))| outcome.map_err(|cause| JudgeError::Study { case, method, cause }))

@@ -1,6 +1,9 @@
 //! The printed table: one line a run, and every missed tolerance with its reason.
 
+use std::ops::Range;
+
 use crate::record::{Metric, Record};
+use crate::report::Numbers;
 use crate::run::{CaseResult, REST};
 
 /// Four significant digits, without trailing noughts; powers of ten outside 1e-4 … 1e6.
@@ -40,10 +43,10 @@ pub fn unit(metric: &Metric) -> String {
 /// The whole table, then the misses.
 pub fn table(results: &[CaseResult]) -> String {
     let head = ["case", "method", "grid", "particles", "wall s", "Mp-steps/s", "verdict", "metrics"];
-    let mut lines = vec![head.map(String::from)];
+    let mut lines = vec![head.map(String::from).to_vec()];
     for result in results {
         for (run, record) in result.runs.0.iter().zip(&result.records) {
-            lines.push([
+            lines.push(vec![
                 record.case.clone(),
                 record.method.clone(),
                 run.variant.grid.clone(),
@@ -55,7 +58,7 @@ pub fn table(results: &[CaseResult]) -> String {
             ]);
         }
     }
-    let mut text = aligned(&lines);
+    let mut text = aligned(&lines, 3..6);
     for result in results {
         for (run, record) in result.runs.0.iter().zip(&result.records) {
             for metric in record.metrics.iter().filter(|metric| !metric.pass) {
@@ -102,19 +105,27 @@ fn metrics(record: &Record) -> String {
     cell
 }
 
-/// Columns side by side; numbers to the right, words to the left.
-fn aligned(lines: &[[String; 8]]) -> String {
+/// A small table with its title and what to see in it; the first column is words.
+pub fn numbers(numbers: &Numbers) -> String {
+    let lines: Vec<Vec<String>> = std::iter::once(&numbers.head).chain(&numbers.rows).cloned().collect();
+    let table = aligned(&lines, 1..numbers.head.len());
+    format!("{}\n\n{table}\n{}\n", numbers.title, numbers.caption)
+}
+
+/// Columns side by side; the columns of `numbers` to the right, the others to the left.
+fn aligned(lines: &[Vec<String>], numbers: Range<usize>) -> String {
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..7).map(width).collect();
+    let widths: Vec<usize> = (0..lines.first().map_or(0, Vec::len)).map(width).collect();
     let mut text = String::new();
     for line in lines {
-        for (column, cell) in line.iter().enumerate() {
-            match widths.get(column) {
-                Some(&width) if (3..6).contains(&column) => text.push_str(&format!("{cell:>width$}  ")),
-                Some(&width) => text.push_str(&format!("{cell:<width$}  ")),
-                None => text.push_str(cell),
-            }
-        }
+        let cells = line.iter().zip(&widths).enumerate();
+        let padded: Vec<String> = cells
+            .map(|(column, (cell, &width))| match numbers.contains(&column) {
+                true => format!("{cell:>width$}"),
+                false => format!("{cell:<width$}"),
+            })
+            .collect();
+        text.push_str(padded.join("  ").trim_end());
         text.push('\n');
     }
     text

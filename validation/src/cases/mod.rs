@@ -8,6 +8,7 @@ mod hemisphere;
 mod hemisphere_large;
 mod linear;
 mod open_cylinder;
+mod option_cost;
 mod panel;
 mod panel_figures;
 mod panel_laminated;
@@ -52,6 +53,7 @@ pub fn all() -> Vec<Case> {
         point_load_smoothness::case(),
         turned::case(),
         patch_test::case(),
+        option_cost::case(),
     ]
 }
 

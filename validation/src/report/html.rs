@@ -3,6 +3,7 @@
 use super::Figure;
 use crate::answers::{overview, side_by_side};
 use crate::cases::dial;
+use crate::option_cost::what_each_option_costs;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
 use crate::survival::survival;
@@ -37,6 +38,9 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
     let answers = overview(results)?;
     if !answers.rows.is_empty() {
         page.push_str(&show(&Figure::Numbers(answers))?);
+    }
+    if let Some(costs) = what_each_option_costs(results) {
+        page.push_str(&show(&Figure::Numbers(costs))?);
     }
     page.push_str(&summary(results));
     for result in results {
