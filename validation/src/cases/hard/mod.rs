@@ -5,10 +5,14 @@
 mod bare;
 mod bodies;
 mod common;
+mod crease;
 mod disorder;
 mod energy_drift;
+mod frames;
+mod hemisphere_in_time;
 mod large;
 mod loads;
+mod meshes;
 mod misses;
 mod noise;
 mod numbers;
@@ -33,6 +37,9 @@ pub fn all() -> Vec<Case> {
         large::case(),
         loads::case(),
         bodies::case(),
+        crease::case(),
+        frames::case(),
+        hemisphere_in_time::case(),
         zero_energy::case(),
         noise::case(),
         point_driven::case(),
