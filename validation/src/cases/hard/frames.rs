@@ -70,7 +70,9 @@ fn compare(scene: &Variant, turned: Turned) -> Result<Outcome, String> {
     let built = model(scene, 1)?.shell;
     let (cloud, formulation) = (built.reference().cloud.clone(), *built.formulation());
     let mut dice = Dice(7);
-    (0..8).for_each(|_| drop(dice.roll()));
+    for _ in 0..8 {
+            dice.roll();
+        }
     let turn = match turned {
         Turned::Frames => Rotation3::identity(),
         Turned::Body => Rotation3::new(dice.vector() * 3.0),

@@ -168,7 +168,9 @@ impl Mesh {
     pub fn jittered(mut self, reach: f64, seed: u64, stays: impl Fn(&Vec3) -> bool) -> Self {
         let mut dice = Dice(seed);
         // The first rolls of small seeds are alike.
-        (0..8).for_each(|_| drop(dice.roll()));
+        for _ in 0..8 {
+            dice.roll();
+        }
         for place in &mut self.places {
             let shift = Vec3::new(dice.roll(), dice.roll(), 0.0) * reach;
             if !stays(place) {

@@ -22,8 +22,10 @@ mod sheets;
 mod spin;
 mod step_estimate;
 mod step_limit;
+mod strong_form;
 mod sudden;
 mod thickness;
+mod unstructured;
 mod zero_energy;
 
 use crate::Case;
@@ -37,6 +39,7 @@ pub fn all() -> Vec<Case> {
         large::case(),
         loads::case(),
         bodies::case(),
+        unstructured::case(),
         crease::case(),
         frames::case(),
         hemisphere_in_time::case(),
@@ -50,5 +53,6 @@ pub fn all() -> Vec<Case> {
         sudden::case(),
         numbers::case(),
         same_bits::case(),
+        strong_form::case(),
     ]
 }
