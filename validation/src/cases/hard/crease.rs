@@ -56,11 +56,12 @@ fn variants() -> Vec<Variant> {
                 let grid = format!("{name} {angle}° {cloud}");
                 variants.push(Variant::study(method, &grid, move || Ok(or_failed(run(&fold)))));
             };
-            for method in [STATIC, WIDE_14, NODAL_2, NODAL_3] {
-                add(method, CELLS, 0.0, "lattice");
-            }
+            add(STATIC, CELLS, 0.0, "lattice");
             add(STATIC, CELLS, 0.25, "jitter 0.25");
             if name == "across" {
+                for method in [WIDE_14, NODAL_2, NODAL_3] {
+                    add(method, CELLS, 0.0, "lattice");
+                }
                 add(STATIC, 2 * CELLS, 0.0, "lattice of 20 cells");
             }
         }
@@ -93,9 +94,8 @@ impl Fold {
         let step = 1.0 / self.cells as f64;
         let columns = (length / step).round() as usize;
         let flat = |u: f64, v: f64| Vec3::new(length * u, 2.0 * v - 1.0, 0.0);
-        let stays = |x: &Vec3| {
-            x.x < 1e-9 || x.x > length - 1e-9 || x.y.abs() > 1.0 - 1e-9 || x.y.abs() < 1e-9
-        };
+        let stays =
+            |x: &Vec3| x.x < 1e-9 || x.x > length - 1e-9 || x.y.abs() > 1.0 - 1e-9 || x.y.abs() < 1e-9;
         let [left, right] = self.plates();
         let bend = |x: &Vec3| Vec3::x() * x.x + if x.y < 0.0 { left.0 * -x.y } else { right.0 * x.y };
         let mesh = Mesh::blocks([columns, 2 * self.cells], &[&flat]);
@@ -224,8 +224,9 @@ fn free(fold: &Fold) -> Result<Outcome, String> {
 fn bound(grid: &str) -> (f64, &'static str) {
     match grid.split(' ').next() {
         Some("along") => (
-            1.2,
-            "one sampling point a cell sees no bending in its plane: (Δ/b)² of the inertia, 1 % with ten cells; a fifth for disorder",
+            2.0,
+            "one sampling point a cell sees no bending in its plane: (Δ/b)² of the inertia, 1 % with ten cells; twice that for \
+             disorder, as issue 4 asks",
         ),
         Some("twist") => (
             1.5,
@@ -269,5 +270,22 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 
 /// Runs that miss what is asked.
 #[rustfmt::skip]
-const MISSES: [Miss; 0] = [
+const MISSES: [Miss; 17] = [
+    (STATIC, "across 90° lattice", 3.556),
+    (STATIC, "across 90° jitter 0.25", 3.609),
+    (STATIC, "across 30° lattice", 65.27),
+    (STATIC, "across 30° lattice of 20 cells", 33.46),
+    (STATIC, "across 30° jitter 0.25", f64::NAN),
+    (WIDE_14, "across 90° lattice", 4.087),
+    (WIDE_14, "across 30° lattice", -47.42),
+    (NODAL_2, "across 150° lattice", -2.61),
+    (NODAL_2, "across 90° lattice", -18.03),
+    (NODAL_2, "across 30° lattice", -73.89),
+    (NODAL_3, "across 150° lattice", -5.351),
+    (NODAL_3, "across 90° lattice", -20.18),
+    (NODAL_3, "across 30° lattice", -77.75),
+    (STATIC, "along 30° jitter 0.25", f64::NAN),
+    (STATIC, "twist 30° lattice", -6.266),
+    (STATIC, "twist 30° jitter 0.25", f64::NAN),
+    (STATIC, "free 30° jitter 0.25", f64::NAN),
 ];

@@ -6,7 +6,7 @@ use explicit_dynamics::{Damping, LevelReached, Observer, QuasiStatic, Record};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Pressure, Shell, SymmetryPlane};
 
-use super::common::{ERROR, Miss, asked, finding, last, off, or_failed};
+use super::common::{ERROR, Miss, NODAL, asked, finding, last, off, or_failed};
 use super::meshes::{Mesh, nearest, octant, particles, poled_octant};
 use super::sheets::{Matter, force, linear, shell_of, supported};
 use crate::case::{Case, Headline, Run, Variant};
@@ -65,20 +65,21 @@ fn variants() -> Vec<Variant> {
         let grid = format!("hemisphere {name}");
         add(STATIC, &grid, Box::new(move |method| belt(method, &mesh()?)));
     }
-    for (name, mesh) in [MESHES[0], MESHES[5]] {
-        for method in [WIDE_14, NODAL_2, NODAL_3] {
-            let grid = format!("plate {name} h/a 0.01");
-            add(method, &grid, Box::new(move |method| plate(method, &mesh()?, 0.01)));
-            add(method, &format!("hemisphere {name}"), Box::new(move |method| belt(method, &mesh()?)));
-        }
+    let (name, mesh) = MESHES[0];
+    for method in [WIDE_14, NODAL_2, NODAL_3] {
+        let grid = format!("plate {name} h/a 0.01");
+        add(method, &grid, Box::new(move |method| plate(method, &mesh()?, 0.01)));
     }
+    add(WIDE_14, &format!("hemisphere {name}"), Box::new(move |method| belt(method, &mesh()?)));
     for (thickness, _) in PLATES {
         let grid = format!("plate rectangles of 1:20 h/a {thickness}");
         add(STATIC, &grid, Box::new(move |method| plate(method, &Mesh::square([10, 200]), thickness)));
     }
     for (name, mesh) in OCTANTS {
         add(STATIC, &format!("whole hemisphere {name}"), Box::new(move |method| whole(method, &mesh())));
-        add(CELL, &format!("closed cap {name}"), Box::new(move |method| blown_up(method, &mesh())));
+        if !name.ends_with("20 triangles") {
+            add(CELL, &format!("closed cap {name}"), Box::new(move |method| blown_up(method, &mesh())));
+        }
     }
     variants
 }
@@ -158,8 +159,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
         supported(particles(&cloud, |x| x.dot(&normal).abs() < 1e-6), SymmetryPlane { normal })
     };
     let pressure = Pressure { value: 1000.0, follower: true };
-    let mut shell =
-        shell_of(matter, cloud.clone(), method, axes.map(cut).into(), vec![Box::new(pressure)])?;
+    let mut shell = shell_of(matter, cloud.clone(), method, axes.map(cut).into(), vec![Box::new(pressure)])?;
     // What scenes do if they say nothing; the period is the time sound takes round the sphere, 2πR/c.
     let run = QuasiStatic {
         levels: vec![0.5, 1.0],
@@ -204,13 +204,13 @@ fn found(cloud: &Cloud, ratio: f64) -> Outcome {
 /// What is asked \[%\], and why.
 fn bound(grid: &str) -> (f64, &'static str) {
     match grid {
-        _ if grid.starts_with("plate rectangles") => {
-            (1.5, "eleven particles across the plate: the lattice of 11×11 is off by as much")
-        }
+        _ if grid.starts_with("plate rectangles") => (0.5, "issue 3: plates within half a percent"),
         _ if grid.starts_with("plate") => {
             (1.0, "issue 3 asks half a percent of lattices at 21²; twice that, as issue 4 asks of disorder")
         }
-        _ if grid.starts_with("hemisphere") => (1.5, "issue 3 asks 1 % at 21²; half more for uneven spacings"),
+        _ if grid.starts_with("hemisphere") => {
+            (1.5, "issue 3 asks 1 % at 21²; half more for uneven spacings")
+        }
         _ if grid.starts_with("whole") => (1.5, "the published value has three digits; 1 % as with a hole"),
         _ => (2.2, "chords in two directions cut .0008 of the radius, w/R = .036, as in the case loads"),
     }
@@ -218,7 +218,32 @@ fn bound(grid: &str) -> (f64, &'static str) {
 
 /// Why a method misses what is asked.
 fn cause(run: &Run) -> &'static str {
-    "to be found"
+    let grid = run.variant.grid.as_str();
+    match run.variant.method.as_str() {
+        NODAL_2 | NODAL_3 => NODAL,
+        WIDE_14 if run.done() => {
+            "the kernel reaches other particles than those of the cell, as in the case disorder"
+        }
+        WIDE_14 => {
+            "the conditions of a consistent divergence contradict each other on a curved disordered cloud: refused, with the \
+             advice to use cells"
+        }
+        _ if grid.ends_with("20 triangles") => {
+            "corners of 4.5°, less than the 5° that cells need: refused, with face and bound; strains would be sampled along one line"
+        }
+        _ if grid.starts_with("closed") => {
+            "triangles hand the pressure to their corners in thirds, ⅓pπΔ² to the pole, where flat facets of slope Δ/2R under N = pR/2 \
+             bear ¼pπΔ²: the pole alone moves out until bending bears the rest"
+        }
+        _ if grid.starts_with("hemisphere") => {
+            "chords of curved cells fall short of arcs unevenly where cells are uneven or oblique, and membrane stiffness \
+             answers (docs/zero-energy-control.md, what it does not cure)"
+        }
+        _ => {
+            "sharp cells are long cells: the error grows about as the square of the slanted edge, alike for both thicknesses, \
+             so that it is no shear locking. Not isolated further"
+        }
+    }
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
@@ -228,5 +253,23 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 
 /// Runs that miss what is asked.
 #[rustfmt::skip]
-const MISSES: [Miss; 0] = [
+const MISSES: [Miss; 18] = [
+    (STATIC, "hemisphere blocks, 3 in the middle", -4.462),
+    (STATIC, "hemisphere rows of triangles", -7.839),
+    (STATIC, "hemisphere crossed triangles", -2.002),
+    (STATIC, "hemisphere cut blocks", -3.254),
+    (STATIC, "hemisphere smoothed Poisson triangles", -2.724),
+    (STATIC, "hemisphere smoothed Poisson triangles #2", -3.856),
+    (STATIC, "plate zigzag of 20° h/a 0.01", -7.351),
+    (STATIC, "plate zigzag of 20° h/a 0.0001", -7.405),
+    (STATIC, "hemisphere zigzag of 20°", -44.0),
+    (STATIC, "plate zigzag of 10° h/a 0.01", -27.39),
+    (STATIC, "plate zigzag of 10° h/a 0.0001", -27.57),
+    (STATIC, "hemisphere zigzag of 10°", -84.34),
+    (WIDE_14, "plate blocks, 3 in the middle h/a 0.01", 1.388),
+    (NODAL_2, "plate blocks, 3 in the middle h/a 0.01", 12.19),
+    (NODAL_3, "plate blocks, 3 in the middle h/a 0.01", -2.636),
+    (WIDE_14, "hemisphere blocks, 3 in the middle", f64::NAN),
+    (CELL, "closed cap pole of 16 triangles", 9.043),
+    (STATIC, "whole hemisphere pole of 20 triangles", f64::NAN),
 ];
