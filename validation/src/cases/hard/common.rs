@@ -147,6 +147,11 @@ pub fn finding(particles: usize, spacing: f64, figures: &[(&str, f64)]) -> Outco
     }
 }
 
+/// What a study finds, or why it finds nothing, which is a row of the table as well.
+pub fn or_failed(found: Result<Outcome, String>) -> Outcome {
+    found.unwrap_or_else(|cause| Outcome { failure: Some(cause), ..finding(0, 0.0, &[]) })
+}
+
 /// The last value of a column.
 pub fn last(run: &Run, column: &str) -> Result<Option<f64>, crate::JudgeError> {
     Ok(run.column(column)?.last().copied().filter(|_| run.done()))

@@ -5,10 +5,14 @@
 mod bare;
 mod bodies;
 mod common;
+mod crease;
 mod disorder;
 mod energy_drift;
+mod frames;
+mod hemisphere_in_time;
 mod large;
 mod loads;
+mod meshes;
 mod misses;
 mod noise;
 mod numbers;
@@ -18,8 +22,10 @@ mod sheets;
 mod spin;
 mod step_estimate;
 mod step_limit;
+mod strong_form;
 mod sudden;
 mod thickness;
+mod unstructured;
 mod zero_energy;
 
 use crate::Case;
@@ -33,6 +39,10 @@ pub fn all() -> Vec<Case> {
         large::case(),
         loads::case(),
         bodies::case(),
+        unstructured::case(),
+        crease::case(),
+        frames::case(),
+        hemisphere_in_time::case(),
         zero_energy::case(),
         noise::case(),
         point_driven::case(),
@@ -43,5 +53,6 @@ pub fn all() -> Vec<Case> {
         sudden::case(),
         numbers::case(),
         same_bits::case(),
+        strong_form::case(),
     ]
 }

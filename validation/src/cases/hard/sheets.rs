@@ -1,9 +1,12 @@
 //! Bare sheets for studies: square plates as lists of cells, and shells on them, for what no scene can say.
 
 use explicit_dynamics::Amplitude;
+use implicit_statics::{Equilibrium, linear_response};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, CubicSpline, Vec3};
-use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
+use sph_shell::{
+    AppliedLoad, Force, Formulation, Load, Parts, Reach, Shell, StaticShell, Support, Supported,
+};
 
 use crate::cases::dial::{NODAL_2, NODAL_3, WIDE_14, WIDE_30};
 
@@ -66,6 +69,15 @@ fn formulation(method: &str) -> Formulation {
     }
 }
 
+/// Young's modulus \[F/L²\], Poisson's ratio, thickness \[L\], density \[M/L³\].
+#[derive(Clone, Copy, Debug)]
+pub struct Matter {
+    pub young: f64,
+    pub poisson: f64,
+    pub thickness: f64,
+    pub density: f64,
+}
+
 /// A shell on a cloud; the error in words.
 pub fn shell(
     cloud: Cloud,
@@ -73,19 +85,52 @@ pub fn shell(
     supports: Vec<Supported>,
     loads: Vec<Box<dyn Load>>,
 ) -> Result<Shell, String> {
-    let material = Isotropic::new(YOUNG, POISSON).map_err(|error| error.to_string())?;
-    let section = IsotropicSection::new(material, THICKNESS).map_err(|error| error.to_string())?;
+    let matter = Matter { young: YOUNG, poisson: POISSON, thickness: THICKNESS, density: 1.0 };
+    shell_of(matter, cloud, method, supports, loads)
+}
+
+/// A shell of some matter on a cloud; the error in words.
+pub fn shell_of(
+    matter: Matter,
+    cloud: Cloud,
+    method: &str,
+    supports: Vec<Supported>,
+    loads: Vec<Box<dyn Load>>,
+) -> Result<Shell, String> {
+    let material = Isotropic::new(matter.young, matter.poisson).map_err(|error| error.to_string())?;
+    let section = IsotropicSection::new(material, matter.thickness).map_err(|error| error.to_string())?;
     let constant = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
     let parts = Parts {
         cloud,
         section: Box::new(section),
         strain: &StretchCorrected,
         material_axis: None,
-        density: 1.0,
+        density: matter.density,
         formulation: formulation(method),
         supports,
         loads: loads.into_iter().map(constant).collect(),
         threads: 1,
     };
     Shell::new(parts).map_err(|error| error.to_string())
+}
+
+/// Part of the load at which the linear answer is read: directors turn along arcs.
+const SMALL: f64 = 1e-6;
+
+/// Displacements of all particles under the loads, linear from rest \[L\]; the error in words.
+pub fn linear(shell: Shell) -> Result<Vec<Vec3>, String> {
+    let mut system = StaticShell::new(shell);
+    let motion = linear_response(&mut system, 0.0).map_err(|error| error.to_string())?;
+    system.update(&motion.iter().map(|q| q * SMALL).collect::<Vec<f64>>());
+    Ok((0..system.shell().len()).map(|a| system.shell().displacement(a) / SMALL).collect())
+}
+
+/// A support on particles.
+pub fn supported(particles: Vec<u32>, support: impl Support + 'static) -> Supported {
+    Supported { particles, support: Box::new(support) }
+}
+
+/// A dead force with shares.
+pub fn force(shares: Vec<(u32, f64)>, total: Vec3) -> Box<dyn Load> {
+    Box::new(Force { shares, total })
 }
