@@ -65,27 +65,27 @@ fn sheet(formulation: Formulation) -> Result<Shell, Box<dyn Error>> {
     })?)
 }
 
-/// Largest error of the gradient of f = 3x − 2y, over its size.
+/// Errors of the gradient of f = 3x − 2y over its size.
 fn gradient(shell: &Shell) -> f64 {
     let (operator, slope) = (&shell.reference().operator, Vec3::new(3.0, -2.0, 0.0));
     let field: Vec<f64> = shell.reference().cloud.positions.iter().map(|x| slope.dot(x)).collect();
     let errors = operator.gradient(&field).into_iter().zip(&operator.points).map(|(found, point)| {
         (found[0] - slope.dot(&point.frame.t1)).hypot(found[1] - slope.dot(&point.frame.t2))
     });
-    errors.fold(0.0, f64::max) / slope.norm()
+    norm(errors) / slope.norm()
 }
 
-/// Largest imbalance of the constant flux n = (1, 2) at a particle, over |n| times the spacing.
+/// Imbalances of the constant flux n = (1, 2) at the particles over |n| times the spacing.
 fn flux(shell: &Shell) -> f64 {
     let (reference, n) = (shell.reference(), Vec3::new(1.0, 2.0, 0.0));
     let at = |frame: &sph_core::Frame| [0.0, n.dot(&frame.t1), n.dot(&frame.t2)];
     let constant: Vec<[f64; 3]> = reference.operator.points.iter().map(|point| at(&point.frame)).collect();
     let sums = reference.operator.gather(&constant);
-    let errors = sums.iter().zip(&reference.cloud.edge_normals).map(|(sum, r)| (sum - n.dot(r)).abs());
-    errors.fold(0.0, f64::max) / (n.norm() * reference.cloud.spacing())
+    let errors = sums.iter().zip(&reference.cloud.edge_normals).map(|(sum, r)| sum - n.dot(r));
+    norm(errors) / (n.norm() * reference.cloud.spacing())
 }
 
-/// Stretches the shell; largest difference between its forces and the edge tractions, over |N| times the spacing.
+/// Stretches the shell; differences between its forces and the edge tractions over |N| times the spacing.
 fn stretched(shell: &mut Shell) -> f64 {
     let cloud = shell.reference().cloud.clone();
     for (b, x) in cloud.positions.iter().enumerate() {
@@ -100,5 +100,10 @@ fn stretched(shell: &mut Shell) -> f64 {
         let [x, y, z, ..] = shell.internal_force(b);
         (Vec3::new(x, y, z) - traction).norm()
     });
-    errors.fold(0.0, f64::max) / (force[0].hypot(force[1]) * cloud.spacing())
+    norm(errors) / (force[0].hypot(force[1]) * cloud.spacing())
+}
+
+/// Root of the sum of squares: no less than the largest.
+fn norm(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.map(|error| error * error).sum::<f64>().sqrt()
 }

@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         largest = largest.max(deflection(y));
     }
     println!("largest error {:.1e} of the largest w", worst / largest);
-    if off.iter().any(|off| off.abs() > ROUND_OFF) || !(worst <= TOLERANCE * largest) {
+    if off.iter().any(|off| off.abs() > ROUND_OFF) || worst > TOLERANCE * largest {
         return Err(format!("at most {ROUND_OFF:.0e} in force, {TOLERANCE:.0e} in w is allowed").into());
     }
     Ok(())
