@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{:<20} {first:>10.1e} {second:>10.1e} {third:>10.1e}", formulation.method());
         if errors.iter().any(|error| error.is_nan() || *error > TOLERANCE) {
             return Err(
-                format!("{}: {errors:?}, at most {TOLERANCE} is allowed", formulation.method()).into()
+                format!("{}: {errors:?}, at most {TOLERANCE:.0e} is allowed", formulation.method()).into()
             );
         }
     }

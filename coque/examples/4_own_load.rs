@@ -6,7 +6,7 @@
 //! ```text
 //! p = γ (d − y),   β⁴ = 3(1 − ν²)/(R t)²
 //! w = γR²/(Et) · { d − y − e^(−βy) [ d cos βy + (d − 1/β) sin βy ] }          [timoshenko1959] §117
-//! total on the wedge  Σ f = ½ γ d² · 2R sin φ₀   (φ₀: half its angle), and its moment about the base a third of d times that
+//! Σ f = ½ γ d² · 2R sin φ₀ on a wedge of the angle 2φ₀;   about the base  Σ f y = ⅓ d Σ f
 //! ```
 //!
 //! A load that follows the motion reads positions from the state, a dead one from the reference. Here the water stands

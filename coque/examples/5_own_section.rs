@@ -1,7 +1,8 @@
 //! Own section: a plate whose stiffness is graded through its thickness, metal below and ceramic above.
 //!
-//! A [`Section`] turns strains into resultants, as the derivative of an energy. Young's modulus follows a power of the
-//! height, ν is the same throughout, so that all stiffnesses are one matrix C of plane stress times a moment of E:
+//! A [`Section`] turns strains into resultants, as the derivative of an energy. Young's modulus goes from
+//! E₀ below to E₁ above with a power of the height, ν is the same throughout, so that all stiffnesses are one matrix of
+//! plane stress, `C = 1/(1−ν²) [[1,ν,0],[ν,1,0],[0,0,(1−ν)/2]]`, times a moment of E:
 //!
 //! ```text
 //! E(ζ) = E₀ + (E₁ − E₀)(½ + ζ/t)ⁿ,     N = C(A e + B κ),   M = C(B e + D κ),   Q = κ_s G t γ
