@@ -152,6 +152,8 @@ pub use layered_section::{LayeredSection, Orthotropic, Ply};
 pub use pack::{LANES, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::{parallel_transport, rodrigues, tangent_map};
-pub use section::{Isotropic, IsotropicSection, MaterialError, Resultants, Section, SectionScales};
+pub use section::{
+    Isotropic, IsotropicSection, MaterialError, Resultants, Section, SectionScales, linear_tangent,
+};
 pub use strain::{GreenLagrange, StrainMeasure, Strains, StretchCorrected, strain_measure, strain_measures};
 pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};

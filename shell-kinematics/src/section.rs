@@ -58,7 +58,9 @@ pub trait Section: Any + Send + Sync {
 }
 
 /// The tangent of a section whose resultants are linear in the strains: its columns are its answers to unit strains.
-pub(crate) fn linear_tangent(section: &impl Section) -> Matrix8 {
+///
+/// What [`Section::tangent`] of such a section returns, one of another crate included.
+pub fn linear_tangent(section: &impl Section) -> Matrix8 {
     let mut out = ZERO8;
     for column in 0..8 {
         let unit: [Pack; 8] = std::array::from_fn(|i| Pack::splat(if i == column { 1.0 } else { 0.0 }));
