@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Frame, Scene, State};
+use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 
@@ -45,6 +45,7 @@ fn frames(c: &mut Criterion) {
                 level: 1.0,
                 driven: None,
                 homogeneous: true,
+                units: Units { length: Length::None, force: Force::None, time: Time::None },
             };
             let wanted = Fields { every: 1, stresses, extruded };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
