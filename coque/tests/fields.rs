@@ -499,7 +499,7 @@ fn the_command_draws_a_frame_without_a_viewer() {
         (["--frame", "3"], "it lists 3, from 0 on"),
         (["--field", "von_mises"], "did you mean"),
         (["--mirror", "x,w"], "write some of x, y and z"),
-        (["--scale", "-1"], "write a number from 0 on"),
+        (["--scale", "many"], "write a number from 0 on"),
         (["--curve", "w_crown,W"], "the curve has no column `W`"),
     ];
     for (wrong, said) in refusals {
