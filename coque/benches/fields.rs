@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Frame, Scene, State};
+use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 
@@ -46,6 +46,7 @@ fn frames(c: &mut Criterion) {
                 driven: None,
                 homogeneous: true,
                 linear: None,
+                units: Units { length: Length::None, force: Force::None, time: Time::None },
             };
             let wanted = Fields { every: 1, stresses, extruded };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {

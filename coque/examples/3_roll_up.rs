@@ -55,7 +55,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{} steps, the last of {:.4} s", clock.steps, clock.dt);
 
     let title = "A strip rolled into a circle, by eighths of the couple";
-    let svg = picture_svg(&film.shapes, &Picture { field: Some("level"), view: [-70.0, 15.0], title })?;
+    let svg = picture_svg(
+        &film.shapes,
+        &Picture { field: Some("level"), view: [-70.0, 15.0], ..Picture::new(title) },
+    )?;
     fs::create_dir_all("out/3_roll_up")?;
     fs::write("out/3_roll_up/shapes.svg", svg)?;
     println!("out/3_roll_up/shapes.svg");

@@ -30,6 +30,7 @@ pub use read::{Array, ReadError, Sheet, listed};
 
 use crate::run::Failure;
 use crate::scene::{Analysis, Scene};
+use crate::units::Units;
 
 /// Takes the frames of a run while it goes on.
 pub trait FieldSink: Send {
@@ -69,6 +70,8 @@ pub struct Frame<'a> {
     pub homogeneous: bool,
     /// The forces of a linear answer.
     pub linear: Option<&'a LinearForces>,
+    /// Units of the scene, for the names of fields.
+    pub units: Units,
 }
 
 impl Frame<'_> {
@@ -113,6 +116,7 @@ pub(crate) struct Frames<'a> {
     along: Along,
     driven: Option<u32>,
     homogeneous: bool,
+    units: Units,
     /// Frames that the run had to show so far.
     pub(crate) offered: u64,
     /// Frames that the sink took.
@@ -142,7 +146,8 @@ impl<'a> Frames<'a> {
         };
         let every = scene.output.fields.map_or(1, |fields| fields.every).max(1);
         let homogeneous = scene.section.homogeneous();
-        Self { sink, every, state, along, driven, homogeneous, offered: 0, taken: 0, failure: None }
+        let units = scene.units;
+        Self { sink, every, state, along, driven, homogeneous, units, offered: 0, taken: 0, failure: None }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
@@ -172,8 +177,8 @@ impl<'a> Frames<'a> {
                 Along::Level => level,
                 Along::Number(first) => (first + number) as f64,
             };
-            let Self { state, driven, homogeneous, .. } = *self;
-            let frame = Frame { shell, state, along, level, driven, homogeneous, linear };
+            let Self { state, driven, homogeneous, units, .. } = *self;
+            let frame = Frame { shell, state, along, level, driven, homogeneous, linear, units };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,
                 Err(error) => self.failure = Some(Failure::Fields(error)),

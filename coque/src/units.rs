@@ -94,6 +94,16 @@ pub enum Quantity {
     Angle,
     /// \[1/T\].
     Rate,
+    /// \[L/T\].
+    Speed,
+    /// \[1/L\].
+    Curvature,
+    /// \[F/L\].
+    ForcePerLength,
+    /// \[F L/L\].
+    MomentPerLength,
+    /// \[F/L²\].
+    Stress,
 }
 
 impl Length {
@@ -144,16 +154,22 @@ impl Units {
 
     /// Symbol of the unit of a quantity, such as `N cm`; `-` without unit.
     pub fn symbol(&self, quantity: Quantity) -> String {
+        let (length, force, time) = (self.length.symbol(), self.force.symbol(), self.time.symbol());
         match quantity {
             Quantity::Ratio => "-".into(),
             Quantity::Angle => "rad".into(),
-            Quantity::Length => self.length.symbol().into(),
-            Quantity::Force => self.force.symbol().into(),
-            Quantity::Time => self.time.symbol().into(),
-            Quantity::Rate if self.time == Time::None => "-".into(),
-            Quantity::Rate => format!("1/{}", self.time.symbol()),
-            Quantity::Energy if self.length == Length::None => "-".into(),
-            Quantity::Energy => format!("{} {}", self.force.symbol(), self.length.symbol()),
+            // Either all three have a unit or none has.
+            _ if self.length == Length::None => "-".into(),
+            Quantity::Length => length.into(),
+            Quantity::Force => force.into(),
+            Quantity::Time => time.into(),
+            Quantity::Rate => format!("1/{time}"),
+            Quantity::Energy => format!("{force} {length}"),
+            Quantity::Speed => format!("{length}/{time}"),
+            Quantity::Curvature => format!("1/{length}"),
+            Quantity::ForcePerLength => format!("{force}/{length}"),
+            Quantity::MomentPerLength => format!("{force} {length}/{length}"),
+            Quantity::Stress => format!("{force}/{length}²"),
         }
     }
 }
@@ -167,6 +183,8 @@ mod tests {
         let units = Units { length: Length::Centimetre, force: Force::Newton, time: Time::Second };
         assert_eq!(units.symbol(Quantity::Energy), "N cm");
         assert_eq!(units.symbol(Quantity::Angle), "rad");
+        assert_eq!(units.symbol(Quantity::Stress), "N/cm²");
+        assert_eq!(units.symbol(Quantity::MomentPerLength), "N cm/cm");
         assert!(units.consistent());
     }
 

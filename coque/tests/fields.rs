@@ -89,6 +89,11 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         driven: None,
         homogeneous: true,
         linear: None,
+        units: coque::Units {
+            length: coque::Length::Metre,
+            force: coque::Force::Newton,
+            time: coque::Time::Second,
+        },
     };
     FieldFiles::create(&folder, &EVERYTHING).unwrap().frame(&frame).unwrap();
     let flat = Read::new(&folder.join("shell-0000.vtu"));

@@ -186,8 +186,9 @@ fn the_command_draws_a_frame_without_a_viewer() {
     assert_eq!(coque(&["plot", &place]).status.code(), Some(0));
     let svg = fs::read_to_string(out.join("shape.svg")).unwrap();
     let document = roxmltree::Document::parse(&svg).unwrap();
-    let cells = document.descendants().filter(|node| node.attribute("class") == Some("cell"));
-    assert_eq!(cells.count(), 400);
+    let cells = document.descendants().find(|node| node.attribute("class") == Some("cells")).unwrap();
+    assert_eq!(cells.children().filter(|node| node.is_element()).count(), 400);
+    assert!(svg.contains(">[N/mm²]<"));
     assert!(svg.contains(">von_mises_top<") && svg.contains(">plot, frame 2 at 1<"));
 
     let picture = out.join("first.svg");
@@ -202,6 +203,8 @@ fn the_command_draws_a_frame_without_a_viewer() {
     let refusals = [
         (["--frame", "3"], "it lists 3, from 0 on"),
         (["--field", "von_mises"], "did you mean"),
+        (["--mirror", "x,w"], "write some of x, y and z"),
+        (["--scale", "many"], "write a number from 0 on"),
         (["--curve", "w_crown,W"], "the curve has no column `W`"),
     ];
     for (wrong, said) in refusals {

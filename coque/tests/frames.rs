@@ -182,8 +182,8 @@ fn points_without_faces_are_shown_as_points() {
     assert_eq!(sheet.point_data["moment"].numbers.len(), 3 * n * n);
     let solid = Sheet::read(&frames[1].with_file_name("solid-0001.vtu")).unwrap();
     assert_eq!(solid.cells, (0..n * n).map(|a| vec![a, a + n * n]).collect::<Vec<_>>());
-    let svg = picture_svg(&sheet, &Picture { field: None, view: [-60.0, 30.0], title: "points" }).unwrap();
-    assert_eq!(svg.matches("<circle class=\"cell\"").count(), n * n);
+    let svg = picture_svg(&sheet, &Picture::new("points")).unwrap();
+    assert_eq!(svg.matches("<circle cx=").count(), n * n);
     // No faces, no surface: the same refusal as for any file of points.
     let refused = mesh::read(&frames[1]).unwrap_err().to_string();
     assert!(refused.contains("no triangles or quadrangles among 36 nodes"), "{refused}");

@@ -8,6 +8,7 @@
 //! | a benchmark: its runs, references, tolerances with their reasons | `cases/*.rs`, one file each |
 //! | how runs share the cores | `run.rs` |
 //! | what a run leaves behind, whoever solved it | `outcome.rs` |
+//! | which run of a case is drawn, and how | `pictured.rs` |
 //! | what a verdict is | `record.rs` |
 //! | the table of the hard cases | `survival.rs` |
 //! | explicit, static, finite elements and published side by side | `answers.rs` |
@@ -92,6 +93,7 @@ pub mod cases;
 pub mod measure;
 pub mod option_cost;
 pub mod outcome;
+pub mod pictured;
 pub mod record;
 pub mod report;
 pub mod run;

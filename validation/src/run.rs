@@ -4,10 +4,11 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use coque::scene::{Formulation, Reach};
-use coque::{Model, Rendering, Scene, Silent, render};
+use coque::{Model, Rendering, RunOptions, Scene, Silent, render};
 
 use crate::case::{Case, Problem, Run, Runs, Study, Variant};
 use crate::outcome::{Outcome, Solver};
+use crate::pictured::{Kept, Pictured, chosen, planes};
 use crate::record::{Metric, Record};
 use crate::{JudgeError, cases};
 
@@ -35,6 +36,8 @@ pub struct CaseResult {
     pub runs: Runs,
     /// Their records.
     pub records: Vec<Record>,
+    /// What its picture is made from, if it has one.
+    pub picture: Option<Pictured>,
 }
 
 /// Runs and judges; `tell` is called with one line whenever a run ends.
@@ -47,8 +50,15 @@ pub fn judge(selection: &Selection, tell: &(dyn Fn(String) + Sync)) -> Result<Ve
     let cases = choose(all, selection)?;
     let mut works = Vec::new();
     for case in &cases {
+        let first = works.len();
         for variant in &case.variants {
             works.push((case.name, variant, build(case.name, variant)?));
+        }
+        // The hard cases are to break; their page is the table.
+        let sizes: Vec<usize> = works[first..].iter().map(|(_, _, work)| work.particles()).collect();
+        let chosen = if selection.hard { None } else { chosen(case, &sizes) };
+        if let Some(Work::Particles { pictured, .. }) = chosen.map(|number| &mut works[first + number].2) {
+            *pictured = true;
         }
     }
     let outcomes = run_all(works, selection.jobs, tell)?;
@@ -57,9 +67,14 @@ pub fn judge(selection: &Selection, tell: &(dyn Fn(String) + Sync)) -> Result<Ve
         .into_iter()
         .map(|case| {
             let of_case = case.variants.iter().cloned().zip(outcomes.by_ref());
-            let runs = Runs(of_case.map(|(variant, outcome)| Run { variant, outcome }).collect());
+            let mut picture = None;
+            let runs = of_case.map(|(variant, (outcome, pictured))| {
+                picture = picture.take().or(pictured);
+                Run { variant, outcome }
+            });
+            let runs = Runs(runs.collect());
             let records = records(&case, &runs)?;
-            Ok(CaseResult { case, runs, records })
+            Ok(CaseResult { case, runs, records, picture })
         })
         .collect()
 }
@@ -90,10 +105,28 @@ fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<Case>, JudgeError
 /// What a worker does.
 enum Work {
     /// Runs a scene.
-    Particles(Box<Model>),
+    Particles {
+        /// The scene, built.
+        model: Box<Model>,
+        /// Whether it is the run that the report draws.
+        pictured: bool,
+    },
     /// Does something else.
     Study(Study),
 }
+
+impl Work {
+    /// Particles of a scene; none of a study.
+    fn particles(&self) -> usize {
+        match self {
+            Self::Particles { model, .. } => model.shell.len(),
+            Self::Study(_) => 0,
+        }
+    }
+}
+
+/// What a work leaves behind.
+type Left = (Outcome, Option<Pictured>);
 
 fn build(case: &'static str, variant: &Variant) -> Result<Work, JudgeError> {
     let (text, set) = match &variant.source {
@@ -104,7 +137,7 @@ fn build(case: &'static str, variant: &Variant) -> Result<Work, JudgeError> {
     let origin = format!("scene of {case}");
     Scene::with_overrides(text, &origin, set)
         .and_then(|scene| scene.build(1))
-        .map(|model| Work::Particles(Box::new(model)))
+        .map(|model| Work::Particles { model: Box::new(model), pictured: false })
         .map_err(|error| JudgeError::Scene {
             case,
             method: variant.method.clone(),
@@ -119,7 +152,7 @@ fn run_all(
     works: Vec<(&'static str, &Variant, Work)>,
     jobs: usize,
     tell: &(dyn Fn(String) + Sync),
-) -> Result<Vec<Outcome>, JudgeError> {
+) -> Result<Vec<Left>, JudgeError> {
     let count = works.len();
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|&a, &b| rough_cost(&works[b].2).total_cmp(&rough_cost(&works[a].2)));
@@ -129,8 +162,7 @@ fn run_all(
     let grids: Vec<String> = works.iter().map(|(_, v, _)| v.grid.clone()).collect();
     let queue: Vec<Mutex<Option<Work>>> =
         works.into_iter().map(|(_, _, work)| Mutex::new(Some(work))).collect();
-    let outcomes: Vec<Mutex<Option<Result<Outcome, String>>>> =
-        (0..count).map(|_| Mutex::new(None)).collect();
+    let outcomes: Vec<Mutex<Option<Result<Left, String>>>> = (0..count).map(|_| Mutex::new(None)).collect();
     let ended = AtomicUsize::new(0);
     let in_order = |order: &[usize], jobs: usize| {
         let next = AtomicUsize::new(0);
@@ -139,14 +171,20 @@ fn run_all(
                 scope.spawn(|| {
                     while let Some(&at) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
                         let outcome = match take(&queue[at]) {
-                            Some(Work::Particles(model)) => Ok(Outcome::from(model.run(&mut Silent))),
-                            Some(Work::Study(study)) => study(),
+                            Some(Work::Particles { model, pictured: false }) => {
+                                Ok((Outcome::from(model.run(&mut Silent)), None))
+                            }
+                            Some(Work::Particles { model, pictured: true }) => {
+                                let (_, method) = &labels[at];
+                                run_pictured(*model, format!("{method}, {}", grids[at]))
+                            }
+                            Some(Work::Study(study)) => study().map(|outcome| (outcome, None)),
                             None => continue,
                         };
                         let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
                         let how = match &outcome {
-                            Ok(Outcome { failure: Some(failure), .. }) => failure.clone(),
-                            Ok(outcome) => format!("{:.1} s", outcome.wall_seconds),
+                            Ok((Outcome { failure: Some(failure), .. }, _)) => failure.clone(),
+                            Ok((outcome, _)) => format!("{:.1} s", outcome.wall_seconds),
                             Err(cause) => cause.clone(),
                         };
                         let (case, method) = &labels[at];
@@ -166,6 +204,16 @@ fn run_all(
         .collect()
 }
 
+/// Runs a scene and keeps the frame that the report draws.
+fn run_pictured(model: Model, run: String) -> Result<Left, String> {
+    let planes = planes(&model);
+    let mut kept = Kept::default();
+    let options =
+        RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
+    let outcome = model.run_with(options).map_err(|error| error.to_string())?;
+    Ok((Outcome::from(outcome), kept.pictured(run, planes)?))
+}
+
 fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
     cell.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take()
 }
@@ -173,7 +221,7 @@ fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
 /// Orders runs by time, not more: particles × points of a stencil × steps, where steps grow as the spacing falls.
 fn rough_cost(work: &Work) -> f64 {
     // Finite elements take about as long as an explicit run of this many particles.
-    let Work::Particles(model) = work else { return 100.0_f64.powf(1.5) };
+    let Work::Particles { model, .. } = work else { return 100.0_f64.powf(1.5) };
     let particles = model.shell.len() as f64;
     // A wide stencil takes about five times as long as a cell of four particles.
     let stencil = match &model.scene.formulation {
@@ -231,10 +279,10 @@ mod tests {
     fn result(case: Case) -> CaseResult {
         let variant = &case.variants[0];
         let work = build(case.name, variant).unwrap();
-        let outcome = run_all(vec![(case.name, variant, work)], 1, &|_| {}).unwrap().remove(0);
+        let (outcome, _) = run_all(vec![(case.name, variant, work)], 1, &|_| {}).unwrap().remove(0);
         let runs = Runs(vec![Run { variant: variant.clone(), outcome }]);
         let records = records(&case, &runs).unwrap();
-        CaseResult { case, runs, records }
+        CaseResult { case, runs, records, picture: None }
     }
 
     #[test]

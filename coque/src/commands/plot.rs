@@ -20,8 +20,14 @@ pub struct Plot {
     /// Where the viewer stands: azimuth and height in degrees.
     #[arg(long, value_name = "AZIMUTH,HEIGHT", allow_hyphen_values = true, value_parser = view, default_value = "-60,30")]
     view: [f64; 2],
+    /// Mirror a part in planes through the origin to the whole: x, y, z are the normals of its symmetry planes.
+    #[arg(long, value_name = "AXES", value_parser = axes, default_value = "")]
+    mirror: Axes,
+    /// Draw displacements so many times as large.
+    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1")]
+    scale: f64,
     /// Draw the curve instead: this column along, that one up.
-    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "frame", "view"])]
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "frame", "view", "mirror", "scale"])]
     curve: Option<(String, String)>,
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
@@ -32,6 +38,26 @@ fn view(text: &str) -> Result<[f64; 2], String> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     let both = text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]));
     both.ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+}
+
+/// Numbers of axes, in their order.
+#[derive(Clone)]
+struct Axes(Vec<usize>);
+
+fn axes(text: &str) -> Result<Axes, String> {
+    let words: Vec<&str> = text.split(',').map(str::trim).filter(|word| !word.is_empty()).collect();
+    let axes = ["x", "y", "z"].into_iter().enumerate().filter(|(_, axis)| words.contains(axis));
+    let axes: Vec<usize> = axes.map(|(i, _)| i).collect();
+    if axes.len() == words.len() {
+        Ok(Axes(axes))
+    } else {
+        Err("write some of x, y and z, each once, such as x,y".into())
+    }
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|x| x.is_finite() && *x >= 0.0);
+    number.ok_or_else(|| "write a number from 0 on, such as 50".into())
 }
 
 fn columns(text: &str) -> Result<(String, String), String> {
@@ -69,7 +95,13 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     };
     let sheet = Sheet::read(path).map_err(|e| format!("{e}\n"))?;
     let title = format!("{}, frame {number} at {along}", name(&plot.folder));
-    let wanted = Picture { field: plot.field.as_deref(), view: plot.view, title: &title };
+    let wanted = Picture {
+        field: plot.field.as_deref(),
+        view: plot.view,
+        mirror: &plot.mirror.0,
+        scale: plot.scale,
+        title: &title,
+    };
     let svg = picture_svg(&sheet, &wanted).map_err(|e| format!("{e}\n"))?;
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
     fs::write(&out, svg).map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;

@@ -11,6 +11,7 @@ use sph_shell::{Formulation, PointResult};
 use super::stress::{face, von_mises};
 use super::vtu::{Kind, Vtu};
 use super::{Frame, State};
+use crate::units::Quantity;
 
 const XYZ: [&str; 3] = [""; 3];
 const PLANE: [&str; 3] = ["11", "22", "12"];
@@ -74,7 +75,7 @@ impl Content<'_> {
         let frames = &shell.reference().cloud.frames;
         let moved =
             |(a, height): (usize, f64)| shell.displacement(a) + (shell.director(a) - frames[a].n) * height;
-        file.rows("displacement", XYZ, both().map(|at| xyz(moved(at))))?;
+        file.rows("displacement", &self.unit_of_motion(), XYZ, both().map(|at| xyz(moved(at))))?;
         if !self.at_cells() {
             self.faces(file, |results| both().map(move |(a, _)| &results[a]))?;
         }
@@ -106,20 +107,29 @@ impl Content<'_> {
     fn particles<W: Write>(&self, file: &mut Vtu<W>) -> io::Result<()> {
         let Frame { shell, state, driven, linear, .. } = *self.frame;
         let all = || 0..shell.len();
-        file.rows("displacement", XYZ, all().map(|a| xyz(shell.displacement(a))))?;
+        file.rows("displacement", &self.unit_of_motion(), XYZ, all().map(|a| xyz(shell.displacement(a))))?;
         if state == State::Moving {
-            file.rows("velocity", XYZ, all().map(|a| xyz(shell.velocity(a))))?;
+            file.rows("velocity", &self.unit(Quantity::Speed), XYZ, all().map(|a| xyz(shell.velocity(a))))?;
         }
-        file.rows("director", XYZ, all().map(|a| xyz(shell.director(a))))?;
+        file.rows("director", &self.unit(Quantity::Ratio), XYZ, all().map(|a| xyz(shell.director(a))))?;
         if self.frame.has_forces() {
             // Where nothing is held the same difference of forces is what accelerates: no reaction.
             let bears = |a: usize| shell.is_held(a) || driven == Some(a as u32);
             let force = |a: usize| linear.map_or_else(|| shell.reaction(a), |linear| linear.reactions[a]);
             let reaction = |a: usize| if bears(a) { xyz(force(a)) } else { [0.0; 3] };
-            file.rows("reaction", XYZ, all().map(reaction))?;
+            file.rows("reaction", &self.unit(Quantity::Force), XYZ, all().map(reaction))?;
         }
         let thickness = shell.thickness();
-        file.list("thickness", all().map(|_| thickness))
+        file.list("thickness", &self.unit(Quantity::Length), all().map(|_| thickness))
+    }
+
+    fn unit(&self, quantity: Quantity) -> String {
+        self.frame.units.symbol(quantity)
+    }
+
+    /// Of displacements; those of a mode have no size.
+    fn unit_of_motion(&self) -> String {
+        self.unit(if self.frame.state == State::Mode { Quantity::Ratio } else { Quantity::Length })
     }
 
     /// Whether strains are sampled at the cells, not at the particles.
@@ -131,16 +141,36 @@ impl Content<'_> {
         let Some(results) = self.results else { return Ok(()) };
         let thickness = self.frame.shell.thickness();
         let all = || results.iter();
-        file.rows("t1", XYZ, all().map(|r| lean(r.t1)))?;
-        file.rows("membrane_strain", DOUBLED, all().map(|r| lean(r.membrane)))?;
-        file.rows("curvature", DOUBLED, all().map(|r| lean(r.curvature)))?;
-        file.rows("shear_strain", ACROSS, all().map(|r| lean(r.shear)))?;
-        file.rows("membrane_force", PLANE, all().map(|r| lean(r.force)))?;
-        file.rows("moment", PLANE, all().map(|r| lean(r.moment)))?;
-        file.rows("shear_force", ACROSS, all().map(|r| lean(r.shear_force)))?;
+        file.rows("t1", &self.unit(Quantity::Ratio), XYZ, all().map(|r| lean(r.t1)))?;
+        file.rows("membrane_strain", &self.unit(Quantity::Ratio), DOUBLED, all().map(|r| lean(r.membrane)))?;
+        file.rows("curvature", &self.unit(Quantity::Curvature), DOUBLED, all().map(|r| lean(r.curvature)))?;
+        file.rows("shear_strain", &self.unit(Quantity::Ratio), ACROSS, all().map(|r| lean(r.shear)))?;
+        file.rows(
+            "membrane_force",
+            &self.unit(Quantity::ForcePerLength),
+            PLANE,
+            all().map(|r| lean(r.force)),
+        )?;
+        file.rows("moment", &self.unit(Quantity::MomentPerLength), PLANE, all().map(|r| lean(r.moment)))?;
+        file.rows(
+            "shear_force",
+            &self.unit(Quantity::ForcePerLength),
+            ACROSS,
+            all().map(|r| lean(r.shear_force)),
+        )?;
         if self.frame.homogeneous {
-            file.rows("stress_top", PLANE, all().map(|r| lean(face(r, thickness, 1.0))))?;
-            file.rows("stress_bottom", PLANE, all().map(|r| lean(face(r, thickness, -1.0))))?;
+            file.rows(
+                "stress_top",
+                &self.unit(Quantity::Stress),
+                PLANE,
+                all().map(|r| lean(face(r, thickness, 1.0))),
+            )?;
+            file.rows(
+                "stress_bottom",
+                &self.unit(Quantity::Stress),
+                PLANE,
+                all().map(|r| lean(face(r, thickness, -1.0))),
+            )?;
         }
         self.faces(file, |results| results.iter())
     }
@@ -154,7 +184,11 @@ impl Content<'_> {
         let Some(results) = self.results.filter(|_| self.frame.homogeneous) else { return Ok(()) };
         let thickness = self.frame.shell.thickness();
         for (name, side) in [("von_mises_top", 1.0), ("von_mises_bottom", -1.0)] {
-            file.list(name, pick(results).map(|r| von_mises(face(r, thickness, side)) as f32))?;
+            file.list(
+                name,
+                &self.unit(Quantity::Stress),
+                pick(results).map(|r| von_mises(face(r, thickness, side)) as f32),
+            )?;
         }
         Ok(())
     }
@@ -181,7 +215,7 @@ pub(crate) fn results<'r>(frame: &Frame<'r>, room: &'r mut Vec<PointResult>) -> 
 
 fn points<W: Write>(file: &mut Vtu<W>, points: impl ExactSizeIterator<Item = Vec3>) -> io::Result<()> {
     file.line("<Points>")?;
-    file.rows("Points", XYZ, points.map(xyz))?;
+    file.rows("Points", "-", XYZ, points.map(xyz))?;
     file.line("</Points>")
 }
 
@@ -194,19 +228,19 @@ fn connect<W: Write>(
     [one, three, four]: [Kind; 3],
 ) -> io::Result<()> {
     file.line("<Cells>")?;
-    file.list("connectivity", numbers)?;
+    file.list("connectivity", "-", numbers)?;
     let mut end = 0;
     let ends = cells.iter().map(|cell| {
         end += layers * i32::from(cell.count);
         end
     });
-    file.list("offsets", ends)?;
+    file.list("offsets", "-", ends)?;
     let kind = |cell: &Cell| match cell.count {
         1 => one,
         3 => three,
         _ => four,
     };
-    file.list("types", cells.iter().map(|cell| kind(cell) as u8))?;
+    file.list("types", "-", cells.iter().map(|cell| kind(cell) as u8))?;
     file.line("</Cells>")
 }
 

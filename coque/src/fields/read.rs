@@ -8,6 +8,10 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use roxmltree::{Document, Node};
 
+use super::Frame;
+use super::content::{Content, results};
+use super::vtu::Vtu;
+
 /// Numbers a row of any field.
 const MOST_COMPONENTS: usize = 9;
 
@@ -26,6 +30,8 @@ pub struct ReadError {
 pub struct Array {
     /// Names of the components; empty for x, y, z and for a single number.
     pub components: Vec<String>,
+    /// Unit of the numbers, such as `N/mm²`; none for ratios, and where the scene has no units.
+    pub unit: Option<String>,
     /// Numbers a row, at least one.
     pub width: usize,
     /// All numbers, row by row.
@@ -63,41 +69,64 @@ pub fn listed(list: &Path) -> Result<Vec<(f64, PathBuf)>, ReadError> {
 }
 
 impl Sheet {
+    /// What [`super::FieldFiles`] writes of a frame, without a file.
+    ///
+    /// # Errors
+    /// [`ReadError`]; none is known for a frame of a run.
+    pub fn of(frame: &Frame<'_>, stresses: bool) -> Result<Self, ReadError> {
+        let refused = |reason: String| ReadError { path: "the frame".into(), reason };
+        let mut room = Vec::new();
+        let stresses = stresses && frame.has_forces();
+        let content = Content { frame, results: stresses.then(|| results(frame, &mut room)) };
+        let written = Vtu::begin(Vec::new()).and_then(|mut file| {
+            content.sheet(&mut file)?;
+            file.end()
+        });
+        let text = written.map_err(|error| error.to_string());
+        let text = text.and_then(|bytes| String::from_utf8(bytes).map_err(|error| error.to_string()));
+        text.and_then(|text| parsed(&text, Self::from_document)).map_err(refused)
+    }
+
     /// Reads a frame.
     ///
     /// # Errors
     /// [`ReadError`] for a file that is missing or not as this library writes it.
     pub fn read(path: &Path) -> Result<Self, ReadError> {
-        within(path, |document| {
-            let section = |name: &str| {
-                let found = document.descendants().find(|node| node.has_tag_name(name));
-                found.map_or_else(|| Ok(BTreeMap::new()), arrays)
-            };
-            let (mut places, cells) = (section("Points")?, section("Cells")?);
-            let places =
-                places.remove("Points").filter(|array| array.width == 3).ok_or("it has no points")?;
-            let points: Vec<[f64; 3]> =
-                places.numbers.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect();
-            let cells = polygons(&cells, points.len())?;
-            let sheet =
-                Self { points, cells, point_data: section("PointData")?, cell_data: section("CellData")? };
-            let fits = |data: &BTreeMap<String, Array>, rows: usize| {
-                data.values().all(|array| array.numbers.len() == rows * array.width)
-            };
-            if fits(&sheet.point_data, sheet.points.len()) && fits(&sheet.cell_data, sheet.cells.len()) {
-                Ok(sheet)
-            } else {
-                Err("a field has not as many rows as there are points or cells".into())
-            }
-        })
+        within(path, Self::from_document)
+    }
+
+    fn from_document(document: &Document<'_>) -> Result<Self, String> {
+        let section = |name: &str| {
+            let found = document.descendants().find(|node| node.has_tag_name(name));
+            found.map_or_else(|| Ok(BTreeMap::new()), arrays)
+        };
+        let (mut places, cells) = (section("Points")?, section("Cells")?);
+        let places = places.remove("Points").filter(|array| array.width == 3).ok_or("it has no points")?;
+        let points: Vec<[f64; 3]> =
+            places.numbers.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect();
+        let cells = polygons(&cells, points.len())?;
+        let sheet =
+            Self { points, cells, point_data: section("PointData")?, cell_data: section("CellData")? };
+        let fits = |data: &BTreeMap<String, Array>, rows: usize| {
+            data.values().all(|array| array.numbers.len() == rows * array.width)
+        };
+        if fits(&sheet.point_data, sheet.points.len()) && fits(&sheet.cell_data, sheet.cells.len()) {
+            Ok(sheet)
+        } else {
+            Err("a field has not as many rows as there are points or cells".into())
+        }
     }
 }
 
 /// Opens a file as XML and names it in whatever goes wrong.
 fn within<T>(path: &Path, read: impl FnOnce(&Document<'_>) -> Result<T, String>) -> Result<T, ReadError> {
     let text = fs::read_to_string(path).map_err(|error| error.to_string());
-    text.and_then(|text| Document::parse(&text).map_err(|error| error.to_string()).and_then(|d| read(&d)))
+    text.and_then(|text| parsed(&text, read))
         .map_err(|reason| ReadError { path: path.display().to_string(), reason })
+}
+
+fn parsed<T>(text: &str, read: impl FnOnce(&Document<'_>) -> Result<T, String>) -> Result<T, String> {
+    Document::parse(text).map_err(|error| error.to_string()).and_then(|document| read(&document))
 }
 
 fn arrays(section: Node<'_, '_>) -> Result<BTreeMap<String, Array>, String> {
@@ -129,6 +158,7 @@ fn array(node: Node<'_, '_>) -> Option<Array> {
         .collect();
     ((1..=MOST_COMPONENTS).contains(&width) && numbers.len().is_multiple_of(width)).then_some(Array {
         components,
+        unit: node.attribute("unit").map(String::from),
         width,
         numbers,
     })
@@ -156,20 +186,19 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::fields::vtu::Vtu;
 
     /// A triangle and a quadrangle, as the writer puts them.
     fn text() -> String {
         let mut file = Vtu::begin(Vec::new()).unwrap();
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.5], [0.5, 2.0, 0.0]];
         file.line("<Piece NumberOfPoints=\"5\" NumberOfCells=\"2\">\n<Points>").unwrap();
-        file.rows("Points", [""; 3], points.into_iter()).unwrap();
+        file.rows("Points", "mm", [""; 3], points.into_iter()).unwrap();
         file.line("</Points>\n<Cells>").unwrap();
-        file.list("connectivity", [0, 1, 2, 3, 3, 2, 4].into_iter()).unwrap();
-        file.list("offsets", [4, 7].into_iter()).unwrap();
-        file.list("types", [9_u8, 5].into_iter()).unwrap();
+        file.list("connectivity", "-", [0, 1, 2, 3, 3, 2, 4].into_iter()).unwrap();
+        file.list("offsets", "-", [4, 7].into_iter()).unwrap();
+        file.list("types", "-", [9_u8, 5].into_iter()).unwrap();
         file.line("</Cells>\n<PointData>\n</PointData>\n<CellData>").unwrap();
-        file.rows("moment", ["11", "22"], [[1.0, 2.0], [3.0, 4.0]].into_iter()).unwrap();
+        file.rows("moment", "N mm/mm", ["11", "22"], [[1.0, 2.0], [3.0, 4.0]].into_iter()).unwrap();
         file.line("</CellData>\n</Piece>").unwrap();
         String::from_utf8(file.end().unwrap()).unwrap()
     }
@@ -190,6 +219,7 @@ mod tests {
         let moment = &sheet.cell_data["moment"];
         assert_eq!((moment.width, &moment.components[..]), (2, &["11".to_string(), "22".into()][..]));
         assert_eq!(moment.numbers, [1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(moment.unit.as_deref(), Some("N mm/mm"));
         let missing = Sheet::read(Path::new("no-such-frame.vtu")).unwrap_err().to_string();
         assert!(missing.starts_with("cannot read no-such-frame.vtu") && missing.contains("[output.fields]"));
     }
@@ -211,8 +241,7 @@ mod tests {
             let damaged: String = letters.into_iter().collect();
             if let Ok(sheet) = read("damaged", &damaged) {
                 prop_assert!(sheet.cells.iter().flatten().all(|&a| a < sheet.points.len()));
-                let wanted = crate::Picture { field: None, view: [-60.0, 30.0], title: "" };
-                let _ = crate::picture_svg(&sheet, &wanted);
+                let _ = crate::picture_svg(&sheet, &crate::Picture::new(""));
             }
         }
     }

@@ -88,23 +88,25 @@ impl<W: Write> Vtu<W> {
         self.data(name, "NumberOfTuples=\"1\"", [[value]].into_iter())
     }
 
-    /// An array of single numbers, such as `connectivity`.
+    /// An array of single numbers with a unit (`-` for none), such as `connectivity`.
     pub fn list<T: Scalar>(
         &mut self,
         name: &str,
+        unit: &str,
         values: impl ExactSizeIterator<Item = T>,
     ) -> io::Result<()> {
-        self.data(name, "", values.map(|value| [value]))
+        self.data(name, &unit_attribute(unit), values.map(|value| [value]))
     }
 
-    /// An array of rows with a name for each component; no names for x, y, z.
+    /// An array of rows with a unit and a name for each component; no names for x, y, z.
     pub fn rows<T: Scalar, const N: usize>(
         &mut self,
         name: &str,
+        unit: &str,
         components: [&str; N],
         rows: impl ExactSizeIterator<Item = [T; N]>,
     ) -> io::Result<()> {
-        let mut attributes = format!("NumberOfComponents=\"{N}\"");
+        let mut attributes = format!("NumberOfComponents=\"{N}\"{}", unit_attribute(unit));
         for (i, component) in components.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
             attributes += &format!(" ComponentName{i}=\"{component}\"");
         }
@@ -149,6 +151,11 @@ impl<W: Write> Vtu<W> {
     }
 }
 
+/// The unit as an attribute of our own, which other readers pass over.
+fn unit_attribute(unit: &str) -> String {
+    if unit == "-" { String::new() } else { format!(" unit=\"{unit}\"") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,10 +176,10 @@ mod tests {
         for count in [0, 1, 2, 3, 6142, 6143, 6144, 12_287, 20_000] {
             let mut file = Vtu::begin(Vec::new()).unwrap();
             let value = |i: usize| (i as f64).sqrt() - 7.0;
-            file.rows("pairs", ["11", "22"], (0..count).map(|i| [value(i), -value(i)])).unwrap();
-            file.list("numbers", (0..count).map(|i| i as i32 - 5)).unwrap();
-            file.rows("singles", [""; 3], (0..count).map(|i| [value(i) as f32; 3])).unwrap();
-            file.list("bytes", (0..count).map(|i| i as u8)).unwrap();
+            file.rows("pairs", "N", ["11", "22"], (0..count).map(|i| [value(i), -value(i)])).unwrap();
+            file.list("numbers", "-", (0..count).map(|i| i as i32 - 5)).unwrap();
+            file.rows("singles", "-", [""; 3], (0..count).map(|i| [value(i) as f32; 3])).unwrap();
+            file.list("bytes", "-", (0..count).map(|i| i as u8)).unwrap();
             let text = String::from_utf8(file.end().unwrap()).unwrap();
             let pairs = bytes(&text, "pairs");
             let numbers = bytes(&text, "numbers");

@@ -16,6 +16,7 @@ pub struct FieldNotThere {
 /// One number a cell.
 pub(super) struct Values {
     pub name: String,
+    pub unit: Option<String>,
     pub of_cells: Vec<f64>,
 }
 
@@ -28,8 +29,9 @@ pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, Fiel
         usual.into_iter().find(|name| find(sheet, name).is_some()).unwrap_or("displacement")
     });
     let (base, component) = name.split_once('.').map_or((name, None), |(base, c)| (base, Some(c)));
-    let found = find(sheet, base).and_then(|(array, at_cells)| Some((scalar(array, component)?, at_cells)));
-    let Some((numbers, at_cells)) = found else {
+    let found = find(sheet, base);
+    let found = found.and_then(|(array, at_cells)| Some((array, scalar(array, component)?, at_cells)));
+    let Some((array, numbers, at_cells)) = found else {
         let known: Vec<&str> =
             sheet.point_data.keys().chain(sheet.cell_data.keys()).map(String::as_str).collect();
         let mut known = known;
@@ -39,7 +41,7 @@ pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, Fiel
     };
     let mean = |cell: &Vec<usize>| cell.iter().map(|&a| numbers[a]).sum::<f64>() / cell.len() as f64;
     let of_cells = if at_cells { numbers } else { sheet.cells.iter().map(mean).collect() };
-    Ok(Values { name: name.into(), of_cells })
+    Ok(Values { name: name.into(), unit: array.unit.clone(), of_cells })
 }
 
 /// A field of the cells, else of the points.

@@ -104,37 +104,38 @@ impl Canvas {
         let _ = writeln!(self.svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{safe}</text>");
     }
 
-    pub fn dashed(&mut self, from: &[f64; 3], to: &[f64; 3]) {
-        let ([x1, y1], [x2, y2]) = (self.place(from), self.place(to));
-        let _ = writeln!(
-            self.svg,
-            "<line class=\"outline\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#888888\" \
-             stroke-dasharray=\"5 4\"/>"
-        );
+    /// Words in the lower right corner.
+    pub fn remark(&mut self, text: &str) {
+        self.text([WIDTH - LEFT, HEIGHT - 14.0], "end", text);
     }
 
-    /// A cell, a dot where it is a particle alone; a line of its own colour closes the gaps between neighbours where edges are not wanted.
-    pub fn polygon(&mut self, corners: &[&[f64; 3]], fill: &str, edged: bool) {
-        if let [only] = corners {
-            let [x, y] = self.place(only);
-            let _ = writeln!(
-                self.svg,
-                "<circle class=\"cell\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"{fill}\"/>"
-            );
-            return;
+    /// Pieces of the undeformed outline.
+    pub fn dashed<'a>(&mut self, pieces: impl Iterator<Item = [&'a [f64; 3]; 2]>) {
+        self.svg += "<g class=\"outline\" stroke=\"#888888\" stroke-dasharray=\"5 4\">\n";
+        for ends in pieces {
+            let [[x1, y1], [x2, y2]] = ends.map(|end| self.place(end));
+            let _ = writeln!(self.svg, "<path d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\"/>");
         }
-        let mut points = String::new();
-        for corner in corners {
-            let [x, y] = self.place(corner);
-            let _ = write!(points, "{x:.1},{y:.1} ");
+        self.svg += "</g>\n";
+    }
+
+    /// Cells with their colours, dots where they are particles alone; lines of their own colours close the gaps between
+    /// neighbours where edges are not wanted.
+    pub fn cells<'a>(&mut self, cells: impl Iterator<Item = (Vec<&'a [f64; 3]>, String)>, edged: bool) {
+        let edge = if edged { " stroke=\"#333333\"" } else { "" };
+        let _ =
+            writeln!(self.svg, "<g class=\"cells\"{edge} stroke-width=\"0.4\" stroke-linejoin=\"round\">");
+        for (corners, fill) in cells {
+            let own = if edged { String::new() } else { format!(" stroke=\"{fill}\"") };
+            if let [only] = corners[..] {
+                let [x, y] = self.place(only);
+                let _ = writeln!(self.svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"{fill}\"/>");
+                continue;
+            }
+            let places = corners.iter().map(|&corner| self.place(corner).map(|x| (10.0 * x).round() as i64));
+            let _ = writeln!(self.svg, "<path fill=\"{fill}\"{own} d=\"{}\"/>", polygon(places));
         }
-        let edge = if edged { "#333333" } else { fill };
-        let _ = writeln!(
-            self.svg,
-            "<polygon class=\"cell\" points=\"{}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"0.4\" \
-             stroke-linejoin=\"round\"/>",
-            points.trim_end()
-        );
+        self.svg += "</g>\n";
     }
 
     /// The three axes of space, in the lower left corner.
@@ -155,8 +156,8 @@ impl Canvas {
         }
     }
 
-    /// The colour bar with its ends and its middle.
-    pub fn bar(&mut self, name: &str, [low, high]: [f64; 2]) {
+    /// The colour bar with its ends and quarters, name and unit above it.
+    pub fn bar(&mut self, name: &str, unit: Option<&str>, [low, high]: [f64; 2]) {
         let (x, top, tall) = (WIDTH - RIGHT + 30.0, TOP + 40.0, HEIGHT - TOP - BOTTOM - 80.0);
         let stripe = tall / STRIPES as f64;
         for i in 0..STRIPES {
@@ -170,16 +171,42 @@ impl Canvas {
                 stripe + 0.4
             );
         }
-        self.text([x + 110.0, top - 18.0], "end", name);
+        self.text([x + 110.0, top - 36.0], "end", name);
+        if let Some(unit) = unit {
+            self.text([x + 110.0, top - 18.0], "end", &format!("[{unit}]"));
+        }
         if low > high {
             return; // no number at all
         }
-        let marks: &[f64] = if low < high { &[0.0, 0.5, 1.0] } else { &[0.5] };
+        let marks: &[f64] = if low < high { &[0.0, 0.25, 0.5, 0.75, 1.0] } else { &[0.5] };
         for share in marks {
             let label = short(low + share * (high - low));
             self.text([x + 26.0, top + tall * (1.0 - share) + 5.0], "start", &label);
         }
     }
+}
+
+/// A closed path through places in tenths of a pixel, each counted from the one before: half as long as written out.
+fn polygon(places: impl Iterator<Item = [i64; 2]>) -> String {
+    let mut path = String::new();
+    let mut last = [0; 2];
+    for (i, place) in places.enumerate() {
+        path += match i {
+            0 => "M",
+            1 => "l",
+            _ => "",
+        };
+        for (axis, (to, from)) in place.iter().zip(last).enumerate() {
+            let step = to - from;
+            // A minus sign parts numbers too.
+            if step >= 0 && (i > 1 || axis == 1) {
+                path.push(' ');
+            }
+            let _ = write!(path, "{}", step as f64 / 10.0);
+        }
+        last = place;
+    }
+    path + "z"
 }
 
 /// Four digits, powers of ten where nought after nought would come.
@@ -206,6 +233,12 @@ mod tests {
         for (found, expected) in seen.iter().zip([1.0, 2.0, 3.0]) {
             assert!((found - expected).abs() < 1e-15, "{seen:?}");
         }
+    }
+
+    #[test]
+    fn polygons_go_step_by_step() {
+        let places = [[100, 205], [150, 200], [140, 310], [-5, 310]];
+        assert_eq!(polygon(places.into_iter()), "M10 20.5l5-0.5-1 11-14.5 0z");
     }
 
     #[test]

@@ -143,7 +143,7 @@ mod tests {
         assert!(records.iter().all(Record::passes));
         let judged = records.iter().flat_map(|record| &record.metrics).filter(|m| m.tolerance.is_some());
         assert_eq!(judged.count(), 1, "only the bytes of the bare scene are asked");
-        let table = what_each_option_costs(&[CaseResult { case, runs, records }]).unwrap();
+        let table = what_each_option_costs(&[CaseResult { case, runs, records, picture: None }]).unwrap();
         assert_eq!(table.rows.len(), rows(Pace { side: 8, dt: 1.0, frame: 8 }).len());
         for line in &table.rows {
             assert_eq!(line.len(), table.head.len(), "{line:?}");

@@ -4,6 +4,7 @@ use super::Figure;
 use crate::answers::{overview, side_by_side};
 use crate::cases::dial;
 use crate::option_cost::what_each_option_costs;
+use crate::pictured::Pictured;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
 use crate::survival::survival;
@@ -133,6 +134,9 @@ fn case(result: &CaseResult) -> Result<String, JudgeError> {
     for figure in (case.figures)(&result.runs)? {
         text.push_str(&show(&figure)?);
     }
+    if let Some(picture) = &result.picture {
+        text.push_str(&drawing(case.name, picture)?);
+    }
     for figure in dial::cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
         text.push_str(&show(&figure)?);
     }
@@ -141,11 +145,19 @@ fn case(result: &CaseResult) -> Result<String, JudgeError> {
     Ok(text)
 }
 
+/// The deformed shape.
+fn drawing(case: &'static str, picture: &Pictured) -> Result<String, JudgeError> {
+    let refused = |cause| JudgeError::Study { case, method: picture.run.clone(), cause };
+    let (svg, caption) = picture.drawn().map_err(refused)?;
+    Ok(framed("Deformed shape", &caption, &svg))
+}
+
+fn framed(title: &str, caption: &str, inner: &str) -> String {
+    let (title, caption) = (escape(title), escape(caption));
+    format!("<figure><h3>{title}</h3>{inner}<figcaption>{caption}</figcaption></figure>")
+}
+
 fn show(figure: &Figure) -> Result<String, JudgeError> {
-    let framed = |title: &str, caption: &str, inner: &str| {
-        let (title, caption) = (escape(title), escape(caption));
-        format!("<figure><h3>{title}</h3>{inner}<figcaption>{caption}</figcaption></figure>")
-    };
     Ok(match figure {
         Figure::Chart(chart) => framed(&chart.title, &chart.caption, &chart.html()?),
         Figure::Shapes(shapes) => framed(&shapes.title, &shapes.caption, &shapes.html()),

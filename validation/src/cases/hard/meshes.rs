@@ -143,7 +143,7 @@ impl Mesh {
         for place in &mut mesh.places {
             let row = (place.y / step).round();
             if row > 0.5 && row < n as f64 - 0.5 {
-                let side = if row as usize % 2 == 0 { 1.0 } else { -1.0 };
+                let side = if (row as usize).is_multiple_of(2) { 1.0 } else { -1.0 };
                 place.x += side * sway * (std::f64::consts::PI * place.x).sin();
             }
         }

@@ -20,9 +20,12 @@ const PLATES: [(f64, f64); 2] = [(0.01, 0.00126785), (1e-4, 0.00126534)];
 /// Displacement under a force of the hemisphere without hole \[macneal1985\]: 0.0924.
 const WHOLE: f64 = 0.0924;
 
+/// Makes a mesh, if the cloud behind it can be made.
+type Maker = fn() -> Result<Mesh, String>;
+
 /// The meshes of the square, each with about as many particles as the lattice of 21×21.
 #[rustfmt::skip] // one line a mesh
-const MESHES: [(&str, fn() -> Result<Mesh, String>); 9] = [
+const MESHES: [(&str, Maker); 9] = [
     ("blocks, 3 in the middle", || Ok(Mesh::star(3, 11))),
     ("blocks, 5 in the middle", || Ok(Mesh::star(5, 9))),
     ("rows of triangles", || Ok(Mesh::rows_of_triangles(20))),
@@ -87,8 +90,11 @@ fn variants() -> Vec<Variant> {
 /// What a method finds on a mesh.
 type Study = dyn Fn(&str) -> Result<Outcome, String> + Send + Sync;
 
+/// Makes an octant of a sphere.
+type Octant = fn() -> Mesh;
+
 /// Meshes of an eighth of a sphere; triangles of 90°/16 = 5.6° round the pole, and of 4.5°, which are refused.
-const OCTANTS: [(&str, fn() -> Mesh); 3] = [
+const OCTANTS: [(&str, Octant); 3] = [
     ("three blocks", || octant(11)),
     ("pole of 16 triangles", || poled_octant(16)),
     ("pole of 20 triangles", || poled_octant(20)),
