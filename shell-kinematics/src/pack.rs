@@ -4,7 +4,7 @@
 //! whatever the optimiser makes of loops. No fused multiply-add is ever requested, so the same bits come
 //! out on every machine.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use wide::f64x4;
 
@@ -79,14 +79,6 @@ impl Mul<f64> for Pack {
     #[inline(always)]
     fn mul(self, factor: f64) -> Pack {
         self * Pack::splat(factor)
-    }
-}
-
-impl Div for Pack {
-    type Output = Pack;
-    #[inline(always)]
-    fn div(self, other: Pack) -> Pack {
-        Pack(self.0 / other.0)
     }
 }
 

@@ -135,9 +135,11 @@ pub(crate) fn sweep_pack<
     if let Some((_, state)) = &control {
         measures.curvature = state.arc(measures.curvature);
     }
-    let arcs = arcs.map(|arcs| arcs.adjust(&mut measures, &pack.reference));
+    if let Some(arcs) = arcs {
+        arcs.adjust(&mut measures, &pack.reference);
+    }
     let (mut on_measures, density) = measure_forces::<ENERGY, M, S>(pack, shear, law, &measures);
-    if let Some(arcs) = &arcs {
+    if let Some(arcs) = arcs {
         arcs.transpose(&mut on_measures);
     }
     let mut released = Pack::ZERO;

@@ -21,6 +21,8 @@ use sph_core::SamplingOperator;
 
 /// α \[–\]: the least that keeps disordered plates of L/t = 10⁴ within .15 % of L/t = 10²; 0.4 softens the hemisphere by .8 %.
 const RELAXATION: f64 = 0.02;
+/// Bound of α |T̃|²/w² \[–\]: \[lyly1993\] relax every cell by so much. Only slivers reach it.
+const MOST: f64 = 0.1;
 
 /// Shear constants of four points.
 #[derive(Clone, Debug)]
@@ -53,8 +55,10 @@ impl ShearPack {
             let norm = third.get(p).map_or(0.0, |rows| {
                 rows.iter().map(|t| t[0] * t[0] + 3.0 * (t[1] * t[1] + t[2] * t[2]) + t[3] * t[3]).sum()
             });
+            let w = operator.points[p].weight;
+            let relaxed = (RELAXATION * norm / w).min(MOST * w);
             let squared = thickness * thickness;
-            (squared / (squared + RELAXATION * norm / operator.points[p].weight)).sqrt()
+            (squared / (squared + relaxed)).sqrt()
         };
         let pack = |points: &[u32; LANES]| Self {
             moments: std::array::from_fn(|i| Pack::from_fn(|lane| second[points[lane] as usize][i])),

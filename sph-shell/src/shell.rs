@@ -144,7 +144,6 @@ impl Shell {
             _ => Vec::new(),
         };
         let shear = ShearPack::all(operator, &packs.order, &second, &third, scales.thickness);
-        let arcs = ArcPack::all(operator, &packs.order, &second, &third, scales.thickness);
         let pairs = match parts.formulation {
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
                 Some(PairControl::new(&reference, &scales)?)
@@ -172,7 +171,7 @@ impl Shell {
             packs,
             cells,
             shear,
-            arcs,
+            arcs: Vec::new(),
             pairs,
             strong_form,
             constraint_of,
@@ -187,6 +186,7 @@ impl Shell {
             formulation: parts.formulation,
         };
         shell.take_reference();
+        shell.arcs = ArcPack::all(&shell.reference.operator, &shell.packs, &second, &third);
         Ok(shell)
     }
 
@@ -198,9 +198,6 @@ impl Shell {
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
                 pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
-            }
-            if let Some(arcs) = self.arcs.get_mut(index) {
-                arcs.rest(&pack.reference.curvature);
             }
         }
     }

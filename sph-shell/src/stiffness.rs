@@ -102,7 +102,9 @@ impl Shell {
             now.curvature = state.arc(now.curvature);
         }
         let arcs = self.arcs.get(index);
-        let arcs = arcs.map(|arcs| (arcs, arcs.adjust(&mut now, &pack.reference)));
+        if let Some(arcs) = arcs {
+            arcs.adjust(&mut now, &pack.reference);
+        }
         let mut strains = self.strain.strains(&now, &pack.reference);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
         let shear = self.shear.get(index);
@@ -119,8 +121,8 @@ impl Shell {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
         let mut forces = self.strain.transpose(&now, &pack.reference, &stress);
-        if let Some((arcs, state)) = &arcs {
-            arcs.tangent(state, &mut over, &mut forces);
+        if let Some(arcs) = arcs {
+            arcs.tangent(&mut over, &mut forces);
         }
         let scale =
             control.as_ref().map(|(_, state)| scale_tangent(&p, state, pack.weight, &mut over, &mut forces));

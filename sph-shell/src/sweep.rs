@@ -177,7 +177,6 @@ mod tests {
         let second = operator.second_moments(&cloud.positions);
         let third = operator.uneven_third_moments(&cloud.positions);
         let shear = ShearPack::all(&operator, &packs.order, &second, &third, 0.1);
-        let arcs = ArcPack::all(&operator, &packs.order, &second, &third, 0.1);
         let mut state: Vec<Row> = cloud
             .positions
             .iter()
@@ -190,6 +189,7 @@ mod tests {
             pack.reference = p.measures();
             pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
         }
+        let arcs = ArcPack::all(&operator, &packs, &second, &third);
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {
                 *value += 0.01 * ((7 * i + 3 * k) as f64).sin();
