@@ -88,6 +88,20 @@
 //! with κ₁₂ entering as 2κ₁₂, once. The tensor is `sph_core::SamplingOperator::second_moments`; it vanishes on
 //! parallelograms.
 //!
+//! # Uneven cells
+//!
+//! Third moments `T^α = ΣG_α ξξξ` make the next error of a stencil. What neighbouring cells have in common of it particles make up
+//! for; its uneven part T̃ (`sph_core::SamplingOperator::uneven_third_moments`) would lock thin shells, in the membrane because
+//! chords of a curved cell fall short of arcs, and in shear. In the formulation by cells
+//!
+//! ```text
+//! e_m ← e_m + L_m·(k − K)        L = ∂l/∂k at rest,  l = (1/12)(T̃^α∴kk_β + T̃^β∴kk_α) − ½ (E_α:k)(E_β:k)
+//! shear energy × t²/(t² + min(α |T̃|²/w, w/10))        α = 0.02
+//! ```
+//!
+//! after the stabilised shear of \[lyly1993\]. K is the curvature at rest. Both are part of the energy. Lattices on developable surfaces have no uneven part and no array for it.
+//! Derivations and measurements: docs/uneven-cells.md.
+//!
 //! # Zero-energy control of cells
 //!
 //! One point does not see the pattern h = (1, −1, 1, −1). With `γ_b = ¼[h_b − G₁_b(h·ξ) − G₂_b(h·η)]`, which is blind

@@ -203,22 +203,16 @@ fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
 
 /// Why a method misses what is asked.
 fn cause(run: &Run) -> &'static str {
-    let grid = run.variant.grid.as_str();
     match run.variant.method.as_str() {
         NODAL_2 | NODAL_3 => NODAL,
-        WIDE_14 if run.done() => {
+        _ if run.done() => {
             "the kernel reaches other particles than those of the cell, and the correction for a consistent divergence changes \
              its rows; what is left of shear and membrane strain in pure bending stiffens thin shells"
         }
-        WIDE_14 => {
+        _ => {
             "the conditions of a consistent divergence contradict each other on a curved disordered cloud: refused, with the \
              advice to use cells"
         }
-        _ if grid.starts_with("hemisphere") => {
-            "chords of curved cells fall short of arcs unevenly where cells are uneven, and membrane stiffness answers \
-             (docs/zero-energy-control.md, what it does not cure)"
-        }
-        _ => "the few triangles that pairing leaves over sample shear once each and lock in the thin limit",
     }
 }
 

@@ -175,17 +175,6 @@ fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
     })
 }
 
-/// Why a method misses what is asked.
-fn cause(run: &Run) -> &'static str {
-    match run.variant.method.as_str() {
-        NODAL_1 | NODAL_2 | NODAL_3 => NODAL,
-        _ => {
-            "chords of curved cells fall short of arcs unevenly where cells are uneven; membrane stiffness over bending \
-             stiffness grows as (Δ²/12Rt)² (docs/zero-energy-control.md, what it does not cure)"
-        }
-    }
-}
-
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics: Vec<Booked> = Vec::new();
     for (number, run) in runs.0.iter().enumerate() {
@@ -194,7 +183,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
                           seventh at free edges, a step of bending would be t/Δ = .002 at 10⁴";
             metrics.push((number, Metric::at_least(STEP, step(run), "-", 1.0).within(0.2, reason)));
         } else {
-            let own = asked(run, error(runs, run)?, bound(runs, run)?, &THICKNESS, cause(run));
+            let own = asked(run, error(runs, run)?, bound(runs, run)?, &THICKNESS, NODAL);
             metrics.extend(own.into_iter().map(|metric| (number, metric)));
         }
     }

@@ -241,10 +241,6 @@ fn cause(run: &Run) -> &'static str {
             "triangles hand the pressure to their corners in thirds, ⅓pπΔ² to the pole, where flat facets of slope Δ/2R under N = pR/2 \
              bear ¼pπΔ²: the pole alone moves out until bending bears the rest"
         }
-        _ if grid.starts_with("hemisphere") => {
-            "chords of curved cells fall short of arcs unevenly where cells are uneven or oblique, and membrane stiffness \
-             answers (docs/zero-energy-control.md, what it does not cure)"
-        }
         _ => {
             "sharp cells are long cells: the error grows about as the square of the slanted edge, alike for both thicknesses, \
              so that it is no shear locking. Not isolated further"
