@@ -95,7 +95,8 @@
 //! chords of a curved cell fall short of arcs, and in shear. In the formulation by cells
 //!
 //! ```text
-//! e_m ← e_m + L_m·(k − K)        L = ∂l/∂k at rest,  l = (1/12)(T̃^α∴kk_β + T̃^β∴kk_α) − ½ (E_α:k)(E_β:k)
+//! e_m ← e_m + σ L_m·(k − K)      L = ∂l/∂k at rest,  l = (1/12)(T̃^α∴kk_β + T̃^β∴kk_α) − ½ (E_α:k)(E_β:k)
+//!                                σ = min(1, √(ε/12) t/|L|),  ε = 0.2
 //! shear energy × t²/(t² + min(α |T̃|²/w, w/10))        α = 0.02
 //! ```
 //!

@@ -186,7 +186,7 @@ impl Shell {
             formulation: parts.formulation,
         };
         shell.take_reference();
-        shell.arcs = ArcPack::all(&shell.reference.operator, &shell.packs, &second, &third);
+        shell.arcs = ArcPack::all(&shell.reference.operator, &shell.packs, &second, &third, scales.thickness);
         Ok(shell)
     }
 

@@ -85,6 +85,10 @@ pub const NODAL: &str = "strains sampled at the particles lock as the shell gets
                          stretch on curved shells, worst with the widest rows (order 3); orders 1 and 2 are off by several percent \
                          while thick, at clamped edges and on disordered clouds. Not isolated further";
 
+/// Why thin curved shells of uneven cells miss what is asked.
+pub const UNEVEN: &str = "chords of curved cells fall short of arcs unevenly where cells are uneven, and membrane stiffness answers; what is given \
+                          back is bounded, and lets the membrane give way a little, more where it is stretched by percents (docs/uneven-cells.md)";
+
 /// Part of a known error by which it may change before it has to be looked at again.
 const DRIFT: f64 = 0.1;
 

@@ -2,7 +2,7 @@
 
 use benchmarks_ref::elastica::end_moment;
 
-use super::common::{Cloud, ERROR, NODAL, Shape, asked, last, off, or_refused};
+use super::common::{Cloud, ERROR, NODAL, Shape, UNEVEN, asked, last, off, or_refused};
 use super::misses::DISORDER;
 use crate::JudgeError;
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
@@ -205,6 +205,7 @@ fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
 fn cause(run: &Run) -> &'static str {
     match run.variant.method.as_str() {
         NODAL_2 | NODAL_3 => NODAL,
+        STATIC => UNEVEN,
         _ if run.done() => {
             "the kernel reaches other particles than those of the cell, and the correction for a consistent divergence changes \
              its rows; what is left of shear and membrane strain in pure bending stiffens thin shells"

@@ -5,7 +5,7 @@ use implicit_statics::{Equilibrium, linear_response};
 use sph_core::Vec3;
 use sph_shell::{Clamped, Force, StaticShell, Supported};
 
-use super::common::{Cloud, ERROR, Miss, Shape, asked, finding, last, off, or_refused};
+use super::common::{Cloud, ERROR, Miss, Shape, UNEVEN, asked, finding, last, off, or_refused};
 use super::sheets::{Sheet, shell};
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
 use crate::cases::dial::{CELL, ELEMENTS, NODAL_2, NODAL_3, STATIC, WIDE_14};
@@ -225,10 +225,11 @@ fn bound(grid: &str) -> (f64, &'static str) {
 }
 
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
-    let cause = "order 3 weighs a corner particle with nine sixty-fourths of a cell: a force on it bends the corner of the plate more \
+    let corner = "order 3 weighs a corner particle with nine sixty-fourths of a cell: a force on it bends the corner of the plate more \
                  than finite elements say. Not isolated further";
     let mut metrics: Vec<Booked> = Vec::new();
     for (number, run) in runs.0.iter().enumerate() {
+        let cause = if run.variant.grid.starts_with("cap") { UNEVEN } else { corner };
         let own = asked(run, error(runs, run)?, bound(&run.variant.grid), &MISSES, cause);
         metrics.extend(own.into_iter().map(|metric| (number, metric)));
         if run.variant.grid.starts_with("centre") && run.variant.method != ELEMENTS {
@@ -241,6 +242,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
 
 /// Runs that miss what is asked.
 #[rustfmt::skip]
-const MISSES: [Miss; 1] = [
+const MISSES: [Miss; 2] = [
+    (CELL, "cap Poisson #1", 4.582),
     (NODAL_3, "centre against corners lattice", 4.103),
 ];

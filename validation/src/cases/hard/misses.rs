@@ -1,7 +1,7 @@
 //! The runs that miss what is asked of them, with their errors \[%\]; the causes stand with the cases.
 
 use super::common::Miss;
-use crate::cases::dial::{NODAL_1, NODAL_2, NODAL_3, WIDE_14};
+use crate::cases::dial::{NODAL_1, NODAL_2, NODAL_3, STATIC, WIDE_14};
 
 /// Of the case disorder.
 #[rustfmt::skip]
@@ -48,7 +48,13 @@ pub const DISORDER: [Miss; 38] = [
 
 /// Of the case thickness.
 #[rustfmt::skip]
-pub const THICKNESS: [Miss; 43] = [
+pub const THICKNESS: [Miss; 49] = [
+    (STATIC, "hemisphere jitter 0.25 #1 R/t 1000", -5.908),
+    (STATIC, "hemisphere jitter 0.25 #1 R/t 10000", -57.66),
+    (STATIC, "arc jitter 0.25 #1 R/t 10000", -1.039),
+    (STATIC, "dome jitter 0.25 #1 R/t 10000", 2.45),
+    (STATIC, "dome jitter 0.4 #1 R/t 10000", 7.05),
+    (STATIC, "dome Poisson #1 R/t 10000", 2.49),
     (NODAL_1, "plate lattice L/t 5", 8.242),
     (NODAL_2, "plate lattice L/t 5", -2.285),
     (NODAL_1, "plate lattice L/t 10", 11.59),

@@ -6,7 +6,7 @@ use explicit_dynamics::{Damping, LevelReached, Observer, QuasiStatic, Record};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Pressure, Shell, SymmetryPlane};
 
-use super::common::{ERROR, Miss, NODAL, asked, finding, last, off, or_failed};
+use super::common::{ERROR, Miss, NODAL, UNEVEN, asked, finding, last, off, or_failed};
 use super::meshes::{Mesh, nearest, octant, particles, poled_octant};
 use super::sheets::{Matter, force, linear, shell_of, supported};
 use crate::case::{Case, Headline, Run, Variant};
@@ -241,6 +241,7 @@ fn cause(run: &Run) -> &'static str {
             "triangles hand the pressure to their corners in thirds, ⅓pπΔ² to the pole, where flat facets of slope Δ/2R under N = pR/2 \
              bear ¼pπΔ²: the pole alone moves out until bending bears the rest"
         }
+        _ if grid.starts_with("hemisphere") => UNEVEN,
         _ => {
             "sharp cells are long cells: the error grows about as the square of the slanted edge, alike for both thicknesses, \
              so that it is no shear locking. Not isolated further"
@@ -255,23 +256,21 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 
 /// Runs that miss what is asked.
 #[rustfmt::skip]
-const MISSES: [Miss; 18] = [
-    (STATIC, "hemisphere blocks, 3 in the middle", -4.462),
-    (STATIC, "hemisphere rows of triangles", -7.839),
-    (STATIC, "hemisphere crossed triangles", -2.002),
-    (STATIC, "hemisphere cut blocks", -3.254),
-    (STATIC, "hemisphere smoothed Poisson triangles", -2.724),
-    (STATIC, "hemisphere smoothed Poisson triangles #2", -3.856),
-    (STATIC, "plate zigzag of 20° h/a 0.01", -7.351),
-    (STATIC, "plate zigzag of 20° h/a 0.0001", -7.405),
-    (STATIC, "hemisphere zigzag of 20°", -44.0),
-    (STATIC, "plate zigzag of 10° h/a 0.01", -27.39),
-    (STATIC, "plate zigzag of 10° h/a 0.0001", -27.57),
-    (STATIC, "hemisphere zigzag of 10°", -84.34),
+const MISSES: [Miss; 16] = [
+    (STATIC, "hemisphere blocks, 3 in the middle", -3.064),
+    (STATIC, "hemisphere rows of triangles", -2.563),
+    (STATIC, "hemisphere crossed triangles", -1.818),
+    (STATIC, "hemisphere cut blocks", -1.871),
+    (STATIC, "plate zigzag of 20° h/a 0.01", -6.992),
+    (STATIC, "plate zigzag of 20° h/a 0.0001", -7.023),
+    (STATIC, "hemisphere zigzag of 20°", -39.76),
+    (STATIC, "plate zigzag of 10° h/a 0.01", -26.85),
+    (STATIC, "plate zigzag of 10° h/a 0.0001", -26.94),
+    (STATIC, "hemisphere zigzag of 10°", -83.48),
     (WIDE_14, "plate blocks, 3 in the middle h/a 0.01", 1.388),
     (NODAL_2, "plate blocks, 3 in the middle h/a 0.01", 12.19),
     (NODAL_3, "plate blocks, 3 in the middle h/a 0.01", -2.636),
     (WIDE_14, "hemisphere blocks, 3 in the middle", f64::NAN),
-    (CELL, "closed cap pole of 16 triangles", 9.043),
+    (CELL, "closed cap pole of 16 triangles", 10.02),
     (STATIC, "whole hemisphere pole of 20 triangles", f64::NAN),
 ];
