@@ -9,7 +9,7 @@ pub const AGAIN: &str = "bare scene, once more";
 /// Name of the row that quasi-static options are added to: they want every rigid motion held.
 pub const CLAMPED: &str = "one edge clamped";
 
-/// The bare scene; its plate and material are those of [`super::sitting::bare_shell`].
+/// The bare scene; its plate and material are those of [`super::sitting::shell_without_scene`].
 pub const SCENE: &str = r#"
 title = "A free plate in motion"
 units = { length = "m", force = "N", time = "s" }
