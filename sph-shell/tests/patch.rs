@@ -108,10 +108,8 @@ fn swelling(counts: [usize; 2], fraction: f64) -> f64 {
     let forces = derivative(&mut shell, |x| (*x, Vec3::zeros()));
     let tension = common::YOUNG * thickness / (1.0 - common::POISSON);
     let inside = |a: usize| {
-        a % counts[0] > 0
-            && a % counts[0] + 1 < counts[0]
-            && a / counts[0] > 0
-            && a / counts[0] + 1 < counts[1]
+        let (row, column) = (a / counts[0], a - counts[0] * (a / counts[0]));
+        (1..counts[0] - 1).contains(&column) && (1..counts[1] - 1).contains(&row)
     };
     let worst = (0..cloud.len()).filter(|&a| inside(a)).fold(0.0_f64, |worst, a| {
         let f = Vec3::new(forces[a][0], forces[a][1], forces[a][2]);
