@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use crate::{SamplingOperator, SamplingPoint, Vec3};
 
 /// Times the moments are averaged over neighbours before they are taken off. One leaves a ninth of the variance of random
-/// moments in the mean, four a thirtieth; a study is kept in docs/zero-energy-control.md.
+/// moments in the mean, four a thirtieth; a study is kept in docs/uneven-cells.md.
 const AVERAGES: usize = 4;
 
 /// `Σ_b g z³`, `Σ g z² z̄`, `Σ g z z̄²`, `Σ g z̄³` with `g = G₁ + iG₂`, `z = ξ + iη` of a stencil \[L²\].

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use coque::{Column, Curve, Scene, Silent};
 
 use crate::case::{Problem, Variant};
-use crate::cases::dial;
+use crate::cases::{dial, hemisphere};
 use crate::outcome::{Outcome, Solver};
 use crate::survival::KNOWN;
 use crate::{Metric, Run};
@@ -76,6 +76,16 @@ impl Shape {
         variant
     }
 }
+
+/// The hemisphere with a hole, a quarter.
+pub const HEMISPHERE: Shape = Shape {
+    name: "hemisphere",
+    scene: hemisphere::SCENE,
+    geometry: "sphere",
+    keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]",
+    counts: [21, 21],
+    spacing: 0.61,
+};
 
 /// Method, problem and error \[%\] of a run that misses what is asked; not a number where it does not reach its end.
 pub type Miss = (&'static str, &'static str, f64);

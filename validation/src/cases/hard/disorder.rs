@@ -2,7 +2,7 @@
 
 use benchmarks_ref::elastica::end_moment;
 
-use super::common::{Cloud, ERROR, NODAL, Shape, UNEVEN, asked, last, off, or_refused};
+use super::common::{Cloud, ERROR, HEMISPHERE, NODAL, Shape, UNEVEN, asked, last, off, or_refused};
 use super::misses::DISORDER;
 use crate::JudgeError;
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
@@ -28,14 +28,6 @@ const PLATE: Shape = Shape {
     keys: "lengths = [1.0, 1.0]",
     counts: [21, 21],
     spacing: 0.05,
-};
-const HEMISPHERE: Shape = Shape {
-    name: "hemisphere",
-    scene: hemisphere::SCENE,
-    geometry: "sphere",
-    keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]",
-    counts: [21, 21],
-    spacing: 0.61,
 };
 const PANEL: Shape = Shape {
     name: "panel",

@@ -1,20 +1,11 @@
 //! hemisphere-in-time: the hemisphere with a hole marched to rest, from linear loads to the full one, against statics.
 
-use super::common::{Cloud, ERROR, Shape};
+use super::common::{Cloud, ERROR, HEMISPHERE, Shape};
 use crate::case::{Booked, Case, Headline, Runs, Variant};
 use crate::cases::dial::{CELL, STATIC};
-use crate::cases::hemisphere::SCENE;
 use crate::measure::largest;
 use crate::{JudgeError, Metric};
 
-const SHAPE: Shape = Shape {
-    name: "",
-    scene: SCENE,
-    geometry: "sphere",
-    keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]",
-    counts: [11, 11],
-    spacing: 1.2,
-};
 /// Parts of the full load of 400 (200 on the quarter); the first is that of the linear problem.
 const LEVELS: [f64; 5] = [0.005, 0.05, 0.2, 0.5, 1.0];
 
@@ -40,7 +31,7 @@ fn variants() -> Vec<Variant> {
     for (n, levels) in [(11, &LEVELS[..]), (21, &LEVELS[..1])] {
         for cloud in [Cloud::Lattice, Cloud::Jitter(0.25, 1)] {
             for method in [CELL, STATIC] {
-                let mut variant = Shape { counts: [n, n], ..SHAPE }.on(method, cloud);
+                let mut variant = Shape { counts: [n, n], ..HEMISPHERE }.on(method, cloud);
                 variant.grid = format!("{n}×{n} {}", cloud.name());
                 let analysis = if method == CELL {
                     format!("{{ explicit = {{ quasi-static = {{ levels = {levels:?}, period = 1.5 }} }} }}")

@@ -2,11 +2,11 @@
 
 use benchmarks_ref::fe_shell::cases::hemisphere_of_thickness;
 
-use super::common::{Cloud, ERROR, NODAL, Shape, UNEVEN, asked, last, off, or_refused};
+use super::common::{Cloud, ERROR, HEMISPHERE, NODAL, Shape, UNEVEN, asked, last, off, or_refused};
 use super::misses::THICKNESS;
 use crate::case::{Booked, Case, Headline, Run, Runs, Variant};
 use crate::cases::dial::{CELL, ELEMENTS, NODAL_1, NODAL_2, NODAL_3, STATIC, WIDE_14};
-use crate::cases::{hemisphere, plate};
+use crate::cases::plate;
 use crate::{JudgeError, Metric};
 
 /// Quarter of a ring, clamped at the crown u0, pulled outward at u1 by a force in its plane; ν = 0, radius 10.
@@ -40,14 +40,6 @@ const BEAM: Shape = Shape {
     keys: "radius = 10.0, angles = [0.0, 90.0], length = 2.0",
     counts: [33, 5],
     spacing: 0.49,
-};
-const HEMISPHERE: Shape = Shape {
-    name: "hemisphere",
-    scene: hemisphere::SCENE,
-    geometry: "sphere",
-    keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]",
-    counts: [21, 21],
-    spacing: 0.61,
 };
 /// A part of a sphere of radius one, clamped at the top, under pressure: the membrane bears all of it. The energy, half the work of the
 /// pressure, is compared with that of the lattice of as many particles: it finds a membrane that gives way.
