@@ -17,6 +17,7 @@ use sph_core::Vec3;
 
 pub use file::CheckpointError;
 
+use crate::Warning;
 use crate::build::Model;
 use crate::probe::Gauge;
 use crate::run::{Findings, Shape};
@@ -70,6 +71,7 @@ struct Kept<'a> {
     shapes: Cow<'a, [Shape]>,
     levels: Cow<'a, [LevelSummary]>,
     critical: Cow<'a, [CriticalSummary]>,
+    warnings: Cow<'a, [Warning]>,
     energies: Energies,
     steps: u64,
     newton_iterations: u64,
@@ -137,6 +139,7 @@ impl Checkpoint {
         found.shapes = kept.shapes.into_owned();
         found.levels = kept.levels.into_owned();
         found.critical = kept.critical.into_owned();
+        found.warnings = kept.warnings.into_owned();
         (found.energies, found.steps, found.newton_iterations) =
             (kept.energies, kept.steps, kept.newton_iterations);
         (found.stable_step, found.safety, found.seconds) = (kept.stable_step, kept.safety, kept.seconds);
@@ -210,6 +213,7 @@ impl Checkpoints {
             shapes: Cow::Borrowed(&found.shapes),
             levels: Cow::Borrowed(&found.levels),
             critical: Cow::Borrowed(&found.critical),
+            warnings: Cow::Borrowed(&found.warnings),
             energies: found.energies,
             steps: found.steps,
             newton_iterations: found.newton_iterations,

@@ -135,6 +135,7 @@ mod sets;
 mod source;
 mod summary;
 mod units;
+mod warning;
 
 pub use build::Model;
 pub use catalogue::{Shelf, catalogue};
@@ -154,3 +155,4 @@ pub use schema::{schema, schema_text};
 pub use source::Source;
 pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};
+pub use warning::{Doubt, Warning};

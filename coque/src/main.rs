@@ -264,11 +264,8 @@ fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), Str
 /// Tells what came out and gives the exit code.
 fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
-    for level in summary.levels.iter().filter(|level| !level.settled) {
-        eprintln!(
-            "warning: level {} did not settle (kinetic/internal energy {:.1e}); lengthen `hold` or shorten the step between levels",
-            level.level, level.kinetic_over_internal
-        );
+    for warning in &summary.warnings {
+        eprintln!("warning: {}", warning.message);
     }
     for critical in &summary.critical {
         eprintln!("{} at load level {}", critical.kind, critical.level);

@@ -12,6 +12,7 @@ use crate::probe::Gauge;
 use crate::run::{Ended, Findings, News, RunOptions};
 use crate::scene::{Damping, Explicit};
 use crate::summary::{Energies, LevelSummary};
+use crate::{Doubt, Warning};
 
 /// Lanczos steps for the stable step that the summary reports.
 const LANCZOS_STEPS: usize = 30;
@@ -138,6 +139,12 @@ impl Observer<Shell> for Watcher<'_, '_, '_> {
 
     fn level(&mut self, reached: &LevelReached) {
         let LevelReached { level, settled, kinetic_over_internal, steps } = *reached;
+        if !settled {
+            let message = format!(
+                "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}); lengthen `hold` or shorten the step between levels"
+            );
+            self.found.warnings.push(Warning::new(Doubt::NotSettled, message));
+        }
         self.found.levels.push(LevelSummary { level, settled, kinetic_over_internal, steps });
     }
 

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Shell, StaticShell};
 
+use crate::Warning;
 use crate::build::Model;
 use crate::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Place};
 use crate::curve::Curve;
@@ -180,6 +181,7 @@ pub(crate) struct Findings<'a> {
     pub(crate) levels: Vec<LevelSummary>,
     pub(crate) newton_iterations: u64,
     pub(crate) critical: Vec<CriticalSummary>,
+    pub(crate) warnings: Vec<Warning>,
     /// Wall time of earlier sittings \[s\].
     pub(crate) seconds: f64,
     /// Where frames of fields go, if anywhere.
@@ -284,6 +286,7 @@ impl Model {
             particle_steps_per_second: described.particles as f64 * marched as f64 / wall_seconds,
             energies,
             levels,
+            warnings: found.warnings,
             frames,
             modelled: described.modelled,
             left_out: described.left_out,

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::Warning;
 use crate::build::Model;
 use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
 
@@ -98,6 +99,8 @@ pub struct Summary {
     pub energies: Energies,
     /// How each load level ended; empty without levels.
     pub levels: Vec<LevelSummary>,
+    /// What may be wrong with the numbers above, and why.
+    pub warnings: Vec<Warning>,
     /// Frames of fields written; nought without `output.fields`.
     pub frames: u64,
     /// What is modelled.

@@ -9,7 +9,7 @@ use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 /// First bytes of the file.
 const MARK: [u8; 8] = *b"coque-cp";
 /// Version of what follows; to be raised with every change of what is kept.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 /// Mark, version, length of the rest, checksum of the rest.
 const HEADER: usize = 8 + 4 + 8 + 4;
 
