@@ -45,6 +45,9 @@ pub trait Progress: Send {
     /// `Break` ends the run in good order.
     fn update(&mut self, news: &News) -> ControlFlow<()>;
 
+    /// Told the curve as a run begins, and again whenever it has grown.
+    fn recorded(&mut self, _curve: &Curve) {}
+
     /// Told what the run cannot do but goes on without.
     fn warn(&mut self, _message: &str) {}
 }
@@ -148,6 +151,17 @@ pub enum Failure {
     Fields(#[from] FieldError),
 }
 
+impl Failure {
+    /// Whether the scene asked for what cannot be done, or the disk has no room: nothing diverged.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Fields(_) | Self::March(MarchError::Option { .. }) => true,
+            Self::Balance { cause, .. } => matches!(cause, BalanceError::Option { .. }),
+            _ => false,
+        }
+    }
+}
+
 /// The causes behind an error, in brackets.
 fn causes(error: &BalanceError) -> String {
     let first = std::error::Error::source(error);
@@ -208,6 +222,7 @@ impl Model {
     /// Runs to the end, or to divergence. With more than one thread the run has a pool of its own.
     pub fn run(self, progress: &mut dyn Progress) -> Outcome {
         let found = self.nothing_yet(None);
+        progress.recorded(&found.curve);
         self.in_pool(RunOptions { progress, checkpoints: None, fields: None, from: None }, found, None)
     }
 
@@ -221,6 +236,7 @@ impl Model {
             checkpoints.of(&self);
         }
         let from = options.from.take().map(|from| from.put_into(&mut self, &mut found)).transpose()?;
+        options.progress.recorded(&found.curve);
         Ok(self.in_pool(options, found, from))
     }
 
