@@ -32,7 +32,7 @@
 //! | files of surfaces | [`mesh`]; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
-//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | results on disk | `whole.rs`, `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
 //! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
@@ -104,6 +104,8 @@
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
+//! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
+//! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
 
 mod build;
@@ -119,8 +121,8 @@ mod input;
 mod linear;
 mod march;
 mod matter;
-pub mod mesh;
 mod memory;
+pub mod mesh;
 mod modes;
 mod nearest;
 mod overrides;
@@ -142,6 +144,7 @@ mod tables;
 mod units;
 mod warning;
 mod whole;
+mod xml;
 
 pub use build::Model;
 pub use catalogue::{Shelf, catalogue};

@@ -24,7 +24,7 @@ use clap::{Args, Parser, Subcommand};
 use commands::bar::Bar;
 use commands::results::{CURVE, ResultFolder};
 use commands::say::{Refused, say};
-use commands::stop::Stop;
+use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
     Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
@@ -121,7 +121,10 @@ Results, in DIR:
   scene.toml     a copy of the scene; what --set replaced stands at its end
   checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
 
-Ctrl-C ends the run in good order, with the results so far; a second one at once.
+Rows of curve.csv are on the disk as they come, the other files once the run has ended; each replaces the old one whole.
+What an earlier run left in DIR under these names is taken out as a run begins; one run at a time holds DIR (coque.lock).
+Ctrl-C, SIGTERM or a terminal that goes (not under nohup) end the run in good order, with the results so far; a second
+one at once.
 Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted (the curve so far is kept).";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
@@ -132,6 +135,7 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
+    outlive_file_limits();
     let done = match Cli::parse().command {
         Command::Run(run) => carry_out(&run),
         Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
@@ -251,10 +255,12 @@ fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
         "static" | "arc-length" => format!(", {} Newton iterations", summary.newton_iterations),
         _ => String::new(),
     };
-    say(&format!("{} steps in {:.2} s{effort}; results in {}",
+    say(&format!(
+        "{} steps in {:.2} s{effort}; results in {}",
         summary.steps,
         summary.wall_seconds,
-        out.display()));
+        out.display()
+    ));
     match &outcome.ended {
         Ended::Done => {
             if resumable {

@@ -5,15 +5,17 @@ use crate::scene::{Analysis, Formulation, Geometry, Reach, Scene};
 
 /// Memory for the program itself, its stacks and its results \[bytes\].
 const PROGRAM: f64 = 5e7;
-/// Greatest memory a particle while a model is built \[bytes\]; measured on lattices of 10⁴ and 9·10⁴ particles, see the
-/// table in the test, and rounded up.
-const CELLS: f64 = 3000.0;
-/// The same for a kernel of reach one at cells or particles; it grows with the square of the reach.
-const KERNEL: f64 = 6000.0;
-/// The same for what clouds off lattices keep beside it.
-const DISORDER: f64 = 2500.0;
-/// A tangent, its factor and what ordering them takes, a particle and a doubling of their number \[bytes\].
-const FACTOR: f64 = 1500.0;
+/// Greatest memory a particle while a model is built and marched \[bytes\]: 1300 and 1480 on lattices of 10⁴ and 3·10⁴
+/// particles, rounded up.
+const CELLS: f64 = 1800.0;
+/// The same beside it for kernels: 24 000 on 9·10³ particles of equal spacings, for reaches of 1.4 and of 3.
+const KERNEL: f64 = 23_000.0;
+/// The same for what clouds off lattices keep beside it: 100 on those two.
+const DISORDER: f64 = 200.0;
+/// A tangent, its factor and what ordering them takes, a particle and a doubling of their number \[bytes\]: 920 and 980 on
+/// 3·10³ and 9·10³ particles; and where kernels couple them: 9100 on 3·10³.
+const FACTOR: f64 = 1000.0;
+const KERNEL_FACTOR: f64 = 9100.0;
 
 /// Memory of a run \[bytes\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,21 +81,16 @@ impl Scene {
 
     /// Greatest memory of such a run \[bytes\].
     fn memory(&self, particles: f64) -> f64 {
-        let kernel = |reach: f64| CELLS + KERNEL * reach * reach;
-        let each = match &self.formulation {
-            Formulation::StressPoint(f) => match f.support {
-                Reach::Cell => CELLS,
-                Reach::Wide(reach) => kernel(reach),
-            },
-            Formulation::Nodal(f) => kernel(f.smoothing_length()),
-            Formulation::StrongForm(f) => kernel(f.smoothing),
+        let (each, factor) = match &self.formulation {
+            Formulation::StressPoint(f) if f.support == Reach::Cell => (CELLS, FACTOR),
+            _ => (CELLS + KERNEL, KERNEL_FACTOR),
         };
         let geometry = &self.geometry;
         let lattice = geometry.particles().is_some() && geometry.disorder().is_none();
         let each = if lattice { each } else { each + DISORDER };
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,
-            _ => FACTOR * particles.max(2.0).log2(),
+            _ => factor * particles.max(2.0).log2(),
         };
         PROGRAM + particles * (each + factor)
     }

@@ -48,7 +48,8 @@ pub fn plot_svg(curve: &Curve, x: &str, y: &str, title: &str, file: &Path) -> Re
         column.map_or_else(|| name.to_string(), |column| column.title())
     };
     let refused = |reason: String| PlotError::Drawing { path: file.display().to_string(), reason };
-    let svg = draw(&points, [&label(x), &label(y)], &plain_text(title)).map_err(|e| refused(e.to_string()))?;
+    let svg =
+        draw(&points, [&label(x), &label(y)], &plain_text(title)).map_err(|e| refused(e.to_string()))?;
     write_whole(file, |to| to.write_all(svg.as_bytes())).map_err(|e| refused(e.to_string()))
 }
 

@@ -72,6 +72,9 @@ impl Diagnostic for Report<'_> {
             SceneError::Choice(fault) => format!("must give {}", fault.bound),
             _ => "here".into(),
         };
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some(plain_text(&label).into_owned()), SourceSpan::from(span)))))
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(
+            Some(plain_text(&label).into_owned()),
+            SourceSpan::from(span),
+        ))))
     }
 }

@@ -16,7 +16,12 @@ pub(crate) fn refuse_lists(table: &DeTable<'_>, source: &Source) -> Result<(), S
     walk_table("", table, &alternatives(vec![&SCHEMA]), source)
 }
 
-fn walk_table(path: &str, table: &DeTable<'_>, of: &[&'static Value], source: &Source) -> Result<(), SceneError> {
+fn walk_table(
+    path: &str,
+    table: &DeTable<'_>,
+    of: &[&'static Value],
+    source: &Source,
+) -> Result<(), SceneError> {
     for (key, value) in table {
         let name: &str = key.get_ref();
         let below = of.iter().filter_map(|schema| {

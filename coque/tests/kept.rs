@@ -19,11 +19,20 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// A support that a run in real time can have in the place of a motion.
+const HINGE: [&str; 2] = ["--set", "supports[2]={ on = \"u0v0\", hinged = {} }"];
+
 /// A run of a few hundredths of a second, with a picture of its curve.
 fn patch(out: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
     command
-        .args(["run", "scenes/patch-test.toml", "--set", "output.plot={ x = \"level\", y = \"U_end\" }", "--out"])
+        .args([
+            "run",
+            "scenes/patch-test.toml",
+            "--set",
+            "output.plot={ x = \"level\", y = \"U_end\" }",
+            "--out",
+        ])
         .arg(out)
         .current_dir(root())
         .stdout(Stdio::piped())
@@ -100,7 +109,7 @@ fn bounded(kilobytes: usize, arguments: &[&str], out: &Path) -> Output {
 fn a_disk_that_fills_up_costs_neither_the_curve_so_far_nor_whole_files() {
     let out = folder("full");
     let transient = "analysis.explicit={ transient = { duration = 0.02, record_every = 1e-4 } }";
-    let run = ["run", "scenes/patch-test.toml", "--set", transient];
+    let run = ["run", "scenes/patch-test.toml", HINGE[0], HINGE[1], "--set", transient];
     let reference = folder("full-reference");
     let done = bounded(1000, &run, &reference);
     assert_eq!(code(&done), 0, "{}", said(&done));
@@ -138,7 +147,8 @@ fn results_of_before_stand_until_there_is_room_for_others() {
     assert!(before == after);
 
     // Pictures as well: into a device that takes nothing, and beside a file of before.
-    let shape = bounded(0, &["plot", &out.to_string_lossy(), "--curve", "level,U_end"], &out.join("curve.svg"));
+    let shape =
+        bounded(0, &["plot", &out.to_string_lossy(), "--curve", "level,U_end"], &out.join("curve.svg"));
     assert_eq!(code(&shape), 2, "{}", said(&shape));
     assert_eq!(names(&out), WHOLE);
     assert_eq!(fs::read(out.join("curve.svg")).unwrap(), before[1]);
@@ -170,7 +180,7 @@ fn of_two_runs_into_one_folder_one_is_refused_and_the_other_is_whole() {
 fn the_run_that_holds_a_folder_is_named_and_a_killed_one_holds_none() {
     let out = folder("held");
     let long = ["--set", "analysis.explicit={ transient = { duration = 1e3, record_every = 1.0 } }"];
-    let mut holder = patch(&out).args(long).spawn().unwrap();
+    let mut holder = patch(&out).args(HINGE).args(long).spawn().unwrap();
     let lock = out.join("coque.lock");
     while !out.join("curve.csv").exists() {
         assert!(holder.try_wait().unwrap().is_none());
@@ -181,8 +191,11 @@ fn the_run_that_holds_a_folder_is_named_and_a_killed_one_holds_none() {
     let second = patch(&out).output().unwrap();
     assert_eq!(code(&second), 2);
     assert!(said(&second).contains(&who) && said(&second).contains("--out"), "{}", said(&second));
-    let resumed =
-        Command::new(env!("CARGO_BIN_EXE_coque")).args(["resume", &path]).current_dir(root()).output().unwrap();
+    let resumed = Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(["resume", &path])
+        .current_dir(root())
+        .output()
+        .unwrap();
     assert_eq!(code(&resumed), 2);
     assert!(said(&resumed).contains(&who), "{}", said(&resumed));
     holder.kill().unwrap();
@@ -204,7 +217,7 @@ fn nothing_of_an_earlier_run_is_taken_for_this_one_and_foreign_files_stay() {
     }
     // Killed at once: nothing but the scene, and rows of the run itself.
     let long = ["--set", "analysis.explicit={ transient = { duration = 1e3, record_every = 1e3 } }"];
-    let mut run = patch(&out).args(long).spawn().unwrap();
+    let mut run = patch(&out).args(HINGE).args(long).spawn().unwrap();
     while fs::read_to_string(out.join("scene.toml")).is_ok_and(|text| !text.contains("1e3")) {
         assert!(run.try_wait().unwrap().is_none());
         std::thread::sleep(std::time::Duration::from_millis(5));
@@ -222,7 +235,9 @@ fn nothing_of_an_earlier_run_is_taken_for_this_one_and_foreign_files_stay() {
 
 #[test]
 fn links_lead_nowhere_out_of_the_folder() {
-    for name in ["curve.csv", "curve.svg", "summary.json", "scene.toml", "fields", "coque.lock", "curve.csv.part"] {
+    for name in
+        ["curve.csv", "curve.svg", "summary.json", "scene.toml", "fields", "coque.lock", "curve.csv.part"]
+    {
         let (out, outside) = (folder("linked"), folder("outside"));
         fs::create_dir_all(&out).unwrap();
         fs::create_dir_all(&outside).unwrap();

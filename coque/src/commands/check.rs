@@ -38,7 +38,8 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
     let mut text = format!("{}\n{}", scene.title, described(&model));
     let particles = model.describe().particles;
     let memory = model.memory;
-    let free = memory.available.map_or(String::new(), |free| format!(", of {:.0} MB that are free", 1e-6 * free));
+    let free =
+        memory.available.map_or(String::new(), |free| format!(", of {:.0} MB that are free", 1e-6 * free));
     let time = scene.units.symbol(Quantity::Time);
     text.push_str(&cost(&model.estimate(), particles, &time));
     text.push_str(&format!("  {:<24} about {:.0} MB{free}\n", "memory of a run", 1e-6 * memory.needed));

@@ -84,7 +84,8 @@ impl ResultFolder {
         replaced: &[(String, String)],
     ) -> Result<String, String> {
         let copy = self.path.join(SCENE_COPY);
-        let same = |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
+        let same =
+            |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
         if same(&copy, scene) {
             self.clear()?;
             return Ok(text);
@@ -111,7 +112,10 @@ impl ResultFolder {
         };
         note(CURVE, write_whole(&self.path.join(CURVE), |to| outcome.curve.write_csv(to)));
         let summary = serde_json::to_vec_pretty(&outcome.summary).map_err(io::Error::from);
-        note(SUMMARY, summary.and_then(|text| write_whole(&self.path.join(SUMMARY), |to| to.write_all(&text))));
+        note(
+            SUMMARY,
+            summary.and_then(|text| write_whole(&self.path.join(SUMMARY), |to| to.write_all(&text))),
+        );
         // A plot of what probes measure has no place among modes.
         if let Some(plot) = scene.output.plot.as_ref().filter(|_| !scene.analysis.gives_modes()) {
             let drawn = plot_svg(&outcome.curve, &plot.x, &plot.y, &scene.title, &self.path.join(PICTURE));

@@ -49,11 +49,16 @@ impl Stop {
     }
 }
 
+/// A file that may not grow further (`ulimit -f`) is an error of its write, not the end of the program.
+pub fn outlive_file_limits() {
+    // Where the signal cannot be caught, the program ends by it.
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
 #[cfg(unix)]
 fn watch(stop: Arc<Stop>) -> std::io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXCPU, SIGXFSZ};
-    // A file that may not grow further is an error of its write, not the end of the program.
-    signal_hook::flag::register(SIGXFSZ, Arc::default())?;
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXCPU};
     let mut ends = vec![SIGINT, SIGTERM, SIGXCPU];
     if !hangup_ignored() {
         ends.push(SIGHUP);

@@ -8,6 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use roxmltree::{Document, Node};
 
 use crate::input::read_text;
+use crate::xml;
 
 use super::Frame;
 use super::content::{Content, results};
@@ -127,7 +128,7 @@ fn within<T>(path: &Path, read: impl FnOnce(&Document<'_>) -> Result<T, String>)
 }
 
 fn parsed<T>(text: &str, read: impl FnOnce(&Document<'_>) -> Result<T, String>) -> Result<T, String> {
-    Document::parse(text).map_err(|error| error.to_string()).and_then(|document| read(&document))
+    xml::parsed(text).map_err(|error| error.what).and_then(|document| read(&document))
 }
 
 fn arrays(section: Node<'_, '_>) -> Result<BTreeMap<String, Array>, String> {
