@@ -12,7 +12,7 @@ use clap::Args;
 use coque::{Column, Ended, FieldSink, Model, News, Outcome, Progress, RunOptions, Scene};
 
 use super::bar::stop_on_interrupt;
-use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, fields, replacement};
+use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, fields, replacement};
 
 #[derive(Args)]
 pub struct Sweep {
@@ -40,12 +40,13 @@ Examples:
 Values are TOML; commas within brackets and quotes belong to the value.
 
 Results, in DIR:
-  sweep.csv      a row per run: its number, the values, how it ended, wall time, and the last row of its curve
+  sweep.csv      a row per run: its number, the values, how it ended, words of its warnings (such as not-settled),
+                 wall time, and the last row of its curve
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
 
 A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
-Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 130 interrupted.";
+Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 4 all done but one did not settle, 130 interrupted.";
 
 /// Combinations beyond which a list of values is taken for a mistake.
 const MOST_RUNS: usize = 100_000;
@@ -53,6 +54,8 @@ const MOST_RUNS: usize = 100_000;
 /// What became of one run.
 struct Row {
     ended: String,
+    /// Words of its warnings, each once.
+    doubts: String,
     /// Exit code of such a run.
     code: u8,
     seconds: f64,
@@ -81,8 +84,9 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
             let replaced = [&sweep.replaced[..], &values[..]].concat();
             let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &interrupted);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            let doubts = if row.doubts.is_empty() { String::new() } else { format!(", {}", row.doubts) };
             eprintln!(
-                "[{}/{}] {}: {} ({:.1} s)",
+                "[{}/{}] {}: {}{doubts} ({:.1} s)",
                 number + 1,
                 runs.len(),
                 named.join(" "),
@@ -102,11 +106,17 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
     let table = out.join("sweep.csv");
     write_table(&table, &sweep.over, &runs, &rows)
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
-    let done = rows.iter().flatten().filter(|row| row.code == DONE).count();
+    let of = |code: u8| rows.iter().flatten().filter(|row| row.code == code).count();
+    let restless = of(NOT_SETTLED);
+    let done = of(DONE) + restless;
     eprintln!("{done} of {} runs done; the table is {}", runs.len(), table.display());
+    if restless > 0 {
+        eprintln!("not settled: {restless} of them");
+    }
     Ok(match () {
         () if interrupted.load(Ordering::Relaxed) => INTERRUPTED,
         () if done < runs.len() => DIVERGED,
+        () if restless > 0 => NOT_SETTLED,
         () => DONE,
     })
 }
@@ -115,8 +125,14 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
 fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interrupted: &AtomicBool) -> Row {
     let begun = Instant::now();
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
-    let refused =
-        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: Vec::new(), last: Vec::new() };
+    let refused = |ended: String| Row {
+        ended,
+        doubts: String::new(),
+        code: BAD_INPUT,
+        seconds: 0.0,
+        columns: Vec::new(),
+        last: Vec::new(),
+    };
     let outcome = match model {
         Ok(model) => run(model, out, interrupted),
         Err(error) => return refused(format!("refused: {error}")),
@@ -135,13 +151,18 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
         return refused(format!("cannot write to {}: {error}", out.display()));
     }
     let code = match outcome.ended {
+        Ended::Done if !outcome.summary.not_settled().is_empty() => NOT_SETTLED,
         Ended::Done => DONE,
         Ended::Diverged(_) => DIVERGED,
         Ended::Interrupted { .. } => INTERRUPTED,
     };
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
-    Row { ended: outcome.ended.to_string(), code, seconds, columns: outcome.curve.columns, last }
+    let mut doubts: Vec<&str> = outcome.summary.warnings.iter().map(|warning| warning.doubt.word()).collect();
+    doubts.sort_unstable();
+    doubts.dedup();
+    let ended = outcome.ended.to_string();
+    Row { ended, doubts: doubts.join(" "), code, seconds, columns: outcome.curve.columns, last }
 }
 
 /// Runs a model; its frames go into its folder.
@@ -228,7 +249,7 @@ fn write_table(
     let paths = over.iter().map(|(path, _)| quoted(path));
     let head: Vec<String> = std::iter::once("run".into())
         .chain(paths)
-        .chain(["ended".into(), "wall [s]".into()])
+        .chain(["ended".into(), "warnings".into(), "wall [s]".into()])
         .chain(titles)
         .collect();
     writeln!(to, "{}", head.join(","))?;
@@ -236,8 +257,10 @@ fn write_table(
         let values = values.iter().map(|(_, value)| quoted(value));
         let mut cells: Vec<String> = std::iter::once((number + 1).to_string()).chain(values).collect();
         match row {
-            None => cells.extend(["not run".into(), String::new()]),
-            Some(row) => cells.extend([quoted(&row.ended), format!("{:.3}", row.seconds)]),
+            None => cells.extend(["not run".into(), String::new(), String::new()]),
+            Some(row) => {
+                cells.extend([quoted(&row.ended), row.doubts.clone(), format!("{:.3}", row.seconds)])
+            }
         }
         for column in &columns {
             let found = row
