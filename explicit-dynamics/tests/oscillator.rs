@@ -206,7 +206,7 @@ fn what_settles_is_near_its_equilibrium() {
 }
 
 #[test]
-fn kinetic_energy_alone_calls_a_creeping_motion_dead() {
+fn a_creeping_motion_is_not_called_dead() {
     // Damped a hundredfold beyond the critical ratio, the speed at 3 % from the end is 1.5e-4 ω of the amplitude.
     let (error, reached) = settling(Damping::Ratio(100.0), PERIOD, 1000.0, 1e-6);
     assert!(
