@@ -110,10 +110,10 @@ impl Watcher<'_, '_, '_, '_> {
         level.negative_pivots = Some(inertia.negative);
         let Inertia { negative, zero, .. } = inertia;
         if negative + zero > 0 {
+            let vanishing = if zero > 0 { format!(", {zero} vanishing") } else { String::new() };
             let message = format!(
-                "level {} is at rest but not stable: its tangent has {negative} negative and {zero} vanishing pivots, \
-                 and the shell would leave it at the least disturbance; give it a small load or imperfection that shows \
-                 the way",
+                "level {} is at rest but not stable (negative pivots of the tangent: {negative}{vanishing}): the shell would \
+                 leave it at the least disturbance; give it a small load or imperfection that shows the way",
                 level.level
             );
             self.found.warnings.push(Warning::new(Doubt::Unstable, message));

@@ -99,7 +99,9 @@ const ROWS: [(&str, f64, f64, f64); 20] = [
 #[test]
 fn what_settles_is_right_whatever_the_damping_and_the_period() {
     let (mut settled, mut restless) = (0, 0);
-    println!("scene, damping, period, ramp, hold: error [%], kinetic/internal, out of balance, way left, steps");
+    println!(
+        "scene, damping, period, ramp, hold: error [%], kinetic/internal, out of balance, way left, steps"
+    );
     for Problem { scene, grid, level, period, column } in PROBLEMS {
         let text = text(scene);
         let still = run(&text, &set(&[grid, ("analysis.static.levels", level)]));
@@ -186,7 +188,8 @@ fn a_look_at_stability_changes_no_bit_and_what_was_not_looked_at_is_said() {
         outcome.summary.levels.iter().map(|level| level.negative_pivots).collect()
     };
     assert_eq!((pivots(&looked), pivots(&not)), (vec![Some(0); 2], vec![None; 2]));
-    let said = |outcome: &Outcome| outcome.summary.left_out.iter().any(|line| line.contains("stability at 2 of 2"));
+    let said =
+        |outcome: &Outcome| outcome.summary.left_out.iter().any(|line| line.contains("stability at 2 of 2"));
     assert!(!said(&looked) && said(&not), "{:?}", not.summary.left_out);
 }
 
@@ -216,7 +219,10 @@ fn an_unsettled_run_ends_with_a_code_and_a_last_line_of_its_own() {
     assert!(out.join("curve.csv").exists());
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
-    assert_eq!((&summary["ended"], &summary["warnings"][1]["doubt"]), (&"done".into(), &"not-settled".into()));
+    assert_eq!(
+        (&summary["ended"], &summary["warnings"][1]["doubt"]),
+        (&"done".into(), &"not-settled".into())
+    );
     assert!(summary["levels"][0]["way_left"].as_f64().unwrap() > 0.1, "{summary}");
 
     let over = format!("{PATH}.damping.ratio=1.0,100.0");
@@ -226,5 +232,8 @@ fn an_unsettled_run_ends_with_a_code_and_a_last_line_of_its_own() {
     assert!(said.contains("2 of 2 runs done") && said.contains("not settled: 1 of them"), "{said}");
     let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
     let rows: Vec<&str> = table.lines().collect();
-    assert!(rows[1].starts_with("1,1.0,done,,") && rows[2].starts_with("2,100.0,done,not-settled,"), "{table}");
+    assert!(
+        rows[1].starts_with("1,1.0,done,,") && rows[2].starts_with("2,100.0,done,not-settled,"),
+        "{table}"
+    );
 }
