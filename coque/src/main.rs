@@ -34,6 +34,7 @@ use coque::{
 const DONE: u8 = 0;
 const BAD_INPUT: u8 = 2;
 const DIVERGED: u8 = 3;
+const NOT_SETTLED: u8 = 4;
 const INTERRUPTED: u8 = 130;
 
 /// Simulates thin shells with one layer of SPH particles.
@@ -99,7 +100,7 @@ Start here:
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
 
-Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but a level did not settle, 130 interrupted.";
 
 const RUN_HELP: &str = "\
 Examples:
@@ -125,7 +126,12 @@ Rows of curve.csv are on the disk as they come, the other files once the run has
 What an earlier run left in DIR under these names is taken out as a run begins; one run at a time holds DIR (coque.lock).
 Ctrl-C, SIGTERM or a terminal that goes (not under nohup) end the run in good order, with the results so far; a second
 one at once.
-Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted (the curve so far is kept).";
+A level that was left before the motion had died is no equilibrium: all is written, a warning tells what was missing, and
+the last line on stderr is `not settled: ` with the levels. Other doubts are printed as `warning: `; summary.json has
+each with a word for scripts.
+
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 4 done but a level did
+not settle, 130 interrupted (the curve so far is kept).";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
@@ -266,7 +272,13 @@ fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
             if resumable {
                 say(&format!("with more room: coque resume {}", out.display()));
             }
-            DONE
+            let levels = summary.not_settled();
+            if levels.is_empty() {
+                return DONE;
+            }
+            let levels: Vec<String> = levels.iter().map(f64::to_string).collect();
+            say(&format!("not settled: {}", levels.join(", ")));
+            NOT_SETTLED
         }
         Ended::Diverged(error) => {
             say(&format!("{error}\nthe curve so far is in {}", out.join("curve.csv").display()));

@@ -95,7 +95,20 @@ pub(crate) fn levels(
         found.curve.rows.push(row);
         run.progress.recorded(&found.curve);
         let steps = path.points.len() as u64 - 1;
-        found.levels.push(LevelSummary { level, settled: true, kinetic_over_internal: 0.0, steps });
+        found.levels.push(LevelSummary {
+            level,
+            settled: true,
+            kinetic_over_internal: 0.0,
+            out_of_balance: 0.0,
+            way_left: 0.0,
+            // Under a prescribed motion the pivots are those of the force that brings it about.
+            negative_pivots: path
+                .points
+                .last()
+                .filter(|_| driven.is_none())
+                .map(|point| point.inertia().negative),
+            steps,
+        });
         if found.frames.is_some() {
             // The search for critical points may have been elsewhere since the point was read.
             reader.evaluate(system, path.restart.level);

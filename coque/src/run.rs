@@ -20,6 +20,7 @@ use crate::modes::{buckling, modal};
 use crate::path::{arc_length, levels};
 use crate::probe::columns;
 use crate::scene::Analysis;
+use crate::stability;
 use crate::summary::{CriticalSummary, Energies, LevelSummary, Summary};
 use crate::{Doubt, Warning};
 
@@ -301,6 +302,10 @@ impl Model {
         let wall_seconds = found.seconds + started.elapsed().as_secs_f64();
         let marched = if matches!(scene.analysis, Analysis::Explicit(_)) { found.steps } else { 0 };
         let Findings { curve, shapes, ended, steps, stable_step, safety, energies, levels, .. } = found;
+        let mut left_out = described.left_out;
+        if let Some(line) = stability::left_out(&scene, &levels).filter(|line| !left_out.contains(line)) {
+            left_out.push(line);
+        }
         let summary = Summary {
             title: scene.title.clone(),
             replaced: Vec::new(),
@@ -323,7 +328,7 @@ impl Model {
             warnings: found.warnings,
             frames,
             modelled: described.modelled,
-            left_out: described.left_out,
+            left_out,
             ended: ended.to_string(),
         };
         Outcome { curve, summary, ended, shapes, cells }

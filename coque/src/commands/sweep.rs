@@ -17,7 +17,7 @@ use coque::{
 use super::results::{CURVE, ResultFolder, TABLE};
 use super::say::{Refused, say};
 use super::stop::Stop;
-use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, fields, replacement};
+use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, fields, replacement};
 
 #[derive(Args)]
 pub struct Sweep {
@@ -45,12 +45,13 @@ Examples:
 Values are TOML; commas within brackets and quotes belong to the value.
 
 Results, in DIR:
-  sweep.csv      a row per run: its number, the values, how it ended, wall time, and the last row of its curve
+  sweep.csv      a row per run: its number, the values, how it ended, words of its warnings (such as not-settled),
+                 wall time, and the last row of its curve
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
 
 A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
-Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 130 interrupted.";
+Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 4 all done but one did not settle, 130 interrupted.";
 
 /// Combinations beyond which a list of values is taken for a mistake.
 const MOST_RUNS: usize = 100_000;
@@ -58,6 +59,8 @@ const MOST_RUNS: usize = 100_000;
 /// What became of one run.
 struct Row {
     ended: String,
+    /// Words of its warnings, each once.
+    doubts: String,
     /// Exit code of such a run.
     code: u8,
     seconds: f64,
@@ -89,8 +92,9 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
             let replaced = [&sweep.replaced[..], &values[..]].concat();
             let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            let doubts = if row.doubts.is_empty() { String::new() } else { format!(", {}", row.doubts) };
             let (all, named) = (runs.len(), named.join(" "));
-            say(&format!("[{}/{all}] {named}: {} ({:.1} s)", number + 1, row.ended, row.seconds));
+            say(&format!("[{}/{all}] {named}: {}{doubts} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
         }
@@ -104,11 +108,17 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
     let table = out.join(TABLE);
     write_whole(&table, |to| write_table(to, &sweep.over, &runs, &rows))
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
-    let done = rows.iter().flatten().filter(|row| row.code == DONE).count();
+    let of = |code: u8| rows.iter().flatten().filter(|row| row.code == code).count();
+    let restless = of(NOT_SETTLED);
+    let done = of(DONE) + restless;
     say(&format!("{done} of {} runs done; the table is {}", runs.len(), table.display()));
+    if restless > 0 {
+        say(&format!("not settled: {restless} of them"));
+    }
     Ok(match () {
         () if stop.asked() => INTERRUPTED,
         () if done < runs.len() => DIVERGED,
+        () if restless > 0 => NOT_SETTLED,
         () => DONE,
     })
 }
@@ -117,8 +127,14 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
 fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: &Stop) -> Row {
     let begun = Instant::now();
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
-    let refused =
-        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: Vec::new(), last: Vec::new() };
+    let refused = |ended: String| Row {
+        ended,
+        doubts: String::new(),
+        code: BAD_INPUT,
+        seconds: 0.0,
+        columns: Vec::new(),
+        last: Vec::new(),
+    };
     let outcome = match model {
         Ok(model) => run(model, out, stop),
         Err(error) => return refused(format!("refused: {error}")),
@@ -128,6 +144,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         Err(error) => return refused(error),
     };
     let code = match outcome.ended {
+        Ended::Done if !outcome.summary.not_settled().is_empty() => NOT_SETTLED,
         Ended::Done => DONE,
         Ended::Diverged(ref failure) if failure.is_input() => BAD_INPUT,
         Ended::Diverged(_) => DIVERGED,
@@ -135,7 +152,11 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
     };
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
-    Row { ended: outcome.ended.to_string(), code, seconds, columns: outcome.curve.columns, last }
+    let mut doubts: Vec<&str> = outcome.summary.warnings.iter().map(|warning| warning.doubt.word()).collect();
+    doubts.sort_unstable();
+    doubts.dedup();
+    let ended = outcome.ended.to_string();
+    Row { ended, doubts: doubts.join(" "), code, seconds, columns: outcome.curve.columns, last }
 }
 
 /// Takes out what an earlier sweep left in its numbered folders, of which it may have had more.
@@ -258,7 +279,7 @@ fn write_table(
     let paths = over.iter().map(|(path, _)| quoted(path));
     let head: Vec<String> = std::iter::once("run".into())
         .chain(paths)
-        .chain(["ended".into(), "wall [s]".into()])
+        .chain(["ended".into(), "warnings".into(), "wall [s]".into()])
         .chain(titles)
         .collect();
     writeln!(to, "{}", head.join(","))?;
@@ -266,8 +287,10 @@ fn write_table(
         let values = values.iter().map(|(_, value)| quoted(value));
         let mut cells: Vec<String> = std::iter::once((number + 1).to_string()).chain(values).collect();
         match row {
-            None => cells.extend(["not run".into(), String::new()]),
-            Some(row) => cells.extend([quoted(&row.ended), format!("{:.3}", row.seconds)]),
+            None => cells.extend(["not run".into(), String::new(), String::new()]),
+            Some(row) => {
+                cells.extend([quoted(&row.ended), row.doubts.clone(), format!("{:.3}", row.seconds)])
+            }
         }
         for column in &columns {
             let found = row
