@@ -116,10 +116,13 @@
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 
+mod buckling;
 mod critical;
+mod effort;
 mod eigen;
 mod equilibrium;
 mod error;
+mod geometric;
 mod modal;
 mod newton;
 mod path;
@@ -128,10 +131,13 @@ mod solver;
 mod stepper;
 mod vectors;
 
+pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
+pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::Equilibrium;
 pub use error::BalanceError;
-pub use modal::{BucklingMode, Mode, linear_buckling, lowest_modes, natural_modes};
+pub use geometric::Prebuckling;
+pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
 pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
 pub use solver::{Inertia, SymmetricSolver};
