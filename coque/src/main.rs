@@ -267,6 +267,13 @@ fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
     for warning in &summary.warnings {
         eprintln!("warning: {}", warning.message);
     }
+    if let Some(counted) = summary.counted {
+        let from = counted.from.map_or("below zero".into(), |from| format!("{from:.4e}"));
+        eprintln!(
+            "{} modes from {from} to {:.4e} by inertia, all found; {} factorisations, {} solves",
+            counted.number, counted.to, counted.factorisations, counted.solves
+        );
+    }
     for critical in &summary.critical {
         eprintln!("{} at load level {}", critical.kind, critical.level);
     }

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub enum Doubt {
     /// A load level was left before the motion had died.
     NotSettled,
+    /// Fewer modes were found than asked for.
+    FewerModes,
 }
 
 impl Doubt {
@@ -15,6 +17,7 @@ impl Doubt {
     pub fn word(self) -> &'static str {
         match self {
             Self::NotSettled => "not-settled",
+            Self::FewerModes => "fewer-modes",
         }
     }
 }
@@ -41,7 +44,7 @@ mod tests {
 
     #[test]
     fn the_word_is_the_one_in_the_summary() {
-        for doubt in [Doubt::NotSettled] {
+        for doubt in [Doubt::NotSettled, Doubt::FewerModes] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
     }

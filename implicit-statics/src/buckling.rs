@@ -46,7 +46,7 @@ pub struct BucklingOptions {
 impl BucklingOptions {
     /// So many levels above the base state, K_g along the whole linear response.
     pub fn new(count: usize) -> Self {
-        Self { count, sign: Sign::Positive, prebuckling: Prebuckling::Response }
+        Self { count, sign: Sign::Positive, prebuckling: Prebuckling::Rotations }
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Block Lanczos with thick restarts \[wu2000\]: one vector after the other is multiplied and made orthogonal to all
 //! others, so that a block of any width, restarts and invariant subspaces are one and the same loop. Kept Ritz vectors
-//! stay in the basis, converged or not; full orthogonalisation leaves no copies.
+//! stay in the basis, converged or not; full orthogonalisation leaves no copies \[parlett1998\].
 
 use crate::BalanceError;
 use crate::solver::dense_eigen;

@@ -15,7 +15,7 @@ const TRIALS: usize = 8;
 /// With strains ε(q), resultants σ and the linear response u of the unit load, at an unstressed base state
 ///
 /// ```text
-/// dK/dλ = (∂²ε u)ᵀ C ∂ε + ∂εᵀ C (∂²ε u) + σ(u)·∂²ε     Response
+/// dK/dλ = (∂²ε u)ᵀ C ∂ε + ∂εᵀ C (∂²ε u) + σ(u)·∂²ε     Rotations
 ///                                        σ(u)·∂²ε     Stress
 /// ```
 ///
@@ -25,7 +25,7 @@ const TRIALS: usize = 8;
 pub enum Prebuckling {
     /// All that changes along the linear response: its displacements and rotations as well as its stresses.
     #[default]
-    Response,
+    Rotations,
     /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
     Stress,
 }
@@ -53,7 +53,7 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
         for (values, delta) in ends.iter_mut().zip([delta, -delta]) {
             let motion: Vec<f64> = response.iter().map(|u| delta * u).collect();
             match kind {
-                Prebuckling::Response => {
+                Prebuckling::Rotations => {
                     system.update(&motion);
                     system.tangent(level + delta, values);
                     system.restore(&saved);

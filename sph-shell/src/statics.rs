@@ -103,42 +103,22 @@ impl Equilibrium for StaticShell {
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.shell.evaluate_internal(false);
         self.external_at(level);
-        self.shell.second_derivatives(&self.pattern, &mut self.blocks);
-        let mut next = values.iter_mut();
-        for a in 0..self.shell.len() {
-            let row_basis = self.basis(a);
-            let rows = self.freedoms.of(a);
-            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
-                let b = self.pattern.columns[block] as usize;
-                let column_basis = self.basis(b);
-                // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-                let radial = if a == b { self.radial_force(a) } else { 0.0 };
-                for row in 0..rows.len() {
-                    let left = if row < row_basis.translations { 0 } else { 3 };
-                    for column in 0..self.freedoms.of(b).len() {
-                        if a == b && column > row {
-                            continue;
-                        }
-                        let top = if column < column_basis.translations { 0 } else { 3 };
-                        let mut value = 0.0;
-                        for i in 0..3 {
-                            for j in 0..3 {
-                                value += row_basis.directions[row][i]
-                                    * self.blocks[block][left + i][top + j]
-                                    * column_basis.directions[column][j];
-                            }
-                        }
-                        if a == b && row == column && left == 3 {
-                            value -= radial;
-                        }
-                        value *= row_basis.rates[row] * column_basis.rates[column];
-                        if let Some(slot) = next.next() {
-                            *slot = value;
-                        }
-                    }
-                }
-            }
-        }
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        self.assemble(|a| self.radial(a, self.shell.internal_force(a)), values);
+    }
+
+    fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
+        let rest = self.save();
+        self.update(motion);
+        self.shell.evaluate_internal(false);
+        let stressed = self.shell.state.to_vec();
+        let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
+        self.restore(&rest);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
+        // Without stress here, the force along the director is that of the stresses alone up to their square.
+        self.assemble(|a| self.radial(a, internal[a]), values);
+        true
     }
 
     fn update(&mut self, increment: &[f64]) {
@@ -193,9 +173,48 @@ impl Equilibrium for StaticShell {
 }
 
 impl StaticShell {
-    /// `d·(∂U/∂d − τ)` of a particle.
-    fn radial_force(&self, a: usize) -> f64 {
-        let (f, e, row) = (self.shell.internal_force(a), self.shell.external_force(a), &self.shell.state[a]);
+    /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
+    fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
+        let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);
         (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
+    }
+
+    /// Turns the blocks into components along the unknowns, with the forces along the directors.
+    fn assemble(&self, radial: impl Fn(usize) -> f64, values: &mut [f64]) {
+        let mut next = values.iter_mut();
+        for a in 0..self.shell.len() {
+            let row_basis = self.basis(a);
+            let rows = self.freedoms.of(a);
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                let column_basis = self.basis(b);
+                // A director that turns keeps its length: its force along itself stiffens or softens every turn.
+                let radial = if a == b { radial(a) } else { 0.0 };
+                for row in 0..rows.len() {
+                    let left = if row < row_basis.translations { 0 } else { 3 };
+                    for column in 0..self.freedoms.of(b).len() {
+                        if a == b && column > row {
+                            continue;
+                        }
+                        let top = if column < column_basis.translations { 0 } else { 3 };
+                        let mut value = 0.0;
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                value += row_basis.directions[row][i]
+                                    * self.blocks[block][left + i][top + j]
+                                    * column_basis.directions[column][j];
+                            }
+                        }
+                        if a == b && row == column && left == 3 {
+                            value -= radial;
+                        }
+                        value *= row_basis.rates[row] * column_basis.rates[column];
+                        if let Some(slot) = next.next() {
+                            *slot = value;
+                        }
+                    }
+                }
+            }
+        }
     }
 }
