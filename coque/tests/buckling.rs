@@ -32,13 +32,14 @@ fn complete(outcome: &Outcome) {
     assert!(counted.factorisations <= 5, "{counted:?}");
 }
 
-/// In their plane neither turns before it buckles: the derivatives differ by strains before buckling, 2e-5 and 5e-4.
+/// In their plane neither turns before it buckles: the derivatives differ by the strain at which it does, σ/E of 2.1e-5 in
+/// the column and 3.6e-5 in the plate times the level; 1.6 times it in the column's second mode.
 #[test]
 fn plates_and_columns_buckle_alike_by_either_derivative() {
-    for (name, strain) in [("column-buckling.toml", 2e-5), ("plate-buckling.toml", 5e-4)] {
+    for (name, strain) in [("column-buckling.toml", 2.1e-5), ("plate-buckling.toml", 3.6e-5)] {
         let [whole, stress] = [&[][..], &[STRESS]].map(|replaced| levels(name, replaced));
         for (whole, stress) in whole.iter().zip(&stress) {
-            assert!((whole / stress - 1.0).abs() < 10.0 * strain, "{name}: {whole} {stress}");
+            assert!((whole / stress - 1.0).abs() < 5.0 * strain * whole, "{name}: {whole} {stress}");
         }
     }
 }
@@ -147,13 +148,22 @@ fn octant(n: usize, radius_over_thickness: f64) -> Scene {
     Scene::parse(&text, "octant.toml").unwrap()
 }
 
-/// The spectrum of a sphere is dense: some two dozen levels lie within ten percent of the lowest.
+/// The spectrum of a sphere is dense. Found: 1.0008; 1.0087 on 40² triangles.
 #[test]
 fn an_octant_of_triangles_buckles_at_the_classical_pressure() {
-    let outcome = octant(40, 100.0).build(1).unwrap().run(&mut coque::Silent);
+    let outcome = octant(60, 100.0).build(1).unwrap().run(&mut coque::Silent);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     complete(&outcome);
     let level = column(&outcome, "level")[0];
-    println!("{level} {:?}", outcome.summary.counted);
     assert!((level - 1.0).abs() < 0.005, "{level}");
+}
+
+/// The clamped edge bends before the cap buckles: with its rotations the level is that of the nonlinear path's tangent
+/// carried on, without them the finite-element one of 1.04. Found on these particles: .926 and 1.041.
+#[test]
+fn a_clamped_cap_has_two_linearised_levels() {
+    for (replaced, expected) in [(&[][..], 0.926), (&[STRESS], 1.041)] {
+        let found = levels("clamped-cap.toml", replaced);
+        assert!((found[0] / expected - 1.0).abs() < 0.01, "{replaced:?} {found:?}");
+    }
 }

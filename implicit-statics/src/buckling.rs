@@ -21,8 +21,9 @@ use crate::{BalanceError, Equilibrium, Spectrum, Watch, error::require};
 const PROBES: usize = 6;
 /// Relative change between restarts at which a Ritz value will do for a shift.
 const NEAR: f64 = 1e-2;
-/// A level farther than this times the nearest of either sign is none: rounding of K_g, where it vanishes.
-const REACH: f64 = 1e6;
+/// A level farther than this times the nearest of either sign is none: what extrapolates so far is no buckling load. A
+/// strip that is pulled "buckles" by its own stretch at 7·10⁴ times the load that would buckle it pushed.
+const REACH: f64 = 1e4;
 /// How far beyond the last level the shift is put, relative: half of the gap to the next one, within these.
 const BEYOND: [f64; 2] = [1e-6, 1e-2];
 /// The same where the last level is known by a Ritz value alone.
@@ -75,7 +76,7 @@ pub struct BucklingMode {
 
 /// Nearest critical levels of `(K + μ K_g) φ = 0` about the present equilibrium at `level`: `level + μ`, sorted by |μ|.
 ///
-/// Fewer than wanted come back where no more lie within a million times the nearest. The state is put back.
+/// Fewer than wanted come back where no more lie within ten thousand times the nearest. The state is put back.
 pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     system: &mut E,
     level: f64,
