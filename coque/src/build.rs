@@ -97,6 +97,7 @@ impl Scene {
             let repair = "take out a support, or let it name fewer particles";
             return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
         }
+        builder.refuse_more_modes_than(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
         Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1), memory })
     }
@@ -258,6 +259,20 @@ impl Builder<'_> {
         let bound = format!("every rigid motion must be held in {}", analysis.run_name());
         let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
         Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
+    }
+
+    /// There are as many modes as freedoms.
+    fn refuse_more_modes_than(&self, freedoms: usize) -> Result<(), SceneError> {
+        let (path, modes) = match &self.scene.analysis {
+            scene::Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
+            scene::Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
+            _ => return Ok(()),
+        };
+        if modes <= freedoms {
+            return Ok(());
+        }
+        let bound = format!("at most {freedoms}, the freedoms that no support holds");
+        Err(self.scene.source.value(path, modes, &bound, "the lowest few modes are usual; or use more particles"))
     }
 
     /// Puts a refusal of the shell where the scene causes it.

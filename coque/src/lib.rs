@@ -59,6 +59,12 @@
 //! | `modal` | `K φ = ω² M φ` | `implicit_statics::natural_modes` |
 //! | `buckling` | `(K + μ K_g) φ = 0` | `implicit_statics::linear_buckling` |
 //!
+//! `buckling` linearises about the unloaded shell. K_g = dK/dλ is taken along the whole linear response, its rotations and
+//! stretches as well as its stresses (`prebuckling = "rotations"`, the default), or along its stresses alone in the undeformed
+//! shape (`"stress"`, what most finite-element programs have). The two agree for plates and columns loaded in their plane. Where edges bend
+//! before buckling, as on a clamped cap, they differ, and the limit of the nonlinear path is another number still: follow
+//! the path by `arc-length`. Modes are counted by inertia, none is missing; `residual` bounds the relative distance to an exact one.
+//!
 //! A prescribed motion without time becomes a force along it whose size is sought; its level is then that force, or the
 //! share of the motion where levels are given.
 //!
@@ -169,7 +175,7 @@ pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent
 pub use scene::Scene;
 pub use schema::{schema, schema_text};
 pub use source::Source;
-pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};
+pub use summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};
 pub use warning::{Doubt, Warning};
 pub use whole::{Whole, write_whole};

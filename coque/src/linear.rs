@@ -11,7 +11,7 @@ use crate::fields::LinearForces;
 use crate::modes::{keep_shape, scaled};
 use crate::path::energies;
 use crate::probe::Gauge;
-use crate::run::{Ended, Failure, Findings};
+use crate::run::{Ended, Failure, Findings, News, Progress};
 
 /// Largest displacement, in thicknesses, of the states between which gauges, stresses and reactions are differentiated.
 ///
@@ -28,7 +28,13 @@ pub(crate) fn linear(
     driven: Option<Driven>,
     mut gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
+    progress: &mut dyn Progress,
 ) {
+    let mut goes_on = |steps| progress.update(&News { steps, ..News::default() }).is_continue();
+    if !goes_on(0) {
+        found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
+        return;
+    }
     let response = match linear_response(system, 0.0) {
         Ok(response) => response,
         Err(cause) => {
@@ -55,7 +61,15 @@ pub(crate) fn linear(
         values
     };
     // Rotations are counted on from the first reading, at rest.
-    let [here, ahead, beyond, behind, before] = [0.0, 1.0, 2.0, -1.0, -2.0].map(|k| read(system, k * step));
+    let mut readings: [Vec<f64>; 5] = Default::default();
+    for (reading, k) in readings.iter_mut().zip([0.0, 1.0, 2.0, -1.0, -2.0]) {
+        if !goes_on(1) {
+            found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
+            return;
+        }
+        *reading = read(system, k * step);
+    }
+    let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
     let mut load = vec![0.0; motion.len()];
     system.load_rate(0.0, &mut load);

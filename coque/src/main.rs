@@ -253,6 +253,13 @@ fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
     for warning in &summary.warnings {
         say(&format!("warning: {}", warning.message));
     }
+    if let Some(counted) = summary.counted {
+        let from = counted.from.map_or("below zero".into(), |from| format!("{from:.4e}"));
+        eprintln!(
+            "{} modes from {from} to {:.4e} by inertia, all found; {} factorisations, {} solves",
+            counted.number, counted.to, counted.factorisations, counted.solves
+        );
+    }
     for critical in &summary.critical {
         say(&format!("{} at load level {}", critical.kind, critical.level));
     }

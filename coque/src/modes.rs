@@ -3,12 +3,18 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use implicit_statics::{BalanceError, Equilibrium, linear_buckling, natural_modes};
+use implicit_statics::{
+    BalanceError, BucklingOptions, Counted, Effort, Equilibrium, Prebuckling, Sign, Spectrum, linear_buckling,
+    natural_modes,
+};
 use sph_core::Vec3;
 use sph_shell::{Shell, StaticShell};
 
 use crate::march::reference_step;
-use crate::run::{Ended, Failure, Findings};
+use crate::run::{Ended, Failure, Findings, News, Progress};
+use crate::scene::{self, Buckling, LevelSign};
+use crate::summary::CountSummary;
+use crate::{Doubt, Warning};
 
 /// Largest displacement of a shape of free size in units of the extent.
 const SCALE: f64 = 0.1;
@@ -17,49 +23,97 @@ const SCALE: f64 = 0.1;
 const SHIFT: f64 = 1e-10;
 
 /// Finds the lowest modes of vibration.
-pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>) {
+pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>, progress: &mut dyn Progress) {
     found.stable_step = reference_step(&mut shell);
     let fastest = 2.0 / found.stable_step;
     let mut system = StaticShell::new(shell);
-    let modes = match natural_modes(&mut system, 0.0, count, 0.0) {
+    let mut watch = watch(progress);
+    let spectrum = match natural_modes(&mut system, 0.0, count, 0.0, &mut watch) {
         Err(BalanceError::Mechanism { .. } | BalanceError::Singular { .. }) => {
-            natural_modes(&mut system, 0.0, count, -SHIFT * fastest * fastest)
+            natural_modes(&mut system, 0.0, count, -SHIFT * fastest * fastest, &mut watch)
         }
         other => other,
     };
-    match modes {
-        Err(cause) => failed(found, cause),
-        Ok(modes) => {
-            for (number, mode) in modes.iter().enumerate() {
-                let omega = mode.circular_frequency();
-                found.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU]);
-                if keep(&mut system, &mode.shape, omega / TAU, found).is_break() {
-                    return;
-                }
-            }
+    let Some(modes) = taken(spectrum, count, "frequencies squared", found) else { return };
+    for (number, mode) in modes.iter().enumerate() {
+        let omega = mode.circular_frequency();
+        found.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU, mode.residual]);
+        if keep(&mut system, &mode.shape, omega / TAU, found).is_break() {
+            return;
         }
     }
 }
 
-/// Finds the lowest buckling levels.
-pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings<'_>) {
+/// Finds the buckling levels nearest to zero.
+pub(crate) fn buckling(
+    wanted: &Buckling,
+    shell: Shell,
+    found: &mut Findings<'_>,
+    progress: &mut dyn Progress,
+) {
     let mut system = StaticShell::new(shell);
     found.warn_of_skew_loads(&system);
-    match linear_buckling(&mut system, 0.0, count) {
-        Err(cause) => failed(found, cause),
-        Ok(modes) => {
-            for (number, mode) in modes.iter().enumerate() {
-                found.curve.rows.push(vec![number as f64 + 1.0, mode.level]);
-                if keep(&mut system, &mode.shape, mode.level, found).is_break() {
-                    return;
-                }
-            }
+    let options = BucklingOptions {
+        count: wanted.modes,
+        sign: match wanted.sign {
+            LevelSign::Positive => Sign::Positive,
+            LevelSign::Negative => Sign::Negative,
+            LevelSign::Either => Sign::Either,
+        },
+        prebuckling: match wanted.prebuckling {
+            scene::Prebuckling::Rotations => Prebuckling::Rotations,
+            scene::Prebuckling::Stress => Prebuckling::Stress,
+        },
+    };
+    let spectrum = linear_buckling(&mut system, 0.0, &options, &mut watch(progress));
+    let Some(modes) = taken(spectrum, wanted.modes, "levels", found) else { return };
+    for (number, mode) in modes.iter().enumerate() {
+        found.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
+        if keep(&mut system, &mode.shape, mode.level, found).is_break() {
+            return;
         }
     }
 }
 
-fn failed(found: &mut Findings<'_>, cause: BalanceError) {
-    found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+/// Asks the progress between two solves whether to go on.
+fn watch(progress: &mut dyn Progress) -> impl FnMut(&Effort) -> ControlFlow<()> + '_ {
+    |effort| progress.update(&News { steps: effort.solves as u64, ..News::default() })
+}
+
+/// The modes of a spectrum, with its count and a warning if there are fewer than wanted; none where it failed.
+fn taken<M>(
+    spectrum: Result<Spectrum<M>, BalanceError>,
+    wanted: usize,
+    what: &str,
+    found: &mut Findings<'_>,
+) -> Option<Vec<M>> {
+    let Spectrum { modes, counted, effort } = match spectrum {
+        Ok(spectrum) => spectrum,
+        Err(BalanceError::Stopped { .. }) => {
+            found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
+            return None;
+        }
+        Err(cause) => {
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            return None;
+        }
+    };
+    let Counted { from, to, number } = counted;
+    if modes.len() < wanted {
+        let message = format!(
+            "{} of {wanted} modes: inertia counts no more {what} from {from:.3e} to {to:.3e}; ask for fewer `modes`",
+            modes.len()
+        );
+        found.warnings.push(Warning::new(Doubt::FewerModes, message));
+    }
+    found.counted = Some(CountSummary {
+        from: from.is_finite().then_some(from),
+        to,
+        number,
+        factorisations: effort.factorisations,
+        solves: effort.solves,
+    });
+    Some(modes)
 }
 
 /// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.

@@ -15,8 +15,8 @@ pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
         Analysis::Linear(_) | Analysis::Static(_) | Analysis::ArcLength(_) => {
             &["level", "internal", "iterations", "negative_pivots"]
         }
-        Analysis::Modal(_) => &["mode", "circular_frequency", "frequency"],
-        Analysis::Buckling(_) => &["mode", "level"],
+        Analysis::Modal(_) => &["mode", "circular_frequency", "frequency", "residual"],
+        Analysis::Buckling(_) => &["mode", "level", "residual"],
     }
 }
 
@@ -30,7 +30,7 @@ pub(crate) fn columns(model: &Model) -> Vec<Column> {
     let quantity = |name: &str| match name {
         "time" => Quantity::Time,
         "level" if force => Quantity::Force,
-        "level" | "iterations" | "negative_pivots" | "mode" => Quantity::Ratio,
+        "level" | "iterations" | "negative_pivots" | "mode" | "residual" => Quantity::Ratio,
         "circular_frequency" | "frequency" => Quantity::Rate,
         _ => Quantity::Energy,
     };

@@ -21,7 +21,7 @@ use crate::path::{arc_length, levels};
 use crate::probe::columns;
 use crate::scene::Analysis;
 use crate::stability;
-use crate::summary::{CriticalSummary, Energies, LevelSummary, Summary};
+use crate::summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Summary};
 use crate::{Doubt, Warning};
 
 /// How a run is going.
@@ -197,6 +197,7 @@ pub(crate) struct Findings<'a> {
     pub(crate) newton_iterations: u64,
     pub(crate) critical: Vec<CriticalSummary>,
     pub(crate) warnings: Vec<Warning>,
+    pub(crate) counted: Option<CountSummary>,
     /// Wall time of earlier sittings \[s\].
     pub(crate) seconds: f64,
     /// Where frames of fields go, if anywhere.
@@ -277,7 +278,10 @@ impl Model {
         let started = Instant::now();
         match &scene.analysis {
             Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, options, from),
-            Analysis::Linear(_) => linear(&mut StaticShell::new(shell), driven, gauges, &mut found),
+            Analysis::Linear(_) => {
+                let progress = &mut *options.progress;
+                linear(&mut StaticShell::new(shell), driven, gauges, &mut found, progress);
+            }
             Analysis::Static(path) => {
                 let mut system = StaticShell::new(shell);
                 found.warn_of_skew_loads(&system);
@@ -289,8 +293,8 @@ impl Model {
                 found.warn_of_skew_loads(&system);
                 arc_length(path, &mut system, driven, gauges, &mut found, progress);
             }
-            Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found),
-            Analysis::Buckling(wanted) => buckling(wanted.modes, shell, &mut found),
+            Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found, &mut *options.progress),
+            Analysis::Buckling(wanted) => buckling(wanted, shell, &mut found, &mut *options.progress),
         }
         let mut frames = 0;
         if let Some(shown) = found.frames.take() {
@@ -326,6 +330,7 @@ impl Model {
             energies,
             levels,
             warnings: found.warnings,
+            counted: found.counted,
             frames,
             modelled: described.modelled,
             left_out,

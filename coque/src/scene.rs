@@ -27,7 +27,7 @@ pub use geometry::{
 };
 pub use material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use mesh::Mesh;
-pub use statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
+pub use statics::{ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Static, Stop};
 
 use std::collections::BTreeMap;
 

@@ -67,6 +67,21 @@ pub struct CriticalSummary {
     pub level: f64,
 }
 
+/// How many modes there are, counted by the signs of pivots (Sylvester's law): as many as were found, none missing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CountSummary {
+    /// Lower end of the interval: a level, or a circular frequency squared \[1/T²\]; none where nothing lies below.
+    pub from: Option<f64>,
+    /// Its upper end.
+    pub to: f64,
+    /// Modes between the two; those wanted are the nearest to zero of them.
+    pub number: usize,
+    /// Factorisations that the modes took.
+    pub factorisations: usize,
+    /// Solves that they took.
+    pub solves: usize,
+}
+
 /// What a run was and what it cost.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -108,6 +123,9 @@ pub struct Summary {
     pub levels: Vec<LevelSummary>,
     /// What may be wrong with the numbers above, and why.
     pub warnings: Vec<Warning>,
+    /// The count of modes; none for other analyses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub counted: Option<CountSummary>,
     /// Frames of fields written; nought without `output.fields`.
     pub frames: u64,
     /// What is modelled.

@@ -1,18 +1,22 @@
-//! A few extreme eigenpairs of a large operator that is symmetric in some inner product.
+//! Eigenpairs at one end of the spectrum of a large operator that is symmetric in some inner product.
+//!
+//! Block Lanczos with thick restarts \[wu2000\]: one vector after the other is multiplied and made orthogonal to all
+//! others, so that a block of any width, restarts and invariant subspaces are one and the same loop. Kept Ritz vectors
+//! stay in the basis, converged or not; full orthogonalisation leaves no copies \[parlett1998\].
 
 use crate::BalanceError;
 use crate::solver::dense_eigen;
 use crate::vectors::{dot, unstructured};
 
-/// Krylov blocks in one sweep.
-const DEPTH: usize = 4;
-/// Vectors beyond those wanted, so that multiple eigenvalues are not missed.
-const SPARE: usize = 4;
-/// Sweeps allowed.
-const SWEEPS: usize = 60;
-/// Residual ‖Av − θv‖ relative to the eigenvalue; its error is the square of this.
-const TOLERANCE: f64 = 1e-7;
-/// Residual accepted when the eigenvalues have come to rest: rounding of the solves, not lack of sweeps.
+/// Vectors of a block: eigenvalues of this multiplicity are found at once, others after a restart with a fresh vector.
+pub(crate) const BLOCK: usize = 4;
+/// Vectors multiplied between two restarts, beyond twice those wanted.
+const SPARE: usize = 24;
+/// Restarts allowed.
+const RESTARTS: usize = 40;
+/// Error bound of an eigenvalue asked for, relative; its error is about the square of this.
+pub(crate) const TOLERANCE: f64 = 1e-8;
+/// Error bound accepted when the eigenvalues have come to rest: rounding of the solves, not lack of vectors.
 const TOLERANCE_AT_REST: f64 = 1e-4;
 /// Relative change of an eigenvalue at rest.
 const REST: f64 = 1e-13;
@@ -29,144 +33,213 @@ pub(crate) trait Operator {
 
 /// Which end of the spectrum is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extreme {
+pub(crate) enum End {
     /// Largest magnitudes.
     Magnitude,
-    /// Largest values, positive only.
-    Positive,
+    /// Largest values.
+    Largest,
+    /// Least values.
+    Least,
 }
 
-/// Eigenpairs (θ, v) with `vᵀGv = 1`, by restarted block Krylov sweeps with full orthogonalisation and
-/// Rayleigh–Ritz \[parlett1998\]. Fewer than wanted come back where no more (positive) ones exist.
-pub(crate) fn extreme_pairs(
-    operator: &mut dyn Operator,
+/// An approximate eigenpair within the basis.
+pub(crate) struct Ritz {
+    /// θ.
+    pub value: f64,
+    /// ‖Av − θv‖ in the norm of G, with ‖v‖ = 1: an eigenvalue lies so near.
+    pub residual: f64,
+    /// Shares of the basis in the vector.
+    shares: Vec<f64>,
+    /// What its image has in the vectors not yet multiplied.
+    tail: Vec<f64>,
+}
+
+/// A G-orthonormal basis of which the first vectors have been multiplied.
+pub(crate) struct Krylov {
     unknowns: usize,
-    wanted: usize,
-    extreme: Extreme,
-) -> Result<Vec<(f64, Vec<f64>)>, BalanceError> {
-    let block = (wanted + SPARE).min(unknowns);
-    let mut start: Vec<Vec<f64>> = Vec::new();
-    for k in 0..block {
-        let mut image = vec![0.0; unknowns];
-        operator.apply(&unstructured(unknowns, k), &mut image)?;
-        start.push(image);
-    }
-    let mut before: Vec<f64> = Vec::new();
-    let mut worst = f64::INFINITY;
-    for sweep in 1..=SWEEPS {
-        let (basis, images) = krylov_basis(operator, start)?;
-        let pairs = ritz(operator, &basis, &images, extreme);
-        let exhausted = basis.len() >= unknowns || basis.len() < block * DEPTH;
-        let found = pairs.len().min(wanted);
-        worst = pairs[..found].iter().map(|p| p.residual / p.value.abs()).fold(0.0, f64::max);
-        let values: Vec<f64> = pairs[..found].iter().map(|p| p.value).collect();
-        let rest = values.len() == before.len()
-            && values.iter().zip(&before).all(|(a, b)| (a - b).abs() <= REST * a.abs());
-        if found > 0
-            && (worst <= TOLERANCE || (rest && worst <= TOLERANCE_AT_REST))
-            && (found == wanted || rest || exhausted)
-        {
-            return Ok(pairs.into_iter().take(found).map(|p| (p.value, p.vector)).collect());
-        }
-        if found == 0 && (exhausted || sweep > SWEEPS / 4) {
-            return Err(BalanceError::Modes {
-                found,
-                wanted,
-                sweeps: sweep,
-                residual: worst,
-                bound: TOLERANCE,
-            });
-        }
-        before = values;
-        start = pairs.into_iter().take(block).map(|p| p.vector).collect();
-        while start.len() < block {
-            start.push(unstructured(unknowns, sweep * block + start.len()));
-        }
-    }
-    let found = before.len();
-    Err(BalanceError::Modes { found, wanted, sweeps: SWEEPS, residual: worst, bound: TOLERANCE })
+    basis: Vec<Vec<f64>>,
+    /// `basisᵀ G A b` for each vector b that has been multiplied.
+    columns: Vec<Vec<f64>>,
+    /// Whether no vector is left that is not in the span.
+    complete: bool,
+    seed: usize,
 }
 
-/// A basis of vectors.
-type Basis = Vec<Vec<f64>>;
-
-/// G-orthonormal basis of span{X, AX, … } and its image under A.
-fn krylov_basis(operator: &mut dyn Operator, start: Basis) -> Result<(Basis, Basis), BalanceError> {
-    let (mut basis, mut weighted, mut images): (Basis, Basis, Basis) = Default::default();
-    let mut block = start;
-    for _ in 0..DEPTH {
-        let from = basis.len();
-        for vector in block {
-            orthogonalise(operator, vector, &mut basis, &mut weighted);
+impl Krylov {
+    /// Starts from images of given vectors, filled up to a block with vectors without structure.
+    pub fn new(
+        operator: &mut dyn Operator,
+        unknowns: usize,
+        start: &[Vec<f64>],
+    ) -> Result<Self, BalanceError> {
+        let mut krylov = Self { unknowns, basis: Vec::new(), columns: Vec::new(), complete: false, seed: 0 };
+        for vector in start {
+            krylov.add_image(operator, vector)?;
         }
-        for vector in &basis[from..] {
-            let mut image = vec![0.0; vector.len()];
-            operator.apply(vector, &mut image)?;
-            images.push(image);
-        }
-        block = images[from..].to_vec();
+        krylov.freshen(operator, BLOCK.saturating_sub(start.len()).max(1))?;
+        Ok(krylov)
     }
-    Ok((basis, images))
-}
 
-/// Adds what a vector has beyond the basis, by Gram–Schmidt done twice.
-fn orthogonalise(operator: &mut dyn Operator, mut vector: Vec<f64>, basis: &mut Basis, weighted: &mut Basis) {
-    let mut image = vec![0.0; vector.len()];
-    operator.weigh(&vector, &mut image);
-    let length = dot(&vector, &image).max(0.0).sqrt();
-    for _ in 0..2 {
-        for (b, gb) in basis.iter().zip(weighted.iter()) {
-            let share = dot(&vector, gb);
-            vector.iter_mut().zip(b).for_each(|(v, b)| *v -= share * b);
+    /// Adds images of vectors without structure.
+    pub fn freshen(&mut self, operator: &mut dyn Operator, number: usize) -> Result<(), BalanceError> {
+        for _ in 0..number.min(self.unknowns) {
+            self.seed += 1;
+            self.add_image(operator, &unstructured(self.unknowns, self.seed))?;
         }
+        Ok(())
     }
-    operator.weigh(&vector, &mut image);
-    let rest = dot(&vector, &image).max(0.0).sqrt();
-    if rest > DEPENDENT * length {
-        basis.push(vector.iter().map(|v| v / rest).collect());
-        weighted.push(image.iter().map(|g| g / rest).collect());
+
+    fn add_image(&mut self, operator: &mut dyn Operator, vector: &[f64]) -> Result<bool, BalanceError> {
+        let mut image = vec![0.0; self.unknowns];
+        operator.apply(vector, &mut image)?;
+        Ok(self.orthogonalise(operator, image).1)
     }
-}
 
-struct Pair {
-    value: f64,
-    vector: Vec<f64>,
-    residual: f64,
-}
-
-/// Rayleigh–Ritz pairs, the wanted end first.
-fn ritz(operator: &mut dyn Operator, basis: &Basis, images: &Basis, extreme: Extreme) -> Vec<Pair> {
-    let (m, n) = (basis.len(), basis[0].len());
-    let mut small = vec![0.0; m * m];
-    let mut weighted = vec![0.0; n];
-    for j in 0..m {
-        operator.weigh(&images[j], &mut weighted);
-        for i in 0..m {
-            let entry = 0.5 * dot(&basis[i], &weighted);
-            small[i + j * m] += entry;
-            small[j + i * m] += entry;
+    /// Adds what a vector has beyond the basis, by Gram–Schmidt done twice; gives its components and whether it had.
+    fn orthogonalise(&mut self, operator: &mut dyn Operator, mut vector: Vec<f64>) -> (Vec<f64>, bool) {
+        let mut weighted = vec![0.0; self.unknowns];
+        let mut components = vec![0.0; self.basis.len()];
+        operator.weigh(&vector, &mut weighted);
+        let length = dot(&vector, &weighted).max(0.0).sqrt();
+        for _ in 0..2 {
+            let shares: Vec<f64> = self.basis.iter().map(|b| dot(b, &weighted)).collect();
+            for ((b, share), component) in self.basis.iter().zip(&shares).zip(&mut components) {
+                vector.iter_mut().zip(b).for_each(|(v, b)| *v -= share * b);
+                *component += share;
+            }
+            operator.weigh(&vector, &mut weighted);
         }
+        let rest = dot(&vector, &weighted).max(0.0).sqrt();
+        let adds = rest > DEPENDENT * length;
+        if adds {
+            components.push(rest);
+            vector.iter_mut().for_each(|v| *v /= rest);
+            self.basis.push(vector);
+        }
+        (components, adds)
     }
-    let (values, vectors) = dense_eigen(m, &small);
-    let mut order: Vec<usize> =
-        (0..m).filter(|&k| extreme == Extreme::Magnitude || values[k] > 0.0).collect();
-    order.sort_by(|&a, &b| values[b].abs().total_cmp(&values[a].abs()));
-    let combine = |k: usize, of: &Basis| {
-        let mut sum = vec![0.0; n];
-        for (j, vector) in of.iter().enumerate() {
-            let share = vectors[j + k * m];
+
+    /// Multiplies until so many vectors are, or until no vector is left that is not in the span.
+    pub fn grow(&mut self, operator: &mut dyn Operator, to: usize) -> Result<(), BalanceError> {
+        while self.columns.len() < to {
+            let next = self.columns.len();
+            if next == self.basis.len() {
+                self.freshen(operator, 1)?;
+                if next == self.basis.len() {
+                    self.complete = true;
+                    break;
+                }
+            }
+            let mut image = vec![0.0; self.unknowns];
+            operator.apply(&self.basis[next], &mut image)?;
+            let (column, _) = self.orthogonalise(operator, image);
+            self.columns.push(column);
+        }
+        Ok(())
+    }
+
+    /// Whether the basis is all there is: its Ritz pairs are eigenpairs.
+    pub fn complete(&self) -> bool {
+        self.complete
+    }
+
+    /// Rayleigh–Ritz pairs of the vectors multiplied so far, the wanted end first.
+    pub fn ritz(&self, end: End) -> Vec<Ritz> {
+        let done = self.columns.len();
+        let mut small = vec![0.0; done * done];
+        for (j, column) in self.columns.iter().enumerate() {
+            for i in 0..=j {
+                small[i + j * done] = column[i];
+                small[j + i * done] = column[i];
+            }
+        }
+        let (values, vectors) = dense_eigen(done, &small);
+        let mut order: Vec<usize> = (0..done).collect();
+        match end {
+            End::Magnitude => order.sort_by(|&a, &b| values[b].abs().total_cmp(&values[a].abs())),
+            End::Largest => order.reverse(),
+            End::Least => {}
+        }
+        let pair = |k: usize| {
+            let shares = vectors[k * done..(k + 1) * done].to_vec();
+            let mut tail = vec![0.0; self.basis.len() - done];
+            for (column, share) in self.columns.iter().zip(&shares) {
+                for (t, c) in tail.iter_mut().zip(column.get(done..).unwrap_or_default()) {
+                    *t += share * c;
+                }
+            }
+            Ritz { value: values[k], residual: dot(&tail, &tail).sqrt(), shares, tail }
+        };
+        order.into_iter().map(pair).collect()
+    }
+
+    /// The vector of a Ritz pair.
+    pub fn vector(&self, ritz: &Ritz) -> Vec<f64> {
+        let mut sum = vec![0.0; self.unknowns];
+        for (vector, share) in self.basis.iter().zip(&ritz.shares) {
             sum.iter_mut().zip(vector).for_each(|(s, v)| *s += share * v);
         }
         sum
-    };
-    let mut pairs = Vec::with_capacity(order.len());
-    for k in order {
-        let (value, vector) = (values[k], combine(k, basis));
-        let mut left = combine(k, images);
-        left.iter_mut().zip(&vector).for_each(|(l, v)| *l -= value * v);
-        operator.weigh(&left, &mut weighted);
-        let residual = dot(&left, &weighted).max(0.0).sqrt();
-        pairs.push(Pair { value, vector, residual });
     }
-    pairs
+
+    /// Keeps the first Ritz vectors and those not yet multiplied.
+    pub fn restart(&mut self, ritz: &[Ritz]) {
+        let kept: Vec<Vec<f64>> = ritz.iter().map(|pair| self.vector(pair)).collect();
+        let tail = self.basis.split_off(self.columns.len());
+        self.columns = (ritz.iter().enumerate())
+            .map(|(k, pair)| {
+                let mut column = vec![0.0; kept.len()];
+                column[k] = pair.value;
+                column.extend(&pair.tail);
+                column
+            })
+            .collect();
+        self.basis = kept;
+        self.basis.extend(tail);
+    }
+
+    /// Vectors multiplied before a restart where so many pairs are wanted.
+    pub fn depth(wanted: usize) -> usize {
+        2 * wanted + SPARE
+    }
+
+    /// Multiplies and restarts until the wanted pairs have error bounds that suffice, `bound` giving the relative one.
+    ///
+    /// Fewer come back where the space is exhausted. `bound` is infinite for a value that cannot be one of those wanted.
+    pub fn converge(
+        &mut self,
+        operator: &mut dyn Operator,
+        wanted: usize,
+        end: End,
+        bound: &dyn Fn(&Ritz) -> f64,
+    ) -> Result<Vec<Ritz>, BalanceError> {
+        let depth = Self::depth(wanted);
+        let mut before: Vec<f64> = Vec::new();
+        let (mut worst, mut found) = (f64::INFINITY, 0);
+        for _ in 0..RESTARTS {
+            while !self.complete && self.columns.len() < depth {
+                let step = BLOCK.max(self.columns.len() / 4);
+                self.grow(operator, (self.columns.len() + step).min(depth))?;
+                let ritz = self.ritz(end);
+                if ritz.len() >= wanted && ritz[..wanted].iter().all(|pair| bound(pair) <= TOLERANCE) {
+                    return Ok(ritz);
+                }
+            }
+            let ritz = self.ritz(end);
+            let first = &ritz[..wanted.min(ritz.len())];
+            worst = first.iter().map(bound).fold(0.0, f64::max);
+            found = first.iter().filter(|pair| bound(pair) <= TOLERANCE).count();
+            let values: Vec<f64> = first.iter().map(|pair| pair.value).collect();
+            let rest = values.len() == before.len()
+                && values.iter().zip(&before).all(|(a, b)| (a - b).abs() <= REST * a.abs());
+            if self.complete || (rest && worst <= TOLERANCE_AT_REST) {
+                return Ok(ritz);
+            }
+            before = values;
+            self.restart(&ritz[..(wanted + SPARE / 2).min(ritz.len())]);
+            // Beyond the width of the block the copies of a multiple eigenvalue show themselves by rounding alone.
+            self.freshen(operator, 1)?;
+        }
+        Err(BalanceError::Modes { found, wanted, residual: worst, bound: TOLERANCE })
+    }
 }

@@ -27,6 +27,12 @@ pub trait Equilibrium {
     /// follower load that is not symmetric is symmetrised: critical points are then those of the symmetric part.
     fn tangent(&mut self, level: f64, values: &mut [f64]);
 
+    /// The tangent of the present, unstressed configuration with the stresses that a motion would bring: what
+    /// [`crate::Prebuckling::Stress`] differentiates. False, and nothing done, where the system does not offer it.
+    fn stressed_tangent(&mut self, _level: f64, _motion: &[f64], _values: &mut [f64]) -> bool {
+        false
+    }
+
     /// Moves the state by an increment in its present tangent space.
     fn update(&mut self, increment: &[f64]);
 

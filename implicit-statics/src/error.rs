@@ -158,20 +158,48 @@ pub enum BalanceError {
     },
     /// Eigenpairs did not converge.
     #[error(
-        "{found} of {wanted} eigenpairs converged in {sweeps} sweeps (worst residual {residual:.3e}, bound {bound:.3e}); ask for fewer or move the shift"
+        "{found} of {wanted} eigenpairs converged (error bound {residual:.3e}, must be below {bound:.1e}); ask for fewer modes"
     )]
     Modes {
         /// How many converged.
         found: usize,
-        /// How many were wanted.
+        /// How many were sought: those wanted, and those that lie among them.
         wanted: usize,
-        /// Sweeps made.
-        sweeps: usize,
-        /// Worst residual among the wanted, relative to the eigenvalue.
+        /// Worst error bound among them, relative to the eigenvalue.
         residual: f64,
-        /// Its bound.
+        /// What it must be.
         bound: f64,
     },
+    /// The inertia of the tangent contradicts the eigenpairs found.
+    #[error(
+        "{found} eigenpairs were found where the inertia counts {counted}: the tangent is too ill-conditioned to tell; take a thicker shell or fewer particles"
+    )]
+    Miscounted {
+        /// How many were found.
+        found: usize,
+        /// How many there are by the signs of the pivots.
+        counted: usize,
+    },
+    /// Whoever watches ended the search.
+    #[error("ended after {solves} solves")]
+    Stopped {
+        /// Solves made.
+        solves: usize,
+    },
+    /// No critical level has the sign asked for.
+    #[error(
+        "the load stretches the structure: no load level from the present one to {searched:.3e} buckles it{}",
+        other.map_or(String::new(), |other| format!("; the nearest of the other sign is {other:.6e}"))
+    )]
+    Stretched {
+        /// How far levels were counted, by inertia.
+        searched: f64,
+        /// The nearest critical level of the other sign, if there is any.
+        other: Option<f64>,
+    },
+    /// The system cannot tell its stresses from its displacements.
+    #[error("this system offers no tangent under given stresses; use the derivative along the whole response")]
+    Inseparable,
     /// The state from which buckling is extrapolated is not stable.
     #[error(
         "linearised buckling from load level {level:.6e}: {negative} negative pivots there; start below the first critical load"

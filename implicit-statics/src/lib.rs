@@ -94,11 +94,20 @@
 //!
 //! ```text
 //! K φ = ω² M φ                      natural_modes: (K − σM)⁻¹M is iterated, σ the shift
-//! (K + μ K_g) φ = 0                 linear_buckling: K_g = dK/dλ along the whole linear response; critical level λ + μ
+//! (K + μ K_g) φ = 0                 linear_buckling: critical level λ + μ; (K + σK_g)⁻¹K is iterated, with eigenvalues μ/(μ − σ)
 //! ```
 //!
-//! both by restarted block Krylov sweeps with full orthogonalisation and Rayleigh–Ritz \[parlett1998\]; M diagonal. K_g
-//! is a central difference of exact tangents, and so holds the displacement before buckling as well as the stress.
+//! both by block Lanczos with thick restarts \[wu2000\], in the inner product of M (diagonal) and of K. The shift σ of buckling
+//! \[grimes1994\] lies a little above the last level wanted: exactly the levels in (0, σ) have negative eigenvalues, and dense
+//! spectra come apart. In both problems the inertia of a factor counts the eigenvalues of the interval ([`Counted`]): what
+//! comes back is proved complete, or an error. One solve each bounds the distance to an exact eigenvalue (`residual`).
+//! faer's partial eigen-solver has no inner product, no blocks for multiple eigenvalues, and cannot be stopped; it is not used.
+//!
+//! K_g = dK/dλ is a central difference of exact tangents, [`Prebuckling`] says of which. `Rotations` differentiates along the whole
+//! linear response u: the displacements and rotations before buckling count as well as the stresses. `Stress` holds the shape and
+//! differentiates along the stresses of u alone, which is what most finite-element programs call linear buckling. Both
+//! hold the stiffness of loads that follow the structure. They agree where the response does not turn the structure (plates
+//! and columns in their plane) and differ where edges bend before buckling; neither is the limit of the nonlinear path.
 //!
 //! # What holds, and the test that says so
 //!
@@ -115,11 +124,17 @@
 //! | factors repeat to the last bit | `factors_repeat_to_the_last_bit` |
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
+//! | no level of a dense spectrum is missing, in two factorisations | `no_level_of_a_dense_spectrum_is_missing` |
+//! | levels of either sign; a load that stretches is told so | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
+//! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
+mod buckling;
 mod critical;
+mod effort;
 mod eigen;
 mod equilibrium;
 mod error;
+mod geometric;
 mod modal;
 mod newton;
 mod path;
@@ -128,10 +143,13 @@ mod solver;
 mod stepper;
 mod vectors;
 
+pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
+pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::Equilibrium;
 pub use error::BalanceError;
-pub use modal::{BucklingMode, Mode, linear_buckling, lowest_modes, natural_modes};
+pub use geometric::Prebuckling;
+pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
 pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
 pub use solver::{Inertia, SymmetricSolver};

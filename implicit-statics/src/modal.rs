@@ -1,22 +1,27 @@
-//! Natural frequencies by shift and invert, and buckling loads linearised about a state.
+//! Natural frequencies by shift and invert, with the count that proves them complete.
 
-use crate::eigen::{Extreme, Operator, extreme_pairs};
+use crate::effort::{Counted, CountingSolver, Spectrum, Watch};
+use crate::eigen::{End, Krylov, Operator, Ritz};
 use crate::error::require;
 use crate::pattern::product;
-use crate::vectors::norm;
-use crate::{BalanceError, Equilibrium, SymmetricSolver};
+use crate::vectors::dot;
+use crate::{BalanceError, Equilibrium};
 
-/// Relative change of the tangent sought when it is differentiated along the load: its error is of the second
-/// order in this, rounding of the first order in its inverse.
-const PRESTRESS: f64 = 1e-5;
-/// Trials of the load step that gives it.
-const TRIALS: usize = 8;
+/// How far beyond the last eigenvalue they are counted, relative to its distance from the shift: half of the gap to
+/// the next one, within these.
+const BEYOND: [f64; 2] = [1e-6, 1e-2];
+/// Times the ends of the count are moved on where one of them falls on an eigenvalue.
+const MOVES: usize = 4;
+/// Times eigenvalues are sought again after the count said that some are missing.
+const ROUNDS: usize = 6;
 
 /// A mode of free vibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
     /// Eigenvalue ω² \[1/T²\]; negative where the state is unstable.
     pub eigenvalue: f64,
+    /// An exact eigenvalue lies within this part of its distance from the shift \[–\].
+    pub residual: f64,
     /// Shape, with unit mass: `φᵀMφ = 1`.
     pub shape: Vec<f64>,
 }
@@ -28,40 +33,36 @@ impl Mode {
     }
 }
 
-/// A buckling mode of the linearised problem.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BucklingMode {
-    /// Critical level: of the base state plus the extrapolated part \[–\].
-    pub level: f64,
-    /// Shape, its largest entry 1.
-    pub shape: Vec<f64>,
-}
-
 /// Modes of vibration about the present state with ω² nearest to `shift` \[1/T²\], in order of distance.
 ///
 /// `(K − σM)⁻¹M` is iterated; a shift of 0 gives the lowest modes of a stable, supported structure. Where rigid
 /// motions are free, shift a little below zero. Unknowns without mass follow statically.
-pub fn natural_modes<E: Equilibrium + ?Sized>(
+pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     system: &mut E,
     level: f64,
     count: usize,
     shift: f64,
-) -> Result<Vec<Mode>, BalanceError> {
+    watch: &'a mut Watch<'a>,
+) -> Result<Spectrum<Mode>, BalanceError> {
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
-    lowest_modes(&pattern, &values, &system.masses(), count, shift)
+    lowest_modes(&pattern, &values, &system.masses(), count, shift, watch)
         .map_err(|error| error.named(system, 0, level))
 }
 
 /// Eigenpairs of `K φ = ω² M φ` with diagonal M nearest to a shift; K by its lower triangle.
-pub fn lowest_modes(
+///
+/// The inertia of K − τM at the ends of the interval about the shift counts the eigenvalues within; where it counts
+/// more than were found, the missing ones are sought.
+pub fn lowest_modes<'a>(
     pattern: &[(usize, usize)],
     stiffness: &[f64],
     masses: &[f64],
     count: usize,
     shift: f64,
-) -> Result<Vec<Mode>, BalanceError> {
+    watch: &'a mut Watch<'a>,
+) -> Result<Spectrum<Mode>, BalanceError> {
     let n = masses.len();
     let carrying = masses.iter().filter(|&&m| m > 0.0).count();
     require(
@@ -70,22 +71,94 @@ pub fn lowest_modes(
         count as f64,
         "between 1 and the number of unknowns with mass",
     )?;
-    let mut solver = SymmetricSolver::new(n, pattern)?;
-    let mut shifted = stiffness.to_vec();
-    for (&(row, column), value) in pattern.iter().zip(&mut shifted) {
-        if row == column {
-            *value -= shift * masses[row];
+    let solver = CountingSolver::new(n, pattern, watch)?;
+    let mut vibration = Vibration { solver, pattern, stiffness, masses };
+    let below = vibration.below(shift)?.0;
+    let mut krylov = Krylov::new(&mut vibration, n, &[])?;
+    let mut wanted = count;
+    for _ in 0..ROUNDS {
+        let bound = |pair: &Ritz| pair.residual / pair.value.abs();
+        let pairs = krylov.converge(&mut vibration, wanted, End::Magnitude, &bound)?;
+        let counted = vibration.count(shift, below, &pairs, wanted)?;
+        if counted.number <= wanted {
+            let chosen = pairs[..count].iter();
+            let modes = chosen.map(|pair| vibration.mode(shift, counted.to, pair, krylov.vector(pair)));
+            let modes = modes.collect::<Result<Vec<_>, _>>()?;
+            return if counted.number == wanted {
+                Ok(Spectrum { modes, counted, effort: vibration.solver.effort })
+            } else {
+                Err(BalanceError::Miscounted { found: wanted, counted: counted.number })
+            };
         }
+        wanted = counted.number.min(carrying);
+        vibration.below(shift)?;
+        krylov.restart(&pairs);
+        krylov.freshen(&mut vibration, 1)?;
     }
-    solver.factor(&shifted)?;
-    let mut operator = Vibration { solver, masses };
-    let pairs = extreme_pairs(&mut operator, n, count, Extreme::Magnitude)?;
-    Ok(pairs.into_iter().map(|(theta, shape)| Mode { eigenvalue: shift + 1.0 / theta, shape }).collect())
+    Err(BalanceError::Modes { found: count, wanted, residual: 0.0, bound: crate::eigen::TOLERANCE })
 }
 
 struct Vibration<'a> {
-    solver: SymmetricSolver,
+    solver: CountingSolver<'a>,
+    pattern: &'a [(usize, usize)],
+    stiffness: &'a [f64],
     masses: &'a [f64],
+}
+
+impl Vibration<'_> {
+    /// Factorises K − σM; eigenvalues below σ, and those within rounding of it.
+    fn below(&mut self, shift: f64) -> Result<(usize, usize), BalanceError> {
+        let mut values = self.stiffness.to_vec();
+        for (&(row, column), value) in self.pattern.iter().zip(&mut values) {
+            if row == column {
+                *value -= shift * self.masses[row];
+            }
+        }
+        let inertia = self.solver.factor(&values)?;
+        Ok((inertia.negative, inertia.zero))
+    }
+
+    /// Counts eigenvalues about the shift to a little beyond the last wanted one.
+    fn count(
+        &mut self,
+        shift: f64,
+        below: usize,
+        pairs: &[Ritz],
+        wanted: usize,
+    ) -> Result<Counted, BalanceError> {
+        let distance = |k: usize| pairs.get(k).map_or(f64::INFINITY, |pair| 1.0 / pair.value.abs());
+        let last = distance(wanted - 1);
+        let mut beyond = (0.5 * (distance(wanted) / last - 1.0)).clamp(BEYOND[0], BEYOND[1]);
+        loop {
+            let [from, to] = [shift - last * (1.0 + beyond), shift + last * (1.0 + beyond)];
+            let mut zeros = 0;
+            // Nothing lies below a shift without negative pivots.
+            let lower = if below > 0 { self.below(from)? } else { (0, 0) };
+            let upper = self.below(to)?;
+            zeros += lower.1 + upper.1;
+            if zeros == 0 || beyond > BEYOND[1] * 4_f64.powi(MOVES as i32) {
+                let from = if below > 0 { from } else { f64::NEG_INFINITY };
+                return Ok(Counted { from, to, number: upper.0 - lower.0 });
+            }
+            beyond *= 4.0;
+        }
+    }
+
+    /// A mode from its pair, with the error bound that one solve with the factor at τ gives: for w = (K − τM)⁻¹(Kφ − λMφ)
+    /// an eigenvalue lies within |λ − τ| ‖w‖ of λ, in the norm of M.
+    fn mode(&mut self, shift: f64, tau: f64, pair: &Ritz, shape: Vec<f64>) -> Result<Mode, BalanceError> {
+        let eigenvalue = shift + 1.0 / pair.value;
+        let mut left = vec![0.0; shape.len()];
+        product(self.pattern, self.stiffness, &shape, &mut left);
+        for ((left, mass), value) in left.iter_mut().zip(self.masses).zip(&shape) {
+            *left -= eigenvalue * mass * value;
+        }
+        self.solver.solve(&mut left)?;
+        let mut weighed = vec![0.0; left.len()];
+        self.weigh(&left, &mut weighed);
+        let error = (eigenvalue - tau).abs() * dot(&left, &weighed).max(0.0).sqrt();
+        Ok(Mode { eigenvalue, residual: error * pair.value.abs(), shape })
+    }
 }
 
 impl Operator for Vibration<'_> {
@@ -98,101 +171,5 @@ impl Operator for Vibration<'_> {
         for i in 0..v.len() {
             out[i] = self.masses[i] * v[i];
         }
-    }
-}
-
-/// Lowest positive critical levels of `(K + μ K_g) φ = 0` about the present equilibrium at `level`.
-///
-/// `K_g = dK/dλ` along the load is the central difference of tangents at the states `± δ K⁻¹p` and levels
-/// `± δ`; δ is chosen so that K changes by about 1e-5. Being the derivative along the whole linear
-/// response, it holds the prebuckling displacement as well as the prebuckling stress. Critical levels are
-/// `level + μ`. The state is put back.
-pub fn linear_buckling<E: Equilibrium + ?Sized>(
-    system: &mut E,
-    level: f64,
-    count: usize,
-) -> Result<Vec<BucklingMode>, BalanceError> {
-    let n = system.unknowns();
-    require(
-        count > 0 && count <= n,
-        "number of modes",
-        count as f64,
-        "between 1 and the number of unknowns",
-    )?;
-    let pattern = system.pattern();
-    let mut solver = SymmetricSolver::new(n, &pattern)?;
-    let mut base = vec![0.0; pattern.len()];
-    system.tangent(level, &mut base);
-    let inertia = solver.factor(&base)?;
-    if inertia.negative > 0 {
-        return Err(BalanceError::Unstable { level, negative: inertia.negative });
-    }
-    let mut response = vec![0.0; n];
-    system.load_rate(level, &mut response);
-    let load = norm(&response);
-    solver.solve(&mut response).map_err(|error| error.named(system, 0, level))?;
-
-    let saved = system.save();
-    let mut difference = |delta: f64| {
-        let mut ends = [vec![0.0; pattern.len()], vec![0.0; pattern.len()]];
-        for (values, delta) in ends.iter_mut().zip([delta, -delta]) {
-            system.restore(&saved);
-            let motion: Vec<f64> = response.iter().map(|u| delta * u).collect();
-            system.update(&motion);
-            system.tangent(level + delta, values);
-        }
-        system.restore(&saved);
-        let [plus, minus] = ends;
-        plus.iter().zip(&minus).map(|(p, m)| (p - m) / (2.0 * delta)).collect::<Vec<f64>>()
-    };
-    let scale = solver.scale();
-    let scaled = |values: &[f64]| {
-        let square = |(&(i, j), v): (&(usize, usize), &f64)| (v * scale[i] * scale[j]).powi(2);
-        pattern.iter().zip(values).map(square).sum::<f64>().sqrt()
-    };
-    let stiffness = scaled(&base);
-    let mut delta = PRESTRESS;
-    let mut change = 0.0;
-    for _ in 0..TRIALS {
-        change = delta * scaled(&difference(delta)) / stiffness;
-        if (0.5..2.0).contains(&(change / PRESTRESS)) {
-            break;
-        }
-        // far from the goal the change may be all rounding: approach by bounded factors
-        delta *= (PRESTRESS / change).clamp(1e-4, 1e4);
-    }
-    if change < 0.1 * PRESTRESS {
-        return Err(BalanceError::NoPrestress { level, load, change });
-    }
-    let geometric = difference(delta);
-
-    let mut operator = Buckling { solver, pattern: &pattern, geometric: &geometric };
-    let pairs = extreme_pairs(&mut operator, n, count, Extreme::Positive)?;
-    Ok(pairs
-        .into_iter()
-        .map(|(theta, shape)| {
-            let largest = shape.iter().fold(0.0, |best: f64, &s| if s.abs() > best.abs() { s } else { best });
-            let shape = shape.iter().map(|s| s / largest).collect();
-            BucklingMode { level: level + 1.0 / theta, shape }
-        })
-        .collect())
-}
-
-/// `−K⁻¹K_g`, symmetric in the inner product of K; eigenvalues 1/μ.
-struct Buckling<'a> {
-    solver: SymmetricSolver,
-    pattern: &'a [(usize, usize)],
-    geometric: &'a [f64],
-}
-
-impl Operator for Buckling<'_> {
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), BalanceError> {
-        product(self.pattern, self.geometric, v, out);
-        out.iter_mut().for_each(|g| *g = -*g);
-        self.solver.solve(out)
-    }
-
-    fn weigh(&mut self, v: &[f64], out: &mut [f64]) {
-        self.solver.product(v, out);
     }
 }

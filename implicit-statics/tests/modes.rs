@@ -3,11 +3,53 @@
 mod common;
 
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 use common::{Arch, Flat, Hencky, Softening};
-use implicit_statics::{BalanceError, Equilibrium, linear_buckling, lowest_modes, natural_modes};
+use implicit_statics::{
+    BalanceError, BucklingMode, BucklingOptions, Equilibrium, Mode, Prebuckling, Sign, Spectrum, unwatched,
+};
 
 type Pattern = Vec<(usize, usize)>;
+
+/// The lowest modes, their count and their error bounds looked at.
+fn lowest_modes(
+    pattern: &Pattern,
+    values: &[f64],
+    masses: &[f64],
+    count: usize,
+    shift: f64,
+) -> Result<Vec<Mode>, BalanceError> {
+    let found = implicit_statics::lowest_modes(pattern, values, masses, count, shift, &mut unwatched)?;
+    // One more where the last is one of several alike.
+    assert!((count..=count + 1).contains(&found.counted.number), "{:?}", found.counted);
+    assert!(found.modes.iter().all(|mode| mode.residual < 1e-7), "{:?}", found.modes);
+    Ok(found.modes)
+}
+
+fn natural_modes<E: Equilibrium>(system: &mut E, count: usize) -> Result<Vec<Mode>, BalanceError> {
+    Ok(implicit_statics::natural_modes(system, 0.0, count, 0.0, &mut unwatched)?.modes)
+}
+
+fn buckling<E: Equilibrium>(
+    system: &mut E,
+    level: f64,
+    count: usize,
+    sign: Sign,
+) -> Result<Spectrum<BucklingMode>, BalanceError> {
+    let options = BucklingOptions { sign, ..BucklingOptions::new(count) };
+    implicit_statics::linear_buckling(system, level, &options, &mut unwatched)
+}
+
+fn linear_buckling<E: Equilibrium>(
+    system: &mut E,
+    level: f64,
+    count: usize,
+) -> Result<Vec<BucklingMode>, BalanceError> {
+    let found = buckling(system, level, count, Sign::Positive)?;
+    assert!(found.modes.iter().all(|mode| mode.residual < 1e-7), "{:?}", found.modes);
+    Ok(found.modes)
+}
 
 #[test]
 fn modes_of_a_chain_of_springs_and_masses() {
@@ -178,16 +220,145 @@ impl<E: Equilibrium> Equilibrium for Scaled<E> {
 fn frequencies_of_a_state_and_what_is_refused() {
     let mut system = Flat::new(Softening);
     system.masses = vec![4.0];
-    let modes = natural_modes(&mut system, 0.0, 1, 0.0).unwrap();
+    let modes = natural_modes(&mut system, 1).unwrap();
     assert!((modes[0].circular_frequency() - 0.5).abs() < 1e-14);
     system.q[0] = 2.0;
-    let modes = natural_modes(&mut system, 0.0, 1, 0.0).unwrap();
+    let modes = natural_modes(&mut system, 1).unwrap();
     assert!((modes[0].eigenvalue + (-2.0_f64).exp() / 4.0).abs() < 1e-14);
     assert_eq!(modes[0].circular_frequency(), 0.0);
     assert_eq!(
-        natural_modes(&mut system, 0.0, 2, 0.0).unwrap_err().to_string(),
+        natural_modes(&mut system, 2).unwrap_err().to_string(),
         "number of modes is 2, must be between 1 and the number of unknowns with mass"
     );
     let mut straight = Flat::new(common::RigidColumn);
     assert!((linear_buckling(&mut straight, 0.0, 1).unwrap()[0].level - 1.0).abs() < 1e-9);
+}
+
+/// Springs whose stiffness changes with the load: critical levels as given, in any order and as dense as one likes.
+struct Springs {
+    levels: Vec<f64>,
+    load: f64,
+}
+
+impl Springs {
+    /// Stiffnesses over three decades, so that the inner product matters.
+    fn stiffness(&self, i: usize) -> f64 {
+        10f64.powf(3.0 * ((i * 7919) % self.levels.len()) as f64 / self.levels.len() as f64)
+    }
+}
+
+impl Equilibrium for Springs {
+    fn unknowns(&self) -> usize {
+        self.levels.len()
+    }
+    fn pattern(&self) -> Pattern {
+        (0..self.unknowns()).map(|i| (i, i)).collect()
+    }
+    fn internal(&mut self, out: &mut [f64]) {
+        out.fill(0.0);
+    }
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        out.fill(level * self.load);
+    }
+    fn load_rate(&mut self, _: f64, out: &mut [f64]) {
+        out.fill(self.load);
+    }
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = self.stiffness(i) * (1.0 - level / self.levels[i]);
+        }
+    }
+    fn update(&mut self, _: &[f64]) {}
+    fn save(&self) -> Vec<f64> {
+        Vec::new()
+    }
+    fn restore(&mut self, _: &[f64]) {}
+    fn energy(&mut self) -> f64 {
+        0.0
+    }
+    fn masses(&self) -> Vec<f64> {
+        vec![1.0; self.unknowns()]
+    }
+    fn name_unknown(&self, unknown: usize) -> String {
+        format!("spring {unknown}")
+    }
+}
+
+/// Levels as a complete sphere has them: dense on both sides of zero, the lowest with all 2n + 1 of one degree.
+fn dense(unknowns: usize) -> Springs {
+    let level = |i: usize| {
+        let x = (i / 2) as f64 / unknowns as f64;
+        let crowd = 1.0 + 2.0 * (x - 0.01).max(0.0) + 6.0 * x * x;
+        if i.is_multiple_of(2) { crowd } else { -1.1 * crowd }
+    };
+    Springs { levels: (0..unknowns).map(level).collect(), load: 1.0 }
+}
+
+/// 31 equal levels at the end of a dense spectrum, of which a block of four vectors sees four at a time.
+#[test]
+fn no_level_of_a_dense_spectrum_is_missing() {
+    let mut system = dense(1200);
+    let mut exact: Vec<f64> = system.levels.iter().copied().filter(|&level| level > 0.0).collect();
+    exact.sort_by(f64::total_cmp);
+    for count in [1, 40] {
+        let found = buckling(&mut system, 0.0, count, Sign::Positive).unwrap();
+        let inside = exact.iter().filter(|&&level| level < found.counted.to).count();
+        assert_eq!(found.counted.number, inside);
+        assert_eq!(found.modes.len(), count);
+        for (mode, exact) in found.modes.iter().zip(&exact) {
+            assert!((mode.level / exact - 1.0).abs() < 1e-9, "{} {exact}", mode.level);
+            assert!(mode.residual < 1e-7, "{}", mode.residual);
+        }
+        // A few factorisations, and a few solves for each level below the shift.
+        assert!(found.effort.factorisations <= 4, "{:?}", found.effort);
+        assert!(found.effort.solves <= 150 + 8 * found.counted.number, "{:?}", found.effort);
+    }
+}
+
+#[test]
+fn levels_of_either_sign() {
+    let mut system = dense(400);
+    let mut exact = system.levels.clone();
+    exact.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let levels = |system: &mut Springs, sign| -> Vec<f64> {
+        buckling(system, 0.0, 12, sign).unwrap().modes.iter().map(|mode| mode.level).collect()
+    };
+    for (sign, keep) in [(Sign::Positive, [1.0].as_slice()), (Sign::Negative, &[-1.0]), (Sign::Either, &[1.0, -1.0])] {
+        let wanted = exact.iter().filter(|level| keep.contains(&level.signum()));
+        for (found, exact) in levels(&mut system, sign).iter().zip(wanted) {
+            assert!((found / exact - 1.0).abs() < 1e-9, "{sign:?} {found} {exact}");
+        }
+    }
+}
+
+/// A load that pulls everywhere: no positive level, said with the proof and the nearest negative one.
+#[test]
+fn a_load_that_stretches_is_told_so() {
+    let mut system = dense(2000);
+    system.levels.iter_mut().for_each(|level| *level = -level.abs());
+    let error = buckling(&mut system, 0.0, 1, Sign::Positive).unwrap_err();
+    let BalanceError::Stretched { searched, other: Some(other) } = error else { panic!("{error}") };
+    assert!((other + 1.0).abs() < 1e-9 && searched > 9e3, "{other} {searched}");
+    assert!(error.to_string().starts_with("the load stretches the structure"), "{error}");
+}
+
+#[test]
+fn a_search_is_ended_from_outside() {
+    for most in [0, 1, 17] {
+        let mut watch = |effort: &implicit_statics::Effort| {
+            if effort.solves < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let options = BucklingOptions::new(3);
+        let ended = implicit_statics::linear_buckling(&mut dense(500), 0.0, &options, &mut watch);
+        assert_eq!(ended, Err(BalanceError::Stopped { solves: most }));
+        let ended = implicit_statics::natural_modes(&mut dense(500), 0.0, 3, 0.0, &mut watch);
+        assert_eq!(ended, Err(BalanceError::Stopped { solves: most }));
+    }
+}
+
+#[test]
+fn stresses_alone_need_a_system_that_tells_them() {
+    let options = BucklingOptions { prebuckling: Prebuckling::Stress, ..BucklingOptions::new(1) };
+    let refused = implicit_statics::linear_buckling(&mut dense(10), 0.0, &options, &mut unwatched);
+    assert_eq!(refused, Err(BalanceError::Inseparable));
 }

@@ -80,6 +80,8 @@ pub(crate) struct CellState {
     q: [Pack3; 2],
     /// s1…s6 less their reference values.
     s: [Pack; 6],
+    /// The same from which the tangent takes the control's forces.
+    pulled: [Pack; 6],
     /// 1 − d·d, the spread of the directors \[–\].
     u: Pack,
     /// s4² + s5² \[–\].
@@ -188,7 +190,7 @@ impl CellPack {
         let z = s[3] * s[3] + s[4] * s[4];
         let by_z = Pack::splat(HOURGLASS[0]) + u * HOURGLASS[1];
         let scale = one + u * (Pack::splat(CHORD[0]) + u * CHORD[1]) + z * by_z;
-        CellState { q, s, u, z, by_z, scale, curvature: *curvature }
+        CellState { q, s, pulled: s, u, z, by_z, scale, curvature: *curvature }
     }
 
     /// Takes the present state as the reference; returns its curvature by arcs.
@@ -241,7 +243,7 @@ impl CellPack {
         scale: &ScaleTangent,
         out: &mut PointTangent,
     ) {
-        let CellState { q, s, .. } = state;
+        let CellState { q, s, pulled, .. } = state;
         let [kx, kd] = self.stiffness;
         let held = kd + state.by_z * scale.released * 2.0;
         let stiffness = [kx, kx, kx, held, held, self.swirl];
@@ -257,7 +259,7 @@ impl CellPack {
             out[6 + k][6 + k] += scale.released * state.by_u() * -2.0;
         }
         for (i, &(pattern, vector)) in products.iter().enumerate() {
-            let force = s[i] * stiffness[i];
+            let force = pulled[i] * stiffness[i];
             let mut gradient = [Pack::ZERO; 21];
             for k in 0..3 {
                 gradient[3 * pattern + k] = vectors[vector].0[k];
@@ -304,6 +306,11 @@ impl CellPack {
 }
 
 impl CellState {
+    /// Takes the control's forces, for the tangent, from another state.
+    pub fn pull_as(&mut self, other: &Self) {
+        self.pulled = other.s;
+    }
+
     /// ∂c/∂u.
     #[inline(always)]
     fn by_u(&self) -> Pack {

@@ -150,19 +150,24 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.shell.evaluate_internal(false);
         self.external_at(level);
-        self.shell.second_derivatives(&self.pattern, &mut self.blocks);
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
-        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-        let mut next = values.iter_mut();
-        self.project_blocks(
-            &self.blocks,
-            |a| self.radial_force(a),
-            |value| {
-                if let Some(slot) = next.next() {
-                    *slot = value;
-                }
-            },
-        );
+        self.assemble(|a| self.radial(a, self.shell.internal_force(a)), values);
+    }
+
+    fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
+        let rest = self.save();
+        self.update(motion);
+        self.shell.evaluate_internal(false);
+        let stressed = self.shell.state.to_vec();
+        let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
+        self.restore(&rest);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        // Without stress here, the force along the director is that of the stresses alone up to their square.
+        self.assemble(|a| self.radial(a, internal[a]), values);
+        true
     }
 
     fn update(&mut self, increment: &[f64]) {
@@ -217,9 +222,20 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// `d·(∂U/∂d − τ)` of a particle.
-    fn radial_force(&self, a: usize) -> f64 {
-        let (f, e, row) = (self.shell.internal_force(a), self.shell.external_force(a), &self.shell.state[a]);
+    /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
+    fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
+        let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);
         (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
+    }
+
+    /// Entries between the unknowns from the blocks.
+    fn assemble(&self, radial: impl Fn(usize) -> f64, values: &mut [f64]) {
+        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
+        let mut next = values.iter_mut();
+        self.project_blocks(&self.blocks, radial, |value| {
+            if let Some(slot) = next.next() {
+                *slot = value;
+            }
+        });
     }
 }

@@ -4,13 +4,13 @@
 //! placement, and the two hourglass patterns of a cell), carried to its particles by the stencil; the pair control
 //! is a constant matrix. Directors live on spheres: their blocks lose `(d·∂U/∂d) I` on the tangent plane.
 
-use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruence};
+use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Pack, Placement, Strains, congruence};
 
 use crate::Shell;
-use crate::cell_control::{CellState, ScaleTangent};
+use crate::cell_control::{CellPack, CellState, ScaleTangent};
 use crate::loads::Block;
 use crate::packs::{Entry, PointPack};
-use crate::point::place;
+use crate::point::{Row, place, point_strains};
 
 /// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d; those made of positions.
 const VECTORS: usize = 7;
@@ -61,12 +61,18 @@ impl BlockPattern {
 }
 
 impl Shell {
-    /// Second derivatives of the internal energy at the present state, into one block a pair of the pattern.
-    pub(crate) fn second_derivatives(&self, pattern: &BlockPattern, blocks: &mut [Block]) {
+    /// Second derivatives of the internal energy at the present state, into one block a pair of the pattern; the
+    /// stresses are those of another state, if one is given.
+    pub(crate) fn second_derivatives(
+        &self,
+        pattern: &BlockPattern,
+        stressed: Option<&[Row]>,
+        blocks: &mut [Block],
+    ) {
         blocks.fill([[0.0; 6]; 6]);
         for (index, pack) in self.packs.points.iter().enumerate() {
             let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let tangent = self.point_tangent(index, pack, entries);
+            let tangent = self.point_tangent(index, pack, entries, stressed);
             for lane in 0..LANES {
                 if pack.weight.lanes()[lane] == 0.0 {
                     continue;
@@ -92,26 +98,52 @@ impl Shell {
         }
     }
 
-    /// Second derivatives of four points over their vectors, weights included.
-    fn point_tangent(&self, index: usize, pack: &PointPack, entries: &[Entry]) -> PointTangent {
-        let (p, raw) = place::<true>(pack, entries, &self.state);
+    /// Strains of four points in a state, and their cells' control there.
+    fn strains_in(
+        &self,
+        index: usize,
+        pack: &PointPack,
+        entries: &[Entry],
+        state: &[Row],
+    ) -> (Placement, Measures, Strains, Option<(&CellPack, CellState)>) {
+        let (p, raw) = place::<true>(pack, entries, state);
         let mut now = p.measures();
         let control = self.cells.get(index).map(|cell| (cell, cell.state(&p, &now.curvature, raw)));
         if let Some((_, state)) = &control {
             now.curvature = state.arc(now.curvature);
         }
-        let arcs = self.arcs.get(index);
-        if let Some(arcs) = arcs {
+        if let Some(arcs) = self.arcs.get(index) {
             arcs.adjust(&mut now, &pack.reference);
         }
-        let mut strains = self.strain.strains(&now, &pack.reference);
+        let strains = point_strains(pack, self.shear.get(index), &*self.strain, &now);
+        (p, now, strains, control)
+    }
+
+    /// Second derivatives of four points over their vectors, weights included.
+    ///
+    /// With stresses of another state, resultants and what the control pulls are taken from there, all else from here.
+    fn point_tangent(
+        &self,
+        index: usize,
+        pack: &PointPack,
+        entries: &[Entry],
+        stressed: Option<&[Row]>,
+    ) -> PointTangent {
+        let (p, now, strains, mut control) = self.strains_in(index, pack, entries, &self.state);
+        let mut stress = self.section.resultants(&strains);
+        if let Some(state) = stressed {
+            let (_, _, strains, pulled) = self.strains_in(index, pack, entries, state);
+            stress = self.section.resultants(&strains);
+            if let (Some((_, here)), Some((_, there))) = (&mut control, &pulled) {
+                here.pull_as(there);
+            }
+        }
+        let arcs = self.arcs.get(index);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
         let shear = self.shear.get(index);
         if let Some(shear) = shear {
-            shear.adjust(&mut strains);
             shear.adjust_gradient(&mut gradient);
         }
-        let mut stress = self.section.resultants(&strains);
         let mut over = congruence(&gradient, &self.section.tangent(&strains));
         if let Some(shear) = shear {
             shear.transpose(&mut stress);

@@ -74,11 +74,14 @@ fn cost(estimate: &Estimate, particles: usize, time: &str) -> String {
     match estimate.steps {
         Some([least, most]) => {
             line(word, range(format!("{least:.0}"), format!("{most:.0}")));
-            let seconds = [least, most].map(|steps| clock(steps * estimate.seconds_a_step));
-            let [least, most] = seconds;
-            line("wall time", range(least, most));
         }
         None => line(word, "as the path will have it".into()),
+    }
+    if let Some([least, most]) = estimate.solves {
+        line("solves", range(format!("{least:.0}"), format!("{most:.0}")));
+    }
+    if let Some([least, most]) = estimate.seconds.map(|seconds| seconds.map(clock)) {
+        line("wall time", range(least, most));
     }
     line("memory of a step", format!("{:.1} MB", 1e-6 * estimate.bytes));
     text

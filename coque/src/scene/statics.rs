@@ -70,12 +70,42 @@ pub struct Modal {
     pub modes: usize,
 }
 
-/// Buckling levels, linearised about the unloaded shell.
+/// Buckling levels, linearised about the unloaded shell: `(K + μ K_g) φ = 0`.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Buckling {
-    /// Number of modes, those of the lowest positive levels.
+    /// Number of modes, those of the levels nearest to zero.
     pub modes: usize,
+    /// On which side of zero the levels lie.
+    #[serde(default)]
+    pub sign: LevelSign,
+    /// What K_g = dK/dλ holds of the state before buckling.
+    #[serde(default)]
+    pub prebuckling: Prebuckling,
+}
+
+/// Which buckling levels are wanted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LevelSign {
+    /// Of the load as it is.
+    #[default]
+    Positive,
+    /// Of the load reversed.
+    Negative,
+    /// The nearest of both.
+    Either,
+}
+
+/// What a linearised buckling analysis holds of the state before buckling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Prebuckling {
+    /// The linear response as it is: its rotations and stretches as well as its stresses.
+    #[default]
+    Rotations,
+    /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
+    Stress,
 }
 
 /// As Newton's method has it.

@@ -1,0 +1,86 @@
+//! What a search for eigenpairs costs, who may end it, and what it proves.
+
+use std::ops::ControlFlow;
+
+use crate::{BalanceError, Inertia, SymmetricSolver};
+
+/// Work done so far.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Effort {
+    /// Factorisations.
+    pub factorisations: usize,
+    /// Solves with a factor.
+    pub solves: usize,
+}
+
+/// Asked before every factorisation and every solve; `Break` ends the search with [`BalanceError::Stopped`].
+pub type Watch<'a> = dyn FnMut(&Effort) -> ControlFlow<()> + 'a;
+
+/// A [`Watch`] that never ends anything.
+pub fn unwatched(_: &Effort) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Eigenvalues found, and the proof that none is missing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum<M> {
+    /// The modes.
+    pub modes: Vec<M>,
+    /// How many eigenvalues lie where, by the inertia of two factors (Sylvester's law): as many as were found there.
+    pub counted: Counted,
+    /// What it took.
+    pub effort: Effort,
+}
+
+/// A count of eigenvalues by inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Counted {
+    /// Lower end of the interval, in the unit of the eigenvalue.
+    pub from: f64,
+    /// Its upper end.
+    pub to: f64,
+    /// Eigenvalues between the two.
+    pub number: usize,
+}
+
+/// A solver that counts and asks.
+pub(crate) struct CountingSolver<'a> {
+    solver: SymmetricSolver,
+    watch: &'a mut Watch<'a>,
+    pub effort: Effort,
+}
+
+impl<'a> CountingSolver<'a> {
+    pub fn new(
+        unknowns: usize,
+        pattern: &[(usize, usize)],
+        watch: &'a mut Watch<'a>,
+    ) -> Result<Self, BalanceError> {
+        Ok(Self { solver: SymmetricSolver::new(unknowns, pattern)?, watch, effort: Effort::default() })
+    }
+
+    /// Asks whether to go on.
+    pub fn ask(&mut self) -> Result<(), BalanceError> {
+        match (self.watch)(&self.effort) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(BalanceError::Stopped { solves: self.effort.solves }),
+        }
+    }
+
+    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, BalanceError> {
+        self.ask()?;
+        self.effort.factorisations += 1;
+        self.solver.factor(values)
+    }
+
+    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), BalanceError> {
+        self.ask()?;
+        self.effort.solves += 1;
+        self.solver.solve(right)
+    }
+
+    /// As [`SymmetricSolver::scale`].
+    pub fn scale(&self) -> &[f64] {
+        self.solver.scale()
+    }
+}

@@ -1,0 +1,90 @@
+//! The geometric stiffness: how the tangent changes with the load, along the whole linear response or by its stresses alone.
+
+use crate::effort::CountingSolver;
+use crate::vectors::norm;
+use crate::{BalanceError, Equilibrium};
+
+/// Relative change of the tangent sought when it is differentiated along the load: its error is of the second
+/// order in this, rounding of the first order in its inverse.
+const PRESTRESS: f64 = 1e-5;
+/// Trials of the load step that gives it.
+const TRIALS: usize = 8;
+
+/// Which derivative of the tangent the geometric stiffness is.
+///
+/// With strains ε(q), resultants σ and the linear response u of the unit load, at an unstressed base state
+///
+/// ```text
+/// dK/dλ = (∂²ε u)ᵀ C ∂ε + ∂εᵀ C (∂²ε u) + σ(u)·∂²ε     Rotations
+///                                        σ(u)·∂²ε     Stress
+/// ```
+///
+/// The first two terms are the change of shape before buckling, the rotations above all: where they vanish, as in flat
+/// plates and straight columns under loads in their plane, the two agree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Prebuckling {
+    /// All that changes along the linear response: its displacements and rotations as well as its stresses.
+    #[default]
+    Rotations,
+    /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
+    Stress,
+}
+
+/// `K_g` about the equilibrium at `level`, by central differences between the levels ± δ along the linear response.
+///
+/// The solver holds the factor of `base`. The stiffness of loads that follow the structure is part of the tangent, and
+/// of K_g in either case. The state is put back.
+pub(crate) fn along_load<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+    kind: Prebuckling,
+    pattern: &[(usize, usize)],
+    base: &[f64],
+    solver: &mut CountingSolver<'_>,
+) -> Result<Vec<f64>, BalanceError> {
+    let mut response = vec![0.0; system.unknowns()];
+    system.load_rate(level, &mut response);
+    let load = norm(&response);
+    solver.solve(&mut response).map_err(|error| error.named(system, 0, level))?;
+
+    let saved = system.save();
+    let mut difference = |delta: f64| -> Option<Vec<f64>> {
+        let mut ends = [vec![0.0; pattern.len()], vec![0.0; pattern.len()]];
+        for (values, delta) in ends.iter_mut().zip([delta, -delta]) {
+            let motion: Vec<f64> = response.iter().map(|u| delta * u).collect();
+            match kind {
+                Prebuckling::Rotations => {
+                    system.update(&motion);
+                    system.tangent(level + delta, values);
+                    system.restore(&saved);
+                }
+                Prebuckling::Stress if system.stressed_tangent(level + delta, &motion, values) => {}
+                Prebuckling::Stress => return None,
+            }
+        }
+        let [plus, minus] = ends;
+        Some(plus.iter().zip(&minus).map(|(p, m)| (p - m) / (2.0 * delta)).collect())
+    };
+    let scale = solver.scale().to_vec();
+    let scaled = |values: &[f64]| {
+        let square = |(&(i, j), v): (&(usize, usize), &f64)| (v * scale[i] * scale[j]).powi(2);
+        pattern.iter().zip(values).map(square).sum::<f64>().sqrt()
+    };
+    let stiffness = scaled(base);
+    let mut delta = PRESTRESS;
+    let mut change = 0.0;
+    for _ in 0..TRIALS {
+        solver.ask()?;
+        let geometric = difference(delta).ok_or(BalanceError::Inseparable)?;
+        change = delta * scaled(&geometric) / stiffness;
+        if (0.5..2.0).contains(&(change / PRESTRESS)) {
+            return Ok(geometric);
+        }
+        // far from the goal the change may be all rounding: approach by bounded factors
+        delta *= (PRESTRESS / change).clamp(1e-4, 1e4);
+    }
+    if change < 0.1 * PRESTRESS {
+        return Err(BalanceError::NoPrestress { level, load, change });
+    }
+    difference(delta).ok_or(BalanceError::Inseparable)
+}
