@@ -32,7 +32,7 @@ enum Task {
     /// Steps: format, lints, tidy, Python, tests, documentation tests, quick validation, quick hard cases. Each is
     /// timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
     /// target/python with which the tests read fields back, where there is no Python 3.10 or no network. The last
-    /// line counts the steps.
+    /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run.
     Test,
 
     /// Run the benches, all or those whose name contains FILTER
