@@ -40,9 +40,10 @@ const SUBJECTS: [Subject; 7] = [
         "ring",
         &[
             "geometry.plate.particles=[33, 5]",
-            "analysis.explicit.transient={ duration = 20.0, record_every = 0.5, damping = 0.0 }",
+            "loads.0.couple.moment=5.0",
+            "analysis.explicit={ transient = { duration = 100.0, record_every = 0.5, damping = 0.1 } }",
             "output.checkpoint_every=0.005",
-            "output.fields.every=5",
+            "output.fields.every=20",
         ],
     ),
     (
@@ -58,11 +59,15 @@ const SUBJECTS: [Subject; 7] = [
     (
         "arc-length",
         "panel",
-        &["analysis.arc-length={ radius = 0.05, until = 1.0, steps = 400 }", "output.fields.every=10"],
+        &[
+            "geometry.cylinder.particles=[11, 11]",
+            "analysis.arc-length.stop={ column = \"w_crown\", above = 30 }",
+            "output.fields.every=4",
+        ],
     ),
-    ("modal", "plate", &["analysis.modal.modes=6", "output.fields.every=1"]),
-    ("buckling", "column-buckling", &["output.fields.every=1"]),
-    ("linear", "plate", &["geometry.plate.particles=[61, 61]", "output.fields.every=1"]),
+    ("modal", "plate", &["analysis.modal.modes=12", "output.fields.every=1"]),
+    ("buckling", "column-buckling", &["geometry.plate.particles=[81, 7]", "output.fields.every=1"]),
+    ("linear", "plate", &["geometry.plate.particles=[81, 81]", "output.fields.every=1"]),
 ];
 
 /// What was done and what was found.
