@@ -23,6 +23,9 @@ pub struct Options {
     /// Where the random moments begin; the same seed gives the same signals
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
+    /// The program to kill [default: coque, built here]
+    #[arg(long, value_name = "FILE")]
+    program: Option<PathBuf>,
 }
 
 /// An analysis to be killed: a name, a scene of scenes/ and what is replaced in it.
@@ -83,19 +86,20 @@ struct Tally {
 
 /// Kills, goes on, compares; an error if anything differed or was torn.
 pub fn run(options: &Options) -> Result<(), String> {
-    if !cargo::succeeds(&cargo::words(&["build", "--package", "coque"]))? {
-        return Err("coque does not build".into());
-    }
     let metadata = cargo::metadata()?;
     let target = PathBuf::from(metadata["target_directory"].as_str().unwrap_or("target"));
-    let (program, place) = (target.join("debug/coque"), target.join("soak"));
+    let (built, place) = (target.join("debug/coque"), target.join("soak"));
+    let program = options.program.as_ref().unwrap_or(&built);
+    if options.program.is_none() && !cargo::succeeds(&cargo::words(&["build", "--package", "coque"]))? {
+        return Err("coque does not build".into());
+    }
     let _ = fs::remove_dir_all(&place);
     let begun = Instant::now();
     let mut dice = Dice(options.seed);
     let mut tally = Tally::default();
     let mut whole = Vec::new();
     for (name, scene, replaced) in SUBJECTS {
-        let soak = Soak { program: &program, name, scene, replaced, place: place.join(name) };
+        let soak = Soak { program, name, scene, replaced, place: place.join(name) };
         let begun = Instant::now();
         let status = soak.wait(soak.start("whole", false)?)?;
         if status.code() != Some(0) {
