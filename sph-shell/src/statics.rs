@@ -1,26 +1,37 @@
 //! The shell without time: the same discrete energy as a system of `implicit-statics`.
 
+use std::ops::DerefMut;
+
 use explicit_dynamics::Instant;
 use implicit_statics::Equilibrium;
 use shell_kinematics::parallel_transport;
 
 use crate::Shell;
 use crate::freedoms::{Basis, Freedoms};
-use crate::stiffness::{Block, BlockPattern};
+use crate::loads::Block;
+use crate::stiffness::BlockPattern;
 
 /// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
 ///
-/// Built only when a static analysis asks for it.
-pub struct StaticShell {
-    shell: Shell,
-    freedoms: Freedoms,
-    pattern: BlockPattern,
+/// Built only when a static analysis asks for it. Its shell is its own, or lent (`&mut Shell`) for a look at the tangent
+/// of a state.
+pub struct StaticShell<S = Box<Shell>> {
+    pub(crate) shell: S,
+    pub(crate) freedoms: Freedoms,
+    pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
 }
 
 impl StaticShell {
     /// Numbers the free freedoms of a shell.
     pub fn new(shell: Shell) -> Self {
+        Self::lent(Box::new(shell))
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is.
+    pub fn lent(shell: S) -> Self {
         let (freedoms, pattern) = (Freedoms::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
         Self { shell, freedoms, pattern, blocks }
@@ -49,7 +60,7 @@ impl StaticShell {
         weights
     }
 
-    fn basis(&self, particle: usize) -> Basis {
+    pub(crate) fn basis(&self, particle: usize) -> Basis {
         self.shell.basis(particle, self.freedoms.arc)
     }
 
@@ -60,12 +71,48 @@ impl StaticShell {
         }
     }
 
+    /// Turns the lower triangle of blocks into entries between unknowns, in the order of the pattern; `radial` is taken
+    /// from the turns of a particle on the diagonal.
+    pub(crate) fn project_blocks(
+        &self,
+        blocks: &[Block],
+        radial: impl Fn(usize) -> f64,
+        mut visit: impl FnMut(f64),
+    ) {
+        for a in 0..self.shell.len() {
+            let row_basis = self.basis(a);
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                let column_basis = self.basis(b);
+                let along = if a == b { radial(a) } else { 0.0 };
+                for row in 0..row_basis.count {
+                    let left = if row < row_basis.translations { 0 } else { 3 };
+                    for column in 0..if a == b { row + 1 } else { column_basis.count } {
+                        let top = if column < column_basis.translations { 0 } else { 3 };
+                        let mut value = 0.0;
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                value += row_basis.directions[row][i]
+                                    * blocks[block][left + i][top + j]
+                                    * column_basis.directions[column][j];
+                            }
+                        }
+                        if a == b && row == column && left == 3 {
+                            value -= along;
+                        }
+                        visit(value * row_basis.rates[row] * column_basis.rates[column]);
+                    }
+                }
+            }
+        }
+    }
+
     fn external_at(&mut self, level: f64) {
         self.shell.evaluate_external(Instant { time: 0.0, level });
     }
 }
 
-impl Equilibrium for StaticShell {
+impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn unknowns(&self) -> usize {
         self.freedoms.count()
     }
@@ -104,41 +151,18 @@ impl Equilibrium for StaticShell {
         self.shell.evaluate_internal(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
         let mut next = values.iter_mut();
-        for a in 0..self.shell.len() {
-            let row_basis = self.basis(a);
-            let rows = self.freedoms.of(a);
-            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
-                let b = self.pattern.columns[block] as usize;
-                let column_basis = self.basis(b);
-                // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-                let radial = if a == b { self.radial_force(a) } else { 0.0 };
-                for row in 0..rows.len() {
-                    let left = if row < row_basis.translations { 0 } else { 3 };
-                    for column in 0..self.freedoms.of(b).len() {
-                        if a == b && column > row {
-                            continue;
-                        }
-                        let top = if column < column_basis.translations { 0 } else { 3 };
-                        let mut value = 0.0;
-                        for i in 0..3 {
-                            for j in 0..3 {
-                                value += row_basis.directions[row][i]
-                                    * self.blocks[block][left + i][top + j]
-                                    * column_basis.directions[column][j];
-                            }
-                        }
-                        if a == b && row == column && left == 3 {
-                            value -= radial;
-                        }
-                        value *= row_basis.rates[row] * column_basis.rates[column];
-                        if let Some(slot) = next.next() {
-                            *slot = value;
-                        }
-                    }
+        self.project_blocks(
+            &self.blocks,
+            |a| self.radial_force(a),
+            |value| {
+                if let Some(slot) = next.next() {
+                    *slot = value;
                 }
-            }
-        }
+            },
+        );
     }
 
     fn update(&mut self, increment: &[f64]) {
@@ -192,7 +216,7 @@ impl Equilibrium for StaticShell {
     }
 }
 
-impl StaticShell {
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// `d·(∂U/∂d − τ)` of a particle.
     fn radial_force(&self, a: usize) -> f64 {
         let (f, e, row) = (self.shell.internal_force(a), self.shell.external_force(a), &self.shell.state[a]);
