@@ -246,6 +246,29 @@ fn the_way_left_is_the_error() {
 }
 
 #[test]
+fn a_ratio_of_critical_damping_is_two_ratio_omega() {
+    // The mode of this period is damped by this ratio: c = 2ζω.
+    let coefficient = Damping::Ratio(0.25).coefficient(4.0);
+    assert!((coefficient - 2.0 * 0.25 * TAU / 4.0).abs() < 1e-15, "{coefficient}");
+    assert_eq!(Damping::Kinetic.coefficient(4.0), 0.0);
+}
+
+#[test]
+fn a_stop_is_booked() {
+    let mut clock = Clock::start(&mut Oscillator::new(1.0, 0.0, 0.0), 0.0, 0.1, 0.0).unwrap();
+    let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
+    for _ in 0..20 {
+        let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
+    }
+    let moving = clock.kinetic;
+    body.stop();
+    clock.book_stop();
+    let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
+    let energy = notes.records.last().unwrap().1.energy;
+    assert!(moving > 0.1 && energy.dissipated == moving, "{moving} {energy:?}");
+}
+
+#[test]
 fn a_turning_point_is_not_rest() {
     // A swing about x = 2 is slow enough for the tolerance for 0.15 rad about a turning point, which is seven steps, but
     // less than the 0.31 rad between two looks.
