@@ -53,7 +53,9 @@ mod tests {
         assert_eq!(Amplitude::Ramp(2.0).value(0.5), 0.25);
         assert_eq!(Amplitude::Ramp(2.0).value(5.0), 1.0);
         assert_eq!(Amplitude::Smooth(2.0).value(1.0), 0.5);
-        assert!((Amplitude::Sine(4.0).value(1.0) - 1.0).abs() < 1e-15);
+        for (time, value) in [(1.0, 1.0), (2.0, 0.0), (3.0, -1.0)] {
+            assert!((Amplitude::Sine(4.0).value(time) - value).abs() < 1e-15);
+        }
         let table = Amplitude::Table(vec![(1.0, 2.0), (3.0, 6.0)]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
     }

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Clock, Damping, Dynamics, Instant, LevelReached, LinearisedDynamics, MarchError, MassScaled, Missing,
-    Observer, QuasiStatic, Record, Sizes, Step, Transient, Work,
+    Balance, Clock, Damping, Dynamics, Instant, LevelReached, LinearisedDynamics, MarchError, MassScaled,
+    Missing, Observer, QuasiStatic, Record, Sizes, Step, Transient, Work,
 };
 
 /// `m ẍ + k x = level · load`.
@@ -133,6 +133,12 @@ fn energy_is_booked_to_the_last() {
 }
 
 #[test]
+fn what_the_books_lack_is_the_error() {
+    let books = Balance { kinetic: 1.0, internal: 2.0, external: 16.0, dissipated: 4.0 };
+    assert_eq!(books.error(8.0), 1.0 + 2.0 + 4.0 - 16.0 - 8.0);
+}
+
+#[test]
 fn ramp_and_hold_ends_at_the_static_answer() {
     for damping in [Damping::Ratio(1.0), Damping::Ratio(0.5), Damping::Kinetic] {
         let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
@@ -240,6 +246,48 @@ fn the_way_left_is_the_error() {
 }
 
 #[test]
+fn a_ratio_of_critical_damping_is_two_ratio_omega() {
+    // The mode of this period is damped by this ratio: c = 2ζω.
+    let coefficient = Damping::Ratio(0.25).coefficient(4.0);
+    assert!((coefficient - 2.0 * 0.25 * TAU / 4.0).abs() < 1e-15, "{coefficient}");
+    assert_eq!(Damping::Kinetic.coefficient(4.0), 0.0);
+}
+
+#[test]
+fn a_stop_is_booked() {
+    let mut clock = Clock::start(&mut Oscillator::new(1.0, 0.0, 0.0), 0.0, 0.1, 0.0).unwrap();
+    let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
+    for _ in 0..20 {
+        let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
+    }
+    let moving = clock.kinetic;
+    body.stop();
+    clock.book_stop();
+    let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
+    let energy = notes.records.last().unwrap().1.energy;
+    assert!(moving > 0.1 && energy.dissipated == moving, "{moving} {energy:?}");
+}
+
+#[test]
+fn a_turning_point_is_not_rest() {
+    // A swing about x = 2 is slow enough for the tolerance for 0.15 rad about a turning point, which is seven steps, but
+    // less than the 0.31 rad between two looks.
+    let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
+    let path = QuasiStatic {
+        levels: vec![1.0],
+        period: PERIOD,
+        ramp: 0.6,
+        hold: 3.0,
+        damping: Damping::Ratio(1e-6),
+        tolerance: 1e-3,
+        accuracy: 0.9,
+        safety: 0.01,
+    };
+    path.march(&mut body, &mut notes).unwrap();
+    assert!(!notes.levels[0].settled);
+}
+
+#[test]
 fn beyond_the_limit_it_diverges_with_the_last_good_record() {
     let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
     let run = Transient { duration: 1e4, record_every: 100.0, damping: 0.0, safety: 1.05 };
@@ -259,6 +307,7 @@ fn options_out_of_bounds_are_refused() {
     };
     for (error, name) in [
         (run(-1.0, 1.0, 0.5), "duration"),
+        (run(0.0, 1.0, 0.5), "duration"),
         (run(1.0, f64::NAN, 0.5), "record_every"),
         (run(1.0, 1.0, 0.0), "safety"),
         (run(1.0, 1e-9, 0.5), "duration"),

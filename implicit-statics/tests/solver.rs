@@ -216,3 +216,16 @@ fn factors_repeat_to_the_last_bit() {
     };
     assert_eq!(solve(), solve());
 }
+
+#[test]
+fn rounding_is_that_of_the_forces() {
+    let mut numbers = Numbers(5);
+    let (n, (pattern, values)) = (30, indefinite(30, 3, &mut numbers));
+    let mut solver = SymmetricSolver::new(n, &pattern).unwrap();
+    solver.factor(&values).unwrap();
+    let x: Vec<f64> = (0..n).map(|_| numbers.next()).collect();
+    let thousandfold: Vec<f64> = x.iter().map(|x| 1000.0 * x).collect();
+    let (once, larger) = (solver.rounding(&x), solver.rounding(&thousandfold));
+    assert!(once > 0.0 && (larger / once - 1000.0).abs() < 1e-9, "{once:e} {larger:e}");
+    assert_eq!(solver.rounding(&vec![0.0; n]), 0.0);
+}

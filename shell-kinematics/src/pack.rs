@@ -168,3 +168,13 @@ impl AddAssign for Pack3 {
         *self = *self + other;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_are_summed() {
+        assert_eq!(Pack::new([1.0, 20.0, 300.0, 4000.0]).sum(), 4321.0);
+    }
+}

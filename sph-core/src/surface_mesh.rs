@@ -56,3 +56,26 @@ fn midpoints(patch: &dyn Patch) -> impl Iterator<Item = (f64, f64)> {
     (0..INTERVALS)
         .flat_map(move |i| (0..INTERVALS).map(move |j| (u0 + (u1 - u0) * at(i), v0 + (v1 - v0) * at(j))))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Cylinder, Plate};
+
+    #[test]
+    fn lengths_and_area_are_those_of_the_surface() {
+        let plate = Plate { lengths: [2.0, 1.5] };
+        let roof = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
+        for (patch, sides) in [(&plate as &dyn Patch, [2.0, 1.5]), (&roof, [3.0 * 0.9, 2.5])] {
+            let mut lengths = mean_lengths(patch);
+            let mut sides = sides;
+            lengths.sort_by(f64::total_cmp);
+            sides.sort_by(f64::total_cmp);
+            for (found, exact) in lengths.iter().zip(sides) {
+                assert!((found - exact).abs() < 1e-12 * exact, "{found} {exact}");
+            }
+            let exact = sides[0] * sides[1];
+            assert!((area(patch) - exact).abs() < 1e-12 * exact);
+        }
+    }
+}

@@ -4,6 +4,7 @@ mod bench;
 mod cargo;
 mod new_case;
 mod python;
+mod soak;
 mod test_all;
 mod tidy;
 mod validate;
@@ -32,7 +33,7 @@ enum Task {
     /// Steps: format, lints, tidy, Python, tests, documentation tests, quick validation, quick hard cases. Each is
     /// timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
     /// target/python with which the tests read fields back, where there is no Python 3.10 or no network. The last
-    /// line counts the steps.
+    /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run.
     Test,
 
     /// Run the benches, all or those whose name contains FILTER
@@ -64,6 +65,12 @@ enum Task {
     /// each entry, and prints what is left to do by hand.
     /// NAME is kebab-case, such as pinched-cylinder; an existing name is refused.
     NewCase(new_case::Options),
+
+    /// Kill runs of every analysis at random moments (kill -9, SIGTERM), go on with them, compare their ends byte by byte
+    ///
+    /// Runs with checkpoints are resumed, the others run anew. An error where a file is torn, a run does not end when it
+    /// is asked to, or an end differs from that of a run left in peace. Needs the program `kill`; files in target/soak.
+    Soak(soak::Options),
 }
 
 fn main() -> ExitCode {
@@ -75,6 +82,7 @@ fn main() -> ExitCode {
         Task::Tidy => tidy::run(),
         Task::Python => python::make(),
         Task::NewCase(options) => new_case::run(&options),
+        Task::Soak(options) => soak::run(&options),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -36,30 +36,66 @@ enum Outcome {
     Failed,
 }
 
-/// Run every step in order and stop at the first that fails.
+/// Run every step in order and stop at the first that fails. Where the environment variable CI is set, a step that is
+/// skipped fails the run too, at its end: nobody is there to read that something was not looked at.
 pub fn run(depth: Depth) -> Result<(), String> {
-    let steps = plan(depth, cargo::has("nextest"));
+    let strict = std::env::var_os("CI").is_some_and(|value| !value.is_empty());
+    perform(&plan(depth, cargo::has("nextest")), strict)
+}
+
+/// Performs some steps; `strict` where each must be.
+fn perform(steps: &[Step], strict: bool) -> Result<(), String> {
     let mut lines = Vec::new();
-    let (mut passed, mut failure) = (0, None);
-    for step in &steps {
+    let mut tally = Tally::default();
+    for step in steps {
         println!("\n── {} ── {}", step.name, step.action.repeat());
         let start = Instant::now();
         let outcome = step.action.perform();
         lines.push(line(step.name, &outcome, start.elapsed()));
         match outcome {
-            Outcome::Passed => passed += 1,
-            Outcome::Skipped(why) => println!("*** SKIPPED {}: {why} ***", step.name),
+            Outcome::Passed => tally.passed += 1,
+            Outcome::Skipped(why) => {
+                println!("*** SKIPPED {}: {why} ***", step.name);
+                tally.skipped.push(step);
+            }
             Outcome::Failed => {
-                failure = Some(step);
+                tally.failed = Some(step);
                 break;
             }
         }
     }
     println!("\n{}", lines.join("\n"));
-    println!("{}", closing(passed, failure.is_some()));
-    match failure {
-        None => Ok(()),
-        Some(step) => Err(format!("{} failed; repeat it alone with: {}", step.name, step.action.repeat())),
+    println!("{}", tally.closing());
+    tally.verdict(strict)
+}
+
+/// How the steps ended.
+#[derive(Default)]
+struct Tally<'a> {
+    passed: usize,
+    skipped: Vec<&'a Step>,
+    failed: Option<&'a Step>,
+}
+
+impl Tally<'_> {
+    /// The last line of the run.
+    fn closing(&self) -> String {
+        let (failed, skipped) = (usize::from(self.failed.is_some()), self.skipped.len());
+        format!("{} passed, {failed} failed, {skipped} skipped", self.passed)
+    }
+
+    fn verdict(&self, strict: bool) -> Result<(), String> {
+        if let Some(step) = self.failed {
+            return Err(format!("{} failed; repeat it alone with: {}", step.name, step.action.repeat()));
+        }
+        if strict && !self.skipped.is_empty() {
+            let names: Vec<_> = self.skipped.iter().map(|step| step.name).collect();
+            return Err(format!(
+                "skipped: {}; where CI is set every step must be performed: install what it lacks, or unset CI",
+                names.join(", ")
+            ));
+        }
+        Ok(())
     }
 }
 
@@ -146,10 +182,6 @@ fn line(name: &str, outcome: &Outcome, time: Duration) -> String {
     format!("{name:<20} {word:<8} {:>8.1} s", time.as_secs_f64())
 }
 
-fn closing(passed: usize, failed: bool) -> String {
-    format!("{passed} passed, {} failed", usize::from(failed))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -199,11 +231,31 @@ mod tests {
         assert_eq!(action.perform(), Outcome::Failed);
     }
 
+    fn step(name: &'static str, action: Action) -> Step {
+        Step { name, action }
+    }
+
     #[test]
-    fn the_last_line_counts() {
-        assert_eq!(closing(6, false), "6 passed, 0 failed");
-        assert_eq!(closing(2, true), "2 passed, 1 failed");
+    fn the_last_line_counts_what_was_skipped() {
+        let (one, other) = (step("lints", Action::Tidy), step("python", Action::Python));
+        let skipped = Tally { passed: 5, skipped: vec![&one, &other], failed: None };
+        assert_eq!(skipped.closing(), "5 passed, 0 failed, 2 skipped");
+        assert_eq!(Tally { failed: Some(&one), ..skipped }.closing(), "5 passed, 1 failed, 2 skipped");
+        assert_eq!(Tally::default().closing(), "0 passed, 0 failed, 0 skipped");
         let row = line("lints", &Outcome::Skipped(String::new()), Duration::from_millis(1250));
         assert!(row.contains("SKIPPED") && row.ends_with("1.2 s"), "{row}");
+    }
+
+    #[test]
+    fn a_skip_fails_where_every_step_must_be_performed() {
+        let missing = || step("lints", Action::IfInstalled("no-such-subcommand", Vec::new()));
+        let held = || step("version", Action::Cargo(cargo::words(&["--version"])));
+        assert_eq!(perform(&[missing(), held()], false), Ok(()));
+        let refused = perform(&[missing(), held()], true).unwrap_err();
+        assert!(refused.starts_with("skipped: lints;"), "{refused}");
+        assert_eq!(perform(&[held()], true), Ok(()));
+        // a step that fails is named before those that were skipped
+        let fails = step("tests", Action::Cargo(cargo::words(&["no-such-subcommand-anywhere"])));
+        assert!(perform(&[missing(), fails], true).unwrap_err().starts_with("tests failed"));
     }
 }
