@@ -6,6 +6,7 @@ use super::dial::{self, ELEMENTS, STATIC};
 use super::linear;
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Mark, ORANGE, Series};
+use crate::measured::Measured;
 use crate::{JudgeError, Metric};
 
 pub const SCENE: &str = include_str!("../../../scenes/plate.toml");
@@ -103,13 +104,15 @@ fn expected(run: &Run) -> Option<f64> {
     })
 }
 
+/// Errors \[%\].
+#[rustfmt::skip] // one line a method
+const MEASURED: Measured = Measured(&[
+]);
+
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let Some(expected) = expected(run) else { return Ok(Vec::new()) };
-    let judged = match run.variant.method.as_str() {
-        ELEMENTS => (Some(1.0), "issue 3: finite elements within 1 % at 20 a side, every thickness"),
-        _ => (Some(0.5), "issue 3: particles within 0.5 % at 21², every thickness"),
-    };
-    Ok(vec![linear::figure(run, NAME, "w_centre", expected, judged)?])
+    let reason = "flat in the thickness: shear that locks would bend the thinnest to nought";
+    Ok(vec![linear::figure(run, NAME, "w_centre", expected, (&MEASURED, reason))?])
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
