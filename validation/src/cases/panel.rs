@@ -127,7 +127,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         let reason = "inertia, not stiffness (2.2 kN at rest): what coque gave when the note of this case was written; 1 % for \
                       the step at which the crown passes 10.5 mm";
         let known = |name, value, load: f64| Metric::compared(name, value, "kN", load).within(0.01 * load, reason);
-        return Ok(vec![known("peak load", Some(peak), f64::NAN), known("load at 10.5 mm", at_limit, f64::NAN)]);
+        return Ok(vec![known("peak load", Some(peak), 29.38), known("load at 10.5 mm", at_limit, 20.84)]);
     }
     let limit = limit_point(run)?;
     let found = Metric::compared("limit load", limit.map(|limit| limit.y), "kN", LIMIT);
@@ -135,7 +135,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let (to_26, to_30) = (from_sze(&w, &p, 0.0..=26.0)?, from_sze(&w, &p, 26.0..=FULL)?);
     let mut metrics = vec![
         if known_failure(run) {
-            found.shown("known failure: no maximum near the limit, the published pair sums are twice too stiff")
+            found.shown("known failure, judged by the two distances below: the published pair sums are twice too stiff")
         } else {
             found.near(MEASURED.of(run)?, why(&run.variant.method))
         },
@@ -143,8 +143,18 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     ];
     let table = "the table itself is up to 1.5 % off independent codes";
     let singular = "the point load of a shear-flexible shell is log-singular: −.4 % for each halving of the spacing there";
-    metrics.push(Metric::error("Sze to 26 mm", to_26, PERCENT).near(TO_26.of(run)?, table));
-    metrics.push(Metric::error("Sze 26 to 30 mm", to_30, PERCENT).near(TO_30.of(run)?, singular));
+    for (name, error, measured, reason) in
+        [("Sze to 26 mm", to_26, &TO_26, table), ("Sze 26 to 30 mm", to_30, &TO_30, singular)]
+    {
+        let measured = measured.of(run)?;
+        metrics.push(if known_failure(run) {
+            // Three times more than twice too stiff would hold nothing.
+            let reason = "known failure of the published pair sums, asserted as it is; what flutters moves by a few percent";
+            Metric::compared(name, error, PERCENT, measured).within(0.1 * measured, reason)
+        } else {
+            Metric::error(name, error, PERCENT).near(measured, reason)
+        });
+    }
     Ok(metrics)
 }
 
@@ -163,18 +173,51 @@ fn why(method: &str) -> &'static str {
 }
 
 /// Errors of the limit load \[%\], no less than a third of what the reference is known to.
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
+    (CELL, &[("11×11", 0.045), ("21×21", 0.0075), ("41×41", 0.0098)]),
+    (STATIC, &[("11×11", 0.044), ("21×21", 0.0075), ("41×41", 0.011), ("17×17", 0.0082)]),
+    (ELEMENTS, &[("11×11", 0.016), ("21×21", 0.0075), ("17×17", 0.0075), ("41×41", 0.0075)]),
+    (NODAL_3, &[("11×11", 0.091), ("21×21", 0.017)]),
+    (WIDE_14, &[("21×21", 0.019)]),
+    (WIDE_25, &[("21×21", 0.026)]),
+    (WIDE_30, &[("21×21", 0.29)]),
+    (NODAL_1, &[("21×21", 0.71)]),
+    (NODAL_2, &[("21×21", 0.3)]),
+    (STRONG_12, &[("21×21", 140.0)]),
+    (STRONG_085, &[("21×21", 170.0)]),
 ]);
 
 /// Distances from the table of Sze et al. to 26 mm \[% of the limit load\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const TO_26: Measured = Measured(&[
+    (CELL, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.67)]),
+    (STATIC, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.66), ("17×17", 0.44)]),
+    (ELEMENTS, &[("11×11", 0.84), ("21×21", 0.41), ("17×17", 0.48), ("41×41", 0.66)]),
+    (NODAL_3, &[("11×11", 0.67), ("21×21", 0.6)]),
+    (WIDE_14, &[("21×21", 0.49)]),
+    (WIDE_25, &[("21×21", 0.67)]),
+    (WIDE_30, &[("21×21", 2.0)]),
+    (NODAL_1, &[("21×21", 3.3)]),
+    (NODAL_2, &[("21×21", 0.87)]),
+    (STRONG_12, &[("21×21", 140.0)]),
+    (STRONG_085, &[("21×21", 170.0)]),
 ]);
 
 /// The same from 26 to 30 mm.
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const TO_30: Measured = Measured(&[
+    (CELL, &[("11×11", 0.45), ("21×21", 0.78), ("41×41", 1.2)]),
+    (STATIC, &[("11×11", 0.45), ("21×21", 0.79), ("41×41", 1.2), ("17×17", 0.7)]),
+    (ELEMENTS, &[("11×11", 1.7), ("21×21", 0.26), ("17×17", 0.61), ("41×41", 1.2)]),
+    (NODAL_3, &[("11×11", 0.72), ("21×21", 0.88)]),
+    (WIDE_14, &[("21×21", 0.84)]),
+    (WIDE_25, &[("21×21", 1.3)]),
+    (WIDE_30, &[("21×21", 4.3)]),
+    (NODAL_1, &[("21×21", 6.7)]),
+    (NODAL_2, &[("21×21", 2.3)]),
+    (STRONG_12, &[("21×21", 110.0)]),
+    (STRONG_085, &[("21×21", 160.0)]),
 ]);
 
 /// Largest distance from the table of Sze et al. in percent of the limit load; none if the path ends before the range.
@@ -221,7 +264,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         metrics.push((
             fine,
             Metric::error("21² to 26 mm", worst, PERCENT)
-                .near(f64::NAN, "a lattice of half the spacing; the point load is log-singular"),
+                .near(0.2, "a lattice of half the spacing; the point load is log-singular"),
         ));
     }
     Ok(metrics)
@@ -235,7 +278,7 @@ fn still(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let ((w, p), (static_w, static_p)) = (path(moving)?, path(&runs.0[at])?);
     let worst = largest(apart((&w, &p), (&static_w, &static_p)).map(|x| Some(x.1)));
     let found = Metric::error(DYNAMICS, worst, PERCENT);
-    Ok(vec![(at, found.near(f64::NAN, "unfinished rest at the levels of the explicit run"))])
+    Ok(vec![(at, found.near(0.0071, "unfinished rest at the levels of the explicit run"))])
 }
 
 /// Displacements that two paths share, with the difference of their loads there in percent of the limit load.

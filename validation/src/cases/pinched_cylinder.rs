@@ -39,8 +39,10 @@ pub fn case() -> Case {
 }
 
 /// Errors \[%\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
+    (STATIC, &[("11×11", 13.0), ("21×21", 2.2), ("25×25", 0.94), ("41×41", 0.78), ("26×17", 0.88)]),
+    (ELEMENTS, &[("11×11", 17.0), ("21×21", 4.2), ("25×25", 2.7), ("41×41", 0.27), ("25×25 graded 1.3", 0.7)]),
 ]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {

@@ -105,8 +105,20 @@ fn expected(run: &Run) -> Option<f64> {
 }
 
 /// Errors \[%\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
+    (STATIC, &[
+        ("21×21 SSSS h/a 0.2", 0.066), ("21×21 SSSS h/a 0.1", 0.032), ("21×21 SSSS h/a 0.05", 0.021),
+        ("21×21 SSSS h/a 0.01", 0.017), ("21×21 SSSS h/a 0.001", 0.017), ("21×21 SSSS h/a 0.0001", 0.016),
+        ("21×21 CCCC h/a 0.2", 0.045), ("21×21 CCCC h/a 0.1", 0.0034), ("21×21 CCCC h/a 0.05", 0.0034),
+        ("21×21 CCCC h/a 0.01", 0.0034), ("21×21 CCCC h/a 0.001", 0.0034), ("21×21 CCCC h/a 0.0001", 0.0035),
+    ]),
+    (ELEMENTS, &[
+        ("21×21 SSSS h/a 0.2", 0.034), ("21×21 SSSS h/a 0.1", 0.068), ("21×21 SSSS h/a 0.05", 0.078),
+        ("21×21 SSSS h/a 0.01", 0.081), ("21×21 SSSS h/a 0.001", 0.081), ("21×21 SSSS h/a 0.0001", 0.082),
+        ("21×21 CCCC h/a 0.2", 0.11), ("21×21 CCCC h/a 0.1", 0.19), ("21×21 CCCC h/a 0.05", 0.2),
+        ("21×21 CCCC h/a 0.01", 0.19), ("21×21 CCCC h/a 0.001", 0.19), ("21×21 CCCC h/a 0.0001", 0.19),
+    ]),
 ]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {

@@ -7,6 +7,7 @@
 
 use benchmarks_ref::fe_shell::cases::scordelis_lo as elements;
 
+use super::dial::{ELEMENTS, STATIC};
 use super::linear;
 use crate::case::{Case, Headline, Run};
 use crate::measured::Measured;
@@ -37,13 +38,17 @@ pub fn case() -> Case {
 }
 
 /// Errors over the published deflection \[%\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
+    (STATIC, &[("11×11", 2.8), ("17×17", 0.95), ("21×21", 0.54), ("41×41", 0.034)]),
+    (ELEMENTS, &[("11×11", 0.15), ("17×17", 0.24), ("21×21", 0.31), ("41×41", 0.33)]),
 ]);
 
 /// Errors over that of bricks \[%\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const OF_BRICKS: Measured = Measured(&[
+    (STATIC, &[("11×11", 3.2), ("17×17", 1.3), ("21×21", 0.87), ("41×41", 0.32)]),
+    (ELEMENTS, &[("11×11", 0.48), ("17×17", 0.096), ("21×21", 0.034), ("41×41", 0.034)]),
 ]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {

@@ -67,8 +67,18 @@ fn variants() -> Vec<Variant> {
 }
 
 /// Errors \[%\].
-#[rustfmt::skip] // one line a method
+#[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
+    (STATIC, &[
+        ("25×5 thick, in plane", 0.19), ("49×9 thick, in plane", 0.18), ("25×5 thick, across", 0.95),
+        ("49×9 thick, across", 0.057), ("25×5 thin, in plane", 0.025), ("49×9 thin, in plane", 0.081),
+        ("25×5 thin, across", 0.4), ("49×9 thin, across", 0.17),
+    ]),
+    (ELEMENTS, &[
+        ("25×5 thick, in plane", 0.31), ("49×9 thick, in plane", 0.2), ("25×5 thick, across", 0.42),
+        ("49×9 thick, across", 0.18), ("25×5 thin, in plane", 0.28), ("49×9 thin, in plane", 0.19),
+        ("25×5 thin, across", 0.49), ("49×9 thin, across", 0.2),
+    ]),
 ]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
