@@ -23,8 +23,8 @@ use crate::{JudgeError, Metric};
 pub const SCENE: &str = include_str!("../../../scenes/panel.toml");
 /// The transient run of the paper.
 pub const FAST: &str = "stress-point cell, 3 ms";
-/// Limit load \[kN\] to which particles converge (stress points and nodal order 3 on 41²), and with them the finite-element
-/// shell, which shares no mechanics with them: 5e-5 apart. No published value: those lie .07 to .64 % from it.
+/// Limit load \[kN\] that particles find (on 21², 41²: 2.2220, 2.2218) and the finite-element shell (2.2220 on 21²), which shares no
+/// mechanics with them. No published value: those lie .07 to .64 % from it.
 pub const LIMIT: f64 = 2.222;
 /// Displacements \[mm\] at which all formulations are compared.
 const SHORT: [f64; 12] = [2.0, 6.0, 10.0, 10.5, 11.0, 11.5, 14.0, 18.0, 22.0, 26.0, 29.0, 30.0];
@@ -39,8 +39,8 @@ pub fn case() -> Case {
         title: "Hinged cylindrical panel, t = 12.7 mm, snapping through",
         about: "Load against displacement of the crown, through the limit point and the dip behind it, judged by the \
                 table of Sze et al., by bricks (CalculiX), and by a limit load of 2.222 kN. That is no published value: it is \
-                what this project's own particles converge to, and the finite-element shell, which shares no mechanics \
-                with them, to 5e-5; other codes and tables lie .07 to .64 % from it. The limit is flat, so loads are compared and not the place of the maximum.",
+                what this project's own particles find, and within 5e-5 its finite-element shell, which shares no mechanics \
+                with them; other codes and tables lie .07 to .64 % from it. The limit is flat, so loads are compared and not the place of the maximum.",
         citation: "Lin et al. 2013, section 5.1; Sze, Liu and Lo 2004, section 3.8",
         variants: variants(),
         each,
@@ -63,10 +63,9 @@ fn variants() -> Vec<Variant> {
         variants.push(dial::static_variant(SCENE, "cylinder", [n, n], &path).quick());
     }
     variants.push(dial::static_variant(SCENE, "cylinder", [41, 41], &path));
-    for n in [11, 21, 41] {
+    for n in [11, 21] {
         let elements = move || panel_elements(n - 1, 12.7, PanelSection::Isotropic, FULL, 60);
-        let variant = Variant::elements(ELEMENTS, [n, n], elements);
-        variants.push(if n == 41 { variant } else { variant.quick() });
+        variants.push(Variant::elements(ELEMENTS, [n, n], elements).quick());
     }
     // The whole path in a hundred points on a mesh of 16×16, for its cost.
     let hundred: Vec<f64> = (1..=100).map(|i| 0.01 * f64::from(i)).collect();
@@ -177,7 +176,7 @@ fn why(method: &str) -> &'static str {
 const MEASURED: Measured = Measured(&[
     (CELL, &[("11×11", 0.045), ("21×21", 0.0075), ("41×41", 0.0098)]),
     (STATIC, &[("11×11", 0.044), ("21×21", 0.0075), ("41×41", 0.011), ("17×17", 0.0082)]),
-    (ELEMENTS, &[("11×11", 0.016), ("21×21", 0.0075), ("17×17", 0.0075), ("41×41", 0.0075)]),
+    (ELEMENTS, &[("11×11", 0.016), ("21×21", 0.0075), ("17×17", 0.0075)]),
     (NODAL_3, &[("11×11", 0.091), ("21×21", 0.017)]),
     (WIDE_14, &[("21×21", 0.019)]),
     (WIDE_25, &[("21×21", 0.026)]),
@@ -193,7 +192,7 @@ const MEASURED: Measured = Measured(&[
 const TO_26: Measured = Measured(&[
     (CELL, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.67)]),
     (STATIC, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.66), ("17×17", 0.44)]),
-    (ELEMENTS, &[("11×11", 0.84), ("21×21", 0.41), ("17×17", 0.48), ("41×41", 0.66)]),
+    (ELEMENTS, &[("11×11", 0.84), ("21×21", 0.41), ("17×17", 0.48)]),
     (NODAL_3, &[("11×11", 0.67), ("21×21", 0.6)]),
     (WIDE_14, &[("21×21", 0.49)]),
     (WIDE_25, &[("21×21", 0.67)]),
@@ -209,7 +208,7 @@ const TO_26: Measured = Measured(&[
 const TO_30: Measured = Measured(&[
     (CELL, &[("11×11", 0.45), ("21×21", 0.78), ("41×41", 1.2)]),
     (STATIC, &[("11×11", 0.45), ("21×21", 0.79), ("41×41", 1.2), ("17×17", 0.7)]),
-    (ELEMENTS, &[("11×11", 1.7), ("21×21", 0.26), ("17×17", 0.61), ("41×41", 1.2)]),
+    (ELEMENTS, &[("11×11", 1.7), ("21×21", 0.26), ("17×17", 0.61)]),
     (NODAL_3, &[("11×11", 0.72), ("21×21", 0.88)]),
     (WIDE_14, &[("21×21", 0.84)]),
     (WIDE_25, &[("21×21", 1.3)]),
@@ -248,12 +247,12 @@ fn from_sze(w: &[f64], p: &[f64], range: std::ops::RangeInclusive<f64>) -> Resul
 
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics = still(runs)?;
-    if let (Some(particles), Some(at)) = (runs.get(STATIC, "41×41"), runs.find(ELEMENTS, "41×41")) {
+    if let (Some(particles), Some(at)) = (runs.get(STATIC, "21×21"), runs.find(ELEMENTS, "21×21")) {
         let (ours, theirs) = (limit_point(particles)?, limit_point(&runs.0[at])?);
         if let Some(ours) = ours {
             let found = Metric::compared("limit load, to that of particles", theirs.map(|limit| limit.y), "kN", ours.y);
-            let reason = "the reference of this case is where the two meet: no mechanics is shared between them";
-            metrics.push((at, found.near(0.005, reason)));
+            let reason = "the reference of this case is where the two meet, and they share no mechanics";
+            metrics.push((at, found.near(0.0023, reason)));
         }
     }
     if let (Some(middle), Some(fine)) = (runs.get(CELL, "21×21"), runs.find(CELL, "41×41")) {
