@@ -263,9 +263,16 @@ mod tests {
 
     #[test]
     fn a_measured_error_may_grow_three_times_and_no_more() {
-        for (measured, tolerance) in
-            [(0.012, 0.036), (0.0117, 0.036), (0.28, 0.84), (1.0, 3.0), (4.0, 12.0), (3.5, 11.0), (1e-9, 3e-9), (0.0, 0.0)]
-        {
+        for (measured, tolerance) in [
+            (0.012, 0.036),
+            (0.0117, 0.036),
+            (0.28, 0.84),
+            (1.0, 3.0),
+            (4.0, 12.0),
+            (3.5, 11.0),
+            (1e-9, 3e-9),
+            (0.0, 0.0),
+        ] {
             assert_eq!(most(measured), tolerance);
         }
         let tip = |error| Metric::error("tip", Some(error), "% of L").near(0.012, "curvature along arcs");
@@ -315,7 +322,10 @@ mod tests {
             keys(&value[0]),
             "case curve dof method metrics particle_steps_per_second particles spacing steps threads wall_seconds"
         );
-        assert_eq!(keys(&value[0]["metrics"][0]), "error name pass reason reference tolerance unit value verdict");
+        assert_eq!(
+            keys(&value[0]["metrics"][0]),
+            "error name pass reason reference tolerance unit value verdict"
+        );
         assert_eq!(keys(&value[0]["curve"]), "columns rows");
         assert!(value[0]["metrics"][1]["tolerance"].is_null());
         assert_eq!(value[0]["metrics"][0]["verdict"], "missed");

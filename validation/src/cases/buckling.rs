@@ -81,5 +81,9 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "of second order in the spacing over the wave; the closed forms have no shear";
     let measured = MEASURED.of(run)?;
     let judged = |name: &str, error| Metric::error(name, error, "%").near(measured, reason);
-    Ok(vec![judged(NAME, largest(errors.iter().copied())), judged("first", errors[0]), judged("second", errors[1])])
+    Ok(vec![
+        judged(NAME, largest(errors.iter().copied())),
+        judged("first", errors[0]),
+        judged("second", errors[1]),
+    ])
 }

@@ -8,8 +8,8 @@ use super::hemisphere::SCENE;
 use super::path::Compared;
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
-use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
 const TABLE: &str = "sze_hemisphere_hole";
@@ -73,7 +73,11 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "coarse lattices are of second order; the table itself is within .45 % of bricks";
     let measured = MEASURED.of(run)?;
     let judged = |name: &str, error| Metric::error(name, error, UNIT).near(measured, reason);
-    Ok(vec![judged(NAME, largest(errors.iter().copied())), judged("outward", errors[0]), judged("inward", errors[1])])
+    Ok(vec![
+        judged(NAME, largest(errors.iter().copied())),
+        judged("outward", errors[0]),
+        judged("inward", errors[1]),
+    ])
 }
 
 fn published() -> Result<Vec<Published>, JudgeError> {

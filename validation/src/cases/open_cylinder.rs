@@ -7,8 +7,8 @@ use super::dial::{ELEMENTS, STATIC};
 use super::path::{Compared, distance, value_at};
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
-use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
 pub const SCENE: &str = include_str!("../../../scenes/open-cylinder.toml");

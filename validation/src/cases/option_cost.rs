@@ -15,7 +15,8 @@ use crate::{JudgeError, Metric};
 const FULL: Extent = Extent { side: 50, steps: 200, rounds: 4 };
 
 const TIMES: &str = "a cost: times follow the machine and its neighbours";
-const BYTES: &str = "a cost: what is kept is an account, no error; that the bare scene keeps nothing of its own is judged";
+const BYTES: &str =
+    "a cost: what is kept is an account, no error; that the bare scene keeps nothing of its own is judged";
 
 pub fn case() -> Case {
     of_extent(FULL)

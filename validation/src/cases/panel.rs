@@ -125,7 +125,8 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         let at_limit = w.iter().position(|w| *w >= 10.5).map(|row| p[row]);
         let reason = "inertia, not stiffness (2.2 kN at rest): what coque gave when the note of this case was written; 1 % for \
                       the step at which the crown passes 10.5 mm";
-        let known = |name, value, load: f64| Metric::compared(name, value, "kN", load).within(0.01 * load, reason);
+        let known =
+            |name, value, load: f64| Metric::compared(name, value, "kN", load).within(0.01 * load, reason);
         return Ok(vec![known("peak load", Some(peak), 29.38), known("load at 10.5 mm", at_limit, 20.84)]);
     }
     let limit = limit_point(run)?;
@@ -250,7 +251,12 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     if let (Some(particles), Some(at)) = (runs.get(STATIC, "21×21"), runs.find(ELEMENTS, "21×21")) {
         let (ours, theirs) = (limit_point(particles)?, limit_point(&runs.0[at])?);
         if let Some(ours) = ours {
-            let found = Metric::compared("limit load, to that of particles", theirs.map(|limit| limit.y), "kN", ours.y);
+            let found = Metric::compared(
+                "limit load, to that of particles",
+                theirs.map(|limit| limit.y),
+                "kN",
+                ours.y,
+            );
             let reason = "the reference of this case is where the two meet, and they share no mechanics";
             metrics.push((at, found.near(0.0023, reason)));
         }

@@ -8,8 +8,8 @@ use super::path::value_at;
 use crate::answers::DYNAMICS;
 use crate::case::{Booked, Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
-use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../scenes/panel-laminated.toml");

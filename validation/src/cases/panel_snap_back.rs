@@ -13,8 +13,8 @@ use benchmarks_ref::reference;
 use super::dial::{ELEMENTS, STATIC};
 use super::{panel, path};
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
-use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::{JudgeError, Metric};
 
 const TABLE: &str = "sze_hinged_roof_t6p35_isotropic";
@@ -105,7 +105,8 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         "both turning points passed; the table is within .8 % of bricks up to 1000 N",
         "beyond 1000 N the table is a single transcription that bricks confirm in shape only",
     );
-    let distance = |name: &str, known: &[(f64, f64)]| Metric::error(name, path::distance(&own, known, SCALE), UNIT);
+    let distance =
+        |name: &str, known: &[(f64, f64)]| Metric::error(name, path::distance(&own, known, SCALE), UNIT);
     Ok(vec![
         distance(NAME, &confirmed).near(MEASURED.of(run)?, reason),
         distance("whole table", &table()?).near(WHOLE.of(run)?, top),

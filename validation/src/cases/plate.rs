@@ -5,8 +5,8 @@ use benchmarks_ref::fe_shell::cases::{PlateEdges, plate_deflection};
 use super::dial::{self, ELEMENTS, STATIC};
 use super::linear;
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
-use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Mark, ORANGE, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Mark, ORANGE, Series};
 use crate::{JudgeError, Metric};
 
 pub const SCENE: &str = include_str!("../../../scenes/plate.toml");

@@ -1,8 +1,8 @@
 //! point-load-smoothness: one loaded particle on the panel; its neighbours have to follow without a checkerboard.
 
 use crate::case::{Booked, Case, Run, Runs, Variant};
-use crate::report::{Axis, BLUE, Chart, Figure, GREEN, Line, Mark, Series, shade};
 use crate::measured::Measured;
+use crate::report::{Axis, BLUE, Chart, Figure, GREEN, Line, Mark, Series, shade};
 use crate::{JudgeError, Metric};
 
 use super::dial::CELL;

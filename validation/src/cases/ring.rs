@@ -16,8 +16,8 @@ use super::dial::{
 use super::strip;
 use crate::case::{Booked, Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::{largest, order_of_convergence};
-use crate::report::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::measured::Measured;
+use crate::report::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::{JudgeError, Metric};
 
 pub const SCENE: &str = include_str!("../../../scenes/ring.toml");
@@ -124,7 +124,9 @@ fn why(method: &str) -> &'static str {
             "curvature along arcs, second order in the spacing; by chords 50×5 is off by .28 % (docs/zero-energy-control.md)"
         }
         ELEMENTS => "directors that are interpolated along chords; second order in the spacing",
-        _ => "what wide stencils and nodal sampling lose at the ends; beside the default, judged so that a change is seen",
+        _ => {
+            "what wide stencils and nodal sampling lose at the ends; beside the default, judged so that a change is seen"
+        }
     }
 }
 

@@ -48,10 +48,10 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let mut metrics = Vec::new();
     for (level, name) in QUARTERS {
         let error = strip::tip_error(run, level, LENGTH, law(level)?)?;
-        metrics.push(Metric::error(format!("own law at {name}"), error, strip::UNIT).near(
-            0.012,
-            "the particles' own error; the law leaves out the ζ² strain as the shell does",
-        ));
+        metrics.push(
+            Metric::error(format!("own law at {name}"), error, strip::UNIT)
+                .near(0.012, "the particles' own error; the law leaves out the ζ² strain as the shell does"),
+        );
     }
     let error = strip::tip_error(run, 1.0, LENGTH, circle(1.0))?;
     // The law against the circle, by closed forms.

@@ -8,8 +8,8 @@ use super::dial::{self, CELL, ELEMENTS, STATIC};
 use super::strip;
 use crate::case::{Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::largest;
-use crate::report::{Figure, GREEN, Mark, Series};
 use crate::measured::Measured;
+use crate::report::{Figure, GREEN, Mark, Series};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../scenes/thin-ring.toml");

@@ -175,7 +175,9 @@ fn body(
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let (bound, reason) = match run.variant.method.as_str() {
-        CELL | STRONG_12 => (1e-9, "asked: 1e-9, as of bodies turned in space: round-off and the step at which a decay ends"),
+        CELL | STRONG_12 => {
+            (1e-9, "asked: 1e-9, as of bodies turned in space: round-off and the step at which a decay ends")
+        }
         _ => (
             1e-4,
             "known failure of the 1e-9 asked, 1e-7 to 2.5e-5: cells, and the strong form, whose gradients are those of nodal 1 before \

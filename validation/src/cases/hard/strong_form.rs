@@ -81,9 +81,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let error = Metric::error(ERROR, error(runs, run)?, "%");
         metrics.push((
             number,
-            error.shown(
-                "the published pair sums derive from no energy and are exact on linear fields alone",
-            ),
+            error.shown("the published pair sums derive from no energy and are exact on linear fields alone"),
         ));
         let restless = run.done().then_some(run.outcome.restless as f64);
         let shown = Metric::error("levels that did not come to rest", restless, "-");

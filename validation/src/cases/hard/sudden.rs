@@ -140,8 +140,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     }
     let factor = Metric::compared(FACTOR, run.column(FACTOR)?.last().copied(), "-", 2.0);
     let factor = if run.variant.grid.ends_with("cantilever") {
-        factor
-            .within(0.04, "asked: dynamic factor 2 within 2 %; higher modes hold 1.4 % of this deflection")
+        factor.within(0.04, "asked: dynamic factor 2 within 2 %; higher modes hold 1.4 % of this deflection")
     } else {
         let reason =
             "two is that of one mode; at the centre of a plate the symmetric higher ones add 3 to 7 %";

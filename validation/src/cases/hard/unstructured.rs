@@ -214,9 +214,7 @@ fn bound(grid: &str) -> (f64, &'static str) {
         _ if grid.starts_with("plate") => {
             (1.0, "asked: half a percent of lattices at 21², twice that of disorder")
         }
-        _ if grid.starts_with("hemisphere") => {
-            (1.5, "asked: 1 % at 21², half more for uneven spacings")
-        }
+        _ if grid.starts_with("hemisphere") => (1.5, "asked: 1 % at 21², half more for uneven spacings"),
         _ if grid.starts_with("whole") => (1.5, "the published value has three digits; 1 % as with a hole"),
         _ => (2.2, "chords in two directions cut .0008 of the radius, w/R = .036, as in the case loads"),
     }

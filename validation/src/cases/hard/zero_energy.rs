@@ -157,8 +157,7 @@ fn known_failure(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![
         soft,
         operator,
-        figure(run, DEFECT, "%")?
-            .shown("of the largest eigenvalue ω²: such pairs of modes flutter and grow"),
+        figure(run, DEFECT, "%")?.shown("of the largest eigenvalue ω²: such pairs of modes flutter and grow"),
         figure(run, "negative part", "%")?.shown(SHOWN),
     ])
 }
