@@ -47,6 +47,16 @@ pub enum JudgeError {
         /// What there is.
         known: String,
     },
+    /// No measured error stands for a run.
+    #[error(
+        "no measured error stands for {method} {grid}: run the case, look at the error, and write it beside the others"
+    )]
+    NotMeasured {
+        /// The method of the variant.
+        method: String,
+        /// Its grid.
+        grid: String,
+    },
     /// A reference is missing or does not cover the range.
     #[error(transparent)]
     Reference(#[from] ReferenceError),

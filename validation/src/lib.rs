@@ -9,7 +9,7 @@
 //! | how runs share the cores | `run.rs` |
 //! | what a run leaves behind, whoever solved it | `outcome.rs` |
 //! | which run of a case is drawn, and how | `pictured.rs` |
-//! | what a verdict is | `record.rs` |
+//! | what a verdict is; three times the measured error | `record.rs`; the errors by run: `measured.rs` |
 //! | the table of the hard cases | `survival.rs` |
 //! | explicit, static, finite elements and published side by side | `answers.rs` |
 //! | what each option costs | `option_cost/*.rs` |
@@ -37,8 +37,16 @@
 //! error = |value − reference|              Metric::compared
 //!         max(0, reference − value)        Metric::at_least
 //!         the value itself                 Metric::error
-//! pass  = error ≤ tolerance                Metric::within, with a reason; else the metric is only reported
+//! pass  = error ≤ tolerance                Found::within, with a reason
+//!         error ≤ 3 × measured             Found::near: the error found when the case was last reviewed
+//! shown: nothing is asked                  Found::shown, with a reason: a cost, a place where a curve is flat
 //! ```
+//!
+//! What is [`record::Found`] becomes a metric by one of these three and by nothing else, so that every number is either judged
+//! or says why it is not. Three times the measured error leaves room for another compiler, library or stop criterion, and
+//! none for a piece of the mechanics: without curvature along arcs the ring is 25 times as far off. Methods that stand
+//! beside the default for comparison are judged alike, so that a change of theirs is seen. References that are rounded
+//! or part among themselves widen a tolerance, and the reason says so.
 //!
 //! A value that was not reached fails where it is judged. Each run also has to come to rest at every load level and to
 //! reach its end, unless its method is known not to ([`Variant::restless`], for the strong form). The exit code is 1 if
@@ -83,6 +91,8 @@
 //! | invariant | test |
 //! |---|---|
 //! | the quick set keeps its tolerances, each with a reason, and stays as it was reviewed | `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` (tests/quick) |
+//! | every metric is judged or shown, with a reason | by type: a `Found` becomes a metric only so (src/record.rs); length of reasons: `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` |
+//! | a measured error may grow three times and no more | `a_measured_error_may_grow_three_times_and_no_more` (src/record.rs) |
 //! | a missed tolerance gives exit code one; what was not reached fails | `a_missed_tolerance_gives_exit_code_one`, `a_level_that_was_never_reached_fails` (src/run.rs), `what_was_not_reached_fails_but_only_if_it_is_judged` (src/record.rs) |
 //! | cases and their runs can be told apart | `cases_and_their_runs_can_be_told_apart` (src/cases/mod.rs) |
 //! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/measure.rs) |
@@ -91,6 +101,7 @@ pub mod answers;
 pub mod case;
 pub mod cases;
 pub mod measure;
+pub mod measured;
 pub mod option_cost;
 pub mod outcome;
 pub mod pictured;
@@ -105,5 +116,5 @@ mod error;
 pub use case::{Case, Run, Runs, Variant};
 pub use error::JudgeError;
 pub use outcome::{Outcome, Solver};
-pub use record::{Metric, Record};
+pub use record::{Found, Metric, Record, Verdict};
 pub use run::{CaseResult, Selection, judge};

@@ -56,7 +56,8 @@ Examples:
 
 Reading the table: errors are in the unit that follows them; `pass` means that every metric with a tolerance keeps
 to it, `shown` that nothing is asked of the run, `MISSED` that a tolerance is exceeded; the lines below the table then
-say which, and where the tolerance comes from.
+say which, and where the tolerance comes from. Report and JSON say of every number whether it is judged or only shown,
+and why.
 
 Exit codes: 0 every tolerance kept, 1 a tolerance missed, 2 not judged (unknown case, scene refused, no file).";
 

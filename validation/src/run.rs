@@ -248,8 +248,8 @@ fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
 fn rest(run: &Run) -> Option<Metric> {
     let restless = run.outcome.restless as f64;
     let reason = "a load that is read while the shell still moves is dragged by the damping";
-    let metric = Metric::error(REST, run.done().then_some(restless), "-");
-    (run.variant.settles && run.outcome.solver == Solver::Explicit).then(|| metric.within(0.0, reason))
+    let found = Metric::error(REST, run.done().then_some(restless), "-");
+    (run.variant.settles && run.outcome.solver == Solver::Explicit).then(|| found.within(0.0, reason))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::record::{Metric, Record};
+use crate::record::{Metric, Record, Verdict};
 use crate::report::Numbers;
 use crate::run::{CaseResult, REST};
 
@@ -53,7 +53,7 @@ pub fn table(results: &[CaseResult]) -> String {
                 record.particles.to_string(),
                 format!("{:.2}", record.wall_seconds),
                 format!("{:.2}", record.particle_steps_per_second / 1e6),
-                verdict(record).into(),
+                record.verdict().word().into(),
                 metrics(record),
             ]);
         }
@@ -75,17 +75,20 @@ pub fn table(results: &[CaseResult]) -> String {
             }
         }
     }
-    text
+    text + "\n" + &counts(results) + "\n"
 }
 
-/// `pass`, `MISSED`, or `shown` where nothing is asked but that the shell come to rest.
-pub fn verdict(record: &Record) -> &'static str {
-    let asked = |metric: &Metric| metric.tolerance.is_some() && metric.name != REST;
-    match (record.passes(), record.metrics.iter().any(asked)) {
-        (false, _) => "MISSED",
-        (true, true) => "pass",
-        (true, false) => "shown",
+/// How many metrics are judged, how many of those are missed, how many are only shown.
+pub fn counts(results: &[CaseResult]) -> String {
+    let (mut judged, mut missed, mut shown) = (0, 0, 0);
+    for metric in results.iter().flat_map(|result| &result.records).flat_map(|record| &record.metrics) {
+        match metric.verdict {
+            Verdict::Pass => judged += 1,
+            Verdict::Missed => (judged, missed) = (judged + 1, missed + 1),
+            Verdict::Shown => shown += 1,
+        }
     }
+    format!("{judged} metrics judged, {missed} of them missed; {shown} shown")
 }
 
 /// All metrics in one cell; the unit follows the last metric that has it.
@@ -154,10 +157,10 @@ mod tests {
 
     #[test]
     fn words_say_what_was_asked() {
-        let compared = Metric::compared("P", Some(2.25), "kN", 2.222);
-        assert_eq!(words(&compared), "2.25 (2.222)");
-        assert_eq!(words(&compared.within(0.011, "")), "2.25 (2.222 ± 0.011)");
+        let compared = || Metric::compared("P", Some(2.25), "kN", 2.222);
+        assert_eq!(words(&compared().shown("")), "2.25 (2.222)");
+        assert_eq!(words(&compared().within(0.011, "")), "2.25 (2.222 ± 0.011)");
         assert_eq!(words(&Metric::error("tip", Some(0.28), "%").within(0.4, "")), "0.28 (≤ 0.4)");
-        assert_eq!(words(&Metric::error("tip", None, "%")), "not reached");
+        assert_eq!(words(&Metric::error("tip", None, "%").shown("")), "not reached");
     }
 }

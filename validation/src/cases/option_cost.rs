@@ -8,12 +8,15 @@ use crate::case::{Booked, Case, Run, Runs, Variant};
 use crate::option_cost::table::{CASE, HELD_BYTES, MORE_TIME, SPREAD, STEP_BYTES, TIME};
 use crate::option_cost::{BARE, Cost, Extent, Pace, WITHOUT, measure, rows};
 use crate::outcome::{Outcome, Solver};
+use crate::record::Found;
 use crate::{JudgeError, Metric};
 
 /// Some ten seconds: 2500 particles stay in the cache, and a frame of fields is spread over 200 steps.
 const FULL: Extent = Extent { side: 50, steps: 200, rounds: 4 };
 
-const SHOWN: &str = "shown: times follow the machine";
+const TIMES: &str = "a cost: times follow the machine and its neighbours";
+const BYTES: &str =
+    "a cost: what is kept is an account, no error; that the bare scene keeps nothing of its own is judged";
 
 pub fn case() -> Case {
     of_extent(FULL)
@@ -87,7 +90,8 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let curve = &run.outcome.curve;
     let values = curve.rows.last().into_iter().flatten();
     let metric = |(column, value): (&Column, &f64)| {
-        Metric::error(column.name.clone(), Some(*value), &column.unit).because(SHOWN)
+        let why = if column.unit.starts_with("bytes") { BYTES } else { TIMES };
+        Metric::error(column.name.clone(), Some(*value), &column.unit).shown(why)
     };
     Ok(curve.columns.iter().zip(values).map(metric).collect())
 }
@@ -102,7 +106,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let (Some(own), Some(over)) = (number(row.name), number(row.over)) else { continue };
         if own != over {
             let more = 100.0 * (last(own, TIME)? / last(over, TIME)? - 1.0);
-            booked.push((own, signed(MORE_TIME, more, "%").because(SHOWN)));
+            booked.push((own, signed(MORE_TIME, more, "%").shown(TIMES)));
         }
     }
     if let (Some(bare), Some(without)) = (number(BARE), number(WITHOUT)) {
@@ -116,7 +120,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
 }
 
 /// A number that may be negative and is no error.
-fn signed(name: &str, value: f64, unit: &str) -> Metric {
+fn signed(name: &str, value: f64, unit: &str) -> Found {
     Metric::compared(name, Some(value), unit, 0.0)
 }
 

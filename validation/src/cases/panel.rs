@@ -16,13 +16,15 @@ use super::panel_figures::figures;
 use crate::answers::DYNAMICS;
 use crate::case::{Booked, Case, Headline, Published, Run, Runs, Variant};
 use crate::measure::{cubic_at, largest};
+use crate::measured::Measured;
 use crate::{JudgeError, Metric};
 
 /// The scene of the hinged panel.
 pub const SCENE: &str = include_str!("../../../scenes/panel.toml");
 /// The transient run of the paper.
 pub const FAST: &str = "stress-point cell, 3 ms";
-/// Limit load \[kN\] to which two different formulations converged in study 1 §2.2 (stress points and nodal order 3, 41²).
+/// Limit load \[kN\] that particles find (on 21², 41²: 2.2220, 2.2218) and the finite-element shell (2.2220 on 21²), which shares no
+/// mechanics with them. No published value: those lie .07 to .64 % from it.
 pub const LIMIT: f64 = 2.222;
 /// Displacements \[mm\] at which all formulations are compared.
 const SHORT: [f64; 12] = [2.0, 6.0, 10.0, 10.5, 11.0, 11.5, 14.0, 18.0, 22.0, 26.0, 29.0, 30.0];
@@ -36,8 +38,9 @@ pub fn case() -> Case {
         name: "panel",
         title: "Hinged cylindrical panel, t = 12.7 mm, snapping through",
         about: "Load against displacement of the crown, through the limit point and the dip behind it, judged by the \
-                table of Sze et al., by bricks (CalculiX), and by the limit load to which two formulations converge. \
-                The limit is flat, so loads are compared and not the place of the maximum.",
+                table of Sze et al., by bricks (CalculiX), and by a limit load of 2.222 kN. That is no published value: it is \
+                what this project's own particles find, and within 5e-5 its finite-element shell, which shares no mechanics \
+                with them; other codes and tables lie .07 to .64 % from it. The limit is flat, so loads are compared and not the place of the maximum.",
         citation: "Lin et al. 2013, section 5.1; Sze, Liu and Lo 2004, section 3.8",
         variants: variants(),
         each,
@@ -64,7 +67,7 @@ fn variants() -> Vec<Variant> {
         let elements = move || panel_elements(n - 1, 12.7, PanelSection::Isotropic, FULL, 60);
         variants.push(Variant::elements(ELEMENTS, [n, n], elements).quick());
     }
-    // Issue 3: the whole path in a hundred points on a mesh of 16×16, for its cost.
+    // The whole path in a hundred points on a mesh of 16×16, for its cost.
     let hundred: Vec<f64> = (1..=100).map(|i| 0.01 * f64::from(i)).collect();
     variants.push(dial::static_variant(SCENE, "cylinder", [17, 17], &hundred));
     variants.push(Variant::elements(ELEMENTS, [17, 17], || {
@@ -120,55 +123,102 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     if run.variant.method == FAST {
         let peak = p.iter().copied().fold(0.0, f64::max);
         let at_limit = w.iter().position(|w| *w >= 10.5).map(|row| p[row]);
-        return Ok(vec![
-            Metric::error("peak load", Some(peak), "kN")
-                .because("inertia, not stiffness: see the note of this case"),
-            Metric::error("load at 10.5 mm", at_limit, "kN").because("2.2 kN at rest"),
-        ]);
+        let reason = "inertia, not stiffness (2.2 kN at rest): what coque gave when the note of this case was written; 1 % for \
+                      the step at which the crown passes 10.5 mm";
+        let known =
+            |name, value, load: f64| Metric::compared(name, value, "kN", load).within(0.01 * load, reason);
+        return Ok(vec![known("peak load", Some(peak), 29.38), known("load at 10.5 mm", at_limit, 20.84)]);
     }
     let limit = limit_point(run)?;
-    let mut metrics = vec![
-        judged_limit(run, Metric::compared("limit load", limit.map(|limit| limit.y), "kN", LIMIT)),
-        Metric::compared("limit at", limit.map(|limit| limit.x), "mm", parabola_of_sze()?)
-            .because("flat within 1 % from 9.9 to 11.8 mm; the reference is the parabola through the rows of Sze et al."),
-    ];
-    let fine = matches!(
-        (run.variant.method.as_str(), run.variant.grid.as_str()),
-        (CELL | STATIC | ELEMENTS, "21×21" | "41×41")
-    );
+    let found = Metric::compared("limit load", limit.map(|limit| limit.y), "kN", LIMIT);
+    let place = Metric::compared("limit at", limit.map(|limit| limit.x), "mm", parabola_of_sze()?);
     let (to_26, to_30) = (from_sze(&w, &p, 0.0..=26.0)?, from_sze(&w, &p, 26.0..=FULL)?);
-    metrics.push(Metric::error("Sze to 26 mm", to_26, PERCENT).within_if(
-        fine,
-        1.5,
-        "issue 2; the table is within 1.5 % of independent codes",
-    ));
-    metrics.push(Metric::error("Sze 26 to 30 mm", to_30, PERCENT).within_if(
-        fine,
-        2.5,
-        "issue 2: the point load of a shear-flexible shell is log-singular, −0.4 % for each halving of the spacing there",
-    ));
+    let mut metrics = vec![
+        if known_failure(run) {
+            found.shown("known failure, judged by the two distances below: the published pair sums are twice too stiff")
+        } else {
+            found.near(MEASURED.of(run)?, why(&run.variant.method))
+        },
+        place.shown("flat within 1 % from 9.9 to 11.8 mm; the reference is the parabola through the rows of Sze et al."),
+    ];
+    let table = "the table itself is up to 1.5 % off independent codes";
+    let singular = "the point load of a shear-flexible shell is log-singular: −.4 % for each halving of the spacing there";
+    for (name, error, measured, reason) in
+        [("Sze to 26 mm", to_26, &TO_26, table), ("Sze 26 to 30 mm", to_30, &TO_30, singular)]
+    {
+        let measured = measured.of(run)?;
+        metrics.push(if known_failure(run) {
+            // Three times more than twice too stiff would hold nothing.
+            let reason = "known failure of the published pair sums, asserted as it is; what flutters moves by a few percent";
+            Metric::compared(name, error, PERCENT, measured).within(0.1 * measured, reason)
+        } else {
+            Metric::error(name, error, PERCENT).near(measured, reason)
+        });
+    }
     Ok(metrics)
 }
 
-fn judged_limit(run: &Run, metric: Metric) -> Metric {
-    let percent = |percent: f64| 0.01 * percent * LIMIT;
-    match (run.variant.method.as_str(), run.variant.grid.as_str()) {
-        (CELL | STATIC, "21×21") => metric.within(percent(0.5), "issue 2: within 0.5 % of 2.222 kN at 21²"),
-        (ELEMENTS, "21×21") => {
-            metric.within(percent(1.0), "issue 3: finite elements within 1 % of the limit load")
+fn known_failure(run: &Run) -> bool {
+    [STRONG_12, STRONG_085].contains(&run.variant.method.as_str())
+}
+
+/// What the error of a formulation in the limit load is made of.
+fn why(method: &str) -> &'static str {
+    match method {
+        CELL | STATIC | ELEMENTS => {
+            "the reference is what particles and, by other mechanics, elements converge to, known to .02 %"
         }
-        (WIDE_14, "21×21") => metric
-            .within(percent(0.5), "the kernel reaches the four particles of the cell, so its mark holds"),
-        (NODAL_3, "21×21") => metric.within(percent(0.5), "issue 2; study 1 §2.2: 2.2212"),
-        (NODAL_1 | NODAL_2, "21×21") => {
-            metric.within(percent(3.0), "issue 2; study 1 §2.2: −2.5 % for order 1, +0.2 % for order 2")
-        }
-        (STRONG_12 | STRONG_085, _) => metric
-            .because("known failure: study 1 §0 found the published pair sums wrong by 1.8 to 2.3 times"),
-        (WIDE_25 | WIDE_30, _) => metric.because("no mark for wide kernels on the panel in the studies"),
-        _ => metric.because("judged at 21²"),
+        _ => "beside the default, judged so that a change is seen",
     }
 }
+
+/// Errors of the limit load \[%\], no less than a third of what the reference is known to.
+#[rustfmt::skip] // a paragraph a method
+const MEASURED: Measured = Measured(&[
+    (CELL, &[("11×11", 0.045), ("21×21", 0.0075), ("41×41", 0.0098)]),
+    (STATIC, &[("11×11", 0.044), ("21×21", 0.0075), ("41×41", 0.011), ("17×17", 0.0082)]),
+    (ELEMENTS, &[("11×11", 0.016), ("21×21", 0.0075), ("17×17", 0.0075)]),
+    (NODAL_3, &[("11×11", 0.091), ("21×21", 0.017)]),
+    (WIDE_14, &[("21×21", 0.019)]),
+    (WIDE_25, &[("21×21", 0.026)]),
+    (WIDE_30, &[("21×21", 0.29)]),
+    (NODAL_1, &[("21×21", 0.71)]),
+    (NODAL_2, &[("21×21", 0.3)]),
+    (STRONG_12, &[("21×21", 140.0)]),
+    (STRONG_085, &[("21×21", 170.0)]),
+]);
+
+/// Distances from the table of Sze et al. to 26 mm \[% of the limit load\].
+#[rustfmt::skip] // a paragraph a method
+const TO_26: Measured = Measured(&[
+    (CELL, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.67)]),
+    (STATIC, &[("11×11", 0.35), ("21×21", 0.47), ("41×41", 0.66), ("17×17", 0.44)]),
+    (ELEMENTS, &[("11×11", 0.84), ("21×21", 0.41), ("17×17", 0.48)]),
+    (NODAL_3, &[("11×11", 0.67), ("21×21", 0.6)]),
+    (WIDE_14, &[("21×21", 0.49)]),
+    (WIDE_25, &[("21×21", 0.67)]),
+    (WIDE_30, &[("21×21", 2.0)]),
+    (NODAL_1, &[("21×21", 3.3)]),
+    (NODAL_2, &[("21×21", 0.87)]),
+    (STRONG_12, &[("21×21", 140.0)]),
+    (STRONG_085, &[("21×21", 170.0)]),
+]);
+
+/// The same from 26 to 30 mm.
+#[rustfmt::skip] // a paragraph a method
+const TO_30: Measured = Measured(&[
+    (CELL, &[("11×11", 0.45), ("21×21", 0.78), ("41×41", 1.2)]),
+    (STATIC, &[("11×11", 0.45), ("21×21", 0.79), ("41×41", 1.2), ("17×17", 0.7)]),
+    (ELEMENTS, &[("11×11", 1.7), ("21×21", 0.26), ("17×17", 0.61)]),
+    (NODAL_3, &[("11×11", 0.72), ("21×21", 0.88)]),
+    (WIDE_14, &[("21×21", 0.84)]),
+    (WIDE_25, &[("21×21", 1.3)]),
+    (WIDE_30, &[("21×21", 4.3)]),
+    (NODAL_1, &[("21×21", 6.7)]),
+    (NODAL_2, &[("21×21", 2.3)]),
+    (STRONG_12, &[("21×21", 110.0)]),
+    (STRONG_085, &[("21×21", 160.0)]),
+]);
 
 /// Largest distance from the table of Sze et al. in percent of the limit load; none if the path ends before the range.
 ///
@@ -198,6 +248,19 @@ fn from_sze(w: &[f64], p: &[f64], range: std::ops::RangeInclusive<f64>) -> Resul
 
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics = still(runs)?;
+    if let (Some(particles), Some(at)) = (runs.get(STATIC, "21×21"), runs.find(ELEMENTS, "21×21")) {
+        let (ours, theirs) = (limit_point(particles)?, limit_point(&runs.0[at])?);
+        if let Some(ours) = ours {
+            let found = Metric::compared(
+                "limit load, to that of particles",
+                theirs.map(|limit| limit.y),
+                "kN",
+                ours.y,
+            );
+            let reason = "the reference of this case is where the two meet, and they share no mechanics";
+            metrics.push((at, found.near(0.0023, reason)));
+        }
+    }
     if let (Some(middle), Some(fine)) = (runs.get(CELL, "21×21"), runs.find(CELL, "41×41")) {
         let ((w, p), (sharp_w, sharp_p)) = (path(middle)?, path(&runs.0[fine])?);
         let worst = largest(
@@ -206,7 +269,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         metrics.push((
             fine,
             Metric::error("21² to 26 mm", worst, PERCENT)
-                .within(0.5, "issue 2: 41² and 21² within 0.5 % of each other"),
+                .near(0.2, "a lattice of half the spacing; the point load is log-singular"),
         ));
     }
     Ok(metrics)
@@ -219,8 +282,8 @@ fn still(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     };
     let ((w, p), (static_w, static_p)) = (path(moving)?, path(&runs.0[at])?);
     let worst = largest(apart((&w, &p), (&static_w, &static_p)).map(|x| Some(x.1)));
-    let reason = "issue 3: static equals the explicit ramp–hold loads to 0.2 %";
-    Ok(vec![(at, Metric::error(DYNAMICS, worst, PERCENT).within(0.2, reason))])
+    let found = Metric::error(DYNAMICS, worst, PERCENT);
+    Ok(vec![(at, found.near(0.0071, "unfinished rest at the levels of the explicit run"))])
 }
 
 /// Displacements that two paths share, with the difference of their loads there in percent of the limit load.
@@ -234,7 +297,7 @@ fn apart<'a>(
     })
 }
 
-/// Limit loads of the table of Sze et al. and of bricks, as errors of the load to which two formulations converge.
+/// Limit loads of the table of Sze et al. and of other codes, as distances from the load to which particles and elements converge.
 fn published() -> Result<Vec<Published>, JudgeError> {
     let limits = reference("seed_panel_limit_points")?;
     let known =

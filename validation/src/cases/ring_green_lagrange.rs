@@ -22,7 +22,7 @@ pub fn case() -> Case {
         name: "ring-green-lagrange",
         title: "The same ring with Green–Lagrange curvature, the measure of the paper",
         about: "x,α·d,β mixes the stretch of the mid-surface into the curvature. A strip with that measure has a law of \
-                its own, λ² = M/(EIk) = 1 − (kt)²/6: the particles meet it, so the 7.7 % by which the ring misses \
+                its own, λ² = M/(EIk) = 1 − (kt)²/6: the particles meet it, so the 7.3 % by which the ring misses \
                 the circle belong to the strain measure and not to the particles.",
         citation: "Lin et al. 2013, eqs. 5–7; law: closed form in benchmarks-ref, rolled_strip",
         variants: vec![dial::variant(CELL, SCENE, "plate", [50, 5]).quick()],
@@ -48,16 +48,17 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let mut metrics = Vec::new();
     for (level, name) in QUARTERS {
         let error = strip::tip_error(run, level, LENGTH, law(level)?)?;
-        metrics.push(Metric::error(format!("own law at {name}"), error, "% of L").within(
-            0.5,
-            "issue 2: the particles' own error on the ring is below 0.4 %; the law leaves out the ζ² strain as the shell does",
-        ));
+        metrics.push(
+            Metric::error(format!("own law at {name}"), error, strip::UNIT)
+                .near(0.012, "the particles' own error; the law leaves out the ζ² strain as the shell does"),
+        );
     }
     let error = strip::tip_error(run, 1.0, LENGTH, circle(1.0))?;
-    metrics.push(
-        Metric::error("circle at 1", error, "% of L")
-            .because("what the measure costs; 7.65 % in study 1 §2.1"),
-    );
+    // The law against the circle, by closed forms.
+    let (law, circle) = (law(1.0)?, circle(1.0));
+    let expected = 100.0 * (law.0 - circle.0).hypot(law.1 - circle.1);
+    let cost = Metric::compared("circle at 1", error, strip::UNIT, expected);
+    metrics.push(cost.near(0.1, "what the measure costs is the distance of its law from the circle"));
     Ok(metrics)
 }
 

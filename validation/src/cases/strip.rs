@@ -4,6 +4,7 @@ use super::dial::{CELL, STATIC};
 use crate::answers::DYNAMICS;
 use crate::case::{Booked, Run, Runs};
 use crate::measure::largest;
+use crate::record::Found;
 use crate::report::{Axis, BLACK, Chart, Colour, Line, Mark, Series, Shapes, Sheet, shade};
 use crate::table::short;
 use crate::{JudgeError, Metric};
@@ -18,7 +19,15 @@ pub fn tip_error(run: &Run, level: f64, length: f64, exact: (f64, f64)) -> Resul
 }
 
 /// How far the static run on a grid is from the explicit one: what is left of the dynamics in the latter.
-pub fn still(runs: &Runs, grid: &str, levels: &[f64], length: f64) -> Result<Vec<Booked>, JudgeError> {
+///
+/// `measured` is what that was \[% of L\].
+pub fn still(
+    runs: &Runs,
+    grid: &str,
+    levels: &[f64],
+    length: f64,
+    measured: f64,
+) -> Result<Vec<Booked>, JudgeError> {
     let (Some(moving), Some(at)) = (runs.get(CELL, grid), runs.find(STATIC, grid)) else {
         return Ok(Vec::new());
     };
@@ -29,8 +38,17 @@ pub fn still(runs: &Runs, grid: &str, levels: &[f64], length: f64) -> Result<Vec
             differences.push(pair.map(|(a, b)| 100.0 * (a - b).abs() / length));
         }
     }
-    let reason = "issue 3: static as the explicit figures, to 0.1 %";
-    Ok(vec![(at, Metric::error(DYNAMICS, largest(differences), UNIT).within(0.1, reason))])
+    let found = Metric::error(DYNAMICS, largest(differences), UNIT);
+    Ok(vec![(at, found.near(measured, "unfinished rest at the levels of the explicit run"))])
+}
+
+/// Judges the distance from a table that is itself off the exact curve by `table`, where a run was off by `measured` \[% of L\].
+pub fn beside_table(found: Found, table: f64, measured: f64) -> Metric {
+    let reason = format!(
+        "the table is itself {} % of L off the exact curve; to that three times the error measured against the curve",
+        short(table)
+    );
+    found.within(table + 3.0 * measured, reason)
 }
 
 /// Largest distance of the rows of a table from the exact tip, in percent of the length.

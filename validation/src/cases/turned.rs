@@ -97,7 +97,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
                 at,
                 Metric::error("difference from 0°", difference(straight, &runs.0[at])?, "-").within(
                     1e-9,
-                    "issue 2; left is round-off, 1e-15, and 1e-11 where two runs stop at different steps of the same decay",
+                    "left is round-off, 1e-15, and 1e-11 where two runs stop at different steps of the same decay",
                 ),
             ));
         }

@@ -8,7 +8,7 @@ use crate::pictured::Pictured;
 use crate::record::{Metric, Record};
 use crate::run::{CaseResult, REST, Selection};
 use crate::survival::survival;
-use crate::table::{short, unit, verdict, words};
+use crate::table::{counts, short, unit, words};
 use crate::{JudgeError, Run};
 
 const STYLE: &str = include_str!("style.css");
@@ -53,17 +53,14 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
 
 fn head(results: &[CaseResult], selection: &Selection) -> String {
     let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
-    let judged = records.iter().flat_map(|record| &record.metrics).filter(|m| m.tolerance.is_some());
-    let (asked, missed) = judged.fold((0, 0), |(a, m), metric| (a + 1, m + usize::from(!metric.pass)));
+    let missed = records.iter().any(|record| !record.passes());
     let seconds: f64 = records.iter().map(|record| record.wall_seconds).sum();
-    let (class, outcome) = match missed {
-        0 => ("good", format!("All {asked} tolerances are kept.")),
-        _ => ("bad", format!("{missed} of {asked} tolerances are missed.")),
-    };
+    let (class, outcome) = (if missed { "bad" } else { "good" }, counts(results));
     format!(
-        "<h1>coque: validation</h1><p class='{class} outcome'>{outcome}</p>\
+        "<h1>coque: validation</h1><p class='{class} outcome'>{outcome}.</p>\
          <p>{} set: {} runs, {seconds:.0} s of marching, {} at a time, one thread each. Every number on this page \
-         was measured in this run; a tolerance and where it comes from stand in the table of its case. Wall times are \
+         was measured in this run; a tolerance and where it comes from stand in the table of its case, and so does why there is \
+         none where a number is only shown. Wall times are \
          those of the machine that made the page: compare them with each other only, and run with one job (--jobs 1) where cost is the question. A step of one particle counts \
          as one particle-step (p·step).</p>",
         match (selection.hard, selection.quick) {
@@ -88,7 +85,7 @@ fn summary(results: &[CaseResult]) -> String {
             } else {
                 String::new()
             };
-            let verdict = verdict(record);
+            let verdict = record.verdict().word();
             rows.push_str(&format!(
                 "<tr>{first}<td class='m'>{}</td><td>{}</td><td class='n'>{}</td><td>{}</td><td class='n'>{:.2}</td>\
                  <td class='n'>{:.2}</td><td class='{verdict}'>{verdict}</td></tr>",
@@ -194,14 +191,10 @@ fn metrics(result: &CaseResult) -> String {
                 String::new()
             };
             let number = |value: Option<f64>| value.map(short).unwrap_or_default();
-            let (class, word) = match (metric.pass, metric.tolerance) {
-                (false, _) => ("MISSED", "MISSED"),
-                (true, Some(_)) => ("pass", "pass"),
-                (true, None) => ("shown", ""),
-            };
+            let word = metric.verdict.word();
             rows.push_str(&format!(
                 "<tr>{first}<td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td>{}</td>\
-                 <td class='{class}'>{word}</td><td class='why'>{}</td></tr>",
+                 <td class='{word}'>{word}</td><td class='why'>{}</td></tr>",
                 escape(&metric.name),
                 metric.value.map_or_else(|| "not reached".into(), short),
                 number(metric.reference),
@@ -214,7 +207,7 @@ fn metrics(result: &CaseResult) -> String {
     format!(
         "<details{}><summary>All metrics of this case</summary><table><thead><tr><th>run</th><th>metric</th>\
          <th class='n'>value</th><th class='n'>reference</th><th class='n'>may be off by</th><th>unit</th>\
-         <th>verdict</th><th>where the tolerance comes from</th></tr></thead><tbody>{rows}</tbody></table></details>",
+         <th>verdict</th><th>where the tolerance comes from, or why there is none</th></tr></thead><tbody>{rows}</tbody></table></details>",
         // What is missed should be seen without a click.
         if result.records.iter().all(Record::passes) { "" } else { " open" },
     )

@@ -23,7 +23,7 @@ fn the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed() {
     };
     let checks: [(&str, Check); 4] = [
         ("a metric misses its tolerance", tolerances::missed),
-        ("a tolerance does not say where it comes from", tolerances::without_reason),
+        ("a metric does not say why it has its tolerance or none", tolerances::without_reason),
         ("table or report leave something out", tolerances::left_out),
         ("results are not as they were reviewed", snapshots::changed),
     ];

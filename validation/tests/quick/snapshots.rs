@@ -38,12 +38,8 @@ fn metric(metric: &Metric) -> String {
         Some(value) if value.abs() < ROUND_OFF => "0".into(),
         Some(value) => format!("{}", rounded(value, digits)),
     };
-    let verdict = match (metric.tolerance, metric.pass) {
-        (None, _) => String::new(),
-        (Some(tolerance), true) => format!(", pass (off by at most {})", rounded(tolerance, VALUE_DIGITS)),
-        (Some(tolerance), false) => format!(", MISSED (off by at most {})", rounded(tolerance, VALUE_DIGITS)),
-    };
-    format!("{value} {}{verdict}", metric.unit)
+    let most = metric.tolerance.map(|most| format!(" (off by at most {})", rounded(most, VALUE_DIGITS)));
+    format!("{value} {}, {}{}", metric.unit, metric.verdict.word(), most.unwrap_or_default())
 }
 
 fn curve(table: &Table) -> Value {

@@ -12,6 +12,7 @@ use sph_shell::Shell;
 use crate::case::{Problem, Run, Variant};
 use crate::cases::dial::{CELL, NODAL_1, NODAL_2, NODAL_3, WIDE_14, WIDE_25, WIDE_30};
 use crate::outcome::{Outcome, Solver};
+use crate::record::Found;
 use crate::{JudgeError, Metric};
 
 /// Every formulation that derives from an energy.
@@ -77,7 +78,7 @@ pub fn row(figures: &[(&str, &str, f64)]) -> Curve {
 }
 
 /// A figure of the last row, as an error that is itself the value.
-pub fn figure(run: &Run, name: &str, unit: &str) -> Result<Metric, JudgeError> {
+pub fn figure(run: &Run, name: &str, unit: &str) -> Result<Found, JudgeError> {
     Ok(Metric::error(name, run.column(name)?.last().copied(), unit))
 }
 

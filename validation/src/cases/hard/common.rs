@@ -137,7 +137,7 @@ pub fn asked(
     } else {
         Metric::compared(KNOWN, error, "%", *known).within(DRIFT * known.abs(), cause)
     };
-    vec![metric.because(format!("asked {bound} %: {reason}; known to miss it: {cause}")), asserted]
+    vec![metric.shown(format!("asked {bound} %: {reason}; known to miss it: {cause}")), asserted]
 }
 
 /// The outcome of a study: one row of figures without a unit.

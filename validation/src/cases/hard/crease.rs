@@ -226,13 +226,13 @@ fn bound(grid: &str) -> (f64, &'static str) {
         Some("along") => (
             2.0,
             "one sampling point a cell sees no bending in its plane: (Δ/b)² of the inertia, 1 % with ten cells; twice that for \
-             disorder, as issue 4 asks",
+             disorder",
         ),
         Some("twist") => (
             1.5,
             "Kirchhoff's law leaves out the edge layers of shear: torsion of a flat bar, 0.63 t/b for each direction",
         ),
-        _ => (2.0, "issue 3: within 2 %; a frame of two bars by ten cells a bar"),
+        _ => (2.0, "asked: within 2 %; a frame of two bars by ten cells a bar"),
     }
 }
 
@@ -261,7 +261,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         let reason = "a free body has six rigid motions and no other motion without energy";
         return Ok(vec![
             Metric::error(ERROR, last(run, "beyond six")?, "-").within(0.0, reason),
-            Metric::error("first frequency", last(run, "first")?, "√(D/ρt)").because("shown beside"),
+            Metric::error("first frequency", last(run, "first")?, "√(D/ρt)").shown("shown beside"),
         ]);
     }
     let error = if run.done() { off(last(run, "ratio")?) } else { None };

@@ -174,22 +174,22 @@ fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
         let rest =
             grid[at..].find('#').and_then(|hash| grid[at + hash..].find(' ').map(|end| at + hash + end));
         let lattice = format!("{}lattice{}", &grid[..at], rest.map_or("", |rest| &grid[rest..]));
-        let reason = "issue 4: at most twice the error of the lattice, or of what it may have, and half a percent for what \
+        let reason = "asked: at most twice the error of the lattice, or of what it may have, and half a percent for what \
                       uneven spacings do";
         let Some(lattice) = runs.get(&run.variant.method, &lattice) else { return Ok((0.5, reason)) };
         let own = error(lattice)?.map_or(0.0, f64::abs).min(bound(runs, lattice)?.0);
         return Ok((2.0 * own + 0.5, reason));
     }
     Ok(match grid {
-        _ if grid.contains("jitter 0.4") => (2.0, "issue 4: at ±0.4 all run, and the plate stays within 2 %"),
+        _ if grid.contains("jitter 0.4") => (2.0, "asked: at ±0.4 all run, and the plate stays within 2 %"),
         _ if grid.contains("graded") && grid.starts_with("hemisphere") => (
             2.0,
             "the coarse end has 2.5 times the spacing of the lattice, whose error is .3 %, of second order",
         ),
-        _ if grid.starts_with("hemisphere") => (1.0, "issue 3: particles within 1 % at 21² a quarter"),
-        _ if grid.starts_with("open") => (2.0, "issue 3: particles within 2 % of the largest at 21² to 31²"),
-        _ if grid.contains("ring") => (0.4, "issue 2: the ring at 50×5 within .4 % of L"),
-        _ => (0.5, "issue 3: plates and the limit load within half a percent at 21²"),
+        _ if grid.starts_with("hemisphere") => (1.0, "asked: particles within 1 % at 21² a quarter"),
+        _ if grid.starts_with("open") => (2.0, "asked: particles within 2 % of the largest at 21² to 31²"),
+        _ if grid.contains("ring") => (0.4, "asked: the ring at 50×5 within .4 % of L"),
+        _ => (0.5, "asked: plates and the limit load within half a percent at 21²"),
     })
 }
 

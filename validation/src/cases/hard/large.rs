@@ -133,16 +133,16 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 /// What is asked of a run \[%\], and why.
 fn bound(grid: &str) -> (f64, &'static str) {
     match grid {
-        "hemisphere 21×21" => (1.0, "issue 4: within 1 % of the largest displacement at 21²"),
-        "hemisphere 31×31" => (0.4, "issue 4: within .4 % of the largest displacement at 31²"),
-        "open cylinder 37×25" => (0.7, "issue 4: within .7 % of the largest displacement at 37×25"),
-        _ if grid.starts_with("whip") => (1.0, "issue 4: energy is kept; central differences swing about it"),
-        _ if grid.starts_with("rolled") => (0.4, "issue 2: the ring within .4 % of L, here wound twice"),
+        "hemisphere 21×21" => (1.0, "asked: within 1 % of the largest displacement at 21²"),
+        "hemisphere 31×31" => (0.4, "asked: within .4 % of the largest displacement at 31²"),
+        "open cylinder 37×25" => (0.7, "asked: within .7 % of the largest displacement at 37×25"),
+        _ if grid.starts_with("whip") => (1.0, "asked: energy is kept; central differences swing about it"),
+        _ if grid.starts_with("rolled") => (0.4, "asked: the ring within .4 % of L, here wound twice"),
         _ if grid.starts_with("panel") => (
             2.0,
-            "issue 4: on the right branch after the jump; table and bricks differ by .8 % of the limit load themselves",
+            "asked: on the right branch after the jump; table and bricks differ by .8 % of the limit load themselves",
         ),
-        _ => (2.0, "issue 3: within 2 % of the largest displacement at 21² to 31²"),
+        _ => (2.0, "asked: within 2 % of the largest displacement at 21² to 31²"),
     }
 }
 

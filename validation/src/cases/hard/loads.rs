@@ -219,7 +219,7 @@ fn bound(grid: &str) -> (f64, &'static str) {
             1.5,
             "Kirchhoff's law leaves out the edge layers of shear: torsion of a flat bar, 0.63 h/a for each direction",
         ),
-        _ if grid.starts_with("twist") => (0.5, "issue 3: plates within half a percent at 21²"),
+        _ if grid.starts_with("twist") => (0.5, "asked: plates within half a percent at 21²"),
         _ => (1.0, "finite elements of 40 a side differ by as much under a point force"),
     }
 }

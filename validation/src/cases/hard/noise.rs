@@ -112,6 +112,6 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         ),
         figure(run, SHARE, "-")?
             .within(1.5, "all of it is there at the start, stiff modes pass half of theirs to the strains"),
-        figure(run, "non-affine part", "spacings")?.because(SHOWN),
+        figure(run, "non-affine part", "spacings")?.shown(SHOWN),
     ])
 }

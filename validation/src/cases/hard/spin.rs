@@ -91,7 +91,7 @@ fn angular_momentum(shell: &Shell, about: &Vec3) -> Vec3 {
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let ratio = figure(run, RATIO, "-")?.because(SHOWN);
+    let ratio = figure(run, RATIO, "-")?.shown(SHOWN);
     if run.variant.method == STRONG_12 {
         let reason = "known failure: the published pair sums act with two gradients on a pair, so that moments do not cancel";
         let change = run.column(MOMENTUM)?.last().copied();
@@ -99,7 +99,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     }
     Ok(vec![
         figure(run, MOMENTUM, "-")?
-            .within(1e-10, "issue 4: angular momentum to 1e-10; kick and drift both keep it"),
+            .within(1e-10, "asked: angular momentum to 1e-10; kick and drift both keep it"),
         figure(run, GROWTH, "-")?.within(
             1.5,
             "the strain swings between nought and twice that of the centrifugal force; more is growth",

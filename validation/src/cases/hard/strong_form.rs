@@ -81,13 +81,11 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let error = Metric::error(ERROR, error(runs, run)?, "%");
         metrics.push((
             number,
-            error.because(
-                "the published pair sums derive from no energy and are exact on linear fields alone",
-            ),
+            error.shown("the published pair sums derive from no energy and are exact on linear fields alone"),
         ));
         let restless = run.done().then_some(run.outcome.restless as f64);
         let shown = Metric::error("levels that did not come to rest", restless, "-");
-        metrics.push((number, shown.because("flutter: motion that damping does not end")));
+        metrics.push((number, shown.shown("flutter: motion that damping does not end")));
     }
     Ok(metrics)
 }

@@ -202,13 +202,13 @@ fn bound(runs: &Runs, run: &Run) -> Result<(f64, &'static str), JudgeError> {
         let own = own.map(|own| error(runs, own)).transpose()?.flatten().unwrap_or(0.0);
         return Ok((
             2.0 * own.abs() + 0.5,
-            "issue 4: at most twice the lattice's, half a percent for uneven spacings",
+            "asked: at most twice the lattice's, half a percent for uneven spacings",
         ));
     }
     Ok(if grid.starts_with("hemisphere") {
-        (1.0, "issue 3: within 1 % at 21² a quarter, and flat in the thickness")
+        (1.0, "asked: within 1 % at 21² a quarter, and flat in the thickness")
     } else {
-        (0.5, "issue 3: within half a percent, and flat in the thickness")
+        (0.5, "asked: within half a percent, and flat in the thickness")
     })
 }
 

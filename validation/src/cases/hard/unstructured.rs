@@ -211,13 +211,11 @@ fn found(cloud: &Cloud, ratio: f64) -> Outcome {
 /// What is asked \[%\], and why.
 fn bound(grid: &str) -> (f64, &'static str) {
     match grid {
-        _ if grid.starts_with("plate rectangles") => (0.5, "issue 3: plates within half a percent"),
+        _ if grid.starts_with("plate rectangles") => (0.5, "asked: plates within half a percent"),
         _ if grid.starts_with("plate") => {
-            (1.0, "issue 3 asks half a percent of lattices at 21²; twice that, as issue 4 asks of disorder")
+            (1.0, "asked: half a percent of lattices at 21², twice that of disorder")
         }
-        _ if grid.starts_with("hemisphere") => {
-            (1.5, "issue 3 asks 1 % at 21²; half more for uneven spacings")
-        }
+        _ if grid.starts_with("hemisphere") => (1.5, "asked: 1 % at 21², half more for uneven spacings"),
         _ if grid.starts_with("whole") => (1.5, "the published value has three digits; 1 % as with a hole"),
         _ => (2.2, "chords in two directions cut .0008 of the radius, w/R = .036, as in the case loads"),
     }
