@@ -17,6 +17,9 @@ const DISORDER: f64 = 200.0;
 const FACTOR: f64 = 1000.0;
 const KERNEL_FACTOR: f64 = 9100.0;
 
+/// The bound of every scene.
+const MOST_PARTICLES: f64 = 1e7;
+
 /// Memory of a run \[bytes\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory {
@@ -76,7 +79,8 @@ impl Scene {
             Geometry::Twisted(s) => s.length * s.width,
             Geometry::Mesh(_) => return None,
         };
-        Some((area / (spacing * spacing)).abs())
+        // More than any scene may have is refused where particles are placed, in the same words everywhere.
+        Some((area / (spacing * spacing)).abs()).filter(|&particles| particles <= MOST_PARTICLES)
     }
 
     /// Greatest memory of such a run \[bytes\].
