@@ -47,6 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         hold: 30.0,
         damping: Damping::Ratio(0.7),
         tolerance: 1e-9,
+        accuracy: 5e-3,
         safety: 0.9,
     };
     let mut film = Film { tip, settled: 0, worst: 0.0, shapes: Sheet::default() };

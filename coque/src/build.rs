@@ -8,6 +8,7 @@ use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
 
 use crate::error::SceneError;
 use crate::imported::{Imported, Provenance};
+use crate::memory::Memory;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
@@ -25,6 +26,8 @@ pub struct Model {
     /// The prescribed motion whose force is sought, in analyses without time.
     pub(crate) driven: Option<Driven>,
     pub(crate) threads: usize,
+    /// What a run will need, and what there is.
+    pub memory: Memory,
 }
 
 /// A prescribed motion of one particle that a force along it brings about.
@@ -54,7 +57,13 @@ impl Scene {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
+        let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
         let imported = Imported::read(self)?;
+        let memory = match (asked, &imported) {
+            (Some(memory), _) => memory,
+            (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
+            (None, None) => self.room(0.0)?,
+        };
         let flat = match &imported {
             Some(imported) => imported.cloud.clone(),
             None => self.place(weights)?,
@@ -83,9 +92,14 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        if shell.freedoms() == 0 {
+            let (found, bound) = ("no freedom of any particle", "at least one that is not held");
+            let repair = "take out a support, or let it name fewer particles";
+            return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
+        }
         builder.refuse_more_modes_than(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1) })
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1), memory })
     }
 
     fn turn(&self) -> Rotation3<f64> {

@@ -32,7 +32,7 @@
 //! | files of surfaces | [`mesh`]; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
-//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | results on disk | `whole.rs`, `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
 //! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
@@ -106,10 +106,14 @@
 //! | every kind of load in one scene: the energy balances | `a_scene_with_everything_keeps_its_energy_balance` |
 //! | plates of any thickness do not lock, on lattices and in disorder | `plates_of_any_thickness_bend`, `clamped_plates_of_any_thickness_keep_their_deflection_on_any_cloud` (tests/scattered.rs) |
 //! | every format gives the same plate; the same particles the same limit load | `every_format_gives_the_same_plate` (tests/meshes.rs), `the_same_particles_give_the_same_limit_load` (tests/mesh_panel.rs) |
+//! | what settles is right to 1 %, for any damping and any period, or says that it did not settle | `what_settles_is_right_whatever_the_damping_and_the_period` (tests/at_rest.rs) |
+//! | a state of rest that is not stable is warned of; the look changes no bit | `a_perfect_column_above_its_critical_load_is_warned_of`, `a_look_at_stability_changes_no_bit_and_what_was_not_looked_at_is_said` |
 //! | no damaged scene or mesh panics | `damaged_scenes_never_panic` (tests/no_panic.rs), `damaged_meshes_never_panic` (tests/mesh_no_panic.rs) |
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
+//! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
+//! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
 
 mod build;
@@ -119,10 +123,13 @@ mod curve;
 mod error;
 mod estimate;
 mod fields;
+mod growing;
 mod imported;
+mod input;
 mod linear;
 mod march;
 mod matter;
+mod memory;
 pub mod mesh;
 mod modes;
 mod nearest;
@@ -130,6 +137,7 @@ mod overrides;
 mod path;
 mod picture;
 mod places;
+mod plain;
 mod plot;
 mod probe;
 mod render;
@@ -139,9 +147,13 @@ pub mod scene;
 mod schema;
 mod sets;
 mod source;
+mod stability;
 mod summary;
+mod tables;
 mod units;
 mod warning;
+mod whole;
+mod xml;
 
 pub use build::Model;
 pub use catalogue::{Shelf, catalogue};
@@ -152,7 +164,11 @@ pub use estimate::Estimate;
 pub use fields::{
     Array, FieldError, FieldFiles, FieldSink, Frame, LinearForces, ReadError, Sheet, State, listed,
 };
+pub use growing::GrowingCurve;
+pub use input::read_text;
+pub use memory::Memory;
 pub use picture::{FieldNotThere, Picture, picture_svg};
+pub use plain::plain_text;
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
 pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent};
@@ -162,3 +178,4 @@ pub use source::Source;
 pub use summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};
 pub use warning::{Doubt, Warning};
+pub use whole::{Whole, write_whole};

@@ -3,14 +3,16 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Clock, LevelReached, MarchError, Observer, Record, Standing, largest_eigenvalue, stable_step,
+    Clock, LevelReached, MarchError, Missing, Observer, Record, Standing, largest_eigenvalue, stable_step,
 };
+use implicit_statics::Inertia;
 use sph_shell::Shell;
 
 use crate::checkpoint::Place;
 use crate::probe::Gauge;
 use crate::run::{Ended, Findings, News, RunOptions};
-use crate::scene::{Damping, Explicit};
+use crate::scene::{Damping, Explicit, QuasiStatic};
+use crate::stability::Stability;
 use crate::summary::{Energies, LevelSummary};
 use crate::{Doubt, Warning};
 
@@ -31,8 +33,9 @@ pub(crate) fn march(
         found.stable_step = reference_step(shell);
         found.safety = explicit.safety;
     }
-    let keep_settled = explicit.quasi_static.is_some();
-    let mut watcher = Watcher { found, gauges, keep_settled, settled: false, options };
+    let path = explicit.quasi_static.as_ref();
+    let stability = Stability::new(path.and_then(|path| path.stability));
+    let mut watcher = Watcher { found, gauges, path, stability, settled: false, options };
     match clocked(explicit, shell, &mut watcher, from) {
         Ok(clock) => found.steps = clock.steps,
         Err(error) => {
@@ -52,7 +55,7 @@ pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
 fn clocked(
     explicit: &Explicit,
     shell: &mut Shell,
-    watcher: &mut Watcher<'_, '_, '_>,
+    watcher: &mut Watcher<'_, '_, '_, '_>,
     from: Option<Standing>,
 ) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
@@ -67,6 +70,7 @@ fn clocked(
                 Damping::Kinetic => explicit_dynamics::Damping::Kinetic,
             },
             tolerance: path.tolerance,
+            accuracy: path.accuracy,
             safety,
         };
         return match from {
@@ -92,6 +96,31 @@ fn clocked(
     }
 }
 
+impl Watcher<'_, '_, '_, '_> {
+    /// Counts the negative pivots of the level that was last reached, where that is due.
+    fn look_at_stability(&mut self, shell: &mut Shell, record: &Record) {
+        let levels = self.path.map_or(0, |path| path.levels.list().len());
+        let reached = self.found.levels.len();
+        let Some(level) = self.found.levels.last_mut() else { return };
+        let steps = if reached == levels { record.step } else { level.steps };
+        if !self.stability.due(shell, steps) {
+            return;
+        }
+        let Some(inertia) = self.stability.look(shell, record.at.level) else { return };
+        level.negative_pivots = Some(inertia.negative);
+        let Inertia { negative, zero, .. } = inertia;
+        if negative + zero > 0 {
+            let vanishing = if zero > 0 { format!(", {zero} vanishing") } else { String::new() };
+            let message = format!(
+                "level {} is at rest but not stable (negative pivots of the tangent: {negative}{vanishing}): the shell would \
+                 leave it at the least disturbance; give it a small load or imperfection that shows the way",
+                level.level
+            );
+            self.found.warnings.push(Warning::new(Doubt::Unstable, message));
+        }
+    }
+}
+
 fn energies(record: &Record) -> Energies {
     let energy = record.energy;
     Energies {
@@ -104,16 +133,18 @@ fn energies(record: &Record) -> Energies {
 }
 
 /// Fills the curve, keeps shapes and checkpoints, offers frames.
-struct Watcher<'a, 'b, 'c> {
+struct Watcher<'a, 'b, 'c, 'd> {
     found: &'a mut Findings<'c>,
     gauges: Vec<Gauge>,
-    keep_settled: bool,
+    /// The path of a quasi-static march.
+    path: Option<&'d QuasiStatic>,
+    stability: Stability,
     /// Whether a level has settled since the last checkpoint.
     settled: bool,
     options: &'a mut RunOptions<'b>,
 }
 
-impl Observer<Shell> for Watcher<'_, '_, '_> {
+impl Observer<Shell> for Watcher<'_, '_, '_, '_> {
     fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
         let energy = record.energy;
         let mut row = vec![
@@ -126,26 +157,39 @@ impl Observer<Shell> for Watcher<'_, '_, '_> {
         ];
         row.extend(self.gauges.iter_mut().map(|gauge| gauge.read(shell)));
         self.found.curve.rows.push(row);
+        self.options.progress.recorded(&self.found.curve);
         self.found.energies = energies(record);
         self.settled |= record.settled;
-        if !self.keep_settled {
+        if self.path.is_none() {
             self.found.shapes.clear();
-        }
-        if record.settled || !self.keep_settled {
             return self.found.keep_shape(shell, record.at.time, record.at.level);
         }
-        ControlFlow::Continue(())
+        if !record.settled {
+            return ControlFlow::Continue(());
+        }
+        self.look_at_stability(shell, record);
+        self.found.keep_shape(shell, record.at.time, record.at.level)
     }
 
     fn level(&mut self, reached: &LevelReached) {
-        let LevelReached { level, settled, kinetic_over_internal, steps } = *reached;
+        let LevelReached { level, settled, kinetic_over_internal, missing, steps } = *reached;
+        let Missing { out_of_balance, way_left } = missing;
         if !settled {
             let message = format!(
-                "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}); lengthen `hold` or shorten the step between levels"
+                "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}, out of balance \
+                 {out_of_balance:.1e}, way left {way_left:.1e}); lengthen `hold`, or see whether `damping` and `period` fit"
             );
             self.found.warnings.push(Warning::new(Doubt::NotSettled, message));
         }
-        self.found.levels.push(LevelSummary { level, settled, kinetic_over_internal, steps });
+        self.found.levels.push(LevelSummary {
+            level,
+            settled,
+            kinetic_over_internal,
+            out_of_balance,
+            way_left,
+            negative_pivots: None,
+            steps,
+        });
     }
 
     fn between(&mut self, shell: &mut Shell, at: &Standing, done: f64) -> ControlFlow<()> {

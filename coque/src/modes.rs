@@ -52,6 +52,7 @@ pub(crate) fn buckling(
     progress: &mut dyn Progress,
 ) {
     let mut system = StaticShell::new(shell);
+    found.warn_of_skew_loads(&system);
     let options = BucklingOptions {
         count: wanted.modes,
         sign: match wanted.sign {

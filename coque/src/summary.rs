@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::Warning;
 use crate::build::Model;
 use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
+use crate::stability;
 
 /// What a model holds and what it leaves out.
 #[derive(Clone, Debug, Serialize)]
@@ -47,6 +48,12 @@ pub struct LevelSummary {
     pub settled: bool,
     /// Kinetic over internal energy at the end of the hold.
     pub kinetic_over_internal: f64,
+    /// Force out of balance over load at the end of the hold; zero without time.
+    pub out_of_balance: f64,
+    /// Way left to the equilibrium over displacement at the end of the hold; zero without time.
+    pub way_left: f64,
+    /// Negative pivots of the tangent: the directions in which the state is unstable; absent where it was not looked at.
+    pub negative_pivots: Option<usize>,
     /// Steps spent on the level.
     pub steps: u64,
 }
@@ -129,6 +136,13 @@ pub struct Summary {
     pub ended: String,
 }
 
+impl Summary {
+    /// Load levels that were left before the motion had died.
+    pub fn not_settled(&self) -> Vec<f64> {
+        self.levels.iter().filter(|level| !level.settled).map(|level| level.level).collect()
+    }
+}
+
 impl Model {
     /// What the model holds and what it leaves out.
     pub fn describe(&self) -> Modelled {
@@ -202,6 +216,7 @@ impl Model {
             }
             _ => None,
         };
+        left_out.extend(stability::left_out(scene, &[]));
         match damping {
             Some(damping) => modelled.push(damping),
             None => left_out.push("damping".into()),

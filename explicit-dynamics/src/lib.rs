@@ -82,8 +82,11 @@
 //! # Finding equilibria by marching
 //!
 //! [`QuasiStatic`] goes from load level to load level by the quintic `s³(10 − 15s + 6s²)`, which starts and ends
-//! without velocity or acceleration, and then holds the load until the motion has died: kinetic over internal energy
-//! below a tolerance at two looks in a row, twenty looks a period. This is dynamic relaxation \[underwood1983\] with
+//! without velocity or acceleration, and then holds the load until the motion has died and nothing is missing: at two
+//! looks in a row, twenty looks a period, kinetic over internal energy is below a tolerance, and the force out of balance
+//! over the load and the way left over the displacement ([`Missing`]) are below an accuracy. The latter two cost four
+//! evaluations of the forces at looks that find the motion dead, and nothing else. This is dynamic relaxation
+//! \[underwood1983\] with
 //!
 //! ```text
 //! Damping::Ratio     c = 4πζ/T₁       a share ζ of critical damping of the mode of period T₁
@@ -91,7 +94,7 @@
 //! ```
 //!
 //! Loads are read after the hold: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
-//! motion had died. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
+//! motion had died, and what was missing. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
 //!
 //! # What holds, and the test that says so
 //!
@@ -101,6 +104,8 @@
 //! | kinetic, internal, external and dissipated energy balance | `energy_is_booked_to_the_last` |
 //! | both dampings end at the static answer | `ramp_and_hold_ends_at_the_static_answer` |
 //! | a hold without rest says so | `a_hold_that_never_rests_says_so` |
+//! | a level settles at its equilibrium or says that it did not, for any damping and any period | `what_settles_is_near_its_equilibrium` |
+//! | the way left is the error, at every phase of a swing | `the_way_left_is_the_error` |
 //! | beyond the stable step a run diverges and hands back its last good record | `beyond_the_limit_it_diverges_with_the_last_good_record` |
 //! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
 //! | the eigenvalue is bounded from both sides | `chain_spectrum_is_bounded_from_both_sides` (src/stable_step.rs) |
@@ -113,6 +118,7 @@ mod damping;
 mod dynamics;
 mod error;
 mod quasi_static;
+mod rest;
 mod stable_step;
 mod standing;
 mod transient;
@@ -123,6 +129,7 @@ pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Dynamics, Instant, Step, Work};
 pub use error::MarchError;
 pub use quasi_static::{LevelReached, QuasiStatic};
+pub use rest::{MassScaled, Missing, Sizes};
 pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};
 pub use standing::{Hold, Place, Standing};
 pub use transient::Transient;

@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use crate::amplitude::smooth;
 use crate::error::positive;
 use crate::{
-    Clock, Damping, Dynamics, Hold, KineticDamping, LinearisedDynamics, MarchError, Observer, Place, Standing,
+    Clock, Damping, Dynamics, Hold, KineticDamping, MarchError, MassScaled, Missing, Observer, Place, Sizes,
+    Standing,
 };
 
 /// Ramp and hold. Loads are read after a hold: damping drags the reaction while a ramp runs.
@@ -23,6 +24,8 @@ pub struct QuasiStatic {
     pub damping: Damping,
     /// Stop criterion: kinetic over internal energy.
     pub tolerance: f64,
+    /// Stop criterion beside it: the share of the answer that may be missing, as force and as displacement ([`Missing`]).
+    pub accuracy: f64,
     /// Fraction of the stable step to use.
     pub safety: f64,
 }
@@ -36,6 +39,8 @@ pub struct LevelReached {
     pub settled: bool,
     /// Kinetic over internal energy at the end of the hold.
     pub kinetic_over_internal: f64,
+    /// What was missing at the end of the hold.
+    pub missing: Missing,
     /// Steps spent on the level.
     pub steps: u64,
 }
@@ -54,13 +59,14 @@ impl QuasiStatic {
     /// [`MarchError`] for options out of bounds and for divergence.
     pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
-        S: Dynamics + LinearisedDynamics,
+        S: Dynamics + MassScaled,
         O: Observer<S>,
     {
         positive("period", self.period)?;
         positive("ramp", self.ramp)?;
         positive("hold", self.hold)?;
         positive("tolerance", self.tolerance)?;
+        positive("accuracy", self.accuracy)?;
         let damping = self.damping.coefficient(self.period);
         let mut clock = Clock::start(system, 0.0, self.safety, damping)?;
         if self.period > MOST_STEPS_A_PERIOD * clock.dt {
@@ -71,7 +77,7 @@ impl QuasiStatic {
         if flow.is_break() || self.levels.is_empty() {
             return Ok(clock);
         }
-        let place = self.begin(0, &clock);
+        let place = self.begin(0, &clock, Sizes::default());
         self.go_on(Standing { clock, place }, system, observer)
     }
 
@@ -81,7 +87,7 @@ impl QuasiStatic {
     /// [`MarchError`] for divergence and for the standing of another march.
     pub fn go_on<S, O>(&self, mut at: Standing, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
-        S: Dynamics + LinearisedDynamics,
+        S: Dynamics + MassScaled,
         O: Observer<S>,
     {
         loop {
@@ -91,21 +97,21 @@ impl QuasiStatic {
                 break;
             }
             at.clock.now.level = to;
-            let Some(settled) = self.hold_still(&mut at, start, system, observer)? else { break };
+            let Some((settled, sizes)) = self.hold_still(&mut at, start, system, observer)? else { break };
             let flow = at.clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
             at.clock.watch(system)?;
             if flow.is_break() || level + 1 == self.levels.len() {
                 break;
             }
             at.clock.estimate_step(system)?;
-            at.place = self.begin(level + 1, &at.clock);
+            at.place = self.begin(level + 1, &at.clock, sizes);
         }
         Ok(at.clock)
     }
 
     /// The place at the foot of the ramp to a level.
-    fn begin(&self, level: usize, clock: &Clock) -> Place {
-        Place::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, hold: None }
+    fn begin(&self, level: usize, clock: &Clock, sizes: Sizes) -> Place {
+        Place::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, sizes, hold: None }
     }
 
     /// Marches along the ramp, if it is not over; `Break` if the observer ends the march.
@@ -119,7 +125,7 @@ impl QuasiStatic {
         S: Dynamics,
         O: Observer<S>,
     {
-        let Place::QuasiStatic { level: number, start, first_step, hold: None } = at.place else {
+        let Place::QuasiStatic { level: number, start, first_step, sizes, hold: None } = at.place else {
             return Ok(ControlFlow::Continue(()));
         };
         let to = self.levels[number];
@@ -140,24 +146,26 @@ impl QuasiStatic {
             quiet: 0,
             peaks: KineticDamping::default(),
         };
-        at.place = Place::QuasiStatic { level: number, start, first_step, hold: Some(hold) };
+        at.place = Place::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Marches until the motion has died (true) or the hold is over (false); nothing if the observer ends the march.
+    /// Marches until the motion has died (true) or the hold is over (false), with the sizes of the answers so far;
+    /// nothing if the observer ends the march.
     fn hold_still<S, O>(
         &self,
         at: &mut Standing,
         start: f64,
         system: &mut S,
         observer: &mut O,
-    ) -> Result<Option<bool>, MarchError>
+    ) -> Result<Option<(bool, Sizes)>, MarchError>
     where
-        S: Dynamics,
+        S: Dynamics + MassScaled,
         O: Observer<S>,
     {
         loop {
-            let Place::QuasiStatic { level: number, first_step, hold: Some(mut hold), .. } = at.place else {
+            let Place::QuasiStatic { level: number, first_step, sizes, hold: Some(mut hold), .. } = at.place
+            else {
                 return Err(at.other());
             };
             // Most holds end early: half a level for the ramp, the rest approached.
@@ -179,18 +187,32 @@ impl QuasiStatic {
                 // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
                 let kinetic = if self.damping == Damping::Kinetic { hold.peaks.peak } else { clock.kinetic };
                 let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
-                let below =
+                let slow =
                     ratio < self.tolerance && (self.damping != Damping::Kinetic || hold.peaks.peak > 0.0);
-                hold.quiet = if below { hold.quiet + 1 } else { 0 };
+                let over = clock.now.time >= hold.end;
+                // An overshoot on the way is no answer to measure by: only what a level ends with is kept.
+                let (mut missing, mut reached) = (Missing::default(), sizes);
+                if slow || over {
+                    missing = Missing::find(system, clock.internal, self.period, &mut reached);
+                }
+                let at_rest = slow && missing.within(self.accuracy);
+                hold.quiet = if at_rest { hold.quiet + 1 } else { 0 };
                 let settled = hold.quiet >= QUIET_LOOKS;
-                if settled || clock.now.time >= hold.end {
+                if settled || over {
                     let steps = clock.steps - first_step;
-                    observer.level(&LevelReached { level: to, settled, kinetic_over_internal: ratio, steps });
-                    return Ok(Some(settled));
+                    let kinetic_over_internal = ratio;
+                    observer.level(&LevelReached {
+                        level: to,
+                        settled,
+                        kinetic_over_internal,
+                        missing,
+                        steps,
+                    });
+                    return Ok(Some((settled, reached)));
                 }
                 hold.look = clock.now.time + self.period / LOOKS_PER_PERIOD;
             }
-            at.place = Place::QuasiStatic { level: number, start, first_step, hold: Some(hold) };
+            at.place = Place::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
         }
     }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Clock, KineticDamping, MarchError};
+use crate::{Clock, KineticDamping, MarchError, Sizes};
 
 /// Where a march stands between two steps, beside the state of its system.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,6 +24,8 @@ pub enum Place {
         start: f64,
         /// Steps done when the ramp began.
         first_step: u64,
+        /// Sizes of the answers so far.
+        sizes: Sizes,
         /// The hold, once the ramp is over.
         hold: Option<Hold>,
     },

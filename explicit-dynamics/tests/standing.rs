@@ -5,8 +5,8 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, Observer, QuasiStatic, Record, Standing,
-    Step, Transient, Work,
+    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MassScaled, Observer, QuasiStatic, Record,
+    Standing, Step, Transient, Work,
 };
 
 /// `m ẍ + k x + c x³ = level · load`: the stable step changes on the way.
@@ -70,6 +70,18 @@ impl LinearisedDynamics for Oscillator {
     }
 }
 
+impl MassScaled for Oscillator {
+    fn out_of_balance(&self, out: &mut [f64]) {
+        out[0] = self.f / MASS.sqrt();
+    }
+    fn rates(&self, out: &mut [f64]) {
+        out[0] = MASS.sqrt() * self.v;
+    }
+    fn displaced(&self) -> f64 {
+        MASS.sqrt() * self.x.abs()
+    }
+}
+
 /// Notes every record, and every standing with the state beside it; ends the march where it is told.
 #[derive(Default)]
 struct Notes {
@@ -97,7 +109,16 @@ impl Observer<Oscillator> for Notes {
 
 fn quasi_static(damping: Damping) -> QuasiStatic {
     let levels = vec![0.25, 0.6, 1.0];
-    QuasiStatic { levels, period: 3.1, ramp: 0.7, hold: 4.0, damping, tolerance: 1e-6, safety: 0.2 }
+    QuasiStatic {
+        levels,
+        period: 3.1,
+        ramp: 0.7,
+        hold: 4.0,
+        damping,
+        tolerance: 1e-6,
+        accuracy: 5e-3,
+        safety: 0.2,
+    }
 }
 
 /// Marches through, then goes on from many a standing; all must end in the same bits.

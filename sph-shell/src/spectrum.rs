@@ -1,6 +1,7 @@
-//! The mass-scaled tangent of the present state applied to a vector, by differences of the internal force.
+//! The shell in mass-scaled coordinates: its tangent applied to a vector, by differences of the internal force; what is
+//! out of balance, and how fast and how far it moves.
 
-use explicit_dynamics::LinearisedDynamics;
+use explicit_dynamics::{LinearisedDynamics, MassScaled};
 
 use crate::Shell;
 use crate::point::Row;
@@ -53,6 +54,33 @@ impl LinearisedDynamics for Shell {
             }
             out[6 * a..6 * a + 6].copy_from_slice(&self.free_part(a, f));
         }
+    }
+}
+
+impl MassScaled for Shell {
+    fn out_of_balance(&self, out: &mut [f64]) {
+        for (a, out) in out.chunks_exact_mut(6).enumerate() {
+            let (internal, external) = (self.internal_force(a), self.external_force(a));
+            out.copy_from_slice(&self.free_part(a, std::array::from_fn(|k| external[k] - internal[k])));
+        }
+    }
+
+    fn rates(&self, out: &mut [f64]) {
+        for (a, (rate, out)) in self.rates.iter().zip(out.chunks_exact_mut(6)).enumerate() {
+            let [x, d] = self.mass_scale(a);
+            for (k, value) in out.iter_mut().enumerate() {
+                *value = rate[k] / if k < 3 { x } else { d };
+            }
+        }
+    }
+
+    fn displaced(&self) -> f64 {
+        let cloud = &self.reference.cloud;
+        let square = |a: usize| {
+            let (u, turned) = (self.displacement(a), self.director(a) - cloud.frames[a].n);
+            self.reference.masses[a] * u.norm_squared() + self.reference.inertias[a] * turned.norm_squared()
+        };
+        (0..self.len()).map(square).sum::<f64>().sqrt()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The shell without time: the same discrete energy as a system of `implicit-statics`.
 
+use std::ops::DerefMut;
+
 use explicit_dynamics::Instant;
 use implicit_statics::Equilibrium;
 use shell_kinematics::parallel_transport;
@@ -11,9 +13,10 @@ use crate::stiffness::BlockPattern;
 
 /// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
 ///
-/// Built only when a static analysis asks for it.
-pub struct StaticShell {
-    pub(crate) shell: Shell,
+/// Built only when a static analysis asks for it. Its shell is its own, or lent (`&mut Shell`) for a look at the tangent
+/// of a state.
+pub struct StaticShell<S = Box<Shell>> {
+    pub(crate) shell: S,
     pub(crate) freedoms: Freedoms,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
@@ -22,6 +25,13 @@ pub struct StaticShell {
 impl StaticShell {
     /// Numbers the free freedoms of a shell.
     pub fn new(shell: Shell) -> Self {
+        Self::lent(Box::new(shell))
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is.
+    pub fn lent(shell: S) -> Self {
         let (freedoms, pattern) = (Freedoms::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
         Self { shell, freedoms, pattern, blocks }
@@ -102,7 +112,7 @@ impl StaticShell {
     }
 }
 
-impl Equilibrium for StaticShell {
+impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn unknowns(&self) -> usize {
         self.freedoms.count()
     }
@@ -211,7 +221,7 @@ impl Equilibrium for StaticShell {
     }
 }
 
-impl StaticShell {
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
     fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
         let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);

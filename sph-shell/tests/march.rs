@@ -151,6 +151,7 @@ fn quasi_static_load_and_reaction_balance() {
         hold: 20.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-16,
+        accuracy: 5e-3,
         safety: 0.8,
     };
     let mut keep = Keep::default();
@@ -187,6 +188,7 @@ fn kinetic_damping_finds_the_same_rest() {
             hold: 40.0,
             damping,
             tolerance: 1e-13,
+            accuracy: 5e-3,
             safety: 0.8,
         };
         let mut keep = Keep::default();

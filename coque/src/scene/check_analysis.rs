@@ -56,6 +56,16 @@ impl Scene {
             s.positive(&at("ramp"), path.ramp)?;
             s.positive(&at("hold"), path.hold)?;
             s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
+            s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
+            if let Formulation::StrongForm(_) = self.formulation
+                && path.stability == Some(true)
+            {
+                let repair =
+                    "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
+                let bound = "one with an energy, and so a tangent, to look at stability";
+                let fault = s.fault("formulation.strong-form", "a formulation without energy", bound, repair);
+                return Err(SceneError::Choice(fault));
+            }
             if let Damping::Ratio(ratio) = path.damping {
                 s.positive(&at("damping.ratio"), ratio)?;
             }

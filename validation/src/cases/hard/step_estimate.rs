@@ -61,6 +61,7 @@ fn run(mut shell: Shell, level: f64, period: f64) -> Result<Outcome, String> {
         hold: 1.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-6,
+        accuracy: 5e-3,
         safety: 0.8,
     };
     let clock = path.march(&mut shell, &mut Last::default()).map_err(|e| e.to_string())?;

@@ -174,6 +174,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
         hold: 8.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-8,
+        accuracy: 5e-3,
         safety: 0.8,
     };
     let mut rest = Rest(true);

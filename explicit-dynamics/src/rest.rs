@@ -1,0 +1,100 @@
+//! Whether a motion has come to rest: what is out of balance, and how far it still has to go.
+//!
+//! Little kinetic energy does not say that a shell is near its equilibrium: a motion damped far beyond the critical
+//! ratio creeps towards it with hardly any, and a period given too short ends a look before anything has happened. What
+//! is missing shows in the forces. In mass-scaled coordinates (`M^½ q`: freedoms of any unit become alike) let `a` be
+//! the force out of balance, `v` the velocity and `u` the displacement. Along a mode of circular frequency ω
+//! equilibrium is `‖a‖/ω²` away, whatever the damping and whatever the period the march was given:
+//!
+//! ```text
+//! out of balance   ‖a‖ ‖u‖ / 2U            2U/‖u‖ is the load along the way: for one mode, the load
+//! way left         √(‖a‖²/ω⁴ + ‖v‖²/ω²) / ‖u‖
+//! ω²               the lesser of a·K̂a/a·a and v·K̂v/v·v, K̂ the mass-scaled tangent of the present state
+//! ```
+//!
+//! For a single mode both are the error of the displacement. The first sees modes that are stiff, of which little
+//! displacement is missing but much force; the second soft ones, of which much displacement is missing but little force.
+
+use serde::{Deserialize, Serialize};
+
+use crate::LinearisedDynamics;
+
+/// Modes slower than this many periods cannot move within a hold: a tangent softer than theirs, or none, counts as theirs.
+const SLOWEST_PERIODS: f64 = 100.0;
+
+/// A system that tells how far from rest it is, in mass-scaled coordinates, vectors of [`LinearisedDynamics::unknowns`].
+pub trait MassScaled: LinearisedDynamics {
+    /// `out = M^{-½} (external − internal)` of the last forces evaluated, without what supports bear.
+    fn out_of_balance(&self, out: &mut [f64]);
+
+    /// `out = M^½ v`, the velocities.
+    fn rates(&self, out: &mut [f64]);
+
+    /// `‖M^½ u‖`, the displacement from the reference configuration \[M^½ L\].
+    fn displaced(&self) -> f64;
+}
+
+/// Sizes that what is missing at rest is measured by: the greatest at the end of any level so far, and at present.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sizes {
+    /// Displacement `‖M^½ u‖` \[M^½ L\].
+    pub displaced: f64,
+    /// Load along it, `2U/‖M^½ u‖` \[F/M^½\].
+    pub load: f64,
+}
+
+/// What is missing at rest, as shares of the answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Missing {
+    /// Force out of balance over load \[–\].
+    pub out_of_balance: f64,
+    /// Way left over displacement \[–\].
+    pub way_left: f64,
+}
+
+impl Missing {
+    /// Finds what is missing in the present state, whose forces have just been evaluated, with its internal energy
+    /// \[F L\], the period \[T\] of its march and the sizes of the levels before, which take in the present ones. The
+    /// forces of the system are those of another state afterwards.
+    pub fn find(system: &mut impl MassScaled, internal: f64, period: f64, sizes: &mut Sizes) -> Self {
+        let displaced = system.displaced();
+        if displaced > 0.0 {
+            sizes.displaced = sizes.displaced.max(displaced);
+            sizes.load = sizes.load.max(2.0 * internal / displaced);
+        }
+        let mut force = vec![0.0; system.unknowns()];
+        let mut velocity = force.clone();
+        system.out_of_balance(&mut force);
+        system.rates(&mut velocity);
+        let slowest = std::f64::consts::TAU / (SLOWEST_PERIODS * period);
+        let softest = quotient(system, &force).min(quotient(system, &velocity)).max(slowest * slowest);
+        let (force, velocity) = (square(&force), square(&velocity));
+        let way = (force / (softest * softest) + velocity / softest).sqrt();
+        Self { out_of_balance: share(force.sqrt(), sizes.load), way_left: share(way, sizes.displaced) }
+    }
+
+    /// Whether no more than this share is missing.
+    pub fn within(&self, accuracy: f64) -> bool {
+        self.out_of_balance <= accuracy && self.way_left <= accuracy
+    }
+}
+
+/// `x·K̂x/x·x`: the square of a circular frequency; infinite along nothing.
+fn quotient(system: &mut impl MassScaled, x: &[f64]) -> f64 {
+    let length = square(x);
+    if length == 0.0 {
+        return f64::INFINITY;
+    }
+    let mut image = vec![0.0; x.len()];
+    system.apply(x, &mut image);
+    x.iter().zip(&image).map(|(x, image)| x * image).sum::<f64>() / length
+}
+
+fn square(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum()
+}
+
+/// Of nothing, nothing is missing.
+fn share(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}
