@@ -272,7 +272,12 @@ impl Builder<'_> {
             return Ok(());
         }
         let bound = format!("at most {freedoms}, the freedoms that no support holds");
-        Err(self.scene.source.value(path, modes, &bound, "the lowest few modes are usual; or use more particles"))
+        Err(self.scene.source.value(
+            path,
+            modes,
+            &bound,
+            "the lowest few modes are usual; or use more particles",
+        ))
     }
 
     /// Puts a refusal of the shell where the scene causes it.

@@ -48,7 +48,14 @@ impl Model {
             };
             let steps = steps(explicit, dt);
             let seconds = Some(steps.map(|count| count * seconds_a_step));
-            return Estimate { stable_step, steps: Some(steps), seconds_a_step, solves: None, seconds, bytes };
+            return Estimate {
+                stable_step,
+                steps: Some(steps),
+                seconds_a_step,
+                solves: None,
+                seconds,
+                bytes,
+            };
         }
         let work = match &scene.analysis {
             Analysis::Modal(wanted) => Some(Work::of_vibration(wanted.modes)),
@@ -86,7 +93,11 @@ impl Work {
     /// Modes far apart, and modes so close that some are missed at first.
     fn of_vibration(modes: usize) -> Self {
         let modes = modes as f64;
-        Self { tangents: [1.0; 2], factorisations: [2.0, 6.0], solves: [12.0 + 2.0 * modes, 60.0 + 12.0 * modes] }
+        Self {
+            tangents: [1.0; 2],
+            factorisations: [2.0, 6.0],
+            solves: [12.0 + 2.0 * modes, 60.0 + 12.0 * modes],
+        }
     }
 
     /// Levels far apart, and a dense spectrum of which a crowd lies below the shift; the tangent is differentiated.
@@ -116,7 +127,8 @@ impl Work {
         let _ = solver.as_mut().map(|solver| solver.solve(&mut vec![1.0; system.unknowns()]));
         let solve = timed(begun);
         let Self { tangents, factorisations, solves } = self;
-        let seconds = [0, 1].map(|i| tangents[i] * tangent + factorisations[i] * factorisation + solves[i] * solve);
+        let seconds =
+            [0, 1].map(|i| tangents[i] * tangent + factorisations[i] * factorisation + solves[i] * solve);
         Estimate {
             stable_step: 0.0,
             steps: Some(*factorisations),

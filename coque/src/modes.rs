@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BalanceError, BucklingOptions, Counted, Effort, Equilibrium, Prebuckling, Sign, Spectrum, linear_buckling,
-    natural_modes,
+    BalanceError, BucklingOptions, Counted, Effort, Equilibrium, Prebuckling, Sign, Spectrum,
+    linear_buckling, natural_modes,
 };
 use sph_core::Vec3;
 use sph_shell::{Shell, StaticShell};

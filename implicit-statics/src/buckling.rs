@@ -95,7 +95,8 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
         return Err(BalanceError::Unstable { level, negative: inertia.negative });
     }
     let geometric = along_load(system, level, options.prebuckling, &pattern, &base, &mut solver)?;
-    let mut pencil = Pencil { solver, pattern: &pattern, base: &base, geometric: &geometric, sign: 1.0, shift: 0.0 };
+    let mut pencil =
+        Pencil { solver, pattern: &pattern, base: &base, geometric: &geometric, sign: 1.0, shift: 0.0 };
     let found = match options.sign {
         Sign::Positive => pencil.stretched_or(1.0, options.count, level)?,
         Sign::Negative => pencil.stretched_or(-1.0, options.count, level)?,
@@ -178,8 +179,12 @@ impl Pencil<'_> {
         let reach = REACH / top;
         let mut shift = reach;
         if let Some(pair) = known.iter().filter(positive).nth(count.max(1) - 1) {
-            let gap = known.get(count).filter(|next| next.value > 0.0).map_or(1.0, |next| pair.value / next.value - 1.0);
-            shift = (1.0 + if settled { (0.5 * gap).clamp(BEYOND[0], BEYOND[1]) } else { ASIDE }) / pair.value;
+            let gap = known
+                .get(count)
+                .filter(|next| next.value > 0.0)
+                .map_or(1.0, |next| pair.value / next.value - 1.0);
+            shift =
+                (1.0 + if settled { (0.5 * gap).clamp(BEYOND[0], BEYOND[1]) } else { ASIDE }) / pair.value;
         }
         let number = if count == 0 { 0 } else { self.find_shift(shift.min(reach), reach, count)? };
         let to = if count == 0 { reach } else { self.shift };
@@ -190,8 +195,7 @@ impl Pencil<'_> {
         let mut values: Vec<(f64, Vec<f64>)> = if settled && number == count {
             known[..count].iter().map(|pair| (1.0 / pair.value, krylov.vector(pair))).collect()
         } else {
-            let start: Vec<Vec<f64>> =
-                known.iter().take(BLOCK - 1).map(|pair| krylov.vector(pair)).collect();
+            let start: Vec<Vec<f64>> = known.iter().take(BLOCK - 1).map(|pair| krylov.vector(pair)).collect();
             let mut krylov = Krylov::new(self, n, &start)?;
             let bound = |pair: &Ritz| match pair.value {
                 nu if nu < 0.0 => pair.residual / (nu * (nu - 1.0)),

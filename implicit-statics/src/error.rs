@@ -198,7 +198,9 @@ pub enum BalanceError {
         other: Option<f64>,
     },
     /// The system cannot tell its stresses from its displacements.
-    #[error("this system offers no tangent under given stresses; use the derivative along the whole response")]
+    #[error(
+        "this system offers no tangent under given stresses; use the derivative along the whole response"
+    )]
     Inseparable,
     /// The state from which buckling is extrapolated is not stable.
     #[error(

@@ -7,7 +7,7 @@ mod common;
 use std::f64::consts::FRAC_PI_2;
 
 use common::{POISSON, YOUNG, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
-use implicit_statics::{Equilibrium, Newton, NewtonOptions, linear_buckling};
+use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, unwatched};
 use shell_kinematics::strain_measures;
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
@@ -133,7 +133,8 @@ fn a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead() {
     let stiffness = YOUNG * thickness.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
     let level = |follower| {
         let mut tube = quarter([61, 2], thickness, follower);
-        linear_buckling(&mut tube, 0.0, 1).unwrap()[0].level / stiffness
+        linear_buckling(&mut tube, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap().modes[0].level
+            / stiffness
     };
     let (follower, dead) = (level(true), level(false));
     assert!((follower / 3.0 - 1.0).abs() < 2e-3, "{follower}");
@@ -148,7 +149,11 @@ fn residuals_fall_quadratically_under_follower_pressure() {
     let mut newton = Newton::new(&system, &options).unwrap();
     // An oval beyond the critical pressure, reached from a bent start: the pressure turns by much on the way.
     let critical = 3.0 * YOUNG * thickness.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
-    let mode = linear_buckling(&mut system, 0.0, 1).unwrap().remove(0).shape;
+    let mode = linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched)
+        .unwrap()
+        .modes
+        .remove(0)
+        .shape;
     system.update(&mode.iter().map(|q| 0.3 * q).collect::<Vec<_>>());
     for level in [1.1, 1.3, 1.5] {
         newton.at_level(&mut system, level * critical).unwrap();

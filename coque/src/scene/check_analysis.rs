@@ -31,7 +31,9 @@ impl Scene {
             }
             Analysis::ArcLength(path) => self.check_arc_length(path)?,
             Analysis::Modal(Modal { modes }) => self.check_modes("analysis.modal.modes", *modes)?,
-            Analysis::Buckling(Buckling { modes, .. }) => self.check_modes("analysis.buckling.modes", *modes)?,
+            Analysis::Buckling(Buckling { modes, .. }) => {
+                self.check_modes("analysis.buckling.modes", *modes)?
+            }
         }
         self.check_tangent()?;
         if self.analysis.driven_by_load() { self.check_driver() } else { Ok(()) }

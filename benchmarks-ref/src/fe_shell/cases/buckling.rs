@@ -2,14 +2,15 @@
 
 use super::{CaseError, Solved, numbered};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
-use implicit_statics::{Equilibrium, linear_buckling};
+use implicit_statics::{BucklingOptions, Equilibrium, linear_buckling, unwatched};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::time::Instant;
 
 fn lowest_two(mut model: Model) -> Result<Solved, CaseError> {
     let start = Instant::now();
-    let mut levels: Vec<f64> = linear_buckling(&mut model, 0.0, 2)?.iter().map(|mode| mode.level).collect();
+    let found = linear_buckling(&mut model, 0.0, &BucklingOptions::new(2), &mut unwatched)?;
+    let mut levels: Vec<f64> = found.modes.iter().map(|mode| mode.level).collect();
     levels.sort_by(f64::total_cmp);
     Ok(Solved {
         columns: vec!["mode [-]", "level [-]"],

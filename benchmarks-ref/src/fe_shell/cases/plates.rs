@@ -2,7 +2,7 @@
 
 use super::{CaseError, Solved, numbered, solve_linear};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
-use implicit_statics::{Equilibrium, natural_modes};
+use implicit_statics::{Equilibrium, natural_modes, unwatched};
 use nalgebra::Vector3;
 use std::time::Instant;
 
@@ -91,7 +91,7 @@ pub fn plate_frequencies(n: usize, slenderness: f64, edges: PlateEdges) -> Resul
     let (rigid, shift) = if edges == PlateEdges::Free { (3, -1.0) } else { (0, 0.0) };
     // with a = D = 1 the parameter is ω √(ρh) = ω √h
     let scale = slenderness.sqrt();
-    let modes = natural_modes(&mut model, 0.0, 6 + rigid, shift / (scale * scale))?;
+    let modes = natural_modes(&mut model, 0.0, 6 + rigid, shift / (scale * scale), &mut unwatched)?.modes;
     let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.circular_frequency() * scale).collect();
     frequencies.sort_by(f64::total_cmp);
     Ok(Solved {

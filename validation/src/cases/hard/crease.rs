@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use implicit_statics::natural_modes;
+use implicit_statics::{natural_modes, unwatched};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Load, StaticShell, Supported, SymmetryPlane};
 
@@ -212,8 +212,8 @@ fn free(fold: &Fold) -> Result<Outcome, String> {
     let matter = Matter { young: YOUNG, poisson: 0.3, thickness: THICKNESS, density: 1.0 };
     let shell = shell_of(matter, cloud.clone(), fold.method, Vec::new(), Vec::new())?;
     let unit = YOUNG * THICKNESS.powi(2) / (12.0 * 0.91);
-    let modes = natural_modes(&mut StaticShell::new(shell), 0.0, MODES, -0.1 * unit);
-    let modes = modes.map_err(|error| error.to_string())?;
+    let modes = natural_modes(&mut StaticShell::new(shell), 0.0, MODES, -0.1 * unit, &mut unwatched);
+    let modes = modes.map_err(|error| error.to_string())?.modes;
     // The flat plate of 2 × 1 begins at 29 of these units; zero modes are below 1e-8.
     let zero = modes.iter().filter(|mode| mode.eigenvalue < 0.1 * unit).count();
     let first = modes.get(zero).map_or(f64::NAN, |mode| (mode.eigenvalue / unit).sqrt());
