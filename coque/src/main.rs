@@ -20,7 +20,7 @@ use commands::bar::{Bar, stop_on_interrupt};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
     CHECKPOINT, Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, Model, Origin,
-    Outcome, Rendering, RunOptions, SCENE_COPY, Scene, render,
+    Outcome, Rendering, RunOptions, SCENE_COPY, Scene, Warning, render,
 };
 
 const DONE: u8 = 0;
@@ -202,6 +202,10 @@ fn launch(model: Model, out: &Path, origin: Origin, from: Option<Checkpoint>) ->
     let scene = model.scene.clone();
     let described = model.describe();
     eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
+    let early = model.warnings().to_vec();
+    for warning in &early {
+        eprintln!("warning: {}", warning.message);
+    }
     let replaced = origin.replaced.clone();
     let mut checkpoints = scene.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
     let mut files = fields(&scene, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
@@ -222,7 +226,7 @@ fn launch(model: Model, out: &Path, origin: Origin, from: Option<Checkpoint>) ->
     if !resumable && let Some(checkpoints) = checkpoints {
         checkpoints.finish().map_err(|e| format!("{e}\n"))?;
     }
-    Ok(report(&outcome, out, resumable))
+    Ok(report(&outcome, &early, out, resumable))
 }
 
 /// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
@@ -261,10 +265,10 @@ fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), Str
     Ok(())
 }
 
-/// Tells what came out and gives the exit code.
-fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
+/// Tells what came out and gives the exit code; warnings told early are not repeated.
+fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
-    for warning in &summary.warnings {
+    for warning in summary.warnings.iter().filter(|warning| !early.contains(warning)) {
         eprintln!("warning: {}", warning.message);
     }
     for critical in &summary.critical {

@@ -8,6 +8,36 @@ use serde::{Deserialize, Serialize};
 pub enum Doubt {
     /// A load level was left before the motion had died.
     NotSettled,
+    /// The formulation conserves neither momentum nor energy.
+    StrongForm,
+    /// Strains sampled at the particles lock, or are off at edges.
+    NodalLocking,
+    /// Stencils wider than a cell on a thin shell.
+    WideThin,
+    /// Uneven cells on a thin curved shell lock its membrane, or soften it.
+    UnevenCells,
+    /// Too few cells to a bending length √(Rt).
+    CoarseBending,
+    /// Neighbouring cells turn too far from one to the next.
+    CoarseTurn,
+    /// A handful of particles from end to end.
+    FewParticles,
+    /// A fold with one director for both sides.
+    SharpFold,
+    /// Cells with sharp corners.
+    SharpCorners,
+    /// Many triangles round one particle.
+    Pole,
+    /// A load most of which supports bear at once.
+    HeldLoad,
+    /// A load that does no work.
+    NoWork,
+    /// A set whose nearest particle is far from its point.
+    FarNearest,
+    /// A body too thick for a shell.
+    TooThick,
+    /// Cells that lie on each other.
+    Overlap,
 }
 
 impl Doubt {
@@ -15,6 +45,21 @@ impl Doubt {
     pub fn word(self) -> &'static str {
         match self {
             Self::NotSettled => "not-settled",
+            Self::StrongForm => "strong-form",
+            Self::NodalLocking => "nodal-locking",
+            Self::WideThin => "wide-thin",
+            Self::UnevenCells => "uneven-cells",
+            Self::CoarseBending => "coarse-bending",
+            Self::CoarseTurn => "coarse-turn",
+            Self::FewParticles => "few-particles",
+            Self::SharpFold => "sharp-fold",
+            Self::SharpCorners => "sharp-corners",
+            Self::Pole => "pole",
+            Self::HeldLoad => "held-load",
+            Self::NoWork => "no-work",
+            Self::FarNearest => "far-nearest",
+            Self::TooThick => "too-thick",
+            Self::Overlap => "overlap",
         }
     }
 }
@@ -41,7 +86,24 @@ mod tests {
 
     #[test]
     fn the_word_is_the_one_in_the_summary() {
-        for doubt in [Doubt::NotSettled] {
+        for doubt in [
+            Doubt::NotSettled,
+            Doubt::StrongForm,
+            Doubt::NodalLocking,
+            Doubt::WideThin,
+            Doubt::UnevenCells,
+            Doubt::CoarseBending,
+            Doubt::CoarseTurn,
+            Doubt::FewParticles,
+            Doubt::SharpFold,
+            Doubt::SharpCorners,
+            Doubt::Pole,
+            Doubt::HeldLoad,
+            Doubt::NoWork,
+            Doubt::FarNearest,
+            Doubt::TooThick,
+            Doubt::Overlap,
+        ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
     }

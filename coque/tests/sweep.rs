@@ -37,19 +37,19 @@ fn the_table_holds_every_combination_and_the_last_row_of_each_curve() {
     assert!(said(&output).contains("6 of 6 runs done"), "{}", said(&output));
     let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
     let mut rows = table.lines();
-    let head = "run,material.elastic.young,material.elastic.poisson,ended,wall [s],time [s],level [-],";
+    let head = "run,material.elastic.young,material.elastic.poisson,ended,warnings,wall [s],time [s],level [-],";
     assert!(rows.next().unwrap().starts_with(head), "{table}");
     let text = fs::read_to_string(root().join("scenes/patch-test.toml")).unwrap();
     for (number, row) in rows.enumerate() {
         let cells: Vec<&str> = row.split(',').collect();
         let (young, poisson) = (["1e5", "2e5"][number / 3], ["0.1", "0.2", "0.3"][number % 3]);
-        assert_eq!(cells[..4], [&(number + 1).to_string(), young, poisson, "done"]);
+        assert_eq!(cells[..5], [&(number + 1).to_string(), young, poisson, "done", ""]);
         let replaced = [("young", young), ("poisson", poisson)]
             .map(|(key, value)| (format!("material.elastic.{key}"), value.to_string()));
         let scene = Scene::with_overrides(&text, "patch-test.toml", &replaced).unwrap();
         let alone = scene.build(1).unwrap().run(&mut Silent);
         let last: Vec<String> = alone.curve.rows.last().unwrap().iter().map(|x| format!("{x:?}")).collect();
-        assert_eq!(cells[5..], last);
+        assert_eq!(cells[6..], last);
         assert!(out.join(format!("{:03}/curve.csv", number + 1)).exists());
     }
     assert_eq!(table.lines().count(), 7);

@@ -10,6 +10,7 @@ use crate::case::{Case, Problem, Run, Runs, Study, Variant};
 use crate::outcome::{Outcome, Solver};
 use crate::pictured::{Kept, Pictured, chosen, planes};
 use crate::record::{Metric, Record};
+use crate::survival::told;
 use crate::{JudgeError, cases};
 
 /// Name of the metric that counts levels at which the motion had not died.
@@ -240,6 +241,10 @@ fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
     }
     for (number, metric) in (case.together)(runs)? {
         records[number].metrics.push(metric);
+    }
+    for (run, record) in runs.0.iter().zip(&mut records) {
+        let told = told(run, &record.metrics);
+        record.metrics.extend(told);
     }
     Ok(records)
 }

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use coque::{Column, Ended, FieldSink, Model, News, Outcome, Progress, RunOptions, Scene};
+use coque::{Column, Ended, FieldSink, Model, News, Outcome, Progress, RunOptions, Scene, Warning};
 
 use super::bar::stop_on_interrupt;
 use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, fields, replacement};
@@ -40,7 +40,7 @@ Examples:
 Values are TOML; commas within brackets and quotes belong to the value.
 
 Results, in DIR:
-  sweep.csv      a row per run: its number, the values, how it ended, wall time, and the last row of its curve
+  sweep.csv      a row per run: its number, the values, how it ended, words of its warnings, wall time, and the last row of its curve
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
 
@@ -58,6 +58,7 @@ struct Row {
     seconds: f64,
     columns: Vec<Column>,
     last: Vec<f64>,
+    warnings: Vec<Warning>,
 }
 
 /// Runs all combinations; the table is written whatever becomes of them.
@@ -81,6 +82,9 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
             let replaced = [&sweep.replaced[..], &values[..]].concat();
             let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &interrupted);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            for warning in &row.warnings {
+                eprintln!("[{}/{}] warning: {}", number + 1, runs.len(), warning.message);
+            }
             eprintln!(
                 "[{}/{}] {}: {} ({:.1} s)",
                 number + 1,
@@ -116,7 +120,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
     let begun = Instant::now();
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
     let refused =
-        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: Vec::new(), last: Vec::new() };
+        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: vec![], last: vec![], warnings: vec![] };
     let outcome = match model {
         Ok(model) => run(model, out, interrupted),
         Err(error) => return refused(format!("refused: {error}")),
@@ -141,7 +145,8 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
     };
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
-    Row { ended: outcome.ended.to_string(), code, seconds, columns: outcome.curve.columns, last }
+    let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.warnings);
+    Row { ended, code, seconds, columns: outcome.curve.columns, last, warnings }
 }
 
 /// Runs a model; its frames go into its folder.
@@ -228,7 +233,7 @@ fn write_table(
     let paths = over.iter().map(|(path, _)| quoted(path));
     let head: Vec<String> = std::iter::once("run".into())
         .chain(paths)
-        .chain(["ended".into(), "wall [s]".into()])
+        .chain(["ended".into(), "warnings".into(), "wall [s]".into()])
         .chain(titles)
         .collect();
     writeln!(to, "{}", head.join(","))?;
@@ -236,8 +241,11 @@ fn write_table(
         let values = values.iter().map(|(_, value)| quoted(value));
         let mut cells: Vec<String> = std::iter::once((number + 1).to_string()).chain(values).collect();
         match row {
-            None => cells.extend(["not run".into(), String::new()]),
-            Some(row) => cells.extend([quoted(&row.ended), format!("{:.3}", row.seconds)]),
+            None => cells.extend(["not run".into(), String::new(), String::new()]),
+            Some(row) => {
+                let words: Vec<&str> = row.warnings.iter().map(|warning| warning.doubt.word()).collect();
+                cells.extend([quoted(&row.ended), words.join(" "), format!("{:.3}", row.seconds)]);
+            }
         }
         for column in &columns {
             let found = row

@@ -156,6 +156,7 @@ pub fn finding(particles: usize, spacing: f64, figures: &[(&str, f64)]) -> Outco
         stable_step: 0.0,
         restless: 0,
         failure: None,
+        warnings: Vec::new(),
         shapes: Vec::new(),
         faces: Vec::new(),
     }
