@@ -86,3 +86,47 @@ fn cell(result: &CaseResult, record: &Record, at: usize) -> String {
     let left = margin.map(|(error, tolerance)| format!(" ({:.0} %)", 100.0 * (1.0 - error / tolerance)));
     format!("{sign}{warned} {}{}", error.trim_end(), left.unwrap_or_default())
 }
+
+#[cfg(test)]
+mod tests {
+    use coque::{Curve, Doubt, Warning};
+
+    use super::*;
+    use crate::case::Variant;
+    use crate::outcome::Outcome;
+
+    fn run(warnings: Vec<Warning>) -> Run {
+        let variant = Variant::study("cell", "made up", || Err("not run".into()));
+        let outcome = Outcome {
+            solver: Solver::Static,
+            curve: Curve { columns: Vec::new(), rows: Vec::new() },
+            particles: 0,
+            spacing: 0.0,
+            dof: 0,
+            steps: 0,
+            threads: 1,
+            wall_seconds: 0.0,
+            particle_steps_per_second: 0.0,
+            stable_step: 0.0,
+            restless: 0,
+            failure: None,
+            warnings,
+            shapes: Vec::new(),
+            faces: Vec::new(),
+        };
+        Run { variant, outcome }
+    }
+
+    #[test]
+    fn an_answer_far_off_must_carry_a_warning() {
+        let error = |percent: f64| [Metric::error(ERROR, Some(percent), "%")];
+        let verdict = |run: &Run, percent: f64| told(run, &error(percent)).map(|metric| metric.pass);
+        let silent = run(Vec::new());
+        assert_eq!(verdict(&silent, 1.9), None);
+        assert_eq!(verdict(&silent, -5.0), Some(false));
+        let warned = run(vec![Warning::new(Doubt::UnevenCells, "made up")]);
+        assert_eq!(verdict(&warned, -5.0), Some(true));
+        let elements = Run { outcome: Outcome { solver: Solver::Elements, ..silent.outcome }, ..silent };
+        assert_eq!(verdict(&elements, 5.0), None);
+    }
+}

@@ -131,9 +131,10 @@ fn curvatures(shell: &Shell) -> Vec<Curved> {
         let half = 0.5 * libm::atan2(2.0 * b, a - c) + if a + c < 0.0 { std::f64::consts::FRAC_PI_2 } else { 0.0 };
         let (sin, cos) = libm::sincos(half);
         let axis = point.frame.t1 * cos + point.frame.t2 * sin;
-        let along = stencil.particles.iter().map(|&b| axis.dot(&(cloud.positions[b as usize] - point.position)));
-        let (low, high) = along.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-        let spacing = if stencil.particles.len() <= 4 { high - low } else { size };
+        // Of a parallelogram, whatever the axis: the root of the sum over its two sides.
+        let along = |&b: &u32| axis.dot(&(cloud.positions[b as usize] - point.position)).powi(2);
+        let cell = stencil.particles.len() <= 4;
+        let spacing = if cell { stencil.particles.iter().map(along).sum::<f64>().sqrt() } else { size };
         let mut particles = [u32::MAX; 4];
         particles.iter_mut().zip(stencil.particles).for_each(|(place, &b)| *place = b);
         found.push(Curved { curvature: most, spacing, area: point.weight, particles });

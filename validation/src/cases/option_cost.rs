@@ -77,6 +77,7 @@ fn outcome(cost: &Cost) -> Outcome {
         stable_step: 0.0,
         restless: 0,
         failure: None,
+        warnings: Vec::new(),
         shapes: Vec::new(),
         faces: Vec::new(),
     }
