@@ -107,7 +107,8 @@ fn turns_of_the_deformed_shell_are_told_once() {
 /// The estimate of locking is one: R/t = 1000, energy over that of the lattice, 1/(1 + x) with x from a twentieth to a seventh of λ.
 #[test]
 fn the_figure_of_uneven_cells_bounds_what_they_cost() {
-    let scattered = JITTERED.replace("particles = [21, 21], disorder = { fraction = 0.25,", "scattered = { spacing = 0.61,");
+    let scattered = JITTERED
+        .replace("particles = [21, 21], disorder = { fraction = 0.25,", "scattered = { spacing = 0.61,");
     let stiffness = |cloud: &str| {
         let replaced = [("section.homogeneous.thickness", "0.01"), ("geometry.sphere", cloud)];
         let model = scene("hemisphere.toml", &replaced).unwrap().build(1).unwrap();
@@ -176,7 +177,11 @@ fn a_mesh_folded_onto_itself_is_told() {
         profile.extend((0..10).map(|i| [0.96 - 0.1 * f64::from(i), gap]));
         mesh_warnings(&drawn_out(&profile))
     };
-    assert!(hairpin(0.004).iter().any(|warning| warning.contains("lie on each other")), "{:?}", hairpin(0.004));
+    assert!(
+        hairpin(0.004).iter().any(|warning| warning.contains("lie on each other")),
+        "{:?}",
+        hairpin(0.004)
+    );
     assert!(!hairpin(0.04).iter().any(|warning| warning.contains("lie on each other")));
 }
 
@@ -204,8 +209,10 @@ fn sharp_corners_and_poles_are_told() {
     let sheared = |degrees: f64| {
         let lean = 1.0 / degrees.to_radians().tan();
         let n = 10_u32;
-        let place = |k: u32| Vec3::new(f64::from(k / (n + 1)), 0.0, 0.0)
-            + Vec3::new(lean * f64::from(k % (n + 1)), f64::from(k % (n + 1)), 0.0);
+        let place = |k: u32| {
+            Vec3::new(f64::from(k / (n + 1)), 0.0, 0.0)
+                + Vec3::new(lean * f64::from(k % (n + 1)), f64::from(k % (n + 1)), 0.0)
+        };
         let corner = |k: u32| {
             let a = (k / n) * (n + 1) + k % n;
             Cell::quadrangle([a, a + n + 1, a + n + 2, a + 1])

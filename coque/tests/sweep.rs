@@ -37,7 +37,8 @@ fn the_table_holds_every_combination_and_the_last_row_of_each_curve() {
     assert!(said(&output).contains("6 of 6 runs done"), "{}", said(&output));
     let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
     let mut rows = table.lines();
-    let head = "run,material.elastic.young,material.elastic.poisson,ended,warnings,wall [s],time [s],level [-],";
+    let head =
+        "run,material.elastic.young,material.elastic.poisson,ended,warnings,wall [s],time [s],level [-],";
     assert!(rows.next().unwrap().starts_with(head), "{table}");
     let text = fs::read_to_string(root().join("scenes/patch-test.toml")).unwrap();
     for (number, row) in rows.enumerate() {

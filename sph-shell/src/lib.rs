@@ -11,7 +11,7 @@
 //! | the step of one particle (kick, hold, drift) | `particle.rs` |
 //! | the whole step in one sweep | `fused.rs` |
 //! | strains and resultants, to be read | `results.rs`, [`Shell::point_results`] |
-//! | the tangent | `stiffness.rs`, [`StaticShell`] |
+//! | the tangent, of the energy and of the loads | `stiffness.rs`, `load_stiffness.rs`, [`StaticShell`] |
 //! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
 //! | what a clamp does | `supports.rs` |
 //! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
@@ -191,6 +191,7 @@ mod formulation;
 mod freedoms;
 mod fused;
 mod load_shares;
+mod load_stiffness;
 mod loads;
 mod march;
 mod membrane_arcs;
@@ -215,7 +216,7 @@ pub use couple::{CoupleAxis, EdgeCouple};
 pub use error::ShellError;
 pub use formulation::{Formulation, FormulationRow, Reach, formulations};
 pub use load_shares::LoadShare;
-pub use loads::{AppliedLoad, Body, Force, Gravity, Load};
+pub use loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use membrane_arcs::ChordLoss;
 pub use pressure::Pressure;
 pub use reference::Reference;

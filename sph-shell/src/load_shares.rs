@@ -36,9 +36,7 @@ impl Shell {
                 let free = self.constraint(a).map_or((force, across), |held| {
                     (held.free_translation(force), held.free_rotation(across))
                 });
-                for (sum, (whole, free)) in
-                    sums.iter_mut().zip([(force, free.0), (couple.into(), free.1)])
-                {
+                for (sum, (whole, free)) in sums.iter_mut().zip([(force, free.0), (couple.into(), free.1)]) {
                     sum[0] += Vec3::from(whole).norm();
                     sum[1] += Vec3::from(free).norm();
                 }

@@ -185,7 +185,10 @@ fn run_all(
                         let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
                         let how = match &outcome {
                             Ok((Outcome { failure: Some(failure), .. }, _)) => failure.clone(),
-                            Ok((outcome, _)) => format!("{:.1} s", outcome.wall_seconds),
+                            Ok((outcome, _)) => {
+                                let doubts = outcome.doubts().iter().map(|word| format!(", {word}"));
+                                format!("{:.1} s{}", outcome.wall_seconds, doubts.collect::<String>())
+                            }
                             Err(cause) => cause.clone(),
                         };
                         let (case, method) = &labels[at];

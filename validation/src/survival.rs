@@ -109,6 +109,7 @@ mod tests {
             particle_steps_per_second: 0.0,
             stable_step: 0.0,
             restless: 0,
+            critical: Vec::new(),
             failure: None,
             warnings,
             shapes: Vec::new(),

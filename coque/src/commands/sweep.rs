@@ -119,8 +119,14 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
 fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interrupted: &AtomicBool) -> Row {
     let begun = Instant::now();
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
-    let refused =
-        |ended: String| Row { ended, code: BAD_INPUT, seconds: 0.0, columns: vec![], last: vec![], warnings: vec![] };
+    let refused = |ended: String| Row {
+        ended,
+        code: BAD_INPUT,
+        seconds: 0.0,
+        columns: vec![],
+        last: vec![],
+        warnings: vec![],
+    };
     let outcome = match model {
         Ok(model) => run(model, out, interrupted),
         Err(error) => return refused(format!("refused: {error}")),

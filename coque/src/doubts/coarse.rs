@@ -127,7 +127,8 @@ pub(super) fn bending(look: &Look<'_>) -> Option<String> {
 /// Whether a particle lies on an edge along which its neighbour is free: a shell bends there without stretch.
 fn on_a_free_edge(look: &Look<'_>, particle: u32) -> bool {
     let free = |(cell, across): (&sph_core::Cell, &[u32; 4])| {
-        let mut edges = cell.edges().zip(across).filter(|(_, other)| **other == u32::MAX).map(|(edge, _)| edge);
+        let mut edges =
+            cell.edges().zip(across).filter(|(_, other)| **other == u32::MAX).map(|(edge, _)| edge);
         edges.any(|(a, b)| {
             let other = if a == particle { b } else { a };
             (a == particle || b == particle) && !look.shell.is_held(other as usize)

@@ -128,7 +128,8 @@ fn curvatures(shell: &Shell) -> Vec<Curved> {
             continue;
         }
         // The axis of the greater curvature, a + c and a − c of one sign being taken along it.
-        let half = 0.5 * libm::atan2(2.0 * b, a - c) + if a + c < 0.0 { std::f64::consts::FRAC_PI_2 } else { 0.0 };
+        let half =
+            0.5 * libm::atan2(2.0 * b, a - c) + if a + c < 0.0 { std::f64::consts::FRAC_PI_2 } else { 0.0 };
         let (sin, cos) = libm::sincos(half);
         let axis = point.frame.t1 * cos + point.frame.t2 * sin;
         // Of a parallelogram, whatever the axis: the root of the sum over its two sides.

@@ -85,9 +85,9 @@ pub(super) fn far_nearest(look: &Look<'_>) -> Option<String> {
 /// Without Poisson's ratio a strip bends as a beam of any width, and its width is not asked for.
 pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
     let t = look.thickness;
-    let beam = look.scene.is_some_and(|scene| {
-        matches!(&scene.material, Material::Elastic(material) if material.poisson == 0.0)
-    });
+    let beam = look.scene.is_some_and(
+        |scene| matches!(&scene.material, Material::Elastic(material) if material.poisson == 0.0),
+    );
     let extents = look.extents();
     let (width, name) = if beam { (extents[1], "length") } else { (extents[0], "width") };
     if t > 0.5 * width {
@@ -98,7 +98,8 @@ pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
         ));
     }
     let area: f64 = look.curved.iter().map(|point| point.area).sum();
-    let thick: f64 = look.curved.iter().filter(|point| point.curvature * t > 1.0).map(|point| point.area).sum();
+    let thick: f64 =
+        look.curved.iter().filter(|point| point.curvature * t > 1.0).map(|point| point.area).sum();
     (thick > 0.0).then(|| {
         let most = look.curved.iter().fold(0.0_f64, |most, point| most.max(point.curvature * t));
         format!(
