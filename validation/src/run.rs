@@ -186,7 +186,7 @@ fn run_all(
                         let how = match &outcome {
                             Ok((Outcome { failure: Some(failure), .. }, _)) => failure.clone(),
                             Ok((outcome, _)) => {
-                                let doubts = outcome.doubts().iter().map(|word| format!(", {word}"));
+                                let doubts = outcome.doubts().into_iter().map(|word| format!(", {word}"));
                                 format!("{:.1} s{}", outcome.wall_seconds, doubts.collect::<String>())
                             }
                             Err(cause) => cause.clone(),
