@@ -10,6 +10,7 @@ use crate::Warning;
 use crate::doubts::doubts_of;
 use crate::error::SceneError;
 use crate::imported::{Imported, Provenance};
+use crate::memory::Memory;
 use crate::probe::Gauge;
 use crate::rigid::free_motions;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
@@ -28,6 +29,8 @@ pub struct Model {
     pub(crate) driven: Option<Driven>,
     pub(crate) threads: usize,
     pub(crate) warnings: Vec<Warning>,
+    /// What a run will need, and what there is.
+    pub memory: Memory,
 }
 
 /// A prescribed motion of one particle that a force along it brings about.
@@ -64,7 +67,13 @@ impl Scene {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
+        let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
         let imported = Imported::read(self)?;
+        let memory = match (asked, &imported) {
+            (Some(memory), _) => memory,
+            (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
+            (None, None) => self.room(0.0)?,
+        };
         let flat = match &imported {
             Some(imported) => imported.cloud.clone(),
             None => self.place(weights)?,
@@ -93,9 +102,15 @@ impl Scene {
             threads,
         };
         let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        if shell.freedoms() == 0 {
+            let (found, bound) = ("no freedom of any particle", "at least one that is not held");
+            let repair = "take out a support, or let it name fewer particles";
+            return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
+        }
         let surface = imported.map(|imported| imported.provenance());
         let warnings = doubts_of(self, builder.turn, &shell);
-        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1), warnings })
+        let threads = threads.max(1);
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads, warnings, memory })
     }
 
     fn turn(&self) -> Rotation3<f64> {

@@ -42,11 +42,13 @@ impl Curve {
     pub fn write_csv(&self, to: &mut impl Write) -> io::Result<()> {
         let titles: Vec<String> = self.columns.iter().map(Column::title).collect();
         writeln!(to, "{}", titles.join(","))?;
-        for row in &self.rows {
-            let numbers: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
-            writeln!(to, "{}", numbers.join(","))?;
-        }
-        Ok(())
+        self.rows.iter().try_for_each(|row| Self::write_row(row, to))
+    }
+
+    /// Writes one row as it stands in such a file.
+    pub(crate) fn write_row(row: &[f64], to: &mut impl Write) -> io::Result<()> {
+        let numbers: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
+        writeln!(to, "{}", numbers.join(","))
     }
 }
 

@@ -11,14 +11,13 @@
 //! | stresses at the faces, von Mises | `fields/stress.rs` |
 //! | the file format | `fields/vtu.rs` |
 //! | frames read back, for pictures | `fields/read.rs` |
-//! | whole files only, the list of frames | `fields/files.rs`, `fields/whole.rs` |
+//! | whole files only, the list of frames | `fields/files.rs`, `whole.rs` |
 
 mod content;
 mod files;
 mod read;
 mod stress;
 mod vtu;
-mod whole;
 
 use std::ops::ControlFlow;
 

@@ -33,7 +33,7 @@
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | what is known to make a number wrong | `doubts.rs`, `doubts/*.rs`; the words: `warning.rs` |
-//! | results on disk | `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | results on disk | `whole.rs`, `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
 //! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
@@ -106,6 +106,8 @@
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
 //! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
+//! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
+//! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
 
 mod build;
@@ -116,10 +118,13 @@ mod doubts;
 mod error;
 mod estimate;
 mod fields;
+mod growing;
 mod imported;
+mod input;
 mod linear;
 mod march;
 mod matter;
+mod memory;
 pub mod mesh;
 mod modes;
 mod nearest;
@@ -127,6 +132,7 @@ mod overrides;
 mod path;
 mod picture;
 mod places;
+mod plain;
 mod plot;
 mod probe;
 mod render;
@@ -137,8 +143,11 @@ mod schema;
 mod sets;
 mod source;
 mod summary;
+mod tables;
 mod units;
 mod warning;
+mod whole;
+mod xml;
 
 pub use build::Model;
 pub use catalogue::{Shelf, catalogue};
@@ -150,7 +159,11 @@ pub use estimate::Estimate;
 pub use fields::{
     Array, FieldError, FieldFiles, FieldSink, Frame, LinearForces, ReadError, Sheet, State, listed,
 };
+pub use growing::GrowingCurve;
+pub use input::read_text;
+pub use memory::Memory;
 pub use picture::{FieldNotThere, Picture, picture_svg};
+pub use plain::plain_text;
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
 pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent};
@@ -160,3 +173,4 @@ pub use source::Source;
 pub use summary::{CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};
 pub use warning::{Doubt, Warning};
+pub use whole::{Whole, write_whole};

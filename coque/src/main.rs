@@ -1,26 +1,34 @@
 //! The command `coque`: runs a scene and writes its results.
 
+// A print that fails panics; `commands::say` does not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod commands {
     pub mod bar;
     pub mod check;
     pub mod mesh;
     pub mod plot;
+    pub mod results;
     pub mod resume;
+    pub mod say;
+    pub mod stop;
     pub mod sweep;
     pub mod teach;
 }
 
-use std::fs;
-use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::{Args, Parser, Subcommand};
-use commands::bar::{Bar, stop_on_interrupt};
+use commands::bar::Bar;
+use commands::results::{CURVE, ResultFolder};
+use commands::say::{Refused, say};
+use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
-    CHECKPOINT, Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, Model, Origin,
-    Outcome, Rendering, RunOptions, SCENE_COPY, Scene, Warning, render,
+    Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
+    Outcome, RunOptions, Scene, Warning, read_text,
 };
 
 const DONE: u8 = 0;
@@ -113,7 +121,10 @@ Results, in DIR:
   scene.toml     a copy of the scene; what --set replaced stands at its end
   checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
 
-Ctrl-C ends the run in good order, with the results so far; a second one at once.
+Rows of curve.csv are on the disk as they come, the other files once the run has ended; each replaces the old one whole.
+What an earlier run left in DIR under these names is taken out as a run begins; one run at a time holds DIR (coque.lock).
+Ctrl-C, SIGTERM or a terminal that goes (not under nohup) end the run in good order, with the results so far; a second
+one at once.
 Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 130 interrupted (the curve so far is kept).";
 
 fn replacement(text: &str) -> Result<(String, String), String> {
@@ -124,6 +135,7 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
+    outlive_file_limits();
     let done = match Cli::parse().command {
         Command::Run(run) => carry_out(&run),
         Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
@@ -137,79 +149,64 @@ fn main() -> ExitCode {
     };
     match done {
         Ok(code) => ExitCode::from(code),
-        Err(message) => {
-            eprint!("{message}");
+        Err(refused) => {
+            refused.say();
             ExitCode::from(BAD_INPUT)
         }
     }
 }
 
 /// Reads, builds, runs, writes; the error is ready to print.
-fn carry_out(run: &Run) -> Result<u8, String> {
+fn carry_out(run: &Run) -> Result<u8, Refused> {
+    let stop = Stop::watch()?;
     let (scene, text) = read_scene(&run.scene, &run.replaced)?;
     let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
-    let text = make_folder(&out, &run.scene, text, &run.replaced)?;
+    let folder = ResultFolder::take(&out)?;
+    stop.begin();
+    let text = folder.begin(&run.scene, text, &run.replaced)?;
     // Another folder may be the present one when the run goes on.
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
-    launch(model, &out, Origin::new(&text, file, run.replaced.clone(), run.threads.into()), None)
+    let origin = Origin::new(&text, file, run.replaced.clone(), run.threads.into());
+    launch(model, &folder, origin, None, &stop)
 }
 
 /// Reads a scene, and its text; errors underline it.
-fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Scene, String), String> {
+fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Scene, String), Refused> {
     let file = path.display().to_string();
-    let text = fs::read_to_string(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
-    let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| render(&e, rendering()))?;
+    let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
     Ok((scene, text))
 }
 
-fn build(scene: &Scene, threads: usize) -> Result<Model, String> {
-    scene.build(threads).map_err(|e| render(&e, rendering()))
-}
-
-fn rendering() -> Rendering {
-    Rendering { width: 100, colour: io::stderr().is_terminal() }
-}
-
-/// Makes the folder and copies the scene into it; gives the text of the copy, which names what was replaced at its end.
-///
-/// What an earlier run left there and might be taken for this one's is taken out.
-fn make_folder(
-    out: &Path,
-    scene: &Path,
-    mut text: String,
-    replaced: &[(String, String)],
-) -> Result<String, String> {
-    fs::create_dir_all(out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
-    let copy = out.join(SCENE_COPY);
-    let same = |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
-    if !same(&copy, scene) {
-        for (path, value) in replaced {
-            let shown = format!("{path}={value}").replace(char::is_control, " ");
-            text.push_str(&format!("\n# --set '{shown}'\n"));
-        }
-        fs::write(&copy, &text).map_err(|e| format!("cannot write {}: {e}\n", copy.display()))?;
+fn build(scene: &Scene, threads: usize) -> Result<Model, Refused> {
+    let model = scene.build(threads).map_err(|e| Refused::scene(&e))?;
+    if let Some(warning) = model.memory.warning() {
+        say(&format!("warning: {warning}"));
     }
-    for stale in [CHECKPOINT, "summary.json"].map(|name| out.join(name)).iter().filter(|file| file.exists()) {
-        fs::remove_file(stale).map_err(|e| format!("cannot remove {}: {e}\n", stale.display()))?;
-    }
-    Ok(text)
+    Ok(model)
 }
 
 /// Runs from the start or from a checkpoint, writes the results, and gives the exit code.
-fn launch(model: Model, out: &Path, origin: Origin, from: Option<Checkpoint>) -> Result<u8, String> {
+fn launch(
+    model: Model,
+    folder: &ResultFolder,
+    origin: Origin,
+    from: Option<Checkpoint>,
+    stop: &Arc<Stop>,
+) -> Result<u8, Refused> {
+    let out = folder.path();
     let scene = model.scene.clone();
     let described = model.describe();
-    eprintln!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms);
+    say(&format!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms));
     let early = model.warnings().to_vec();
-    for warning in &early {
-        eprintln!("warning: {}", warning.message);
-    }
+    early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
     let mut checkpoints = scene.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
     let mut files = fields(&scene, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
-    let mut bar = Bar::new(described.particles, stop_on_interrupt()?);
+    let curve = GrowingCurve::new(&out.join(CURVE));
+    let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let options = RunOptions {
         progress: &mut bar,
         checkpoints: checkpoints.as_mut(),
@@ -219,14 +216,16 @@ fn launch(model: Model, out: &Path, origin: Origin, from: Option<Checkpoint>) ->
     let mut outcome = model.run_with(options).map_err(|e| format!("{e}\n"))?;
     bar.finish();
     outcome.summary.replaced = replaced.into_iter().map(|(path, value)| format!("{path}={value}")).collect();
-    write_results(&scene, &outcome, out)?;
-    // With more room on the disk a run can go on as well.
+    let written = folder.write(&scene, &outcome);
+    // With more room on the disk a run can go on, or write its results, as well.
     let stopped = matches!(outcome.ended, Ended::Interrupted { .. } | Ended::Diverged(Failure::Fields(_)));
-    let resumable = stopped && checkpoints.is_some();
+    let resumable = (stopped || written.is_err()) && checkpoints.is_some();
     if !resumable && let Some(checkpoints) = checkpoints {
         checkpoints.finish().map_err(|e| format!("{e}\n"))?;
     }
-    Ok(report(&outcome, &early, out, resumable))
+    let code = report(&outcome, &early, out, resumable);
+    written?;
+    Ok(code)
 }
 
 /// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
@@ -244,60 +243,44 @@ fn default_out(scene: &Path) -> PathBuf {
     Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
 }
 
-fn write_results(scene: &Scene, outcome: &Outcome, out: &Path) -> Result<(), String> {
-    let save = |name: &str, write: &dyn Fn(&mut BufWriter<fs::File>) -> io::Result<()>| {
-        let path = out.join(name);
-        fs::File::create(&path)
-            .and_then(|file| {
-                let mut to = BufWriter::new(file);
-                write(&mut to)?;
-                to.flush()
-            })
-            .map_err(|e| format!("cannot write {}: {e}\n", path.display()))
-    };
-    save("curve.csv", &|to| outcome.curve.write_csv(to))?;
-    save("summary.json", &|to| Ok(serde_json::to_writer_pretty(to, &outcome.summary)?))?;
-    // A plot of what probes measure has no place among modes.
-    if let Some(plot) = scene.output.plot.as_ref().filter(|_| !scene.analysis.gives_modes()) {
-        coque::plot_svg(&outcome.curve, &plot.x, &plot.y, &scene.title, &out.join("curve.svg"))
-            .map_err(|e| format!("{e}\n"))?;
-    }
-    Ok(())
-}
-
 /// Tells what came out and gives the exit code; warnings told early are not repeated.
 fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
     for warning in summary.warnings.iter().filter(|warning| !early.contains(warning)) {
-        eprintln!("warning: {}", warning.message);
+        say(&format!("warning: {}", warning.message));
     }
     for critical in &summary.critical {
-        eprintln!("{} at load level {}", critical.kind, critical.level);
+        say(&format!("{} at load level {}", critical.kind, critical.level));
     }
     let effort = match summary.analysis.as_str() {
         "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),
         "static" | "arc-length" => format!(", {} Newton iterations", summary.newton_iterations),
         _ => String::new(),
     };
-    eprintln!(
+    say(&format!(
         "{} steps in {:.2} s{effort}; results in {}",
         summary.steps,
         summary.wall_seconds,
         out.display()
-    );
+    ));
     match &outcome.ended {
-        Ended::Done => DONE,
-        Ended::Diverged(error) => {
-            eprintln!("{error}\nthe curve so far is in {}", out.join("curve.csv").display());
+        Ended::Done => {
             if resumable {
-                eprintln!("go on with: coque resume {}", out.display());
+                say(&format!("with more room: coque resume {}", out.display()));
             }
-            if matches!(error, Failure::Fields(_)) { BAD_INPUT } else { DIVERGED }
+            DONE
+        }
+        Ended::Diverged(error) => {
+            say(&format!("{error}\nthe curve so far is in {}", out.join("curve.csv").display()));
+            if resumable {
+                say(&format!("go on with: coque resume {}", out.display()));
+            }
+            if error.is_input() { BAD_INPUT } else { DIVERGED }
         }
         ended @ Ended::Interrupted { .. } => {
-            eprintln!("{ended}; the curve so far is in {}", out.join("curve.csv").display());
+            say(&format!("{ended}; the curve so far is in {}", out.join("curve.csv").display()));
             if resumable {
-                eprintln!("go on with: coque resume {}", out.display());
+                say(&format!("go on with: coque resume {}", out.display()));
             }
             INTERRUPTED
         }

@@ -126,6 +126,7 @@ impl Observer<Shell> for Watcher<'_, '_, '_> {
         ];
         row.extend(self.gauges.iter_mut().map(|gauge| gauge.read(shell)));
         self.found.curve.rows.push(row);
+        self.options.progress.recorded(&self.found.curve);
         self.found.energies = energies(record);
         self.settled |= record.settled;
         if !self.keep_settled {

@@ -64,6 +64,7 @@ pub(crate) fn levels(
             row = reader.row(system, point, iterations);
             if point.step == 0 && number == 0 {
                 found.curve.rows.push(row.clone());
+                run.progress.recorded(&found.curve);
                 if found.keep_shape(system.shell(), 0.0, 0.0).is_break() {
                     return ControlFlow::Break(());
                 }
@@ -92,6 +93,7 @@ pub(crate) fn levels(
         let news = News { done: level / last, ..news(found.steps, level, row[1]) };
         found.energies = energies(row[1]);
         found.curve.rows.push(row);
+        run.progress.recorded(&found.curve);
         let steps = path.points.len() as u64 - 1;
         found.levels.push(LevelSummary { level, settled: true, kinetic_over_internal: 0.0, steps });
         if found.frames.is_some() {
@@ -163,6 +165,7 @@ pub(crate) fn arc_length(
         found.energies = energies(row[1]);
         let reached = stop.is_some_and(|(at, above)| row[at] > above);
         found.curve.rows.push(row);
+        progress.recorded(&found.curve);
         let flow = found.keep_shape(system.shell(), 0.0, point.level());
         if reached || interrupted { ControlFlow::Break(()) } else { flow }
     });

@@ -1,10 +1,13 @@
 //! The curve as a picture: one line with its points, SVG.
 
+use std::io::Write;
 use std::path::Path;
 
 use plotters::prelude::*;
 
 use crate::curve::Curve;
+use crate::plain::plain_text;
+use crate::whole::write_whole;
 
 /// Why a plot could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -44,17 +47,19 @@ pub fn plot_svg(curve: &Curve, x: &str, y: &str, title: &str, file: &Path) -> Re
         let column = curve.columns.iter().find(|column| column.name == name);
         column.map_or_else(|| name.to_string(), |column| column.title())
     };
-    draw(&points, [&label(x), &label(y)], title, file)
-        .map_err(|e| PlotError::Drawing { path: file.display().to_string(), reason: e.to_string() })
+    let refused = |reason: String| PlotError::Drawing { path: file.display().to_string(), reason };
+    let svg =
+        draw(&points, [&label(x), &label(y)], &plain_text(title)).map_err(|e| refused(e.to_string()))?;
+    write_whole(file, |to| to.write_all(svg.as_bytes())).map_err(|e| refused(e.to_string()))
 }
 
 fn draw(
     points: &[(f64, f64)],
     [x_label, y_label]: [&str; 2],
     title: &str,
-    file: &Path,
-) -> Result<(), Box<dyn std::error::Error>> {
-    let area = SVGBackend::new(file, (720, 480)).into_drawing_area();
+) -> Result<String, Box<dyn std::error::Error>> {
+    let mut svg = String::new();
+    let area = SVGBackend::with_string(&mut svg, (720, 480)).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
         .caption(title, ("sans-serif", 22))
@@ -74,7 +79,9 @@ fn draw(
     chart.draw_series(LineSeries::new(points.iter().copied(), BLUE.stroke_width(2)))?;
     chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;
     area.present()?;
-    Ok(())
+    drop(chart);
+    drop(area);
+    Ok(svg)
 }
 
 /// A number beside an axis: six digits at most, powers of ten where nought after nought would come.

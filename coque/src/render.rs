@@ -7,6 +7,7 @@ use miette::{
 };
 
 use crate::error::SceneError;
+use crate::plain::{plain_text, same_length};
 
 /// How to draw.
 #[derive(Clone, Copy, Debug)]
@@ -26,13 +27,14 @@ struct Report<'a> {
 /// Draws a refusal: message, the place in the scene, and what to do.
 pub fn render(error: &SceneError, how: Rendering) -> String {
     let place = &error.fault().place;
-    let source = NamedSource::new(place.origin.as_ref(), place.text.to_string()).with_language("TOML");
+    // What is underlined is found by its bytes.
+    let source = NamedSource::new(plain_text(&place.origin), same_length(&place.text)).with_language("TOML");
     let theme = if how.colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(how.width).with_context_lines(1);
     let mut out = String::new();
     match handler.render_report(&mut out, &Report { error, source }) {
         Ok(()) => out,
-        Err(_) => format!("{error}\n"),
+        Err(_) => format!("{}\n", plain_text(&error.to_string())),
     }
 }
 
@@ -44,7 +46,7 @@ impl fmt::Debug for Report<'_> {
 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self.error, f)
+        f.write_str(&plain_text(&self.error.to_string()))
     }
 }
 
@@ -56,7 +58,7 @@ impl Diagnostic for Report<'_> {
     }
 
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(&self.error.fault().repair))
+        Some(Box::new(plain_text(&self.error.fault().repair)))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -70,6 +72,9 @@ impl Diagnostic for Report<'_> {
             SceneError::Choice(fault) => format!("must give {}", fault.bound),
             _ => "here".into(),
         };
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(Some(label), SourceSpan::from(span)))))
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(
+            Some(plain_text(&label).into_owned()),
+            SourceSpan::from(span),
+        ))))
     }
 }

@@ -38,6 +38,8 @@ pub enum Doubt {
     TooThick,
     /// Cells that lie on each other.
     Overlap,
+    /// The loads have no potential: part of their stiffness is skew, and the tangent leaves it out.
+    NoPotential,
 }
 
 impl Doubt {
@@ -60,6 +62,7 @@ impl Doubt {
             Self::FarNearest => "far-nearest",
             Self::TooThick => "too-thick",
             Self::Overlap => "overlap",
+            Self::NoPotential => "no-potential",
         }
     }
 }
@@ -88,6 +91,7 @@ mod tests {
     fn the_word_is_the_one_in_the_summary() {
         for doubt in [
             Doubt::NotSettled,
+            Doubt::NoPotential,
             Doubt::StrongForm,
             Doubt::NodalLocking,
             Doubt::WideThin,

@@ -1,4 +1,4 @@
-//! The command under Ctrl-C and under kill -9: results so far, and the same curve to the byte once it has gone on.
+//! The command under Ctrl-C, SIGTERM, SIGHUP and kill -9: results so far, and the same curve to the byte once it has gone on.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)] // a failed test may stop here
@@ -57,12 +57,16 @@ fn signal(run: &Child, name: &str) {
 
 #[test]
 fn interrupt_ends_in_good_order() {
-    let out = folder("ctrl-c");
+    ["-INT", "-TERM", "-HUP", "-XCPU"].into_iter().for_each(ended_by);
+}
+
+fn ended_by(name: &str) {
+    let out = folder(&format!("ended{name}"));
     let path = out.to_string_lossy();
     // Too long to end by itself.
     let mut run = coque(&ring(&path, &["analysis.explicit.quasi-static.levels=1000"])).spawn().unwrap();
     begun(&mut run, &out);
-    signal(&run, "-INT");
+    signal(&run, name);
     let output = run.wait_with_output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(130), "{said}");
@@ -84,6 +88,86 @@ fn interrupt_ends_in_good_order() {
     assert!(summary["steps"].as_u64().unwrap() > 0);
 }
 
+/// What `nohup` starts goes on when its terminal has gone.
+#[test]
+fn a_hangup_that_is_ignored_ends_nothing() {
+    let out = folder("nohup");
+    let path = out.to_string_lossy();
+    let mut started = Command::new("sh");
+    started.args(["-c", "trap '' HUP; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_coque")]);
+    let mut run = started
+        .args(ring(&path, &["analysis.explicit.quasi-static.levels=2"]))
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    begun(&mut run, &out);
+    signal(&run, "-HUP");
+    finished(&run.wait_with_output().unwrap());
+}
+
+/// While a large model is built there is nothing to keep.
+#[cfg(target_os = "linux")]
+#[test]
+fn interrupt_before_the_run_begins_ends_at_once() {
+    for name in ["-INT", "-TERM"] {
+        let out = folder("building");
+        let path = out.to_string_lossy();
+        let large = ["geometry.plate.particles=[401, 401]", "formulation.nodal.order=2"];
+        let mut run = coque(&ring(&path, &large)).spawn().unwrap();
+        // From here on signals are caught: bit n − 1 is that of signal n.
+        let status = format!("/proc/{}/status", run.id());
+        let caught = || {
+            let status = fs::read_to_string(&status).unwrap_or_default();
+            let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:").map(str::trim));
+            let mask = mask.and_then(|mask| u64::from_str_radix(mask, 16).ok()).unwrap_or(0);
+            mask & (1 << 1) != 0 && mask & (1 << 14) != 0
+        };
+        while !caught() {
+            assert!(run.try_wait().unwrap().is_none());
+            sleep(Duration::from_millis(1));
+        }
+        sleep(Duration::from_millis(20));
+        signal(&run, name);
+        let output = run.wait_with_output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(130), "{said}");
+        assert!(said.contains("interrupted before the run began"), "{said}");
+        assert!(!out.exists());
+    }
+}
+
+#[test]
+fn killed_without_a_checkpoint_it_leaves_the_rows_so_far() {
+    let out = folder("rows");
+    let hinge = "supports[2]={ on = \"u0v0\", hinged = {} }";
+    let run = ["run", "scenes/patch-test.toml", "--out", &out.to_string_lossy(), "--set", hinge, "--set"];
+    let transient = |duration: &str| {
+        format!("analysis.explicit={{ transient = {{ duration = {duration}, record_every = 2e-4 }} }}")
+    };
+    finished(&coque(&[&run[..], &[&transient("0.02")]].concat()).output().unwrap());
+    let curve = out.join("curve.csv");
+    let whole = fs::read_to_string(&curve).unwrap();
+    assert_eq!(whole.lines().count(), 102);
+    let mut long = coque(&[&run[..], &[&transient("1e3")]].concat()).spawn().unwrap();
+    // The old curve is gone before the first new row comes; every reading is a curve.
+    let mut rows = 0;
+    while rows < 60 || rows == 101 {
+        if let Ok(text) = fs::read_to_string(&curve) {
+            let read: coque::Curve = text.parse().unwrap();
+            rows = read.rows.len();
+        }
+        assert!(long.try_wait().unwrap().is_none());
+    }
+    long.kill().unwrap();
+    long.wait().unwrap();
+    let left = fs::read_to_string(&curve).unwrap();
+    let read: coque::Curve = left.parse().unwrap();
+    assert!(left.ends_with('\n') && read.rows.len() >= rows);
+    let shorter = whole.len().min(left.len());
+    assert_eq!(left[..shorter], whole[..shorter], "not the rows of the same run");
+}
+
 #[test]
 fn killed_at_any_moment_it_ends_in_the_same_bytes() {
     let (whole, out) = (folder("whole"), folder("killed"));
@@ -101,6 +185,9 @@ fn killed_at_any_moment_it_ends_in_the_same_bytes() {
         signal(&run, "-KILL");
         run.wait().unwrap();
         killed += 1;
+        let (so_far, all) =
+            (fs::read(out.join("curve.csv")).unwrap(), fs::read(whole.join("curve.csv")).unwrap());
+        assert!(all.starts_with(&so_far) && so_far.ends_with(b"\n"), "not the curve so far");
         run = coque(&["resume", &path]).spawn().unwrap();
         // The old checkpoint is there until the run has come further: give it a moment to start.
         sleep(Duration::from_millis(40));

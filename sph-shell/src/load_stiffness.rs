@@ -37,12 +37,17 @@ impl StaticShell {
         let turn = 1.0 / self.freedoms.arc;
         let unit = |i: usize| if i < 3 { 1.0 } else { turn };
         let mut largest = 0.0_f64;
+        self.shell.load_stiffness(1.0, &mut |_, _, block| {
+            for (i, row) in block.iter().enumerate() {
+                let sizes = row.iter().enumerate().map(|(j, v)| v.abs() * unit(i) * unit(j));
+                largest = sizes.fold(largest, f64::max);
+            }
+        });
+        if largest == 0.0 {
+            return 0.0;
+        }
         let mut skew = vec![[[0.0; 6]; 6]; self.pattern.columns.len()];
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
-            for (i, row) in block.iter().enumerate() {
-                largest =
-                    row.iter().enumerate().fold(largest, |top, (j, v)| top.max(v.abs() * unit(i) * unit(j)));
-            }
             add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
         });
         let mut share = 0.0_f64;

@@ -1,8 +1,11 @@
 //! The file of a checkpoint: a header that tells what follows and whether it is whole, written beside its place first.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
+
+use crate::input::{read_bytes, read_text};
+use crate::whole::{under_way, write_whole};
 
 use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 
@@ -10,6 +13,8 @@ use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 const MARK: [u8; 8] = *b"coque-cp";
 /// Version of what follows; to be raised with every change of what is kept.
 const VERSION: u32 = 3;
+/// Greatest length that is read \[bytes\]: ten million particles with all their shapes.
+const LONGEST: u64 = 1 << 34;
 /// Mark, version, length of the rest, checksum of the rest.
 const HEADER: usize = 8 + 4 + 8 + 4;
 
@@ -108,20 +113,16 @@ pub(super) fn write(path: &Path, origin: &Origin, kept: &Kept<'_>) -> Result<(),
     header.extend(VERSION.to_le_bytes());
     header.extend((body.len() as u64).to_le_bytes());
     header.extend(crc32fast::hash(&body).to_le_bytes());
-    let under_way = path.with_extension("part");
-    let written = File::create(&under_way).and_then(|mut file| {
+    let written = write_whole(path, |file| {
         file.write_all(&header)?;
-        file.write_all(&body)?;
-        // The new name must not reach the disk before the data do.
-        file.sync_all()?;
-        fs::rename(&under_way, path)
+        file.write_all(&body)
     });
     written.map_err(|error| refuse(error.to_string()))
 }
 
 /// Removes a checkpoint, and what a killed run left of the next one.
 pub(super) fn remove(path: &Path) -> Result<(), CheckpointError> {
-    for file in [path, &path.with_extension("part")] {
+    for file in [path, &under_way(path)] {
         match fs::remove_file(file) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
                 let path = file.display().to_string();
@@ -140,7 +141,7 @@ pub(super) fn read(folder: &Path) -> Result<(Origin, Kept<'static>, String), Che
         path: path.display().to_string(),
         reason: error.to_string(),
     };
-    let bytes = fs::read(&file).map_err(|error| match error.kind() {
+    let bytes = read_bytes(&file, LONGEST).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => CheckpointError::None(folder.display().to_string()),
         _ => unreadable(&file, error),
     })?;
@@ -154,7 +155,7 @@ pub(super) fn read(folder: &Path) -> Result<(Origin, Kept<'static>, String), Che
     if origin.program != env!("CARGO_PKG_VERSION") {
         return Err(CheckpointError::Program { path, found: origin.program });
     }
-    let text = fs::read_to_string(&scene).map_err(|error| unreadable(&scene, error))?;
+    let text = read_text(&scene).map_err(|error| unreadable(&scene, error))?;
     if crc32fast::hash(text.as_bytes()) != origin.scene {
         return Err(CheckpointError::Scene(scene.display().to_string()));
     }

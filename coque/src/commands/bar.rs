@@ -1,38 +1,26 @@
-//! What a terminal shows of a run, and how Ctrl-C ends one.
+//! What a terminal shows of a run; its curve so far goes to the disk on the way.
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use coque::{News, Progress};
+use coque::{Curve, GrowingCurve, News, Progress};
 use indicatif::{ProgressBar, ProgressStyle};
+
+use super::say::say;
+use super::stop::Stop;
 
 /// Time between two looks of the bar at its run.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// A flag that the first Ctrl-C raises; the second ends the program at once.
-///
-/// # Errors
-/// What the system says if it lets no signal be caught.
-pub fn stop_on_interrupt() -> Result<Arc<AtomicBool>, String> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = flag.clone();
-    ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(crate::INTERRUPTED.into());
-        }
-        eprintln!("\nending in good order; Ctrl-C once more ends at once");
-    })
-    .map_err(|error| format!("cannot watch for Ctrl-C: {error}\n"))?;
-    Ok(flag)
-}
-
-/// Progress on a terminal, hidden elsewhere; ends the run when the flag is raised.
+/// Progress on a terminal, hidden elsewhere; ends the run when that is asked for.
 pub struct Bar {
     bar: ProgressBar,
-    interrupted: Arc<AtomicBool>,
+    stop: Arc<Stop>,
+    curve: GrowingCurve,
+    /// Whether a row of the curve found no room.
+    told: bool,
     particles: usize,
     begun: Instant,
     /// When the bar was drawn last.
@@ -43,12 +31,12 @@ pub struct Bar {
 
 impl Bar {
     /// A bar for a run of so many particles.
-    pub fn new(particles: usize, interrupted: Arc<AtomicBool>) -> Self {
+    pub fn new(particles: usize, stop: Arc<Stop>, curve: GrowingCurve) -> Self {
         let bar = if io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
         if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent:>3} %  {wide_msg}") {
             bar.set_style(style);
         }
-        Self { bar, interrupted, particles, begun: Instant::now(), drawn: None, first: None }
+        Self { bar, stop, curve, told: false, particles, begun: Instant::now(), drawn: None, first: None }
     }
 
     /// Takes the bar off the terminal.
@@ -70,15 +58,20 @@ impl Progress for Bar {
             self.draw(news);
             self.drawn = Some(Instant::now());
         }
-        if self.interrupted.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
+        if self.stop.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn recorded(&mut self, curve: &Curve) {
+        if let Err(error) = self.curve.take(curve)
+            && !self.told
+        {
+            self.told = true;
+            self.warn(&format!("the curve so far cannot be written: {error}"));
         }
     }
 
     fn warn(&mut self, message: &str) {
-        self.bar.suspend(|| eprintln!("warning: {message}; the run goes on"));
+        self.bar.suspend(|| say(&format!("warning: {message}; the run goes on")));
     }
 }
 

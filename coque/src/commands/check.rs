@@ -6,7 +6,7 @@ use clap::Args;
 use coque::{Estimate, Model, Quantity, Warning};
 
 use super::bar::clock;
-use super::teach::print;
+use super::say::{Refused, print};
 use crate::{build, read_scene, replacement};
 
 #[derive(Args)]
@@ -32,14 +32,18 @@ Examples:
 Exit codes: 0 sound, 2 refused.";
 
 /// Builds the model and prints it.
-pub fn carry_out(check: &Check) -> Result<(), String> {
+pub fn carry_out(check: &Check) -> Result<(), Refused> {
     let (scene, _) = read_scene(&check.scene, &check.replaced)?;
     let model = build(&scene, check.threads.into())?;
     let mut text = format!("{}\n{}", scene.title, described(&model));
     let particles = model.describe().particles;
+    let memory = model.memory;
+    let free =
+        memory.available.map_or(String::new(), |free| format!(", of {:.0} MB that are free", 1e-6 * free));
     let time = scene.units.symbol(Quantity::Time);
     text.push_str(&warned(model.warnings()));
     text.push_str(&cost(&model.estimate(), particles, &time));
+    text.push_str(&format!("  {:<24} about {:.0} MB{free}\n", "memory of a run", 1e-6 * memory.needed));
     print(&text)
 }
 

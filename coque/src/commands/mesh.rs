@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::teach::print;
+use super::say::{Refused, print};
 
 #[derive(Args)]
 pub struct Mesh {
@@ -43,7 +43,7 @@ Other formats: `meshio convert FILE surface.vtu --ascii`.
 Exit codes: 0 sound, 2 refused.";
 
 /// Reads, checks, prints; the error is ready to print.
-pub fn carry_out(mesh: &Mesh) -> Result<(), String> {
+pub fn carry_out(mesh: &Mesh) -> Result<(), Refused> {
     let text = coque::mesh::read(&mesh.file).and_then(|surface| coque::mesh::report(&surface));
     print(&text.map_err(|error| format!("{error}\n"))?)
 }

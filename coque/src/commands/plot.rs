@@ -1,10 +1,12 @@
 //! `coque plot`: the last frame of a run, or its curve, as a picture without a viewer.
 
-use std::fs;
+use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Curve, Picture, Sheet, listed, picture_svg, plot_svg};
+use coque::{Curve, Picture, Sheet, listed, picture_svg, plot_svg, read_text, write_whole};
+
+use super::say::{Refused, say};
 
 #[derive(Args)]
 pub struct Plot {
@@ -66,19 +68,19 @@ fn columns(text: &str) -> Result<(String, String), String> {
 }
 
 /// Reads, draws, writes; the error is ready to print.
-pub fn carry_out(plot: &Plot) -> Result<(), String> {
+pub fn carry_out(plot: &Plot) -> Result<(), Refused> {
     let out = match &plot.curve {
         None => shape(plot),
         Some((x, y)) => curve(plot, x, y),
     }?;
-    eprintln!("{}", out.display());
+    say(&out.display().to_string());
     Ok(())
 }
 
 fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
     let file = plot.folder.join("curve.csv");
     let wrong = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}\n", file.display());
-    let text = fs::read_to_string(&file).map_err(|e| wrong(&e))?;
+    let text = read_text(&file).map_err(|e| wrong(&e))?;
     let curve: Curve = text.parse().map_err(|e| wrong(&e))?;
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
     plot_svg(&curve, x, y, &name(&plot.folder), &out).map_err(|e| format!("{e}\n"))?;
@@ -104,7 +106,8 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     };
     let svg = picture_svg(&sheet, &wanted).map_err(|e| format!("{e}\n"))?;
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
-    fs::write(&out, svg).map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
+    let written = write_whole(&out, |to| to.write_all(svg.as_bytes()));
+    written.map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
     Ok(out)
 }
 

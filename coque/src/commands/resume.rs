@@ -1,12 +1,14 @@
 //! `coque resume`: goes on with a run from the checkpoint in its folder.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use coque::{Checkpoint, CheckpointError, Scene, render};
+use coque::{Checkpoint, CheckpointError, Scene, read_text};
 
-use crate::{build, launch, rendering};
+use super::results::ResultFolder;
+use super::say::Refused;
+use super::stop::Stop;
+use crate::{build, launch};
 
 #[derive(Args)]
 pub struct Resume {
@@ -31,8 +33,11 @@ are found at one stroke.
 Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another version or of a changed scene.";
 
 /// Reads the checkpoint, builds its scene again and goes on.
-pub fn carry_out(resume: &Resume) -> Result<u8, String> {
+pub fn carry_out(resume: &Resume) -> Result<u8, Refused> {
+    let stop = Stop::watch()?;
     let folder = &resume.folder;
+    // A folder that is not there is not made.
+    let taken = folder.is_dir().then(|| ResultFolder::take(folder)).transpose()?;
     let (checkpoint, text) = Checkpoint::read(folder).map_err(|error| match (&error, ended(folder)) {
         (CheckpointError::None(_), Some(how)) => format!(
             "the run in {} has ended already ({how}); to run it anew: coque run {}\n",
@@ -46,14 +51,16 @@ pub fn carry_out(resume: &Resume) -> Result<u8, String> {
         origin.threads = threads.into();
     }
     let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced);
-    let scene = scene.map_err(|error| render(&error, rendering()))?;
+    let scene = scene.map_err(|error| Refused::scene(&error))?;
     let model = build(&scene, origin.threads)?;
-    launch(model, folder, origin, Some(checkpoint))
+    let taken = taken.map_or_else(|| ResultFolder::take(folder), Ok)?;
+    stop.begin();
+    launch(model, &taken, origin, Some(checkpoint), &stop)
 }
 
 /// How the run in a folder ended, if it did.
 fn ended(folder: &Path) -> Option<String> {
-    let summary = fs::read_to_string(folder.join("summary.json")).ok()?;
+    let summary = read_text(&folder.join("summary.json")).ok()?;
     let summary: serde_json::Value = serde_json::from_str(&summary).ok()?;
     Some(summary["ended"].as_str()?.to_owned())
 }

@@ -1,17 +1,22 @@
 //! `coque sweep`: runs a scene for every combination of values, several at a time, one table out.
 
 use std::fs;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use coque::{Column, Ended, FieldSink, Model, News, Outcome, Progress, RunOptions, Scene, Warning};
+use coque::{
+    Column, Curve, Ended, FieldSink, GrowingCurve, Model, News, Outcome, Progress, RunOptions, Scene,
+    Warning, read_text, write_whole,
+};
 
-use super::bar::stop_on_interrupt;
+use super::results::{CURVE, ResultFolder, TABLE};
+use super::say::{Refused, say};
+use super::stop::Stop;
 use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, fields, replacement};
 
 #[derive(Args)]
@@ -62,37 +67,34 @@ struct Row {
 }
 
 /// Runs all combinations; the table is written whatever becomes of them.
-pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
+pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
+    let stop = Stop::watch()?;
     let file = sweep.scene.display().to_string();
-    let text = fs::read_to_string(&sweep.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let text = read_text(&sweep.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
     let runs = combinations(&sweep.over)?;
     let stem = sweep.scene.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
-    fs::create_dir_all(&out).map_err(|e| format!("cannot create {}: {e}\n", out.display()))?;
-    let interrupted = stop_on_interrupt()?;
+    let folder = ResultFolder::take(&out)?;
+    stop.begin();
+    folder.clear()?;
+    clear_runs(&out)?;
     let next = AtomicUsize::new(0);
     let rows: Mutex<Vec<Option<Row>>> = Mutex::new(runs.iter().map(|_| None).collect());
     let work = || {
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
-            if interrupted.load(Ordering::Relaxed) {
+            if stop.asked() {
                 return;
             }
             let Some(values) = runs.get(number) else { return };
             let replaced = [&sweep.replaced[..], &values[..]].concat();
-            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &interrupted);
+            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            let (all, named) = (runs.len(), named.join(" "));
             for warning in &row.warnings {
-                eprintln!("[{}/{}] warning: {}", number + 1, runs.len(), warning.message);
+                say(&format!("[{}/{all}] warning: {}", number + 1, warning.message));
             }
-            eprintln!(
-                "[{}/{}] {}: {} ({:.1} s)",
-                number + 1,
-                runs.len(),
-                named.join(" "),
-                row.ended,
-                row.seconds
-            );
+            say(&format!("[{}/{all}] {named}: {} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
         }
@@ -103,20 +105,20 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, String> {
         }
     });
     let rows = rows.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let table = out.join("sweep.csv");
-    write_table(&table, &sweep.over, &runs, &rows)
+    let table = out.join(TABLE);
+    write_whole(&table, |to| write_table(to, &sweep.over, &runs, &rows))
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
     let done = rows.iter().flatten().filter(|row| row.code == DONE).count();
-    eprintln!("{done} of {} runs done; the table is {}", runs.len(), table.display());
+    say(&format!("{done} of {} runs done; the table is {}", runs.len(), table.display()));
     Ok(match () {
-        () if interrupted.load(Ordering::Relaxed) => INTERRUPTED,
+        () if stop.asked() => INTERRUPTED,
         () if done < runs.len() => DIVERGED,
         () => DONE,
     })
 }
 
 /// One run; whatever happens becomes a row.
-fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interrupted: &AtomicBool) -> Row {
+fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: &Stop) -> Row {
     let begun = Instant::now();
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
     let refused = |ended: String| Row {
@@ -128,24 +130,16 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
         warnings: vec![],
     };
     let outcome = match model {
-        Ok(model) => run(model, out, interrupted),
+        Ok(model) => run(model, out, stop),
         Err(error) => return refused(format!("refused: {error}")),
     };
     let outcome = match outcome {
         Ok(outcome) => outcome,
         Err(error) => return refused(error),
     };
-    let written =
-        fs::create_dir_all(out).and_then(|()| fs::File::create(out.join("curve.csv"))).and_then(|to| {
-            let mut to = BufWriter::new(to);
-            outcome.curve.write_csv(&mut to)?;
-            to.flush()
-        });
-    if let Err(error) = written {
-        return refused(format!("cannot write to {}: {error}", out.display()));
-    }
     let code = match outcome.ended {
         Ended::Done => DONE,
+        Ended::Diverged(ref failure) if failure.is_input() => BAD_INPUT,
         Ended::Diverged(_) => DIVERGED,
         Ended::Interrupted { .. } => INTERRUPTED,
     };
@@ -155,24 +149,61 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, interr
     Row { ended, code, seconds, columns: outcome.curve.columns, last, warnings }
 }
 
-/// Runs a model; its frames go into its folder.
-fn run(model: Model, out: &Path, interrupted: &AtomicBool) -> Result<Outcome, String> {
+/// Takes out what an earlier sweep left in its numbered folders, of which it may have had more.
+fn clear_runs(out: &Path) -> Result<(), String> {
+    let entries = fs::read_dir(out).map_err(|e| format!("cannot read {}: {e}\n", out.display()))?;
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.len() < 3 || !name.bytes().all(|c| c.is_ascii_digit()) {
+            continue;
+        }
+        if entry.path().is_symlink() {
+            let shown = entry.path().display().to_string();
+            return Err(format!(
+                "{shown} is a link, and nothing is written outside the folder of the sweep; \
+                 remove it, or name another folder with --out\n"
+            ));
+        }
+        if entry.path().is_dir() {
+            ResultFolder::take(&entry.path())?.clear()?;
+            // What else is there keeps it.
+            let _ = fs::remove_dir(entry.path());
+        }
+    }
+    Ok(())
+}
+
+/// Runs a model; its curve and its frames go into its folder.
+fn run(model: Model, out: &Path, stop: &Stop) -> Result<Outcome, String> {
+    let folder = ResultFolder::take(out)?;
     let mut files = fields(&model.scene, out, None).map_err(|error| error.to_string())?;
     let options = RunOptions {
-        progress: &mut Watch(interrupted),
+        progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(CURVE)) },
         checkpoints: None,
         fields: files.as_mut().map(|files| files as &mut dyn FieldSink),
         from: None,
     };
-    model.run_with(options).map_err(|error| error.to_string())
+    let outcome = model.run_with(options).map_err(|error| error.to_string())?;
+    let file = folder.path().join(CURVE);
+    write_whole(&file, |to| outcome.curve.write_csv(to))
+        .map_err(|error| format!("cannot write {}: {error}", file.display()))?;
+    Ok(outcome)
 }
 
-/// Ends a run when Ctrl-C was pressed.
-struct Watch<'a>(&'a AtomicBool);
+/// Ends a run when that is asked for, and puts its curve on the disk row by row.
+struct Watch<'a> {
+    stop: &'a Stop,
+    curve: GrowingCurve,
+}
 
 impl Progress for Watch<'_> {
     fn update(&mut self, _: &News) -> ControlFlow<()> {
-        if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.stop.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn recorded(&mut self, curve: &Curve) {
+        // Rows that find no room now may do so at the end, whose fault is told.
+        let _ = self.curve.take(curve);
     }
 }
 
@@ -223,12 +254,11 @@ fn split(list: &str) -> Vec<&str> {
 
 /// The table: columns of curves are those of the first run that has any, found by name in the others.
 fn write_table(
-    path: &Path,
+    to: &mut impl Write,
     over: &[(String, String)],
     runs: &[Values],
     rows: &[Option<Row>],
 ) -> std::io::Result<()> {
-    let mut to = BufWriter::new(fs::File::create(path)?);
     let mut columns: Vec<&Column> = Vec::new();
     for column in rows.iter().flatten().flat_map(|row| &row.columns) {
         if !columns.contains(&column) {
@@ -261,7 +291,7 @@ fn write_table(
         }
         writeln!(to, "{}", cells.join(","))?;
     }
-    to.flush()
+    Ok(())
 }
 
 /// A cell of the table: in quotes where it holds a comma, a quote or a line break.

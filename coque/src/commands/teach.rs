@@ -1,11 +1,13 @@
 //! `coque new`, `list`, `schema`: what a scene may say, and one to start from.
 
-use std::fs::OpenOptions;
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
 use coque::{Scene, Shelf, catalogue, schema_text};
+
+use super::say::{Refused, print};
 
 #[derive(Args)]
 pub struct New {
@@ -60,12 +62,12 @@ const TEMPLATES: [(&str, &str); 16] = [
 ];
 
 /// Writes a scene to start from, or lists what there is.
-pub fn new(new: &New) -> Result<(), String> {
+pub fn new(new: &New) -> Result<(), Refused> {
     let Some(name) = &new.template else {
         return print(&templates());
     };
     let Some((_, text)) = TEMPLATES.iter().find(|(known, _)| known == name) else {
-        return Err(format!("there is no template `{name}`; these are:\n{}", templates()));
+        return Err(format!("there is no template `{name}`; these are:\n{}", templates()).into());
     };
     let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
     let shown = file.display().to_string();
@@ -76,8 +78,12 @@ pub fn new(new: &New) -> Result<(), String> {
     let text = text.replace(&format!("scenes/{name}.toml"), &shown);
     let mut to = OpenOptions::new().write(true).create_new(true).open(&file).map_err(refuse)?;
     // The schema lies beside the scenes of the repository, not here.
-    for line in text.lines().filter(|line| !line.starts_with("#:schema")) {
-        writeln!(to, "{line}").map_err(refuse)?;
+    let lines = text.lines().filter(|line| !line.starts_with("#:schema"));
+    let text: String = lines.map(|line| format!("{line}\n")).collect();
+    if let Err(error) = to.write_all(text.as_bytes()).and_then(|()| to.sync_all()) {
+        // Half a template is none.
+        let _ = fs::remove_file(&file);
+        return Err(refuse(error).into());
     }
     print(&format!("{shown}: look at it, then\n  coque check {shown}\n  coque run {shown}\n"))
 }
@@ -89,12 +95,12 @@ fn templates() -> String {
 }
 
 /// Prints what a scene may name.
-pub fn list(list: &List) -> Result<(), String> {
+pub fn list(list: &List) -> Result<(), Refused> {
     let mut shelves = catalogue();
     if let Some(kind) = &list.kind {
         let known: Vec<&str> = shelves.iter().map(|shelf| shelf.name).collect();
         if !known.contains(&kind.as_str()) {
-            return Err(format!("there is no kind `{kind}`; known here: {}\n", known.join(", ")));
+            return Err(format!("there is no kind `{kind}`; known here: {}\n", known.join(", ")).into());
         }
         shelves.retain(|shelf| shelf.name == kind);
     }
@@ -112,14 +118,6 @@ fn table(entries: impl Iterator<Item = (String, String)>) -> String {
 }
 
 /// Prints the schema.
-pub fn schema() -> Result<(), String> {
+pub fn schema() -> Result<(), Refused> {
     print(&schema_text())
-}
-
-/// Prints to the standard output, whose reader may have gone.
-pub fn print(text: &str) -> Result<(), String> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}\n")),
-        _ => Ok(()),
-    }
 }

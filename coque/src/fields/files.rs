@@ -9,9 +9,9 @@ use sph_shell::PointResult;
 use super::content::{Content, results};
 use super::read::listed;
 use super::vtu::Vtu;
-use super::whole::write_whole;
 use super::{FieldError, FieldSink, Frame};
 use crate::scene::Fields;
+use crate::whole::{under_way, write_whole};
 
 /// Writes frames into a folder: `shell.pvd` and `shell-0000.vtu` …, for the extruded shell `solid.pvd` likewise.
 ///
@@ -40,15 +40,22 @@ impl FieldFiles {
     pub fn create(folder: &Path, wanted: &Fields) -> Result<Self, FieldError> {
         let series = |name| Series { folder: folder.into(), name, frames: Vec::new() };
         fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-        for name in ["shell", "solid"] {
-            series(name).clear()?;
-        }
+        Self::clear(folder)?;
         Ok(Self {
             stresses: wanted.stresses,
             sheet: series("shell"),
             solid: wanted.extruded.then(|| series("solid")),
             results: Vec::new(),
         })
+    }
+
+    /// Takes out the frames that an earlier run left in a folder, and their lists; whatever else is there stays.
+    ///
+    /// # Errors
+    /// [`FieldError`] for a folder that cannot be cleared.
+    pub fn clear(folder: &Path) -> Result<(), FieldError> {
+        let series = |name| Series { folder: folder.into(), name, frames: Vec::new() };
+        ["shell", "solid"].into_iter().try_for_each(|name| series(name).clear())
     }
 
     /// Goes on after so many frames that an earlier sitting wrote; those after them are taken out, to be written again.
@@ -78,8 +85,9 @@ impl FieldSink for FieldFiles {
                 write_whole(path, |file| {
                     let mut file = Vtu::begin(file)?;
                     content.sheet(&mut file)?;
-                    file.end()
+                    file.end().map(|_| ())
                 })
+                .map_err(|error| refused(path, &error))
             })
         };
         let mut solid = || {
@@ -88,8 +96,9 @@ impl FieldSink for FieldFiles {
                 write_whole(path, |file| {
                     let mut file = Vtu::begin(file)?;
                     content.solid(&mut file)?;
-                    file.end()
+                    file.end().map(|_| ())
                 })
+                .map_err(|error| refused(path, &error))
             })
         };
         // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
@@ -114,16 +123,16 @@ impl Series {
     }
 
     fn write_list(&self) -> Result<(), FieldError> {
-        write_whole(&self.list(), |mut file| {
+        write_whole(&self.list(), |file| {
             writeln!(file, "<?xml version=\"1.0\"?>")?;
             writeln!(file, "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">")?;
             writeln!(file, "<Collection>")?;
             for (along, name) in &self.frames {
                 writeln!(file, "<DataSet timestep=\"{along:?}\" part=\"0\" file=\"{name}\"/>")?;
             }
-            writeln!(file, "</Collection>\n</VTKFile>")?;
-            Ok(file)
+            writeln!(file, "</Collection>\n</VTKFile>")
         })
+        .map_err(|error| refused(&self.list(), &error))
     }
 
     fn list(&self) -> PathBuf {
@@ -149,8 +158,10 @@ impl Series {
     /// Removes the list, then the frames: no list ever names what is gone.
     fn clear(&self) -> Result<(), FieldError> {
         let list = self.list();
-        if list.exists() {
-            fs::remove_file(&list).map_err(|error| refused(&list, &error))?;
+        for list in [under_way(&list), list] {
+            if list.symlink_metadata().is_ok() {
+                fs::remove_file(&list).map_err(|error| refused(&list, &error))?;
+            }
         }
         self.remove_frames()
     }

@@ -1,12 +1,14 @@
 //! Frames read back: the files that [`super::FieldFiles`] writes, and no others.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use roxmltree::{Document, Node};
+
+use crate::input::read_text;
+use crate::xml;
 
 use super::Frame;
 use super::content::{Content, results};
@@ -120,13 +122,13 @@ impl Sheet {
 
 /// Opens a file as XML and names it in whatever goes wrong.
 fn within<T>(path: &Path, read: impl FnOnce(&Document<'_>) -> Result<T, String>) -> Result<T, ReadError> {
-    let text = fs::read_to_string(path).map_err(|error| error.to_string());
+    let text = read_text(path).map_err(|error| error.to_string());
     text.and_then(|text| parsed(&text, read))
         .map_err(|reason| ReadError { path: path.display().to_string(), reason })
 }
 
 fn parsed<T>(text: &str, read: impl FnOnce(&Document<'_>) -> Result<T, String>) -> Result<T, String> {
-    Document::parse(text).map_err(|error| error.to_string()).and_then(|document| read(&document))
+    xml::parsed(text).map_err(|error| error.what).and_then(|document| read(&document))
 }
 
 fn arrays(section: Node<'_, '_>) -> Result<BTreeMap<String, Array>, String> {
@@ -183,6 +185,8 @@ fn polygons(cells: &BTreeMap<String, Array>, points: usize) -> Result<Vec<Vec<us
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use proptest::prelude::*;
 
     use super::*;

@@ -84,6 +84,34 @@ fn format(words: &mut Words<'_>) -> Result<bool, MeshError> {
     Ok(version == "4.1")
 }
 
+/// The heading of a section of blocks (4.1).
+struct Heading {
+    blocks: u64,
+    /// What all blocks hold together.
+    total: u64,
+    line: usize,
+}
+
+fn heading(words: &mut Words<'_>, section: &str) -> Result<Heading, MeshError> {
+    let blocks = words.count("the number of blocks")?;
+    let total = words.count(&format!("the number of all in {section}"))?;
+    let line = words.line;
+    for _ in 0..2 {
+        words.count(&format!("a number of the heading of {section}"))?;
+    }
+    Ok(Heading { blocks, total, line })
+}
+
+impl Heading {
+    fn promised(&self, found: u64, what: &str) -> Result<(), MeshError> {
+        if found == self.total {
+            return Ok(());
+        }
+        let what = format!("the heading tells of {} {what}, the blocks hold {found}", self.total);
+        Err(MeshError::at(self.line, what, "the file is damaged: write it again"))
+    }
+}
+
 impl Found {
     fn physical_names(&mut self, words: &mut Words<'_>) -> Result<(), MeshError> {
         for _ in 0..words.count("the number of physical names")? {
@@ -132,10 +160,9 @@ impl Found {
     }
 
     fn blocks_of_nodes(&mut self, words: &mut Words<'_>) -> Result<(), MeshError> {
-        let blocks = words.count("the number of blocks")?;
-        for _ in 0..3 {
-            words.count("a number of the heading of $Nodes")?;
-        }
+        let heading = heading(words, "$Nodes")?;
+        let before = self.raw.positions.len() as u64;
+        let blocks = heading.blocks;
         for _ in 0..blocks {
             let dimension = words.count("the dimension of an entity")?;
             whole(words, "the number of an entity")?;
@@ -152,7 +179,7 @@ impl Found {
                 self.raw.node(words.line, label, position)?;
             }
         }
-        Ok(())
+        heading.promised(self.raw.positions.len() as u64 - before, "nodes")
     }
 
     fn elements(&mut self, words: &mut Words<'_>) -> Result<(), MeshError> {
@@ -172,11 +199,9 @@ impl Found {
     }
 
     fn blocks_of_elements(&mut self, words: &mut Words<'_>) -> Result<(), MeshError> {
-        let blocks = words.count("the number of blocks")?;
-        for _ in 0..3 {
-            words.count("a number of the heading of $Elements")?;
-        }
-        for _ in 0..blocks {
+        let heading = heading(words, "$Elements")?;
+        let mut found = 0;
+        for _ in 0..heading.blocks {
             let dimension = words.count("the dimension of an entity")?;
             let entity = whole(words, "the number of an entity")?;
             let kind = words.count("the type of a block of elements")?;
@@ -184,9 +209,10 @@ impl Found {
             for _ in 0..words.count("the number of elements in a block")? {
                 let label = words.count("the number of an element")?;
                 self.element(words, label, kind, &groups)?;
+                found += 1;
             }
         }
-        Ok(())
+        heading.promised(found, "elements")
     }
 
     fn element(

@@ -38,8 +38,12 @@ pub use quality::{Quality, quality};
 pub use report::report;
 pub use surface::{Cells, Surface};
 
-use std::fs;
 use std::path::Path;
+
+use crate::input::read_bytes;
+
+/// Longest file that is read \[bytes\]: ten million nodes and their faces as text.
+const LONGEST: u64 = 1 << 32;
 
 /// A format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,9 +112,12 @@ impl Format {
 pub fn read(file: &Path) -> Result<Surface, MeshError> {
     let name = file.display().to_string();
     let format = Format::of(file)?;
-    let bytes = fs::read(file).map_err(|error| {
-        // The kind alone: the words of the system differ from one to the other.
-        let what = format!("cannot be read: {}", error.kind());
+    let bytes = read_bytes(file, LONGEST).map_err(|error| {
+        // Of the system the kind alone: its words differ from one to the other.
+        let what = match error.raw_os_error() {
+            Some(_) => format!("cannot be read: {}", error.kind()),
+            None => format!("cannot be read: {error}"),
+        };
         MeshError::whole(what, "check the path and the permissions").named(&name)
     })?;
     parse(&name, format, &bytes)

@@ -2,6 +2,8 @@
 
 use roxmltree::{Document, Node};
 
+use crate::xml;
+
 use super::MeshError;
 use super::raw::Raw;
 use super::words::shortened;
@@ -14,11 +16,11 @@ enum Numbers {
 
 /// Reads a text.
 pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
-    let document = Document::parse(text).map_err(|error| {
-        let repair = "the file is cut off or damaged: write it again";
-        MeshError::at(error.pos().row as usize, format!("not XML: {error}"), repair)
+    let document = xml::parsed(text).map_err(|error| {
+        MeshError::at(error.line, error.what, "the file is cut off or damaged: write it again")
     })?;
     let file = File::open(&document)?;
+    file.three_components()?;
     let points = file.array(file.piece("Points")?, None)?;
     let cells = file.piece("Cells")?;
     let connectivity = file.whole(cells, "connectivity")?;
@@ -33,6 +35,8 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
     for (label, x) in (0..).zip(points.chunks_exact(3)) {
         raw.node(0, label, [x[0], x[1], x[2]])?;
     }
+    file.promised("NumberOfPoints", points.len() / 3, "points")?;
+    file.promised("NumberOfCells", types.len(), "cells")?;
     if offsets.len() != types.len() {
         let what = format!("{} offsets but {} types of cells", offsets.len(), types.len());
         return Err(MeshError::whole(what, "the file is damaged: write it again"));
@@ -122,6 +126,29 @@ impl<'a, 'i> File<'a, 'i> {
         let found = self.piece.children().find(|node| node.has_tag_name(name));
         let what = || format!("the piece has no <{name}>");
         found.ok_or_else(|| MeshError::at(line(self.piece), what(), "write the file again"))
+    }
+
+    /// Refuses a count of the heading that is not that of the data.
+    fn promised(&self, name: &str, found: usize, what: &str) -> Result<(), MeshError> {
+        let Some(count) = self.piece.attribute(name) else { return Ok(()) };
+        if count.trim().parse() == Ok(found) {
+            return Ok(());
+        }
+        let what = format!("{name} is {}, but {found} {what} are there", shortened(count));
+        Err(MeshError::at(line(self.piece), what, "the file is cut off or damaged: write it again"))
+    }
+
+    /// Refuses points that are not in space.
+    fn three_components(&self) -> Result<(), MeshError> {
+        let points = self.piece("Points")?;
+        let array = points.children().find(|node| node.has_tag_name("DataArray"));
+        match array.and_then(|array| Some((array, array.attribute("NumberOfComponents")?))) {
+            Some((array, count)) if count.trim() != "3" => {
+                let what = format!("points have {} components; they must have 3", shortened(count));
+                Err(MeshError::at(line(array), what, "write the file again, in space"))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn whole(&self, parent: Node<'a, 'i>, name: &str) -> Result<Vec<i64>, MeshError> {

@@ -8,6 +8,7 @@ use super::Scene;
 use crate::error::SceneError;
 use crate::overrides;
 use crate::source::Source;
+use crate::tables;
 
 impl Scene {
     /// Reads and checks a scene; `origin` names the text in errors.
@@ -38,6 +39,7 @@ impl Scene {
             DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
         overrides::apply(table.get_mut(), &whole, text.len(), replaced, &source)?;
         source.index(table.get_ref())?;
+        tables::refuse_lists(table.get_ref(), &source)?;
         let mut scene =
             Self::deserialize(toml::de::Deserializer::from(table)).map_err(|e| source.refusal(&e))?;
         scene.source = source;

@@ -9,6 +9,10 @@ use crate::{JudgeError, Metric};
 const RING: &str = include_str!("../../../scenes/ring-pressure.toml");
 const CYLINDER: &str = include_str!("../../../scenes/cylinder-pressure.toml");
 const NAME: &str = "critical pressure";
+const OF_RINGS: &str =
+    "three times the error of 61 particles, .05 %; without the stiffness of the load it is 33 %";
+const OF_CYLINDERS: &str = "two to three times the .6 to 1.1 % measured; the formula leaves out what the diaphragms bend \
+                            before buckling, most in the shortest, without the load's stiffness n²/(n² − 1) more";
 
 /// As in the scene of the cylinder.
 const TUBE: Tube = Tube { young: 210_000.0, poisson: 0.3, radius: 100.0, thickness: 1.0 };
@@ -43,7 +47,7 @@ fn variants() -> Vec<Variant> {
     ];
     for (waves, times, along) in CYLINDERS {
         let angle = 180.0 / f64::from(waves);
-        let (sin, cos) = libm::sincos(angle.to_radians());
+        let (sin, cos) = angle.to_radians().sin_cos();
         let variant = Variant::new(STATIC, CYLINDER, "cylinder", [17, along])
             .on(&named(waves))
             .set("geometry.cylinder.angles", format!("[0.0, {angle}]"))
@@ -70,11 +74,11 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Some(&(waves, times, _)) => {
             let length = times * TUBE.radius;
             debug_assert_eq!(least(&TUBE, length).1, waves);
-            (cylinder(&TUBE, length, waves), 2.0, "")
+            (cylinder(&TUBE, length, waves), 2.0, OF_CYLINDERS)
         }
         // EI/R³ is one in the units of the scene.
-        None if grid.contains("dead") => (4.0, 0.5, ""),
-        None => (ring(1.0, 1.0, 2), 0.5, ""),
+        None if grid.contains("dead") => (4.0, 0.15, OF_RINGS),
+        None => (ring(1.0, 1.0, 2), 0.15, OF_RINGS),
     };
     let percent = found.map(|found| 100.0 * (found / expected - 1.0));
     Ok(vec![Metric::error(NAME, percent, "%").within(tolerance, reason)])
