@@ -6,6 +6,8 @@ use nalgebra::Rotation3;
 use sph_core::{Cloud, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
 
+use crate::Warning;
+use crate::doubts::doubts_of;
 use crate::error::SceneError;
 use crate::imported::{Imported, Provenance};
 use crate::memory::Memory;
@@ -26,6 +28,7 @@ pub struct Model {
     /// The prescribed motion whose force is sought, in analyses without time.
     pub(crate) driven: Option<Driven>,
     pub(crate) threads: usize,
+    pub(crate) warnings: Vec<Warning>,
     /// What a run will need, and what there is.
     pub memory: Memory,
 }
@@ -43,6 +46,13 @@ pub(crate) struct Driven {
 impl fmt::Debug for Model {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Model").field("describe", &self.describe()).finish_non_exhaustive()
+    }
+}
+
+impl Model {
+    /// What is known beforehand to make its numbers wrong, and why.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
     }
 }
 
@@ -99,7 +109,9 @@ impl Scene {
         }
         builder.refuse_more_modes_than(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads: threads.max(1), memory })
+        let warnings = doubts_of(self, builder.turn, &shell);
+        let threads = threads.max(1);
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads, warnings, memory })
     }
 
     fn turn(&self) -> Rotation3<f64> {

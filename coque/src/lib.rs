@@ -32,6 +32,7 @@
 //! | files of surfaces | [`mesh`]; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
+//! | what is known to make a number wrong | `doubts.rs`, `doubts/*.rs`; the words: `warning.rs` |
 //! | results on disk | `whole.rs`, `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
@@ -112,6 +113,7 @@
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
+//! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
@@ -120,6 +122,7 @@ mod build;
 mod catalogue;
 mod checkpoint;
 mod curve;
+mod doubts;
 mod error;
 mod estimate;
 mod fields;
@@ -159,6 +162,7 @@ pub use build::Model;
 pub use catalogue::{Shelf, catalogue};
 pub use checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY};
 pub use curve::{Column, Curve, NotACurve};
+pub use doubts::doubts;
 pub use error::{Fault, Place, SceneError};
 pub use estimate::Estimate;
 pub use fields::{

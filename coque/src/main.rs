@@ -28,7 +28,7 @@ use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
     Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
-    Outcome, RunOptions, Scene, read_text,
+    Outcome, RunOptions, Scene, Warning, read_text,
 };
 
 const DONE: u8 = 0;
@@ -206,6 +206,8 @@ fn launch(
     let scene = model.scene.clone();
     let described = model.describe();
     say(&format!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms));
+    let early = model.warnings().to_vec();
+    early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
     let mut checkpoints = scene.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
     let mut files = fields(&scene, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
@@ -227,7 +229,7 @@ fn launch(
     if !resumable && let Some(checkpoints) = checkpoints {
         checkpoints.finish().map_err(|e| format!("{e}\n"))?;
     }
-    let code = report(&outcome, out, resumable);
+    let code = report(&outcome, &early, out, resumable);
     written?;
     Ok(code)
 }
@@ -247,10 +249,10 @@ fn default_out(scene: &Path) -> PathBuf {
     Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
 }
 
-/// Tells what came out and gives the exit code.
-fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
+/// Tells what came out and gives the exit code; warnings told early are not repeated.
+fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
-    for warning in &summary.warnings {
+    for warning in summary.warnings.iter().filter(|warning| !early.contains(warning)) {
         say(&format!("warning: {}", warning.message));
     }
     if let Some(counted) = summary.counted {

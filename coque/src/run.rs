@@ -13,6 +13,7 @@ use sph_shell::{Shell, StaticShell};
 use crate::build::Model;
 use crate::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Place};
 use crate::curve::Curve;
+use crate::doubts::doubts_of_shapes;
 use crate::fields::{FieldError, FieldSink, Frames};
 use crate::linear::linear;
 use crate::march::march;
@@ -273,7 +274,11 @@ impl Model {
 
     fn analyse(self, options: &mut RunOptions<'_>, mut found: Findings<'_>, from: Option<Place>) -> Outcome {
         let described = self.describe();
-        let Self { mut shell, scene, gauges, driven, threads, .. } = self;
+        let Self { mut shell, scene, gauges, driven, threads, mut warnings, .. } = self;
+        let (loss, area) = (shell.chord_loss(), shell.reference().cloud.areas.iter().sum());
+        // A checkpoint brings those with which its run began.
+        warnings.retain(|warning| !found.warnings.contains(warning));
+        found.warnings.splice(0..0, warnings);
         let (cells, spacing) = (shell.reference().cloud.cells.clone(), shell.reference().cloud.spacing());
         let started = Instant::now();
         match &scene.analysis {
@@ -302,6 +307,12 @@ impl Model {
             if let Some(failure) = shown.failure {
                 found.ended = Ended::Diverged(failure);
             }
+        }
+        // Modes and linear answers are drawn larger than they are.
+        if matches!(scene.analysis, Analysis::Explicit(_) | Analysis::Static(_) | Analysis::ArcLength(_)) {
+            let mut told = doubts_of_shapes(&cells, loss, area, &found.shapes);
+            told.retain(|warning| found.warnings.iter().all(|known| known.doubt != warning.doubt));
+            found.warnings.extend(told);
         }
         let wall_seconds = found.seconds + started.elapsed().as_secs_f64();
         let marched = if matches!(scene.analysis, Analysis::Explicit(_)) { found.steps } else { 0 };

@@ -40,45 +40,64 @@ pub(crate) struct ArcPack {
     rows: [[Pack; 3]; 3],
 }
 
+/// What chords of uneven curved cells do to the membrane, in the mean over the area.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ChordLoss {
+    /// `12⟨((1−σ)|L|/t)²⟩` \[–\]: membrane energy over bending energy of a bending without stretch, from what is not given
+    /// back, if no particle moves to make up for it. Above one the shell locks.
+    pub locking: f64,
+    /// `12⟨(σ|L|/t)²⟩` \[–\]: what is given back, as a part of the membrane stiffness; a shell softens by about a
+    /// twentieth of it.
+    pub softening: f64,
+}
+
 impl ArcPack {
     /// One pack for each four points of `packs`, which hold K; none where nothing is lost.
     ///
     /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\]; without it nothing is given back.
-    /// `thickness` is t \[L\].
+    /// `thickness` is t \[L\]. With it goes what was lost and given back.
     pub fn all(
         operator: &SamplingOperator,
         packs: &Packs,
         second: &[[f64; 6]],
         third: &[[[f64; 4]; 2]],
         thickness: f64,
-    ) -> Vec<Self> {
+    ) -> (Vec<Self>, ChordLoss) {
         if third.is_empty() {
-            return Vec::new();
+            return (Vec::new(), ChordLoss::default());
         }
-        let row = |point: u32, k: [f64; 3]| {
+        let (mut loss, mut area) = (ChordLoss::default(), 0.0);
+        let mut row = |point: u32, weight: f64, k: [f64; 3]| {
             let (e, t) = (&second[point as usize], &third[point as usize]);
             let bent = (k[0] * k[0] + k[1] * k[1] + 0.5 * k[2] * k[2]).sqrt();
             let share = ((SOFTENING / 12.0).sqrt() * thickness / (size(e, t) * bent)).min(1.0);
-            derivative(e, t, k).map(|row| row.map(|l| share * l))
+            let whole = derivative(e, t, k);
+            let squared = 12.0 * whole.iter().flatten().map(|l| l * l).sum::<f64>() / (thickness * thickness);
+            loss.locking += weight * (1.0 - share).powi(2) * squared;
+            loss.softening += weight * share.powi(2) * squared;
+            area += weight;
+            whole.map(|row| row.map(|l| share * l))
         };
         let rows: Vec<[[[f64; 3]; 3]; LANES]> = packs
             .order
             .iter()
             .zip(&packs.points)
             .map(|(points, pack)| {
-                let k = pack.reference.curvature.map(Pack::lanes);
-                std::array::from_fn(|lane| row(points[lane], [k[0][lane], k[1][lane], k[2][lane]]))
+                let (k, weight) = (pack.reference.curvature.map(Pack::lanes), pack.weight.lanes());
+                let at = |lane: usize| [k[0][lane], k[1][lane], k[2][lane]];
+                std::array::from_fn(|lane| row(points[lane], weight[lane], at(lane)))
             })
             .collect();
+        let loss = ChordLoss { locking: loss.locking / area, softening: loss.softening / area };
         // Round-off of a spacing is no loss.
         let spacing = operator.points.iter().fold(0.0_f64, |most, p| most.max(p.weight)).sqrt();
         if rows.iter().flatten().flatten().flatten().all(|l| l.abs() < 1e-12 * spacing) {
-            return Vec::new();
+            return (Vec::new(), ChordLoss::default());
         }
         let pack = |rows: &[[[f64; 3]; 3]; LANES]| Self {
             rows: std::array::from_fn(|m| std::array::from_fn(|i| Pack::from_fn(|lane| rows[lane][m][i]))),
         };
-        rows.iter().map(pack).collect()
+        (rows.iter().map(pack).collect(), loss)
     }
 
     /// Gives the membrane measures back what chords lose.

@@ -6,7 +6,7 @@ use sph_core::{Cloud, Vec3};
 use crate::cell_control::CellPack;
 use crate::fused::Fused;
 use crate::loads::{AppliedLoad, Body};
-use crate::membrane_arcs::ArcPack;
+use crate::membrane_arcs::{ArcPack, ChordLoss};
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
 use crate::point::{PointLaw, Row, place};
@@ -60,6 +60,7 @@ pub struct Shell {
     pub(crate) shear: Vec<ShearPack>,
     /// What chords of uneven curved cells lose; empty where that is nothing.
     pub(crate) arcs: Vec<ArcPack>,
+    pub(crate) chord_loss: ChordLoss,
     pub(crate) pairs: Option<PairControl>,
     pub(crate) strong_form: Option<StrongForm>,
     /// Number of each particle's entry in `constraints`, one up; nought for a free particle.
@@ -172,6 +173,7 @@ impl Shell {
             cells,
             shear,
             arcs: Vec::new(),
+            chord_loss: ChordLoss::default(),
             pairs,
             strong_form,
             constraint_of,
@@ -186,7 +188,8 @@ impl Shell {
             formulation: parts.formulation,
         };
         shell.take_reference();
-        shell.arcs = ArcPack::all(&shell.reference.operator, &shell.packs, &second, &third, scales.thickness);
+        (shell.arcs, shell.chord_loss) =
+            ArcPack::all(&shell.reference.operator, &shell.packs, &second, &third, scales.thickness);
         Ok(shell)
     }
 
@@ -220,6 +223,11 @@ impl Shell {
     /// Thickness \[L\].
     pub fn thickness(&self) -> f64 {
         self.section.scales().thickness
+    }
+
+    /// What chords of uneven curved cells do to the membrane; nothing on lattices of developable surfaces.
+    pub fn chord_loss(&self) -> ChordLoss {
+        self.chord_loss
     }
 
     /// Number of particles.

@@ -189,7 +189,7 @@ mod tests {
             pack.reference = p.measures();
             pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
         }
-        let arcs = ArcPack::all(&operator, &packs, &second, &third, 0.1);
+        let (arcs, _) = ArcPack::all(&operator, &packs, &second, &third, 0.1);
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {
                 *value += 0.01 * ((7 * i + 3 * k) as f64).sin();

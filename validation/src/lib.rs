@@ -84,7 +84,8 @@
 //! A quick variant ([`Variant::quick`]) is judged by `cargo xtask test`, the full set by `cargo xtask ci`. The hard
 //! cases are ways to break a shell, known from practice: disorder, extreme thickness, spin, sudden loads, steps at the
 //! limit, bad clouds. What is known to fail is asserted as it fails, with its cause, under the metric
-//! [`survival::KNOWN`]: a repair shows as a changed verdict.
+//! [`survival::KNOWN`]: a repair shows as a changed verdict. A particle run that is off by more than two percent of a truth and carries
+//! no warning of coque fails, under the metric [`survival::SILENT`].
 //!
 //! # What holds, and the test that says so
 //!
@@ -94,6 +95,7 @@
 //! | every metric is judged or shown, with a reason | by type: a `Found` becomes a metric only so (src/record.rs); length of reasons: `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` |
 //! | a measured error may grow three times and no more | `a_measured_error_may_grow_three_times_and_no_more` (src/record.rs) |
 //! | a missed tolerance gives exit code one; what was not reached fails | `a_missed_tolerance_gives_exit_code_one`, `a_level_that_was_never_reached_fails` (src/run.rs), `what_was_not_reached_fails_but_only_if_it_is_judged` (src/record.rs) |
+//! | an answer that is far off and says nothing fails | `an_answer_far_off_must_carry_a_warning` (src/survival.rs) |
 //! | cases and their runs can be told apart | `cases_and_their_runs_can_be_told_apart` (src/cases/mod.rs) |
 //! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/measure.rs) |
 

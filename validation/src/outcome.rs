@@ -1,7 +1,7 @@
 //! What a run left behind, whoever solved it: particles in time, particles without time, finite elements.
 
 use benchmarks_ref::fe_shell::cases::Solved;
-use coque::{Column, CriticalSummary, Curve, Ended, Shape};
+use coque::{Column, CriticalSummary, Curve, Ended, Shape, Warning};
 
 /// Who found the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,6 +54,8 @@ pub struct Outcome {
     pub critical: Vec<CriticalSummary>,
     /// Why it did not reach its end.
     pub failure: Option<String>,
+    /// What coque told of its numbers; none of finite elements.
+    pub warnings: Vec<Warning>,
     /// Deformed shapes; none of finite elements.
     pub shapes: Vec<Shape>,
     /// Cells between the particles, as their numbers, for pictures.
@@ -80,6 +82,7 @@ impl From<coque::Outcome> for Outcome {
                 Ended::Done => None,
                 ended => Some(ended.to_string()),
             },
+            warnings: summary.warnings,
             shapes: run.shapes,
             faces: run
                 .cells
@@ -111,6 +114,7 @@ impl From<Solved> for Outcome {
             restless: 0,
             critical: Vec::new(),
             failure: None,
+            warnings: Vec::new(),
             shapes: Vec::new(),
             faces: Vec::new(),
         }
@@ -118,6 +122,13 @@ impl From<Solved> for Outcome {
 }
 
 impl Outcome {
+    /// The words of the warnings, each once, in their order.
+    pub fn doubts(&self) -> Vec<&'static str> {
+        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.doubt.word()).collect();
+        words.dedup();
+        words
+    }
+
     /// Wall time per point of the curve \[s\]; the state at rest, with which paths begin, is not counted.
     pub fn seconds_per_point(&self) -> f64 {
         let at_rest = self.curve.rows.len() > 1 && self.curve.rows[0].iter().all(|&value| value == 0.0);

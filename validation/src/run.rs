@@ -10,6 +10,7 @@ use crate::case::{Case, Problem, Run, Runs, Study, Variant};
 use crate::outcome::{Outcome, Solver};
 use crate::pictured::{Kept, Pictured, chosen, planes};
 use crate::record::{Metric, Record};
+use crate::survival::told;
 use crate::{JudgeError, cases};
 
 /// Name of the metric that counts levels at which the motion had not died.
@@ -184,7 +185,10 @@ fn run_all(
                         let number = ended.fetch_add(1, Ordering::Relaxed) + 1;
                         let how = match &outcome {
                             Ok((Outcome { failure: Some(failure), .. }, _)) => failure.clone(),
-                            Ok((outcome, _)) => format!("{:.1} s", outcome.wall_seconds),
+                            Ok((outcome, _)) => {
+                                let doubts = outcome.doubts().into_iter().map(|word| format!(", {word}"));
+                                format!("{:.1} s{}", outcome.wall_seconds, doubts.collect::<String>())
+                            }
                             Err(cause) => cause.clone(),
                         };
                         let (case, method) = &labels[at];
@@ -240,6 +244,10 @@ fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
     }
     for (number, metric) in (case.together)(runs)? {
         records[number].metrics.push(metric);
+    }
+    for (run, record) in runs.0.iter().zip(&mut records) {
+        let told = told(run, &record.metrics);
+        record.metrics.extend(told);
     }
     Ok(records)
 }

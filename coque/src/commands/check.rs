@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Estimate, Model, Quantity};
+use coque::{Estimate, Model, Quantity, Warning};
 
 use super::bar::clock;
 use super::say::{Refused, print};
@@ -23,7 +23,7 @@ pub struct Check {
 
 pub const HELP: &str = "\
 Reads and builds a scene as `coque run` would, times a few steps, and prints what is modelled, what is left out, and
-what a run will cost. How long levels hold is not known beforehand: the shortest and the longest are told.
+what a run will cost; numbers that are known to come out wrong are warned of, with the reason. How long levels hold is not known beforehand: the shortest and the longest are told.
 
 Examples:
   coque check scenes/ring.toml
@@ -41,6 +41,7 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
     let free =
         memory.available.map_or(String::new(), |free| format!(", of {:.0} MB that are free", 1e-6 * free));
     let time = scene.units.symbol(Quantity::Time);
+    text.push_str(&warned(model.warnings()));
     text.push_str(&cost(&model.estimate(), particles, &time));
     text.push_str(&format!("  {:<24} about {:.0} MB{free}\n", "memory of a run", 1e-6 * memory.needed));
     print(&text)
@@ -57,6 +58,15 @@ fn described(model: &Model) -> String {
         lines.iter().for_each(|line| text.push_str(&format!("  {line}\n")));
     }
     text
+}
+
+/// What is doubtful, under a heading of its own; nothing if nothing is.
+fn warned(warnings: &[Warning]) -> String {
+    if warnings.is_empty() {
+        return String::new();
+    }
+    let line = |warning: &Warning| format!("  {}: {}\n", warning.doubt.word(), warning.message);
+    format!("\nwarnings\n{}", warnings.iter().map(line).collect::<String>())
 }
 
 fn cost(estimate: &Estimate, particles: usize, time: &str) -> String {

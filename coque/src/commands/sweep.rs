@@ -11,7 +11,7 @@ use std::time::Instant;
 use clap::Args;
 use coque::{
     Column, Curve, Ended, FieldSink, GrowingCurve, Model, News, Outcome, Progress, RunOptions, Scene,
-    read_text, write_whole,
+    Warning, read_text, write_whole,
 };
 
 use super::results::{CURVE, ResultFolder, TABLE};
@@ -59,13 +59,22 @@ const MOST_RUNS: usize = 100_000;
 /// What became of one run.
 struct Row {
     ended: String,
-    /// Words of its warnings, each once.
-    doubts: String,
     /// Exit code of such a run.
     code: u8,
     seconds: f64,
     columns: Vec<Column>,
     last: Vec<f64>,
+    warnings: Vec<Warning>,
+}
+
+impl Row {
+    /// Words of its warnings, each once.
+    fn doubts(&self) -> String {
+        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.doubt.word()).collect();
+        words.sort_unstable();
+        words.dedup();
+        words.join(" ")
+    }
 }
 
 /// Runs all combinations; the table is written whatever becomes of them.
@@ -92,8 +101,11 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
             let replaced = [&sweep.replaced[..], &values[..]].concat();
             let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
-            let doubts = if row.doubts.is_empty() { String::new() } else { format!(", {}", row.doubts) };
             let (all, named) = (runs.len(), named.join(" "));
+            for warning in &row.warnings {
+                say(&format!("[{}/{all}] warning: {}", number + 1, warning.message));
+            }
+            let doubts = if row.warnings.is_empty() { String::new() } else { format!(", {}", row.doubts()) };
             say(&format!("[{}/{all}] {named}: {}{doubts} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
@@ -129,11 +141,11 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
     let model = Scene::with_overrides(text, file, replaced).and_then(|scene| scene.build(1));
     let refused = |ended: String| Row {
         ended,
-        doubts: String::new(),
         code: BAD_INPUT,
         seconds: 0.0,
-        columns: Vec::new(),
-        last: Vec::new(),
+        columns: vec![],
+        last: vec![],
+        warnings: vec![],
     };
     let outcome = match model {
         Ok(model) => run(model, out, stop),
@@ -152,11 +164,8 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
     };
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
-    let mut doubts: Vec<&str> = outcome.summary.warnings.iter().map(|warning| warning.doubt.word()).collect();
-    doubts.sort_unstable();
-    doubts.dedup();
-    let ended = outcome.ended.to_string();
-    Row { ended, doubts: doubts.join(" "), code, seconds, columns: outcome.curve.columns, last }
+    let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.warnings);
+    Row { ended, code, seconds, columns: outcome.curve.columns, last, warnings }
 }
 
 /// Takes out what an earlier sweep left in its numbered folders, of which it may have had more.
@@ -289,7 +298,7 @@ fn write_table(
         match row {
             None => cells.extend(["not run".into(), String::new(), String::new()]),
             Some(row) => {
-                cells.extend([quoted(&row.ended), row.doubts.clone(), format!("{:.3}", row.seconds)])
+                cells.extend([quoted(&row.ended), row.doubts(), format!("{:.3}", row.seconds)]);
             }
         }
         for column in &columns {

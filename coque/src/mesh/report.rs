@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::error::{number, place};
 use super::raw::counted;
 use super::{MeshError, Quality, Surface, quality};
+use crate::doubts::doubts_of_cloud;
 
 /// Sets that are listed one by one.
 const LISTED: usize = 24;
@@ -87,7 +88,7 @@ pub fn report(surface: &Surface) -> Result<String, MeshError> {
     for note in &surface.notes {
         line("note", note.clone());
     }
-    for warning in warnings(surface, &figures) {
+    for warning in warnings(surface, &figures).into_iter().chain(doubts_of_cloud(&cloud)) {
         line("warning", warning);
     }
     Ok(out)

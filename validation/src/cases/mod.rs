@@ -30,6 +30,7 @@ mod turned;
 mod twisted_beam;
 
 use crate::Case;
+pub use hard::ERROR;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {

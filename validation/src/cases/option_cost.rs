@@ -81,6 +81,7 @@ fn outcome(cost: &Cost) -> Outcome {
         restless: 0,
         critical: Vec::new(),
         failure: None,
+        warnings: Vec::new(),
         shapes: Vec::new(),
         faces: Vec::new(),
     }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use coque::{Column, Curve, Model, Rendering, Scene, render};
+use coque::{Column, Curve, Model, Rendering, Scene, doubts, render};
 use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Observer, Record, largest_eigenvalue};
 use nalgebra::DMatrix;
 use sph_core::Vec3;
@@ -63,6 +63,7 @@ pub fn outcome(
         restless: 0,
         critical: Vec::new(),
         failure,
+        warnings: doubts(shell),
         shapes: Vec::new(),
         faces: Vec::new(),
     }

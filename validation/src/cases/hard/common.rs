@@ -157,6 +157,7 @@ pub fn finding(particles: usize, spacing: f64, figures: &[(&str, f64)]) -> Outco
         restless: 0,
         critical: Vec::new(),
         failure: None,
+        warnings: Vec::new(),
         shapes: Vec::new(),
         faces: Vec::new(),
     }

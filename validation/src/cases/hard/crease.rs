@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
+use coque::{Warning, doubts};
 use implicit_statics::{natural_modes, unwatched};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Load, StaticShell, Supported, SymmetryPlane};
 
 use super::common::{ERROR, Miss, asked, finding, last, off, or_failed};
 use super::meshes::{Mesh, nearest, particles};
-use super::sheets::{Matter, force, linear, shell_of, supported};
+use super::sheets::{Answer, Matter, force, linear, shell_of, supported};
 use crate::case::{Case, Headline, Run, Variant};
 use crate::cases::dial::{NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::outcome::Outcome;
@@ -109,14 +110,14 @@ impl Fold {
         poisson: f64,
         supports: Vec<Supported>,
         loads: Vec<Box<dyn Load>>,
-    ) -> Result<Vec<Vec3>, String> {
+    ) -> Result<Answer, String> {
         let matter = Matter { young: YOUNG, poisson, thickness: THICKNESS, density: 1.0 };
         linear(shell_of(matter, cloud.clone(), self.method, supports, loads)?)
     }
 
     /// A displacement over the exact one, of so many particles.
-    fn found(&self, cloud: &Cloud, ratio: f64) -> Outcome {
-        finding(cloud.len(), 1.0 / self.cells as f64, &[("ratio", ratio)])
+    fn found(&self, cloud: &Cloud, ratio: f64, warnings: Vec<Warning>) -> Outcome {
+        Outcome { warnings, ..finding(cloud.len(), 1.0 / self.cells as f64, &[("ratio", ratio)]) }
     }
 }
 
@@ -140,14 +141,14 @@ fn across(fold: &Fold) -> Result<Outcome, String> {
     let shares: Vec<(u32, f64)> = tip.into_iter().map(|a| (a, if corner(a) { 0.5 } else { 1.0 })).collect();
     let whole: f64 = shares.iter().map(|share| share.1).sum();
     let loads = vec![force(shares.clone(), right.1)];
-    let motion = fold.respond(&cloud, 0.0, vec![supported(clamp, Clamped)], loads)?;
+    let Answer { motion, warnings } = fold.respond(&cloud, 0.0, vec![supported(clamp, Clamped)], loads)?;
     let mean = shares.iter().map(|&(a, share)| share * motion[a as usize].dot(&right.1)).sum::<f64>() / whole;
     let (sin, cos) = (PI - fold.angle.to_radians()).sin_cos();
     let (area, inertia) = (width * THICKNESS, width * THICKNESS.powi(3) / 12.0);
     let exact = (4.0 / 3.0 + cos + cos * cos / 3.0) / (YOUNG * inertia)
         + sin * sin / (YOUNG * area)
         + (1.0 + cos * cos) / (5.0 / 6.0 * 0.5 * YOUNG * area);
-    Ok(fold.found(&cloud, mean / exact))
+    Ok(fold.found(&cloud, mean / exact, warnings))
 }
 
 /// An angle section under an end moment in its plane of symmetry; ν = 0: `w = ML²/2EI` at the fold.
@@ -179,9 +180,9 @@ fn along(fold: &Fold) -> Result<Outcome, String> {
         supported(vec![foot], held(vec![Vec3::y(), Vec3::z()])),
         supported(vec![nearest(&cloud, right.0)], held(vec![right.1])),
     ];
-    let motion = fold.respond(&cloud, 0.0, supports, loads.collect())?;
+    let Answer { motion, warnings } = fold.respond(&cloud, 0.0, supports, loads.collect())?;
     let tip = motion[nearest(&cloud, Vec3::x() * length) as usize].z;
-    Ok(fold.found(&cloud, -tip * 2.0 * YOUNG * inertia / (length * length)))
+    Ok(fold.found(&cloud, -tip * 2.0 * YOUNG * inertia / (length * length), warnings))
 }
 
 /// An angle section twisted by forces at the corners of one end: `w = Fxy/2D(1−ν)` in each plate.
@@ -200,10 +201,10 @@ fn twist(fold: &Fold) -> Result<Outcome, String> {
         supports.push(supported(vec![nearest(&cloud, direction)], held(vec![sense])));
         loads.push(force(vec![(nearest(&cloud, direction + Vec3::x() * length), 1.0)], sense));
     }
-    let motion = fold.respond(&cloud, poisson, supports, loads)?;
+    let Answer { motion, warnings } = fold.respond(&cloud, poisson, supports, loads)?;
     let tip = motion[nearest(&cloud, right.0 + Vec3::x() * length) as usize].dot(&-right.1);
     let bending = YOUNG * THICKNESS.powi(3) / (12.0 * (1.0 - poisson * poisson));
-    Ok(fold.found(&cloud, tip * 2.0 * bending * (1.0 - poisson) / length))
+    Ok(fold.found(&cloud, tip * 2.0 * bending * (1.0 - poisson) / length, warnings))
 }
 
 /// The free creased plate of length one: zero modes beyond six, and the first frequency \[√(D/ρt)\].
@@ -211,13 +212,15 @@ fn free(fold: &Fold) -> Result<Outcome, String> {
     let cloud = fold.cloud(1.0)?;
     let matter = Matter { young: YOUNG, poisson: 0.3, thickness: THICKNESS, density: 1.0 };
     let shell = shell_of(matter, cloud.clone(), fold.method, Vec::new(), Vec::new())?;
+    let warnings = doubts(&shell);
     let unit = YOUNG * THICKNESS.powi(2) / (12.0 * 0.91);
     let modes = natural_modes(&mut StaticShell::new(shell), 0.0, MODES, -0.1 * unit, &mut unwatched);
     let modes = modes.map_err(|error| error.to_string())?.modes;
     // The flat plate of 2 × 1 begins at 29 of these units; zero modes are below 1e-8.
     let zero = modes.iter().filter(|mode| mode.eigenvalue < 0.1 * unit).count();
     let first = modes.get(zero).map_or(f64::NAN, |mode| (mode.eigenvalue / unit).sqrt());
-    Ok(finding(cloud.len(), 1.0 / fold.cells as f64, &[("beyond six", zero as f64 - 6.0), ("first", first)]))
+    let figures = [("beyond six", zero as f64 - 6.0), ("first", first)];
+    Ok(Outcome { warnings, ..finding(cloud.len(), 1.0 / fold.cells as f64, &figures) })
 }
 
 /// What is asked \[%\], and why.

@@ -29,6 +29,7 @@ mod unstructured;
 mod zero_energy;
 
 use crate::Case;
+pub use common::ERROR;
 
 /// Every hard case, in the order of the survival table.
 #[rustfmt::skip] // one line a case

@@ -1,5 +1,6 @@
 //! Bare sheets for studies: square plates as lists of cells, and shells on them, for what no scene can say.
 
+use coque::{Warning, doubts};
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
@@ -117,12 +118,22 @@ pub fn shell_of(
 /// Part of the load at which the linear answer is read: directors turn along arcs.
 const SMALL: f64 = 1e-6;
 
-/// Displacements of all particles under the loads, linear from rest \[L\]; the error in words.
-pub fn linear(shell: Shell) -> Result<Vec<Vec3>, String> {
+/// What a linear study finds.
+pub struct Answer {
+    /// Displacements of all particles \[L\].
+    pub motion: Vec<Vec3>,
+    /// What coque tells of the shell.
+    pub warnings: Vec<Warning>,
+}
+
+/// Displacements of all particles under the loads, linear from rest; the error in words.
+pub fn linear(shell: Shell) -> Result<Answer, String> {
+    let warnings = doubts(&shell);
     let mut system = StaticShell::new(shell);
     let motion = linear_response(&mut system, 0.0).map_err(|error| error.to_string())?;
     system.update(&motion.iter().map(|q| q * SMALL).collect::<Vec<f64>>());
-    Ok((0..system.shell().len()).map(|a| system.shell().displacement(a) / SMALL).collect())
+    let motion = (0..system.shell().len()).map(|a| system.shell().displacement(a) / SMALL).collect();
+    Ok(Answer { motion, warnings })
 }
 
 /// A support on particles.

@@ -2,13 +2,14 @@
 
 use std::ops::ControlFlow;
 
+use coque::doubts;
 use explicit_dynamics::{Damping, LevelReached, Observer, QuasiStatic, Record};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Pressure, Shell, SymmetryPlane};
 
 use super::common::{ERROR, Miss, NODAL, UNEVEN, asked, finding, last, off, or_failed};
 use super::meshes::{Mesh, nearest, octant, particles, poled_octant};
-use super::sheets::{Matter, force, linear, shell_of, supported};
+use super::sheets::{Answer, Matter, force, linear, shell_of, supported};
 use crate::case::{Case, Headline, Run, Variant};
 use crate::cases::dial::{CELL, NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::cases::hemisphere::BRICKS;
@@ -119,11 +120,12 @@ fn plate(method: &str, mesh: &Mesh, thickness: f64) -> Result<Outcome, String> {
     let middle = nearest(&cloud, Vec3::new(0.5, 0.5, 0.0));
     let at = cloud.positions[middle as usize] - Vec3::new(0.5, 0.5, 0.0);
     let pressure = Pressure { value: 1.0, follower: false };
-    let motion = linear(shell_of(matter, cloud.clone(), method, supports, vec![Box::new(pressure)])?)?;
+    let Answer { motion, warnings } =
+        linear(shell_of(matter, cloud.clone(), method, supports, vec![Box::new(pressure)])?)?;
     // A particle beside the centre lies lower on the bowl, as in the case disorder.
     let bowl = 1.0 - 7.02 * at.norm_squared();
     let exact = PLATES.iter().find(|(known, _)| *known == thickness).map_or(f64::NAN, |plate| plate.1);
-    Ok(found(&cloud, motion[middle as usize].z / bowl / exact))
+    Ok(Outcome { warnings, ..found(&cloud, motion[middle as usize].z / bowl / exact) })
 }
 
 /// The hemisphere with a hole, a quarter; the unit square laid over its angles.
@@ -151,9 +153,9 @@ fn pinched(method: &str, cloud: Cloud, exact: f64) -> Result<Outcome, String> {
     let foot = Held { displacement: vec![Vec3::z()], director: None };
     let supports = vec![cut(Vec3::x()), cut(Vec3::y()), supported(vec![out], foot)];
     let loads = vec![force(vec![(out, 1.0)], Vec3::x()), force(vec![(inward, 1.0)], -Vec3::y())];
-    let motion = linear(shell_of(matter, cloud.clone(), method, supports, loads)?)?;
+    let Answer { motion, warnings } = linear(shell_of(matter, cloud.clone(), method, supports, loads)?)?;
     let mean = 0.5 * (motion[out as usize].x - motion[inward as usize].y);
-    Ok(found(&cloud, mean / exact))
+    Ok(Outcome { warnings, ..found(&cloud, mean / exact) })
 }
 
 /// A closed sphere under a pressure that follows, marched to rest; `λ² − 1 = (1−ν) pRλ/Et` with pR/Et = 0.1.
@@ -166,6 +168,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     };
     let pressure = Pressure { value: 1000.0, follower: true };
     let mut shell = shell_of(matter, cloud.clone(), method, axes.map(cut).into(), vec![Box::new(pressure)])?;
+    let warnings = doubts(&shell);
     // What scenes do if they say nothing; the period is the time sound takes round the sphere, 2πR/c.
     let run = QuasiStatic {
         levels: vec![0.5, 1.0],
@@ -188,7 +191,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     let (low, high) = grown.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
     // The worst particle, poles and corners of blocks included.
     let worst = if (high - 1.0).abs() > (low - 1.0).abs() { high } else { low };
-    Ok(Outcome { steps: clock.steps, ..found(&cloud, worst) })
+    Ok(Outcome { steps: clock.steps, warnings, ..found(&cloud, worst) })
 }
 
 /// Whether every level came to rest.

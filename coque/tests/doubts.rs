@@ -1,0 +1,283 @@
+//! The table of doubts: each rule fires on a scene made to break it and keeps still on the scenes of the repository.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use std::fmt::Write as _;
+
+use common::{Replaced, overridden, scene, scenes};
+use coque::mesh::{Format, parse, report};
+use coque::{Doubt, doubts};
+use explicit_dynamics::Amplitude;
+use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
+use sph_core::{Cell, Cloud, Cylinder, EndWeights, Vec3, lattice};
+use sph_shell::{AppliedLoad, Clamped, Formulation, Parts, Pressure, Reach, Shell, Supported};
+
+fn words(name: &str, replaced: Replaced) -> Vec<Doubt> {
+    let model = scene(name, replaced).unwrap().build(1).unwrap();
+    model.warnings().iter().map(|warning| warning.doubt).collect()
+}
+
+/// Scenes of the repository, which `coque new` hands out as templates, and the one on a mesh.
+#[test]
+fn scenes_of_the_repository_raise_no_doubt() {
+    for folder in [scenes(), scenes().join("meshes")] {
+        for file in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if file.extension().is_some_and(|end| end == "toml") {
+                let text = std::fs::read_to_string(&file).unwrap();
+                let model = overridden(&text, &file.display().to_string(), &[]).unwrap().build(1).unwrap();
+                assert_eq!(model.warnings(), [], "{}", file.display());
+            }
+        }
+    }
+}
+
+const JITTERED: &str = "{ radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0], particles = [21, 21], \
+                        disorder = { fraction = 0.25, seed = 1 } }";
+const SCATTERED: &str = "{ lengths = [1.0, 1.0], scattered = { spacing = 0.05, seed = 1 } }";
+
+/// Scene, what breaks it, and every doubt that it then raises.
+const BROKEN: [(&str, Replaced, &[Doubt]); 16] = [
+    ("plate.toml", &[("loads", "[{ on = \"u0\", force = { total = [0, 0, 1] } }]")], &[Doubt::NoWork]),
+    ("plate.toml", &[("loads", "[{ on = \"all\", pressure = { value = 0.0 } }]")], &[Doubt::NoWork]),
+    ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [3, 0, 1] } }]")], &[Doubt::HeldLoad]),
+    ("plate.toml", &[("sets.centre.nearest", "[0.5, 0.5, 0.2]")], &[Doubt::FarNearest]),
+    ("plate.toml", &[("section.homogeneous.thickness", "0.6")], &[Doubt::TooThick]),
+    ("plate.toml", &[("geometry.plate.particles", "[5, 5]")], &[Doubt::FewParticles]),
+    ("plate.toml", &[("geometry.plate.particles", "[21, 3]")], &[Doubt::FewParticles]),
+    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[4, 17]")], &[Doubt::CoarseTurn]),
+    ("hemisphere.toml", &[("section.homogeneous.thickness", "0.004")], &[Doubt::CoarseBending]),
+    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[21, 13]")], &[Doubt::CoarseBending]),
+    (
+        "hemisphere.toml",
+        &[("section.homogeneous.thickness", "0.01"), ("geometry.sphere", JITTERED)],
+        &[Doubt::UnevenCells, Doubt::CoarseBending],
+    ),
+    ("plate.toml", &[("formulation.nodal.order", "2")], &[Doubt::NodalLocking]),
+    ("plate.toml", &[("formulation.nodal.order", "3")], &[Doubt::NodalLocking]),
+    ("hemisphere.toml", &[("formulation.nodal.order", "3")], &[Doubt::NodalLocking]),
+    ("ring.toml", &[("formulation.strong-form.smoothing", "1.2")], &[Doubt::StrongForm]),
+    (
+        "plate.toml",
+        &[
+            ("geometry.plate", SCATTERED),
+            ("section.homogeneous.thickness", "0.0001"),
+            ("formulation.stress-point.support", "1.4"),
+        ],
+        &[Doubt::WideThin],
+    ),
+];
+
+/// Each scene beside a sound one that differs as little as may be.
+const SOUND: [(&str, Replaced); 9] = [
+    ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [1, 0, 1] } }]")]),
+    ("plate.toml", &[("sets.centre.nearest", "[0.52, 0.48, 0.1]")]),
+    ("plate.toml", &[("section.homogeneous.thickness", "0.3")]),
+    ("plate.toml", &[("geometry.plate.particles", "[9, 9]")]),
+    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[13, 17]")]),
+    ("hemisphere.toml", &[("geometry.sphere", JITTERED)]),
+    ("plate.toml", &[("formulation.nodal.order", "3"), ("section.homogeneous.thickness", "0.1")]),
+    ("plate.toml", &[("geometry.plate", SCATTERED), ("section.homogeneous.thickness", "0.0001")]),
+    ("ring.toml", &[("formulation.stress-point.support", "1.4")]),
+];
+
+#[test]
+fn each_rule_fires_on_a_scene_that_breaks_it() {
+    for (name, replaced, expected) in BROKEN {
+        assert_eq!(words(name, replaced), expected, "{name} {replaced:?}");
+    }
+    for (name, replaced) in SOUND {
+        assert_eq!(words(name, replaced), [], "{name} {replaced:?}");
+    }
+}
+
+/// Eight cells round a circle turn by 0.79 from one to the next; fifty, as the scene has them, by 0.13.
+#[test]
+fn turns_of_the_deformed_shell_are_told_once() {
+    let replaced = [("geometry.plate.particles", "[9, 3]"), ("analysis", "{ static = { levels = 8 } }")];
+    let model = scene("ring.toml", &replaced).unwrap().build(1).unwrap();
+    assert_eq!(model.warnings(), []);
+    let told = model.run(&mut coque::Silent).summary.warnings;
+    let turns: Vec<_> = told.iter().filter(|warning| warning.doubt == Doubt::CoarseTurn).collect();
+    assert_eq!(turns.len(), 1, "{told:?}");
+    assert!(turns[0].message.contains("at level 0.75"), "{}", turns[0].message);
+}
+
+/// The estimate of locking is one: R/t = 1000, energy over that of the lattice, 1/(1 + x) with x from a twentieth to a seventh of λ.
+#[test]
+fn the_figure_of_uneven_cells_bounds_what_they_cost() {
+    let scattered = JITTERED
+        .replace("particles = [21, 21], disorder = { fraction = 0.25,", "scattered = { spacing = 0.61,");
+    let stiffness = |cloud: &str| {
+        let replaced = [("section.homogeneous.thickness", "0.01"), ("geometry.sphere", cloud)];
+        let model = scene("hemisphere.toml", &replaced).unwrap().build(1).unwrap();
+        let figure = model.shell.chord_loss().locking;
+        let outcome = model.run(&mut coque::Silent);
+        (figure, 1.0 / outcome.curve.column("internal").unwrap()[0])
+    };
+    let even = JITTERED.replace(", disorder = { fraction = 0.25, seed = 1 }", "");
+    let (none, lattice) = stiffness(&even);
+    assert!(none < 1e-3, "{none}");
+    for cloud in [JITTERED, &scattered] {
+        let (figure, stiff) = stiffness(cloud);
+        let more = stiff / lattice - 1.0;
+        assert!(more > figure / 20.0 && more < figure / 7.0, "{more} of {figure}");
+    }
+}
+
+/// A turned scene finds its sets where they are.
+#[test]
+fn a_turned_scene_raises_no_doubt() {
+    let turned = [("orientation", "{ axis = [1.0, 2.0, 3.0], degrees = 77.0 }")];
+    assert_eq!(words("plate.toml", &turned), []);
+}
+
+/// A profile of the x–z plane, drawn out along y by five cells of 0.1, as OBJ.
+fn drawn_out(profile: &[[f64; 2]]) -> String {
+    let mut obj = String::new();
+    for [x, z] in profile {
+        (0..6).for_each(|j| writeln!(obj, "v {x:?} {:?} {z:?}", 0.1 * f64::from(j)).unwrap());
+    }
+    for i in 0..profile.len() - 1 {
+        for j in 1..6 {
+            let (a, b) = (6 * i + j, 6 * (i + 1) + j);
+            writeln!(obj, "f {a} {b} {} {}", b + 1, a + 1).unwrap();
+        }
+    }
+    obj
+}
+
+/// What `coque mesh` warns of.
+fn mesh_warnings(obj: &str) -> Vec<String> {
+    let surface = parse("made.obj", Format::Obj, obj.as_bytes()).unwrap();
+    let report = report(&surface).unwrap();
+    report.lines().filter_map(|line| line.strip_prefix("  warning    ")).map(String::from).collect()
+}
+
+#[test]
+fn folds_are_told_by_mesh() {
+    let bent = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let x = |i: i32| 0.1 * f64::from(i);
+        let place = |i: i32| if i < 10 { [x(i), 0.0] } else { [1.0 + x(i - 10) * cos, x(i - 10) * sin] };
+        mesh_warnings(&drawn_out(&(0..=20).map(place).collect::<Vec<_>>()))
+    };
+    assert_eq!(bent(30.0), [""; 0]);
+    let [warning] = &bent(90.0)[..] else { panic!("one warning") };
+    assert!(warning.starts_with("a fold of 90° (over 30° on 5 edges)"), "{warning}");
+}
+
+/// A sheet that comes back over itself at a two-hundredth of a cell, its nodes beside those below.
+#[test]
+fn a_mesh_folded_onto_itself_is_told() {
+    let hairpin = |gap: f64| {
+        let mut profile: Vec<[f64; 2]> = (0..=10).map(|i| [0.1 * f64::from(i), 0.0]).collect();
+        profile.push([1.0, gap]);
+        profile.extend((0..10).map(|i| [0.96 - 0.1 * f64::from(i), gap]));
+        mesh_warnings(&drawn_out(&profile))
+    };
+    assert!(
+        hairpin(0.004).iter().any(|warning| warning.contains("lie on each other")),
+        "{:?}",
+        hairpin(0.004)
+    );
+    assert!(!hairpin(0.04).iter().any(|warning| warning.contains("lie on each other")));
+}
+
+/// A shell clamped along x = 0 under a pressure.
+fn bare(cloud: Cloud, thickness: f64) -> Shell {
+    let held = (0..cloud.len() as u32).filter(|&a| cloud.positions[a as usize].x.abs() < 1e-9).collect();
+    let section = IsotropicSection::new(Isotropic::new(1e6, 0.3).unwrap(), thickness).unwrap();
+    let pressure = Box::new(Pressure { value: 1.0, follower: false });
+    Shell::new(Parts {
+        cloud,
+        section: Box::new(section),
+        strain: &StretchCorrected,
+        material_axis: None,
+        density: 1.0,
+        formulation: Formulation::StressPoint(Reach::Cell),
+        supports: vec![Supported { particles: held, support: Box::new(Clamped) }],
+        loads: vec![AppliedLoad { load: pressure, amplitude: Amplitude::Constant }],
+        threads: 1,
+    })
+    .unwrap()
+}
+
+#[test]
+fn sharp_corners_and_poles_are_told() {
+    let sheared = |degrees: f64| {
+        let lean = 1.0 / degrees.to_radians().tan();
+        let n = 10_u32;
+        let place = |k: u32| {
+            Vec3::new(f64::from(k / (n + 1)), 0.0, 0.0)
+                + Vec3::new(lean * f64::from(k % (n + 1)), f64::from(k % (n + 1)), 0.0)
+        };
+        let corner = |k: u32| {
+            let a = (k / n) * (n + 1) + k % n;
+            Cell::quadrangle([a, a + n + 1, a + n + 2, a + 1])
+        };
+        let positions = (0..(n + 1) * (n + 1)).map(place).collect();
+        let cloud = Cloud::from_cells(positions, None, (0..n * n).map(corner).collect()).unwrap();
+        doubts(&bare(cloud, 0.01)).iter().map(|warning| warning.doubt).collect::<Vec<_>>()
+    };
+    assert_eq!(sheared(20.0), [Doubt::SharpCorners]);
+    assert_eq!(sheared(40.0), []);
+    let fan = |spokes: u32| {
+        let turn = std::f64::consts::TAU / f64::from(spokes);
+        let ring = |k: u32| {
+            let (sin, cos) = (turn * f64::from(k % spokes)).sin_cos();
+            Vec3::new(1.0 + cos, sin, 0.0) * f64::from(1 + k / spokes)
+        };
+        let mut positions = vec![Vec3::x()];
+        positions.extend((0..spokes).map(|k| ring(k)));
+        let cells = (0..spokes).map(|k| Cell::triangle([0, 1 + k, 1 + (k + 1) % spokes])).collect();
+        let told = doubts(&bare(Cloud::from_cells(positions, None, cells).unwrap(), 0.01));
+        told.iter().any(|warning| warning.doubt == Doubt::Pole)
+    };
+    assert!(fan(12));
+    assert!(!fan(8));
+}
+
+/// Scenes of their own geometry are refused from t = R on; meshes are not.
+#[test]
+fn a_shell_thicker_than_its_radius_is_told() {
+    let tube = Cylinder { radius: 1.0, angles: [0.0, std::f64::consts::PI], length: 3.0 };
+    let told = |thickness| {
+        let shell = bare(lattice(&tube, [31, 31], EndWeights::Trapezoid).unwrap(), thickness);
+        doubts(&shell).iter().map(|warning| warning.doubt).collect::<Vec<_>>()
+    };
+    assert_eq!(told(1.2), [Doubt::TooThick]);
+    assert_eq!(told(0.8), []);
+}
+
+/// `check` puts warnings under a heading of their own; a scene without any has none.
+#[test]
+fn check_prints_warnings_under_their_own_heading() {
+    let check = |set: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coque"));
+        command.arg("check").arg(scenes().join("plate.toml"));
+        for set in set {
+            command.args(["--set", set]);
+        }
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    assert!(!check(&[]).contains("warnings"));
+    let told = check(&["geometry.plate.particles=[5, 5]"]);
+    assert!(told.contains("\nwarnings\n  few-particles: 4 cells from end to end"), "{told}");
+}
+
+/// A run says it before it starts, once, and writes it to `summary.json`.
+#[test]
+fn a_run_tells_its_doubts_once_and_writes_them() {
+    let out = std::env::temp_dir().join(format!("coque-doubts-{}", std::process::id()));
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coque"));
+    command.arg("run").arg(scenes().join("plate.toml")).arg("--out").arg(&out);
+    let said = command.args(["--set", "geometry.plate.particles=[5, 5]"]).output().unwrap();
+    let said = String::from_utf8(said.stderr).unwrap();
+    assert_eq!(said.matches("warning: 4 cells from end to end").count(), 1, "{said}");
+    let summary: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["warnings"][0]["doubt"], "few-particles");
+    std::fs::remove_dir_all(out).unwrap();
+}
