@@ -257,10 +257,10 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
     }
     if let Some(counted) = summary.counted {
         let from = counted.from.map_or("below zero".into(), |from| format!("{from:.4e}"));
-        eprintln!(
+        say(&format!(
             "{} modes from {from} to {:.4e} by inertia, all found; {} factorisations, {} solves",
             counted.number, counted.to, counted.factorisations, counted.solves
-        );
+        ));
     }
     for critical in &summary.critical {
         say(&format!("{} at load level {}", critical.kind, critical.level));

@@ -42,9 +42,11 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 16] = [
+const TEMPLATES: [(&str, &str); 19] = [
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
+    ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
     ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
+    ("cylinder-pressure", include_str!("../../../scenes/cylinder-pressure.toml")),
     ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
     ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
     ("panel", include_str!("../../../scenes/panel.toml")),
@@ -56,6 +58,7 @@ const TEMPLATES: [(&str, &str); 16] = [
     ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
+    ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
