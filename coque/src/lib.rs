@@ -133,6 +133,7 @@ pub mod scene;
 mod schema;
 mod sets;
 mod source;
+mod stability;
 mod summary;
 mod units;
 mod warning;

@@ -268,7 +268,7 @@ fn report(outcome: &Outcome, out: &Path, resumable: bool) -> u8 {
         eprintln!("warning: {}", warning.message);
     }
     for critical in &summary.critical {
-        eprintln!("{} at load level {}", critical.kind, critical.level);
+        eprintln!("{} at {}", critical.kind, critical.place());
     }
     let effort = match summary.analysis.as_str() {
         "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),

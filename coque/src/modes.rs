@@ -58,7 +58,7 @@ pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings<'_>) {
 }
 
 fn failed(found: &mut Findings<'_>, cause: BalanceError) {
-    found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+    found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause, unit: None });
 }
 
 /// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.

@@ -22,6 +22,7 @@ use crate::path::{arc_length, levels};
 use crate::probe::columns;
 use crate::scene::Analysis;
 use crate::summary::{CriticalSummary, Energies, LevelSummary, Summary};
+use crate::units::Quantity;
 
 /// How a run is going.
 #[derive(Clone, Copy, Debug, Default)]
@@ -124,7 +125,7 @@ pub enum Failure {
     #[error(transparent)]
     March(#[from] MarchError),
     /// A balance was not found.
-    #[error("no balance after {points} points, the last at level {level}: {cause}{}", causes(.cause))]
+    #[error("no balance after {points} points, the last at level {level}: {cause}{}{}", causes(.cause), forces(.unit))]
     Balance {
         /// Points found.
         points: u64,
@@ -132,6 +133,8 @@ pub enum Failure {
         level: f64,
         /// What happened.
         cause: BalanceError,
+        /// Unit of the load levels that the cause names, where they are forces.
+        unit: Option<String>,
     },
     /// A path was still under way.
     #[error("the path is still under way after {steps} steps, at level {level}; {repair}")]
@@ -146,6 +149,15 @@ pub enum Failure {
     /// A frame of fields could not be written.
     #[error(transparent)]
     Fields(#[from] FieldError),
+}
+
+/// Says what a load level is where it is a force.
+fn forces(unit: &Option<String>) -> String {
+    match unit.as_deref() {
+        None => String::new(),
+        Some("-") => "; load levels there are forces".into(),
+        Some(unit) => format!("; load levels there are forces in {unit}"),
+    }
 }
 
 /// The causes behind an error, in brackets.
@@ -182,6 +194,8 @@ pub(crate) struct Findings<'a> {
     pub(crate) newton_iterations: u64,
     pub(crate) critical: Vec<CriticalSummary>,
     pub(crate) warnings: Vec<Warning>,
+    /// Unit of the force that is the level of paths, where a prescribed motion drives them.
+    pub(crate) force_unit: Option<String>,
     /// Wall time of earlier sittings \[s\].
     pub(crate) seconds: f64,
     /// Where frames of fields go, if anywhere.
@@ -226,9 +240,10 @@ impl Model {
 
     fn nothing_yet<'a>(&self, sink: Option<&'a mut dyn FieldSink>) -> Findings<'a> {
         let curve = Curve { columns: columns(self), rows: Vec::new() };
+        let force_unit = self.driven.map(|_| self.scene.units.symbol(Quantity::Force));
         let driven = self.driven.map(|driven| driven.particle);
         let frames = sink.map(|sink| Frames::new(sink, &self.scene, driven));
-        Findings { curve, frames, ..Findings::default() }
+        Findings { curve, frames, force_unit, ..Findings::default() }
     }
 
     fn in_pool(self, mut options: RunOptions<'_>, found: Findings<'_>, from: Option<Place>) -> Outcome {

@@ -8,6 +8,10 @@ use serde::{Deserialize, Serialize};
 pub enum Doubt {
     /// A load level was left before the motion had died.
     NotSettled,
+    /// Equilibria were found that are unstable.
+    Unstable,
+    /// A critical point was passed, and what follows is not what the shell would do.
+    PassedCritical,
 }
 
 impl Doubt {
@@ -15,6 +19,8 @@ impl Doubt {
     pub fn word(self) -> &'static str {
         match self {
             Self::NotSettled => "not-settled",
+            Self::Unstable => "unstable",
+            Self::PassedCritical => "passed-critical",
         }
     }
 }
@@ -41,7 +47,7 @@ mod tests {
 
     #[test]
     fn the_word_is_the_one_in_the_summary() {
-        for doubt in [Doubt::NotSettled] {
+        for doubt in [Doubt::NotSettled, Doubt::Unstable, Doubt::PassedCritical] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
     }

@@ -116,6 +116,7 @@
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 
+mod branch;
 mod critical;
 mod eigen;
 mod equilibrium;
@@ -130,8 +131,10 @@ mod vectors;
 
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
 pub use equilibrium::Equilibrium;
-pub use error::BalanceError;
+pub use error::{BalanceError, OutOfBounds};
 pub use modal::{BucklingMode, Mode, linear_buckling, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
-pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
+pub use path::{
+    Control, Direction, End, Measure, Passage, Passed, Path, PathOptions, Point, Start, follow,
+};
 pub use solver::{Inertia, SymmetricSolver};

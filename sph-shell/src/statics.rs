@@ -1,10 +1,11 @@
 //! The shell without time: the same discrete energy as a system of `implicit-statics`.
 
 use explicit_dynamics::Instant;
-use implicit_statics::Equilibrium;
+use implicit_statics::{Equilibrium, OutOfBounds};
 use shell_kinematics::parallel_transport;
 
 use crate::Shell;
+use crate::bounds::Unsound;
 use crate::freedoms::{Basis, Freedoms};
 use crate::stiffness::{Block, BlockPattern};
 
@@ -189,6 +190,11 @@ impl Equilibrium for StaticShell {
             "particle {particle} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
             x.x, x.y, x.z, direction.x, direction.y, direction.z
         )
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
+        self.shell.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
     }
 }
 
