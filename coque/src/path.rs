@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BalanceError, Control, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions,
-    Point, Start, follow, linear_response,
+    BalanceError, Control, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions, Point, Start,
+    follow, linear_response,
 };
 use sph_shell::StaticShell;
 
@@ -80,7 +80,8 @@ pub(crate) fn levels(
             return;
         }
         if let Err(cause) = path.end {
-            found.ended = Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause, unit });
+            found.ended =
+                Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause, unit });
             return;
         }
         if path.end != Ok(End::Reached) {

@@ -46,7 +46,8 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
         let (low, high) = (passage.levels.0, passage.levels.1);
         let span = format!("between {} and {}", place(low), place(high));
         let between = Some([low, high]);
-        let elsewhere = format!("the state found at {} is an equilibrium, but on another branch", place(high));
+        let elsewhere =
+            format!("the state found at {} is an equilibrium, but on another branch", place(high));
         let (message, kind, level) = match passage.what {
             Passed::Pivots => {
                 let (before, after) = passage.negative;

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::Warning;
 use crate::build::Model;
-use crate::stability::place;
 use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
+use crate::stability::place;
 
 /// What a model holds and what it leaves out.
 #[derive(Clone, Debug, Serialize)]
@@ -61,10 +61,8 @@ pub struct CriticalSummary {
     /// Load level; with a `moved` support the force along the motion.
     pub level: f64,
     /// Unit of the level where it is a force.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// Levels between which it lies, where it was not located.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub between: Option<[f64; 2]>,
 }
 

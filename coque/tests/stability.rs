@@ -103,7 +103,8 @@ loads = [{ on = "u1", force = { total = [-24.674011002723395, 0.0, 0.0] } }]
 
 #[test]
 fn a_straight_column_beyond_its_load_is_called_unstable() {
-    let outcome = ran(Scene::parse(&format!("{COLUMN}analysis.static.levels = [0.5, 1.5, 2.0]\n"), "column.toml"));
+    let outcome =
+        ran(Scene::parse(&format!("{COLUMN}analysis.static.levels = [0.5, 1.5, 2.0]\n"), "column.toml"));
     assert_eq!(outcome.ended, Ended::Done);
     let [critical] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
     assert_eq!(critical.kind, "bifurcation");

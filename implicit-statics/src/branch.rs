@@ -67,7 +67,11 @@ pub(crate) fn trace<E: Equilibrium + ?Sized>(
         if !turned {
             highest = point.level();
         }
-        if turned || done * target >= target * target { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if turned || done * target >= target * target {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     });
     let limit = path.critical.iter().rfind(|point| point.kind == CriticalKind::Limit);
     let limit = limit.map_or(highest, |point| point.level);
@@ -77,7 +81,11 @@ pub(crate) fn trace<E: Equilibrium + ?Sized>(
             Ok(()) => {
                 let (state, way) = (system.save(), difference(found, &begun));
                 let rest = difference(&state, found);
-                if dot(&rest, &rest) <= SAME * SAME * dot(&way, &way) { Leads::There } else { Leads::Elsewhere }
+                if dot(&rest, &rest) <= SAME * SAME * dot(&way, &way) {
+                    Leads::There
+                } else {
+                    Leads::Elsewhere
+                }
             }
             Err(_) => Leads::Unknown,
         },
@@ -104,5 +112,6 @@ fn land<E: Equilibrium + ?Sized>(
     };
     let short = PathOptions { control, critical: None, ..options.clone() };
     let start = Start { level: from.level, heading: None };
-    march(system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(())).map(|_| ())
+    march(system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(()))
+        .map(|_| ())
 }

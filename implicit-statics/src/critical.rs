@@ -77,7 +77,8 @@ pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
     options: &CriticalOptions,
 ) -> (Vec<CriticalPoint>, Vec<Passage>) {
     let saved = system.save();
-    let last = Edge { size, level: converged.level, negative: converged.inertia.negative, state: state.into() };
+    let last =
+        Edge { size, level: converged.level, negative: converged.inertia.negative, state: state.into() };
     let mut low = Edge { size: 0.0, level: stepper.level, negative, state: saved.clone() };
     let (mut found, mut passages) = (Vec::new(), Vec::new());
     while low.negative != last.negative {
@@ -112,7 +113,8 @@ fn narrow<E: Equilibrium + ?Sized>(
     while high.size - low.size > width {
         let between = |part: f64| low.size + part * (high.size - low.size);
         let mut trials = PARTS.into_iter().map(between);
-        let Some(middle) = trials.find_map(|trial| probe(stepper, system, saved, trial).ok().flatten()) else {
+        let Some(middle) = trials.find_map(|trial| probe(stepper, system, saved, trial).ok().flatten())
+        else {
             break;
         };
         if middle.negative == low.negative {

@@ -154,7 +154,9 @@ pub enum BalanceError {
         cosine: f64,
     },
     /// Forces balance in a state that the model does not cover.
-    #[error("step {step}, load level {level:.6e}: forces balance, but {found}; take a smaller step or less load")]
+    #[error(
+        "step {step}, load level {level:.6e}: forces balance, but {found}; take a smaller step or less load"
+    )]
     OutOfBounds {
         /// Step of the path.
         step: usize,

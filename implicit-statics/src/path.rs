@@ -358,7 +358,8 @@ fn look_for_critical<E: Equilibrium + ?Sized>(
     let mut same = true;
     if leaps {
         let arc = matches!(options.control, Control::ArcLength { .. });
-        let traced = (!arc).then(|| trace(system, levels.0, (&made.increment, made.predicted), &here, options));
+        let traced =
+            (!arc).then(|| trace(system, levels.0, (&made.increment, made.predicted), &here, options));
         let what = match traced.as_ref().map_or(Leads::Unknown, |traced| traced.leads) {
             Leads::There => None,
             Leads::Back(level) => Some(Passed::Turn(level)),
@@ -375,7 +376,8 @@ fn look_for_critical<E: Equilibrium + ?Sized>(
     }
     if same && negative.0 != negative.1 {
         stepper.newton.go_back(system, saved);
-        let (points, passages) = locate_all(stepper, system, (&made.converged, &here), negative.0, size, critical);
+        let (points, passages) =
+            locate_all(stepper, system, (&made.converged, &here), negative.0, size, critical);
         path.critical.extend(points);
         path.passages.extend(passages);
     }

@@ -162,9 +162,7 @@ impl<'a> Stepper<'a> {
         // Change of level for which the tangent at the end makes a step of the same size, as `first` does at the start.
         let last = match self.control {
             Control::Load { .. } => increment.level,
-            Control::Displacement { .. } => {
-                dot(&self.weights, &increment.motion) / dot(&self.weights, &to)
-            }
+            Control::Displacement { .. } => dot(&self.weights, &increment.motion) / dot(&self.weights, &to),
             Control::ArcLength { .. } => {
                 let along = self.product(&to, &increment.motion) + self.load * increment.level;
                 let unit = (self.product(&to, &to) + self.load).sqrt();

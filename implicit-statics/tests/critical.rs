@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 
 use common::{Arch, Flat, Hencky, RigidColumn};
 use implicit_statics::{
-    Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Passed, Path, PathOptions, Start,
-    follow, switch_branch,
+    Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Passed, Path, PathOptions,
+    Start, follow, switch_branch,
 };
 
 fn newton() -> NewtonOptions {
@@ -119,12 +119,14 @@ fn a_chain_buckles_in_its_first_three_modes_and_carries_on() {
 
 #[test]
 fn what_cannot_be_located_is_bracketed() {
-    for control in [
-        Control::Load { step: 0.3, until: 1.5 },
-        Control::ArcLength { first: 0.3, range: (0.0, 1.5) },
-    ] {
-        let options =
-            PathOptions { newton: newton(), critical: Some(CriticalOptions::default()), ..PathOptions::new(control) };
+    for control in
+        [Control::Load { step: 0.3, until: 1.5 }, Control::ArcLength { first: 0.3, range: (0.0, 1.5) }]
+    {
+        let options = PathOptions {
+            newton: newton(),
+            critical: Some(CriticalOptions::default()),
+            ..PathOptions::new(control)
+        };
         let mut gap = Flat::new(RigidColumn);
         gap.forceless = Some(0.99..1.01);
         let path = run(&mut gap, &Start::default(), &options);

@@ -271,7 +271,9 @@ fn a_leap_over_many_limit_points_names_the_first() {
         let mut system = Flat::new(Ripple(1.5));
         let (path, _) = trace(&mut system, &watched(Control::Load { step: until, until }));
         assert_eq!(path.end, Ok(End::Reached));
-        let Some(&Passage { what: Passed::Turn(level), .. }) = path.passages.first() else { panic!("{until}: {:?}", path.passages) };
+        let Some(&Passage { what: Passed::Turn(level), .. }) = path.passages.first() else {
+            panic!("{until}: {:?}", path.passages)
+        };
         assert!((level - limit).abs() < 1e-6 * limit, "{until}: {level} {limit}");
     }
 }
@@ -307,7 +309,8 @@ impl Potential for Bounded {
         out[0] = 1.0;
     }
     fn within_bounds(&self, q: &[f64]) -> Result<(), OutOfBounds> {
-        let found = OutOfBounds { place: "the spring".into(), what: "stretch", value: q[0], bound: "below 1" };
+        let found =
+            OutOfBounds { place: "the spring".into(), what: "stretch", value: q[0], bound: "below 1" };
         if q[0] < 1.0 { Ok(()) } else { Err(found) }
     }
 }

@@ -48,13 +48,22 @@ impl Shell {
                     continue;
                 }
                 let (what, value, bound) = if !(area[lane] > 0.0) {
-                    ("the area, signed, over that of the start,", area[lane], "above 0: it is turned inside out")
+                    (
+                        "the area, signed, over that of the start,",
+                        area[lane],
+                        "above 0: it is turned inside out",
+                    )
                 } else if most < high * high {
                     ("the least stretch", least.max(0.0).sqrt(), "above 0.1")
                 } else {
                     ("the greatest stretch", most.sqrt(), "below 10")
                 };
-                return Some(Unsound { place: self.name_point(packs.order[index][lane] as usize), what, value, bound });
+                return Some(Unsound {
+                    place: self.name_point(packs.order[index][lane] as usize),
+                    what,
+                    value,
+                    bound,
+                });
             }
         }
         None
@@ -71,4 +80,3 @@ impl Shell {
         format!("{kind} {point} at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z)
     }
 }
-

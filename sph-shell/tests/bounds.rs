@@ -32,7 +32,9 @@ fn mirrored_crushed_and_torn_plates_are_refused_by_every_formulation() {
         for sound in [0.11, 0.5, 1.0, 9.9] {
             assert_eq!(along(sound), Ok(()), "{name}: {sound}");
         }
-        for (stretch, what, value) in [(-2.28, "area", -2.28), (0.09, "least", 0.09), (10.1, "greatest", 10.1)] {
+        for (stretch, what, value) in
+            [(-2.28, "area", -2.28), (0.09, "least", 0.09), (10.1, "greatest", 10.1)]
+        {
             let found = along(stretch).expect_err(name);
             assert!(found.what.contains(what), "{name}: {found}");
             assert!((found.value - value).abs() < 1e-9, "{name}: {found}");
