@@ -7,6 +7,7 @@
 //! - [`curve`]: what is done with a curve: interpolate, find a limit point, measure a distance;
 //! - [`elastica`]: the inextensible cantilever bent by an end moment or an end load;
 //! - [`rolled_strip`]: the same strip with a Green–Lagrange strain, which is *not* the elastica when it is thick;
+//! - [`external_pressure`]: when rings and long cylinders buckle under pressure that follows them;
 //! - [`vibration`]: the first natural frequency of a cantilever;
 //! - [`fe_shell`]: an independent implicit finite-element shell.
 //!
@@ -57,6 +58,9 @@
 //! This is the law of the Green–Lagrange split, 6.6 % below the elastica at t/L = 0.1 and a full turn: a formulation
 //! that obeys it is right about its own strain and wrong about the ring.
 //!
+//! **Pressure from outside**, [`external_pressure`] \[timoshenko1961\]: a ring ovals at `3 EI/R³` where the pressure follows it, at
+//! `4 EI/R³` where it keeps its direction; a cylinder between diaphragms by the formula of von Mises.
+//!
 //! **Cantilever**, [`vibration`]: `ω₁ = (β₁L)² √(EI/(ρA))/L²`, β₁L the first root of `cos β cosh β = −1`.
 //!
 //! Plates of the catalogue follow \[timoshenko1959\] and \[timoshenko1961\], the linear obstacle course
@@ -89,6 +93,7 @@
 //! | tabulated rings are the elastica, to their printed digits | `the_seed_ring_is_the_elastica`, `the_sze_ring_is_the_elastica` |
 //! | the elastica satisfies its differential equation, keeps its length | `end_load_satisfies_the_differential_equation`, `end_moment_keeps_the_length_and_closes_the_circle` (src/elastica.rs) |
 //! | the rolled strip is in equilibrium, and without thickness the elastica | `equilibrium_is_the_derivative_of_the_energy`, `a_strip_without_thickness_is_the_elastica` (src/rolled_strip.rs) |
+//! | long cylinders are rings in plane strain, short ones shallow shells | `an_endless_cylinder_is_a_ring_in_plane_strain`, `many_waves_are_those_of_shallow_shells` (src/external_pressure.rs) |
 //! | elliptic integrals: published values, Legendre's relation | `published_values`, `legendre_relation` (src/elliptic.rs) |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
 //! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
@@ -98,6 +103,7 @@
 pub mod catalogue;
 pub mod curve;
 pub mod elastica;
+pub mod external_pressure;
 pub mod fe_shell;
 pub mod rolled_strip;
 pub mod vibration;

@@ -44,6 +44,7 @@ pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>) {
 /// Finds the lowest buckling levels.
 pub(crate) fn buckling(count: usize, shell: Shell, found: &mut Findings<'_>) {
     let mut system = StaticShell::new(shell);
+    found.warn_of_skew_loads(&system);
     match linear_buckling(&mut system, 0.0, count) {
         Err(cause) => failed(found, cause),
         Ok(modes) => {

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Shell, StaticShell};
 
-use crate::Warning;
 use crate::build::Model;
 use crate::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Place};
 use crate::curve::Curve;
@@ -23,6 +22,7 @@ use crate::probe::columns;
 use crate::scene::Analysis;
 use crate::summary::{CriticalSummary, Energies, LevelSummary, Summary};
 use crate::units::Quantity;
+use crate::{Doubt, Warning};
 
 /// How a run is going.
 #[derive(Clone, Copy, Debug, Default)]
@@ -211,6 +211,20 @@ impl Findings<'_> {
         self.frames.as_mut().map_or(ControlFlow::Continue(()), |frames| frames.offer(shell, time, level))
     }
 
+    /// Warns of loads whose stiffness is not symmetric, where stability is told from the symmetric part.
+    pub(crate) fn warn_of_skew_loads(&mut self, system: &StaticShell) {
+        let share = system.skew_load_share();
+        if share > 0.0 {
+            let message = format!(
+                "the loads have no potential: entries of up to {share:.2} of the largest in their stiffness are skew \
+                 (pressure over free edges, couples about moving edges) and left out of the tangent; equilibria are \
+                 exact, but critical levels and negative pivots are those of the symmetric part, and flutter is not \
+                 looked for: check with [analysis.explicit.transient]"
+            );
+            self.warnings.push(Warning::new(Doubt::NoPotential, message));
+        }
+    }
+
     pub(crate) fn keep_positions(&mut self, positions: Vec<Vec3>, time: f64, level: f64) {
         if (self.shapes.len() + 1) * positions.len() <= MOST_POSITIONS {
             self.shapes.push(Shape { time, level, positions });
@@ -263,11 +277,15 @@ impl Model {
             Analysis::Explicit(explicit) => march(explicit, &mut shell, gauges, &mut found, options, from),
             Analysis::Linear(_) => linear(&mut StaticShell::new(shell), driven, gauges, &mut found),
             Analysis::Static(path) => {
-                levels(path, &mut StaticShell::new(shell), driven, gauges, &mut found, (options, from));
+                let mut system = StaticShell::new(shell);
+                found.warn_of_skew_loads(&system);
+                levels(path, &mut system, driven, gauges, &mut found, (options, from));
             }
             Analysis::ArcLength(path) => {
                 let progress = &mut *options.progress;
-                arc_length(path, &mut StaticShell::new(shell), driven, gauges, &mut found, progress);
+                let mut system = StaticShell::new(shell);
+                found.warn_of_skew_loads(&system);
+                arc_length(path, &mut system, driven, gauges, &mut found, progress);
             }
             Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found),
             Analysis::Buckling(wanted) => buckling(wanted.modes, shell, &mut found),

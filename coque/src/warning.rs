@@ -12,6 +12,8 @@ pub enum Doubt {
     Unstable,
     /// A critical point was passed, and what follows is not what the shell would do.
     PassedCritical,
+    /// The loads have no potential: part of their stiffness is skew, and the tangent leaves it out.
+    NoPotential,
 }
 
 impl Doubt {
@@ -21,6 +23,7 @@ impl Doubt {
             Self::NotSettled => "not-settled",
             Self::Unstable => "unstable",
             Self::PassedCritical => "passed-critical",
+            Self::NoPotential => "no-potential",
         }
     }
 }
@@ -47,7 +50,7 @@ mod tests {
 
     #[test]
     fn the_word_is_the_one_in_the_summary() {
-        for doubt in [Doubt::NotSettled, Doubt::Unstable, Doubt::PassedCritical] {
+        for doubt in [Doubt::NotSettled, Doubt::Unstable, Doubt::PassedCritical, Doubt::NoPotential] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
     }

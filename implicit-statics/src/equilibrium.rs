@@ -26,7 +26,7 @@ pub trait Equilibrium {
     fn load_rate(&mut self, level: f64, out: &mut [f64]);
 
     /// Values of the symmetric tangent `∂(internal − external)/∂q` in the order of the pattern; the part of a
-    /// follower load that is not symmetric is symmetrised.
+    /// follower load that is not symmetric is symmetrised: critical points are then those of the symmetric part.
     fn tangent(&mut self, level: f64, values: &mut [f64]);
 
     /// Moves the state by an increment in its present tangent space.

@@ -1,8 +1,9 @@
 //! A couple on an edge: about an axis fixed in space, or about the edge as it moves.
 
+use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::loads::check_set;
+use crate::loads::{Block, check_set, place_block};
 use crate::{Body, Load, Reference, ShellError};
 
 /// The axis of a couple.
@@ -32,14 +33,21 @@ impl EdgeCouple {
     fn axis_at(&self, i: usize, state: &[[f64; 6]]) -> Vec3 {
         match self.axis {
             CoupleAxis::Fixed(axis) => axis,
-            CoupleAxis::Edge => {
-                let place = |k: usize| {
-                    let row = &state[self.edge[k].0 as usize];
-                    Vec3::new(row[0], row[1], row[2])
-                };
-                (place((i + 1).min(self.edge.len() - 1)) - place(i.saturating_sub(1))).normalize()
-            }
+            CoupleAxis::Edge => self.along(i, state).normalize(),
         }
+    }
+
+    /// The particles between which the direction of the edge at its i-th particle is taken, by their place in the row.
+    fn ends(&self, i: usize) -> [usize; 2] {
+        [i.saturating_sub(1), (i + 1).min(self.edge.len() - 1)]
+    }
+
+    fn along(&self, i: usize, state: &[[f64; 6]]) -> Vec3 {
+        let [from, to] = self.ends(i).map(|k| {
+            let row = &state[self.edge[k].0 as usize];
+            Vec3::new(row[0], row[1], row[2])
+        });
+        to - from
     }
 }
 
@@ -52,6 +60,26 @@ impl Load for EdgeCouple {
             let torque = self.axis_at(i, body.state).cross(&director) * (scale * self.moment * part / length);
             for k in 0..3 {
                 forces[particle as usize][3 + k] += torque[k];
+            }
+        }
+    }
+
+    /// `∂τ/∂d = m [e]×`, and for an axis along the edge, `e = u/|u|`, `∂τ/∂u = −m [d]× (1 − e eᵀ)/|u|`.
+    fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+        let length: f64 = self.edge.iter().map(|e| e.1).sum();
+        for (i, &(particle, part)) in self.edge.iter().enumerate() {
+            let moment = scale * self.moment * part / length;
+            let axis = self.axis_at(i, body.state);
+            put(particle, particle, &place_block(3, 3, &(axis.cross_matrix() * moment)));
+            if self.axis == CoupleAxis::Edge {
+                let row = &body.state[particle as usize];
+                let director = Vec3::new(row[3], row[4], row[5]);
+                let turned =
+                    (Matrix3::identity() - axis * axis.transpose()) / self.along(i, body.state).norm();
+                let change = director.cross_matrix() * turned * moment;
+                let [from, to] = self.ends(i).map(|k| self.edge[k].0);
+                put(particle, from, &place_block(3, 0, &change));
+                put(particle, to, &place_block(3, 0, &-change));
             }
         }
     }

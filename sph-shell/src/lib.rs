@@ -11,7 +11,7 @@
 //! | the step of one particle (kick, hold, drift) | `particle.rs` |
 //! | the whole step in one sweep | `fused.rs` |
 //! | strains and resultants, to be read | `results.rs`, [`Shell::point_results`] |
-//! | the tangent | `stiffness.rs`, [`StaticShell`] |
+//! | the tangent, of the energy and of the loads | `stiffness.rs`, `load_stiffness.rs`, [`StaticShell`] |
 //! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
 //! | what a clamp does | `supports.rs` |
 //! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
@@ -166,6 +166,18 @@
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower) and [`EdgeCouple`],
 //! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
 //!
+//! Loads that follow the shell have a stiffness, [`Load::stiffness`]; the tangent of statics is `∂²U/∂q² − sym ∂f/∂q`. With
+//! u, v the diagonals of a cell of n corners, each of which bears `f = p (u × v)/2n`, and `τ = m (e × d)`, `e = u/|u|`:
+//!
+//! ```text
+//! follower pressure   ∂f/∂u = −(p/2n) [v]×    ∂f/∂v = (p/2n) [u]×        [y]× z = y × z
+//! couple              ∂τ/∂d = m [e]×,  about the edge also  ∂τ/∂u = −m [d]× (1 − e eᵀ)/|u|
+//! ```
+//!
+//! Summed over a smooth surface the former is symmetric but for its free edges \[schweizerhof1984\], where pressure has no
+//! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
+//! residual, and [`StaticShell::skew_load_share`] tells how much it is.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -176,6 +188,8 @@
 //! | patch tests: constant membrane force and constant moment are in balance, and are read exactly | `constant_membrane_force_is_balanced`, `constant_moment_is_balanced` (tests/patch.rs), `a_constant_stretch_is_read_exactly`, `a_constant_bending_is_read_exactly` (tests/results.rs) |
 //! | a free shell has six zero modes and no more; no negative stiffness | `free_shells_have_exactly_six_zero_modes`, `laminated_free_shells_have_exactly_six_zero_modes` (tests/modes.rs) |
 //! | tangent and forces along the unknowns are derivatives of the energy | `the_tangent_is_the_second_derivative_of_the_energy`, `forces_along_the_unknowns_are_the_first_derivative` (tests/statics.rs) |
+//! | the stiffness of every load is its derivative; symmetric inside planes of symmetry | `the_stiffness_of_every_load_is_its_derivative`, `pressure_inside_planes_of_symmetry_has_a_potential_and_over_free_edges_has_none` (tests/load_stiffness.rs) |
+//! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
 //! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
@@ -192,6 +206,7 @@ mod error;
 mod formulation;
 mod freedoms;
 mod fused;
+mod load_stiffness;
 mod loads;
 mod march;
 mod membrane_arcs;
@@ -215,7 +230,7 @@ mod sweep;
 pub use couple::{CoupleAxis, EdgeCouple};
 pub use error::ShellError;
 pub use formulation::{Formulation, FormulationRow, Reach, formulations};
-pub use loads::{AppliedLoad, Body, Force, Gravity, Load};
+pub use loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use pressure::Pressure;
 pub use reference::Reference;
 pub use results::PointResult;

@@ -1,6 +1,7 @@
-//! Loads: the trait, dead forces on particles, and gravity.
+//! Loads: the trait with its stiffness, dead forces on particles, and gravity.
 
 use explicit_dynamics::{Amplitude, Instant};
+use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use crate::{Reference, ShellError};
@@ -13,12 +14,32 @@ pub struct Body<'a> {
     pub state: &'a [[f64; 6]],
 }
 
+/// Derivatives between the rows `[x, d]` of two particles.
+pub type Block = [[f64; 6]; 6];
+
+/// The block that is `change` from its first row and column (0 of a force or position, 3 of a couple or director) on, else zero.
+pub fn place_block(row: usize, column: usize, change: &Matrix3<f64>) -> Block {
+    let mut block = [[0.0; 6]; 6];
+    for i in 0..3 {
+        for j in 0..3 {
+            block[row + i][column + j] = change[(i, j)];
+        }
+    }
+    block
+}
+
 /// A load: adds forces on positions \[F\] and couples on directors \[F L\].
 ///
 /// `couple` entries are conjugate to the change of the director: their work is `τ·δd`.
 pub trait Load: Send + Sync {
     /// Adds `scale` times the load to the rows `[f, τ]` of the particles it touches.
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]);
+
+    /// Hands every block `∂[f, τ]_a/∂[x, d]_b` of what [`Load::add`] adds to `put(a, b, block)` \[F/L, F, F L\].
+    ///
+    /// A dead load has none. A load that follows the shell hands over the same pairs (a, b) in any state; a pair that
+    /// comes twice is summed. There is no default: without these derivatives critical loads are wrong.
+    fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block));
 
     /// Refuses sets and numbers that make no sense on this shell.
     ///
@@ -68,6 +89,8 @@ impl Load for Force {
         }
     }
 
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {
         check_set("a force", self.shares.iter().map(|s| s.0), reference)
     }
@@ -81,6 +104,8 @@ impl Load for Gravity {
             }
         }
     }
+
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
 
     fn check(&self, _: &Reference) -> Result<(), ShellError> {
         Ok(())

@@ -2,6 +2,7 @@
 
 use sph_core::Vec3;
 
+use crate::loads::{Block, place_block};
 use crate::{Body, Load, Reference, ShellError};
 
 /// Pressure along the normal of the cells; positive pushes along the normal.
@@ -21,12 +22,7 @@ impl Load for Pressure {
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
         let cloud = &body.reference.cloud;
         let place = |a: u32| -> Vec3 {
-            if self.follower {
-                let row = &body.state[a as usize];
-                Vec3::new(row[0], row[1], row[2])
-            } else {
-                cloud.positions[a as usize]
-            }
+            if self.follower { position(&body.state[a as usize]) } else { cloud.positions[a as usize] }
         };
         for cell in &cloud.cells {
             // Half the product of the diagonals; a triangle repeats its last corner.
@@ -41,7 +37,31 @@ impl Load for Pressure {
         }
     }
 
+    /// With the diagonals u = x_r − x_p and v = x_s − x_q of a cell of n corners every corner bears `f = p (u × v)/2n`, so
+    /// `∂f/∂x_r = −∂f/∂x_p = −(p/2n) [v]×` and `∂f/∂x_s = −∂f/∂x_q = (p/2n) [u]×`, `[u]× y = u × y`.
+    fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+        if !self.follower {
+            return;
+        }
+        for cell in &body.reference.cloud.cells {
+            let [p, q, r, s] = cell.corners.map(|a| position(&body.state[a as usize]));
+            let factor = 0.5 * scale * self.value / f64::from(cell.count);
+            let [across_u, across_v] = [r - p, s - q].map(|diagonal| diagonal.cross_matrix() * factor);
+            let by_corner = [across_v, -across_u, -across_v, across_u];
+            for (&moved, change) in cell.corners.iter().zip(&by_corner) {
+                let block = place_block(0, 0, change);
+                for &pushed in &cell.corners[..cell.count as usize] {
+                    put(pushed, moved, &block);
+                }
+            }
+        }
+    }
+
     fn check(&self, _: &Reference) -> Result<(), ShellError> {
         Ok(())
     }
+}
+
+fn position(row: &[f64; 6]) -> Vec3 {
+    Vec3::new(row[0], row[1], row[2])
 }

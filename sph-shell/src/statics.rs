@@ -7,15 +7,16 @@ use shell_kinematics::parallel_transport;
 use crate::Shell;
 use crate::bounds::Unsound;
 use crate::freedoms::{Basis, Freedoms};
-use crate::stiffness::{Block, BlockPattern};
+use crate::loads::Block;
+use crate::stiffness::BlockPattern;
 
 /// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
 ///
 /// Built only when a static analysis asks for it.
 pub struct StaticShell {
-    shell: Shell,
-    freedoms: Freedoms,
-    pattern: BlockPattern,
+    pub(crate) shell: Shell,
+    pub(crate) freedoms: Freedoms,
+    pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
 }
 
@@ -50,7 +51,7 @@ impl StaticShell {
         weights
     }
 
-    fn basis(&self, particle: usize) -> Basis {
+    pub(crate) fn basis(&self, particle: usize) -> Basis {
         self.shell.basis(particle, self.freedoms.arc)
     }
 
@@ -58,6 +59,42 @@ impl StaticShell {
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
             self.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+        }
+    }
+
+    /// Turns the lower triangle of blocks into entries between unknowns, in the order of the pattern; `radial` is taken
+    /// from the turns of a particle on the diagonal.
+    pub(crate) fn project_blocks(
+        &self,
+        blocks: &[Block],
+        radial: impl Fn(usize) -> f64,
+        mut visit: impl FnMut(f64),
+    ) {
+        for a in 0..self.shell.len() {
+            let row_basis = self.basis(a);
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                let column_basis = self.basis(b);
+                let along = if a == b { radial(a) } else { 0.0 };
+                for row in 0..row_basis.count {
+                    let left = if row < row_basis.translations { 0 } else { 3 };
+                    for column in 0..if a == b { row + 1 } else { column_basis.count } {
+                        let top = if column < column_basis.translations { 0 } else { 3 };
+                        let mut value = 0.0;
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                value += row_basis.directions[row][i]
+                                    * blocks[block][left + i][top + j]
+                                    * column_basis.directions[column][j];
+                            }
+                        }
+                        if a == b && row == column && left == 3 {
+                            value -= along;
+                        }
+                        visit(value * row_basis.rates[row] * column_basis.rates[column]);
+                    }
+                }
+            }
         }
     }
 
@@ -105,41 +142,18 @@ impl Equilibrium for StaticShell {
         self.shell.evaluate_internal(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
         let mut next = values.iter_mut();
-        for a in 0..self.shell.len() {
-            let row_basis = self.basis(a);
-            let rows = self.freedoms.of(a);
-            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
-                let b = self.pattern.columns[block] as usize;
-                let column_basis = self.basis(b);
-                // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-                let radial = if a == b { self.radial_force(a) } else { 0.0 };
-                for row in 0..rows.len() {
-                    let left = if row < row_basis.translations { 0 } else { 3 };
-                    for column in 0..self.freedoms.of(b).len() {
-                        if a == b && column > row {
-                            continue;
-                        }
-                        let top = if column < column_basis.translations { 0 } else { 3 };
-                        let mut value = 0.0;
-                        for i in 0..3 {
-                            for j in 0..3 {
-                                value += row_basis.directions[row][i]
-                                    * self.blocks[block][left + i][top + j]
-                                    * column_basis.directions[column][j];
-                            }
-                        }
-                        if a == b && row == column && left == 3 {
-                            value -= radial;
-                        }
-                        value *= row_basis.rates[row] * column_basis.rates[column];
-                        if let Some(slot) = next.next() {
-                            *slot = value;
-                        }
-                    }
+        self.project_blocks(
+            &self.blocks,
+            |a| self.radial_force(a),
+            |value| {
+                if let Some(slot) = next.next() {
+                    *slot = value;
                 }
-            }
-        }
+            },
+        );
     }
 
     fn update(&mut self, increment: &[f64]) {

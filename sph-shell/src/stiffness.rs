@@ -8,11 +8,9 @@ use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruenc
 
 use crate::Shell;
 use crate::cell_control::{CellState, ScaleTangent};
+use crate::loads::Block;
 use crate::packs::{Entry, PointPack};
 use crate::point::place;
-
-/// A block of second derivatives between the `[x, d]` of two particles.
-pub(crate) type Block = [[f64; 6]; 6];
 
 /// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d; those made of positions.
 const VECTORS: usize = 7;
@@ -38,6 +36,7 @@ impl BlockPattern {
                 rows[a as usize].extend(particles.iter().filter(|&&b| b < a));
             }
         }
+        shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
         if let Some(pairs) = &shell.pairs {
             for (a, row) in rows.iter_mut().enumerate() {
                 row.extend(pairs.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
@@ -54,7 +53,7 @@ impl BlockPattern {
     }
 
     /// Number of the block of particles `a ≥ b`.
-    fn find(&self, a: u32, b: u32) -> Option<usize> {
+    pub fn find(&self, a: u32, b: u32) -> Option<usize> {
         let first = self.offsets[a as usize] as usize;
         let row = &self.columns[first..self.offsets[a as usize + 1] as usize];
         row.binary_search(&b).ok().map(|i| first + i)

@@ -1,7 +1,7 @@
 //! What a run left behind, whoever solved it: particles in time, particles without time, finite elements.
 
 use benchmarks_ref::fe_shell::cases::Solved;
-use coque::{Column, Curve, Ended, Shape};
+use coque::{Column, CriticalSummary, Curve, Ended, Shape};
 
 /// Who found the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,6 +50,8 @@ pub struct Outcome {
     pub stable_step: f64,
     /// Load levels at which the motion had not died.
     pub restless: usize,
+    /// Critical points met on a path without time.
+    pub critical: Vec<CriticalSummary>,
     /// Why it did not reach its end.
     pub failure: Option<String>,
     /// Deformed shapes; none of finite elements.
@@ -73,6 +75,7 @@ impl From<coque::Outcome> for Outcome {
             particle_steps_per_second: summary.particle_steps_per_second,
             stable_step: summary.stable_step,
             restless: summary.levels.iter().filter(|level| !level.settled).count(),
+            critical: summary.critical,
             failure: match run.ended {
                 Ended::Done => None,
                 ended => Some(ended.to_string()),
@@ -106,6 +109,7 @@ impl From<Solved> for Outcome {
             particle_steps_per_second: 0.0,
             stable_step: 0.0,
             restless: 0,
+            critical: Vec::new(),
             failure: None,
             shapes: Vec::new(),
             faces: Vec::new(),

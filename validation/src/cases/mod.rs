@@ -3,6 +3,7 @@
 mod buckling;
 mod cantilever_end_shear;
 pub(crate) mod dial;
+mod external_pressure;
 mod hard;
 mod hemisphere;
 mod hemisphere_large;
@@ -47,6 +48,7 @@ pub fn all() -> Vec<Case> {
         plate::case(),
         plate_frequencies::case(),
         buckling::case(),
+        external_pressure::case(),
         hemisphere_large::case(),
         open_cylinder::case(),
         pinched_cylinder_large::case(),

@@ -76,6 +76,7 @@ fn outcome(cost: &Cost) -> Outcome {
         particle_steps_per_second: 1e9 / cost.wall,
         stable_step: 0.0,
         restless: 0,
+        critical: Vec::new(),
         failure: None,
         shapes: Vec::new(),
         faces: Vec::new(),

@@ -60,6 +60,7 @@ pub fn outcome(
         particle_steps_per_second: shell.len() as f64 * steps as f64 / wall_seconds,
         stable_step: 0.0,
         restless: 0,
+        critical: Vec::new(),
         failure,
         shapes: Vec::new(),
         faces: Vec::new(),

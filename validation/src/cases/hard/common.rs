@@ -155,6 +155,7 @@ pub fn finding(particles: usize, spacing: f64, figures: &[(&str, f64)]) -> Outco
         particle_steps_per_second: 0.0,
         stable_step: 0.0,
         restless: 0,
+        critical: Vec::new(),
         failure: None,
         shapes: Vec::new(),
         faces: Vec::new(),
