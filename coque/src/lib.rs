@@ -121,6 +121,7 @@
 mod build;
 mod catalogue;
 mod checkpoint;
+mod criticality;
 mod curve;
 mod doubts;
 mod error;

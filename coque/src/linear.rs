@@ -38,7 +38,7 @@ pub(crate) fn linear(
     let response = match linear_response(system, 0.0) {
         Ok(response) => response,
         Err(cause) => {
-            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause, unit: None });
             return;
         }
     };

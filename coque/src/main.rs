@@ -263,7 +263,7 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
         ));
     }
     for critical in &summary.critical {
-        say(&format!("{} at load level {}", critical.kind, critical.level));
+        say(&format!("{} at {}", critical.kind, critical.place()));
     }
     let effort = match summary.analysis.as_str() {
         "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),

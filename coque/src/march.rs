@@ -39,7 +39,7 @@ pub(crate) fn march(
     match clocked(explicit, shell, &mut watcher, from) {
         Ok(clock) => found.steps = clock.steps,
         Err(error) => {
-            if let MarchError::Diverged { step, .. } = error {
+            if let MarchError::Diverged { step, .. } | MarchError::OutOfBounds { step, .. } = error {
                 found.steps = step;
             }
             found.ended = Ended::Diverged(error.into());

@@ -94,7 +94,7 @@ fn taken<M>(
             return None;
         }
         Err(cause) => {
-            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause, unit: None });
             return None;
         }
     };

@@ -3,17 +3,18 @@
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BalanceError, Control, CriticalKind, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions,
-    Point, Start, follow, linear_response,
+    BalanceError, Control, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions, Point, Start,
+    follow, linear_response,
 };
 use sph_shell::StaticShell;
 
 use crate::build::Driven;
 use crate::checkpoint::Place;
+use crate::criticality::{Follows, note};
 use crate::probe::Gauge;
 use crate::run::{Ended, Failure, Findings, News, Progress, RunOptions};
 use crate::scene::{ArcLength, Static};
-use crate::summary::{CriticalSummary, Energies, LevelSummary};
+use crate::summary::{Energies, LevelSummary};
 
 /// Width of the bracket of a critical point in units of the step: within it the eigenvalue is interpolated, which
 /// leaves the square of this.
@@ -33,6 +34,7 @@ pub(crate) fn levels(
     (run, from): (&mut RunOptions<'_>, Option<Place>),
 ) {
     let newton = newton(wanted.tolerance, wanted.iterations);
+    let unit = found.force_unit.clone();
     let mut reader = Reader { driven, gauges };
     let list = wanted.levels.list();
     let last = list.last().copied().unwrap_or(1.0);
@@ -72,13 +74,15 @@ pub(crate) fn levels(
             let news = News { done: before / last, ..news(found.steps, before, row[1]) };
             run.progress.update(&news)
         });
-        note(&path, found);
+        count(&path, found);
+        note(&path, Follows::Levels, unit.as_deref(), found);
         if path.end == Ok(End::Stopped) {
             found.ended = Ended::Interrupted { time: 0.0, level: before };
             return;
         }
         if let Err(cause) = path.end {
-            found.ended = Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause });
+            found.ended =
+                Ended::Diverged(Failure::Balance { points: found.steps, level: before, cause, unit });
             return;
         }
         if path.end != Ok(End::Reached) {
@@ -156,7 +160,7 @@ pub(crate) fn arc_length(
         None => wanted.radius,
         Some((driven, Ok(stiffness))) => wanted.radius * driven.by * stiffness,
         Some((_, Err(cause))) => {
-            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause });
+            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause, unit: None });
             return;
         }
     };
@@ -168,6 +172,7 @@ pub(crate) fn arc_length(
     let control = Control::ArcLength { first, range: (f64::NEG_INFINITY, until) };
     let mut options = options(control, &newton(wanted.tolerance, wanted.iterations));
     options.steps = wanted.steps;
+    let unit = found.force_unit.clone();
     let mut reader = Reader { driven, gauges };
     let mut interrupted = false;
     let path = follow(system, &Start::default(), &options, |point, system| {
@@ -182,13 +187,14 @@ pub(crate) fn arc_length(
         let flow = found.keep_shape(system.shell(), 0.0, point.level());
         if reached || interrupted { ControlFlow::Break(()) } else { flow }
     });
-    note(&path, found);
+    count(&path, found);
+    note(&path, Follows::Arc, unit.as_deref(), found);
     let level = path.restart.level;
     found.ended = match path.end {
         Ok(End::Stopped) if interrupted => Ended::Interrupted { time: 0.0, level },
         Ok(End::Reached | End::Stopped) => Ended::Done,
         Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level, repair: MORE }),
-        Err(cause) => Ended::Diverged(Failure::Balance { points: found.steps, level, cause }),
+        Err(cause) => Ended::Diverged(Failure::Balance { points: found.steps, level, cause, unit }),
     };
 }
 
@@ -226,18 +232,11 @@ fn stiffness(system: &mut StaticShell, driven: &Driven) -> Result<f64, BalanceEr
     Ok(1.0 / driven.moved(system, &response))
 }
 
-/// Counts what a path took and takes over its critical points.
-fn note(path: &Path, found: &mut Findings<'_>) {
+/// Counts what a path took.
+fn count(path: &Path, found: &mut Findings<'_>) {
     let made = path.points.iter().skip(1);
     found.newton_iterations += made.clone().map(|point| point.converged.iterations as u64).sum::<u64>();
     found.steps += made.count() as u64;
-    found.critical.extend(path.critical.iter().map(|critical| CriticalSummary {
-        kind: match critical.kind {
-            CriticalKind::Limit => "limit point".into(),
-            CriticalKind::Bifurcation => "bifurcation".into(),
-        },
-        level: critical.level,
-    }));
 }
 
 /// Reads rows of the curve.

@@ -23,6 +23,7 @@ use crate::probe::columns;
 use crate::scene::Analysis;
 use crate::stability;
 use crate::summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Summary};
+use crate::units::Quantity;
 use crate::{Doubt, Warning};
 
 /// How a run is going.
@@ -129,7 +130,7 @@ pub enum Failure {
     #[error(transparent)]
     March(#[from] MarchError),
     /// A balance was not found.
-    #[error("no balance after {points} points, the last at level {level}: {cause}{}", causes(.cause))]
+    #[error("no balance after {points} points, the last at level {level}: {cause}{}{}", causes(.cause), forces(.unit))]
     Balance {
         /// Points found.
         points: u64,
@@ -137,6 +138,8 @@ pub enum Failure {
         level: f64,
         /// What happened.
         cause: BalanceError,
+        /// Unit of the load levels that the cause names, where they are forces.
+        unit: Option<String>,
     },
     /// A path was still under way.
     #[error("the path is still under way after {steps} steps, at level {level}; {repair}")]
@@ -161,6 +164,15 @@ impl Failure {
             Self::Balance { cause, .. } => matches!(cause, BalanceError::Option { .. }),
             _ => false,
         }
+    }
+}
+
+/// Says what a load level is where it is a force.
+fn forces(unit: &Option<String>) -> String {
+    match unit.as_deref() {
+        None => String::new(),
+        Some("-") => "; load levels there are forces".into(),
+        Some(unit) => format!("; load levels there are forces in {unit}"),
     }
 }
 
@@ -199,6 +211,8 @@ pub(crate) struct Findings<'a> {
     pub(crate) critical: Vec<CriticalSummary>,
     pub(crate) warnings: Vec<Warning>,
     pub(crate) counted: Option<CountSummary>,
+    /// Unit of the force that is the level of paths, where a prescribed motion drives them.
+    pub(crate) force_unit: Option<String>,
     /// Wall time of earlier sittings \[s\].
     pub(crate) seconds: f64,
     /// Where frames of fields go, if anywhere.
@@ -259,9 +273,10 @@ impl Model {
 
     fn nothing_yet<'a>(&self, sink: Option<&'a mut dyn FieldSink>) -> Findings<'a> {
         let curve = Curve { columns: columns(self), rows: Vec::new() };
+        let force_unit = self.driven.map(|_| self.scene.units.symbol(Quantity::Force));
         let driven = self.driven.map(|driven| driven.particle);
         let frames = sink.map(|sink| Frames::new(sink, &self.scene, driven));
-        Findings { curve, frames, ..Findings::default() }
+        Findings { curve, frames, force_unit, ..Findings::default() }
     }
 
     fn in_pool(self, mut options: RunOptions<'_>, found: Findings<'_>, from: Option<Place>) -> Outcome {

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Warning;
 use crate::build::Model;
+use crate::criticality::place;
 use crate::scene::{Analysis, Axis, Damping, Layered, LoadKind, Ply, Section};
 use crate::stability;
 
@@ -61,10 +62,22 @@ pub struct LevelSummary {
 /// A singular tangent met on a path of equilibria.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CriticalSummary {
-    /// "limit point" or "bifurcation".
+    /// "limit point" or "bifurcation"; "turning point", "change of branch", "critical points, not located" or "doubtful
+    /// step" where a warning says more.
     pub kind: String,
     /// Load level; with a `moved` support the force along the motion.
     pub level: f64,
+    /// Unit of the level where it is a force.
+    pub unit: Option<String>,
+    /// Levels between which it lies, where it was not located.
+    pub between: Option<[f64; 2]>,
+}
+
+impl CriticalSummary {
+    /// Where it lies: `load level 0.5`, or `a force of 127.4 N`.
+    pub fn place(&self) -> String {
+        place(self.level, self.unit.as_deref())
+    }
 }
 
 /// How many modes there are, counted by the signs of pivots (Sylvester's law): as many as were found, none missing.

@@ -143,7 +143,7 @@ impl Clock {
     /// One step of at most `limit` \[T\] towards load level `level(time)`, without a record.
     ///
     /// # Errors
-    /// [`MarchError::Diverged`] when a particle outruns its bound.
+    /// [`MarchError::Diverged`] when a particle outruns its bound, [`MarchError::OutOfBounds`].
     pub fn step<S: Dynamics>(
         &mut self,
         system: &mut S,
@@ -158,7 +158,7 @@ impl Clock {
     /// One step like [`Clock::step`], with a record of the state it starts from.
     ///
     /// # Errors
-    /// [`MarchError::Diverged`].
+    /// [`MarchError::Diverged`]; [`MarchError::OutOfBounds`] instead of the record of a state out of bounds.
     pub fn recorded_step<S: Dynamics>(
         &mut self,
         system: &mut S,
@@ -173,6 +173,7 @@ impl Clock {
         // velocities as they were given.
         let still = (self.steps == 0).then(|| system.kick(&Step { kick: 0.0, ..step }));
         let work = system.kick(&step);
+        self.look(system)?;
         let record = self.make_record(still.unwrap_or(work), settled);
         let flow = observer.record(system, &record);
         self.last_good = Some(Box::new(record));
@@ -227,17 +228,29 @@ impl Clock {
         self.steps += 1;
         // A runaway particle multiplies the kinetic energy within steps: look before it spreads.
         let growing = !work.kinetic.is_finite() || work.kinetic > GROWTH * self.watched;
-        if growing || self.steps.is_multiple_of(WATCH_EVERY) {
+        let due = self.steps.is_multiple_of(WATCH_EVERY);
+        if growing || due {
             self.watched = work.kinetic;
-            return self.watch(system);
+            self.watch(system)?;
         }
-        Ok(())
+        if due { self.look(system) } else { Ok(()) }
     }
 
     /// Books the kinetic energy that a stop of all particles takes away.
     pub fn book_stop(&mut self) {
         self.dissipated += self.kinetic;
         self.kinetic = 0.0;
+    }
+
+    /// Looks whether the configuration is within the range of the model.
+    fn look<S: Dynamics>(&self, system: &S) -> Result<(), MarchError> {
+        system.within_bounds().map_err(|found| MarchError::OutOfBounds {
+            time: self.now.time,
+            step: self.steps,
+            level: self.now.level,
+            found,
+            last_good: self.last_good.clone(),
+        })
     }
 
     /// Looks for a runaway particle.

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::OutOfBounds;
+
 /// A moment of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Instant {
@@ -77,4 +79,12 @@ pub trait Dynamics {
 
     /// Speed no particle of a sound run reaches \[L/T\], for example the speed of sound.
     fn speed_bound(&self) -> f64;
+
+    /// Refuses a configuration outside the range of the model, such as an element turned inside out.
+    ///
+    /// # Errors
+    /// The place and the number that is out of bounds.
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        Ok(())
+    }
 }

@@ -2,6 +2,20 @@
 
 use crate::Record;
 
+/// A configuration outside the range of its model.
+#[derive(Clone, Debug, thiserror::Error, PartialEq)]
+#[error("{what} of {place} is {value:.3e}, must be {bound}")]
+pub struct OutOfBounds {
+    /// Where.
+    pub place: String,
+    /// The quantity.
+    pub what: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// What it must be.
+    pub bound: &'static str,
+}
+
 /// A march that did not reach its end.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 pub enum MarchError {
@@ -25,6 +39,22 @@ pub enum MarchError {
         bound: f64,
         /// Fraction of the stable step that was used.
         safety: f64,
+        /// The last state that was recorded in good order.
+        last_good: Option<Box<Record>>,
+    },
+    /// The configuration left the range of the model.
+    #[error(
+        "left the range of the model at time {time:.6e} (step {step}, load level {level:.6}): {found}; load less or more slowly"
+    )]
+    OutOfBounds {
+        /// Time \[T\].
+        time: f64,
+        /// Steps done.
+        step: u64,
+        /// Load level.
+        level: f64,
+        /// What is out of bounds.
+        found: OutOfBounds,
         /// The last state that was recorded in good order.
         last_good: Option<Box<Record>>,
     },

@@ -77,7 +77,8 @@
 //!
 //! A particle faster than [`Dynamics::speed_bound`] ends the run as [`MarchError::Diverged`], which names the particle,
 //! its speed and the last record in good order. The look is taken every 64 steps, and at once when the kinetic energy
-//! has grown fourfold.
+//! has grown fourfold. Whether the configuration is within the range of its model, [`Dynamics::within_bounds`], is looked
+//! at every 64 steps and before every record ([`MarchError::OutOfBounds`]).
 //!
 //! # Finding equilibria by marching
 //!
@@ -127,7 +128,7 @@ pub use amplitude::Amplitude;
 pub use clock::{Balance, Clock, Observer, Record};
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Dynamics, Instant, Step, Work};
-pub use error::MarchError;
+pub use error::{MarchError, OutOfBounds};
 pub use quasi_static::{LevelReached, QuasiStatic};
 pub use rest::{MassScaled, Missing, Sizes};
 pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};

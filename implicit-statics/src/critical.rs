@@ -1,9 +1,10 @@
 //! Critical points: located between converged points, told apart, and left along another branch.
 
 use crate::newton::Constraint;
+use crate::path::{Passage, Passed};
 use crate::stepper::Stepper;
 use crate::vectors::dot;
-use crate::{BalanceError, Equilibrium, Increment, Newton, NewtonOptions, Start};
+use crate::{BalanceError, Converged, Equilibrium, Increment, Newton, NewtonOptions, Start};
 
 /// How critical points are located.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,59 +51,89 @@ pub struct CriticalPoint {
     pub state_level: f64,
 }
 
+/// Where a bracket is cut: in its middle, or elsewhere if no equilibrium is found there.
+const PARTS: [f64; 5] = [0.5, 0.37, 0.63, 0.21, 0.79];
+
 /// One end of a bracket.
-struct End {
+#[derive(Clone)]
+struct Edge {
     size: f64,
     level: f64,
     negative: usize,
     state: Vec<f64>,
 }
 
-/// Every change of the number of negative pivots within one step of the given size, by bisection of the size.
+/// Every change of the number of negative pivots within one step of the given size, by bisection of the size; a bracket
+/// where that fails.
 ///
-/// The state stands where the step begins and is left elsewhere. A trial that fails ends the search with what
-/// was found; pairs of changes that cancel within one step are not seen.
+/// The state stands where the step begins and is left elsewhere; `converged` and `state` are its end. Pairs of changes
+/// that cancel within one step are not seen.
 pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
     stepper: &mut Stepper,
     system: &mut E,
-    (first, last): (usize, usize),
+    (converged, state): (&Converged, &[f64]),
+    negative: usize,
     size: f64,
     options: &CriticalOptions,
-) -> Vec<CriticalPoint> {
+) -> (Vec<CriticalPoint>, Vec<Passage>) {
     let saved = system.save();
-    let mut found = Vec::new();
-    let (mut from, mut negative) = (0.0, first);
-    while negative != last && found.len() < first.abs_diff(last) {
-        match locate(stepper, system, &saved, (from, size), negative, options) {
-            Ok((point, after)) => {
-                (from, negative) = (after, point.negative.1);
-                found.push(point);
-            }
-            Err(_) => break,
+    let last =
+        Edge { size, level: converged.level, negative: converged.inertia.negative, state: state.into() };
+    let mut low = Edge { size: 0.0, level: stepper.level, negative, state: saved.clone() };
+    let (mut found, mut passages) = (Vec::new(), Vec::new());
+    while low.negative != last.negative {
+        let high = narrow(stepper, system, &saved, &mut low, &last, options.tolerance * size);
+        let narrowed = high.size - low.size <= options.tolerance * size;
+        let point = if narrowed { tell(stepper, system, &low, &high, options).ok() } else { None };
+        match point {
+            Some(point) => found.push(point),
+            None => passages.push(Passage {
+                step: stepper.newton.step,
+                levels: (low.level, high.level),
+                negative: (low.negative, high.negative),
+                what: Passed::Pivots,
+            }),
         }
+        low = high;
     }
-    found
+    (found, passages)
 }
 
-/// The first change from `negative` between two sizes of a step, and the size just after it.
-fn locate<E: Equilibrium + ?Sized>(
+/// Bisects towards the first change of the number of negative pivots between `low`, which moves, and `last`, until the
+/// bracket is as wide as `width`, or no trial within it is an equilibrium of this branch; the upper end.
+fn narrow<E: Equilibrium + ?Sized>(
     stepper: &mut Stepper,
     system: &mut E,
     saved: &[f64],
-    (from, to): (f64, f64),
-    negative: usize,
-    options: &CriticalOptions,
-) -> Result<(CriticalPoint, f64), BalanceError> {
-    let mut low = probe(stepper, system, saved, from)?;
-    let mut high = probe(stepper, system, saved, to)?;
-    while high.size - low.size > options.tolerance * to {
-        let middle = probe(stepper, system, saved, 0.5 * (low.size + high.size))?;
-        if middle.negative == negative {
-            low = middle;
+    low: &mut Edge,
+    last: &Edge,
+    width: f64,
+) -> Edge {
+    let mut high = last.clone();
+    while high.size - low.size > width {
+        let between = |part: f64| low.size + part * (high.size - low.size);
+        let mut trials = PARTS.into_iter().map(between);
+        let Some(middle) = trials.find_map(|trial| probe(stepper, system, saved, trial).ok().flatten())
+        else {
+            break;
+        };
+        if middle.negative == low.negative {
+            *low = middle;
         } else {
             high = middle;
         }
     }
+    high
+}
+
+/// What kind of critical point lies in a narrow bracket, and where.
+fn tell<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    low: &Edge,
+    high: &Edge,
+    options: &CriticalOptions,
+) -> Result<CriticalPoint, BalanceError> {
     stepper.newton.go_back(system, &low.state);
     stepper.newton.tangent(system, low.level)?;
     let mode = stepper.newton.solver.weakest_direction();
@@ -124,26 +155,26 @@ fn locate<E: Equilibrium + ?Sized>(
         participation,
         mode: mode.iter().map(|m| m / largest).collect(),
         negative: (low.negative, high.negative),
-        state: low.state,
+        state: low.state.clone(),
         state_level: low.level,
     };
-    Ok((point, high.size))
+    Ok(point)
 }
 
+/// The equilibrium of a step of another size; none if it lies on another branch.
 fn probe<E: Equilibrium + ?Sized>(
     stepper: &mut Stepper,
     system: &mut E,
     saved: &[f64],
     size: f64,
-) -> Result<End, BalanceError> {
+) -> Result<Option<Edge>, BalanceError> {
     stepper.newton.go_back(system, saved);
-    let (level, inertia) = if size > 0.0 {
-        let (converged, _) = stepper.advance(system, size)?;
-        (converged.level, converged.inertia)
-    } else {
-        (stepper.level, stepper.newton.tangent(system, stepper.level)?)
-    };
-    Ok(End { size, level, negative: inertia.negative, state: system.save() })
+    let made = stepper.advance(system, size)?;
+    if made.strays {
+        return Ok(None);
+    }
+    let (level, negative) = (made.converged.level, made.converged.inertia.negative);
+    Ok(Some(Edge { size, level, negative, state: system.save() }))
 }
 
 /// Share of the load in a mode at the state whose tangent was factorised last.

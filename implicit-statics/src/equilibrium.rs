@@ -1,5 +1,7 @@
 //! What a discrete system must offer to be solved without time.
 
+use crate::OutOfBounds;
+
 /// A system whose equilibria `internal(q) = external(q, λ)` are sought.
 ///
 /// Unknowns are the free freedoms only: held ones are eliminated by the system. A state may live on a
@@ -50,4 +52,12 @@ pub trait Equilibrium {
 
     /// What an unknown is, for messages: the particle or node, and the direction.
     fn name_unknown(&self, unknown: usize) -> String;
+
+    /// Refuses a state outside the range of the model, such as an element turned inside out, though it balances.
+    ///
+    /// # Errors
+    /// The place and the number that is out of bounds.
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        Ok(())
+    }
 }

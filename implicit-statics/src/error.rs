@@ -2,6 +2,20 @@
 
 use crate::Equilibrium;
 
+/// A state outside the range of its model.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{what} of {place} is {value:.3e}, must be {bound}")]
+pub struct OutOfBounds {
+    /// Where.
+    pub place: String,
+    /// The quantity.
+    pub what: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// What it must be.
+    pub bound: &'static str,
+}
+
 /// Why a balance was not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BalanceError {
@@ -138,6 +152,18 @@ pub enum BalanceError {
         level: f64,
         /// Cosine between the step and the response to the load after it.
         cosine: f64,
+    },
+    /// Forces balance in a state that the model does not cover.
+    #[error(
+        "step {step}, load level {level:.6e}: forces balance, but {found}; take a smaller step or less load"
+    )]
+    OutOfBounds {
+        /// Step of the path.
+        step: usize,
+        /// Load level.
+        level: f64,
+        /// What is out of bounds.
+        found: OutOfBounds,
     },
     /// Repeated halving brought the step below its least size.
     #[error(

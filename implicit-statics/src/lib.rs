@@ -87,8 +87,24 @@
 //! ```
 //!
 //! with norms scaled by the diagonal stiffness \[wriggers1990\] ([`CriticalPoint`]). [`switch_branch`] moves by a given
-//! amplitude along φ and finds the equilibrium with that much of the mode in its motion \[wagner1988\]. Under load
-//! control a step over a limit point is refused by the change of sign of the response ([`BalanceError::Fold`]).
+//! amplitude along φ and finds the equilibrium with that much of the mode in its motion \[wagner1988\]. What was
+//! bracketed but not located is a [`Passage`].
+//!
+//! # Steps that leave their branch
+//!
+//! Newton may end on another branch of equilibria, where inertia tells nothing: beyond a snap both ends are stable. With
+//! [`CriticalOptions`] given, every step Δq is compared with the tangents q′ at its two ends, each over the whole step:
+//!
+//! ```text
+//! |Δq − ½ (q′₀ + q′₁) Δs| / |Δq|  > ½    the step strays;  > ¼ where an iterate had more negative pivots than both ends
+//! ```
+//!
+//! Along a branch this is the error of the trapezoidal rule, of third order in Δs. It costs one solve a step with a factor
+//! at hand. An arc that strays is halved. A step of load or displacement that strays is kept, and its branch followed by
+//! arc length from where it began: if it leads to the state found, nothing is said; if it turns back, its limit point is
+//! located and [`Passed::Turn`] says that the state lies on another branch. A step to the falling side of a limit point is
+//! refused by the sign of the response ([`BalanceError::Fold`]). What ends alone cannot tell: a leap that is by chance as
+//! long, in every unknown, as the mean of its tangents.
 //!
 //! # Modes
 //!
@@ -116,7 +132,10 @@
 //! | residuals fall quadratically, bordered steps too | `residuals_fall_quadratically`, `bordered_steps_converge_quadratically_too` (tests/newton.rs) |
 //! | a failure says where, and leaves the state as it was | `failures_say_where_and_leave_the_state`, `a_mechanism_is_named` |
 //! | rounding of the forces ends the iteration | `rounding_of_the_forces_ends_the_iteration` |
-//! | load control stops at a limit point and does not leap over it | `load_control_follows_the_arch_up_to_its_limit`, `a_load_step_that_leaps_over_a_limit_point_is_refused` (tests/paths.rs) |
+//! | load control stops before the falling side of a limit point | `load_control_follows_the_arch_up_to_its_limit`, `a_load_step_that_leaps_over_a_limit_point_is_refused` (tests/paths.rs) |
+//! | a step to another branch names where its own turns back, over one limit point or many, with line search or without; a long step on its branch says nothing | `a_load_step_to_the_far_side_of_the_arch_names_the_limit_it_leapt_over`, `a_leap_over_many_limit_points_names_the_first`, `a_displacement_step_over_a_turning_point_says_so`, `steps_that_stay_on_their_branch_are_proved_to` |
+//! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
+//! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
 //! | arc length passes limit and turning points, ends exactly at its bound | `arc_length_goes_through_both_limit_points_and_ends_at_the_bound`, `arc_length_passes_both_turning_points_of_the_displacement` |
 //! | limit points and bifurcations are told apart and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
 //! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
@@ -128,6 +147,7 @@
 //! | levels of either sign; a load that stretches is told so | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
+mod branch;
 mod buckling;
 mod critical;
 mod effort;
@@ -147,9 +167,9 @@ pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::Equilibrium;
-pub use error::BalanceError;
+pub use error::{BalanceError, OutOfBounds};
 pub use geometric::Prebuckling;
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
-pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
+pub use path::{Control, Direction, End, Measure, Passage, Passed, Path, PathOptions, Point, Start, follow};
 pub use solver::{Inertia, SymmetricSolver};

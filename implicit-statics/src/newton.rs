@@ -90,8 +90,12 @@ pub struct Newton {
     force_scale: f64,
     travelled: Vec<f64>,
     first_way: f64,
+    /// Most negative pivots of a tangent since the last correction began.
+    pub(crate) most_negative: usize,
     /// Level at which the tangent of the present state was factorised, if it was.
     factored: Option<f64>,
+    /// The response to the load there, once it was asked for.
+    answer: Option<Vec<f64>>,
 }
 
 impl Newton {
@@ -113,7 +117,9 @@ impl Newton {
             force_scale: 0.0,
             travelled: vec![0.0; n],
             first_way: 0.0,
+            most_negative: 0,
             factored: None,
+            answer: None,
         })
     }
 
@@ -142,7 +148,8 @@ impl Newton {
         if self.factored != Some(level) {
             system.tangent(level, &mut self.values);
             self.solver.factor(&self.values)?;
-            self.factored = Some(level);
+            (self.factored, self.answer) = (Some(level), None);
+            self.most_negative = self.most_negative.max(self.solver.inertia().negative);
         }
         Ok(self.solver.inertia())
     }
@@ -154,9 +161,13 @@ impl Newton {
         level: f64,
     ) -> Result<(Vec<f64>, &[f64]), BalanceError> {
         self.tangent(system, level)?;
+        if let Some(response) = &self.answer {
+            return Ok((response.clone(), &self.rate));
+        }
         system.load_rate(level, &mut self.rate);
         let mut response = self.rate.clone();
         self.solver.solve(&mut response).map_err(|error| error.named(system, self.step, level))?;
+        self.answer = Some(response.clone());
         Ok((response, &self.rate))
     }
 
@@ -169,13 +180,13 @@ impl Newton {
     /// Moves the state.
     pub(crate) fn advance<E: Equilibrium + ?Sized>(&mut self, system: &mut E, motion: &[f64]) {
         system.update(motion);
-        self.factored = None;
+        (self.factored, self.answer) = (None, None);
     }
 
     /// Comes back to a saved state.
     pub(crate) fn go_back<E: Equilibrium + ?Sized>(&mut self, system: &mut E, saved: &[f64]) {
         system.restore(saved);
-        self.factored = None;
+        (self.factored, self.answer) = (None, None);
     }
 
     /// Takes note of a step that is kept.
@@ -194,6 +205,7 @@ impl Newton {
         increment: &mut Increment,
         constraint: &Constraint,
     ) -> Result<Converged, BalanceError> {
+        self.most_negative = 0;
         let mut residuals = Vec::new();
         let mut rest = f64::INFINITY;
         for iterations in 0.. {
@@ -209,6 +221,9 @@ impl Newton {
             let bound = if at_rest { asked.max(size) } else { asked };
             let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
             if size <= bound && moved {
+                if let Err(found) = system.within_bounds() {
+                    return Err(BalanceError::OutOfBounds { step: self.step, level, found });
+                }
                 let inertia = self.tangent(system, level)?;
                 self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
                 return Ok(Converged { level, iterations, residuals, bound, inertia });
@@ -262,9 +277,14 @@ impl Newton {
     }
 
     /// Length of a motion with every unknown in the unit of its own stiffness.
-    fn length(&self, motion: &[f64]) -> f64 {
+    pub(crate) fn length(&self, motion: &[f64]) -> f64 {
         let scale = self.solver.scale();
         motion.iter().zip(scale).map(|(q, s)| (q / s) * (q / s)).sum::<f64>().sqrt()
+    }
+
+    /// Whether a motion is too short against the way made to be more than rounding.
+    pub(crate) fn is_rounding(&self, motion: &[f64], increment: &Increment) -> bool {
+        self.length(motion) <= AT_REST * self.way(increment)
     }
 
     /// Length of the way from the start of the path, of the present step or of the first, whichever is longest.

@@ -2,13 +2,16 @@
 
 use std::ops::ControlFlow;
 
+use crate::branch::{Leads, trace};
 use crate::critical::{CriticalOptions, CriticalPoint, locate_all};
 use crate::error::require;
-use crate::stepper::Stepper;
+use crate::stepper::{Made, Stepper};
 use crate::{BalanceError, Converged, Equilibrium, Increment, Inertia, NewtonOptions};
 
 /// Part of the first step above which a load step that may have strayed is halved.
 const STRAY: f64 = 0.1;
+/// Part of the first step down to which an arc is halved while it strays.
+const FINE: f64 = 1e-3;
 
 /// What drives a path.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +87,8 @@ pub struct PathOptions {
     pub measure: Measure,
     /// What the level counts in the arc length against the linear response to it at the start; default 1.
     pub load_share: f64,
-    /// Whether and how critical points are located where the number of negative pivots changes; default not.
+    /// Whether steps are watched for what is critical: whether and how critical points are located where the number of
+    /// negative pivots changes, and steps checked for having left their branch; default not.
     pub critical: Option<CriticalOptions>,
 }
 
@@ -154,6 +158,36 @@ pub struct Point {
     pub size: f64,
     /// Trials that failed before.
     pub restarts: usize,
+    /// Directions in which the equilibrium is unstable under the control: negative pivots; where a displacement is
+    /// given by a force along it, less the one that it holds.
+    pub unstable: usize,
+}
+
+/// A part of a path over which something critical was passed that no [`CriticalPoint`] tells of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passage {
+    /// The path's step.
+    pub step: usize,
+    /// Levels at its ends \[–\].
+    pub levels: (f64, f64),
+    /// Negative pivots at its ends.
+    pub negative: (usize, usize),
+    /// What was passed.
+    pub what: Passed,
+}
+
+/// What a [`Passage`] went over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Passed {
+    /// Critical points that were bracketed but not located: the number of negative pivots changes.
+    Pivots,
+    /// The branch of the first end turns back at about this level; the other end lies on another.
+    Turn(f64),
+    /// The branch of the first end goes on to another state; the second lies on another branch.
+    Branch,
+    /// The step is far from its tangents, and the branch of its first end could not be followed: the other end may lie
+    /// on another.
+    Unproved,
 }
 
 impl Point {
@@ -184,13 +218,31 @@ pub enum End {
 pub struct Path {
     /// Converged points, the start first.
     pub points: Vec<Point>,
-    /// Critical points located, in order; where locating failed, only the points' inertia tells of one.
+    /// Critical points located, in order.
     pub critical: Vec<CriticalPoint>,
+    /// What was passed without being located.
+    pub passages: Vec<Passage>,
     /// Whence it can be continued.
     pub restart: Start,
     /// How it ended.
     pub end: Result<End, BalanceError>,
 }
+
+impl Path {
+    /// Nothing yet.
+    pub(crate) fn new(start: &Start) -> Self {
+        Self {
+            points: Vec::new(),
+            critical: Vec::new(),
+            passages: Vec::new(),
+            restart: start.clone(),
+            end: Ok(End::Steps),
+        }
+    }
+}
+
+/// Told every converged point and the step that led there.
+type Observer<'a, E> = dyn FnMut(&Point, Option<&Increment>, &mut E) -> ControlFlow<()> + 'a;
 
 /// Follows equilibria from the present state; the observer sees every converged point and may stop.
 ///
@@ -202,23 +254,23 @@ pub fn follow<E: Equilibrium + ?Sized>(
     options: &PathOptions,
     mut observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
 ) -> Path {
-    let mut path =
-        Path { points: Vec::new(), critical: Vec::new(), restart: start.clone(), end: Ok(End::Steps) };
-    path.end = march(system, start, options, &mut observer, &mut path);
+    let mut path = Path::new(start);
+    path.end = march(system, start, options, &mut path, &mut |point, _, system| observer(point, system));
     path
 }
 
-fn march<E: Equilibrium + ?Sized>(
+pub(crate) fn march<E: Equilibrium + ?Sized>(
     system: &mut E,
     start: &Start,
     options: &PathOptions,
-    observer: &mut dyn FnMut(&Point, &mut E) -> ControlFlow<()>,
     path: &mut Path,
+    observer: &mut Observer<'_, E>,
 ) -> Result<End, BalanceError> {
     options.check(system)?;
     let (mut stepper, converged, (mut size, first)) = Stepper::new(system, start, options)?;
-    let point = Point { step: 0, converged, size: 0.0, restarts: 0 };
-    let stop = observer(&point, system);
+    let unstable = converged.inertia.negative;
+    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable };
+    let stop = observer(&point, None, system);
     path.points.push(point);
     if stop.is_break() {
         return Ok(End::Stopped);
@@ -228,7 +280,7 @@ fn march<E: Equilibrium + ?Sized>(
         stepper.newton.step = step;
         let saved = system.save();
         let mut restarts = 0;
-        let (converged, increment, bound) = loop {
+        let (made, bound) = loop {
             let trial = clip(size, travelled, stepper.level, &options.control);
             match step_within(&mut stepper, system, &saved, trial, &options.control) {
                 Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => break done,
@@ -249,23 +301,17 @@ fn march<E: Equilibrium + ?Sized>(
                 }
             }
         };
-        let made = stepper.size(&increment);
-        travelled += made;
-        if let Some(critical) = &options.critical
-            && path.points[step - 1].inertia().negative != converged.inertia.negative
-        {
-            let here = system.save();
-            stepper.newton.go_back(system, &saved);
-            let counts = (path.points[step - 1].inertia().negative, converged.inertia.negative);
-            let found = locate_all(&mut stepper, system, counts, made, critical);
-            path.critical.extend(found);
-            stepper.newton.go_back(system, &here);
+        let size_made = stepper.size(&made.increment);
+        travelled += size_made;
+        if let Some(critical) = &options.critical {
+            look_for_critical(&mut stepper, system, (&saved, &made, size_made), critical, options, path);
         }
+        let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(converged.level, increment);
         path.restart = Start { level: stepper.level, heading: stepper.last.clone() };
-        let point = Point { step, converged, size: made, restarts };
-        let stop = observer(&point, system);
+        let point = Point { step, converged, size: size_made, restarts, unstable };
+        let stop = observer(&point, stepper.last.as_ref(), system);
         path.points.push(point);
         if stop.is_break() {
             return Ok(End::Stopped);
@@ -278,12 +324,64 @@ fn march<E: Equilibrium + ?Sized>(
     Ok(End::Steps)
 }
 
-/// Whether Newton may have strayed to another branch: a load step after which several more pivots are negative, while it
-/// is not yet small. Critical points are passed one at a time, but for symmetry.
-fn strayed(converged: &Converged, path: &Path, size: f64, first: f64, control: &Control) -> bool {
+/// Whether Newton may have strayed to another branch and a smaller step is to be tried, while it is not yet small: a load
+/// step after which several more pivots are negative, since critical points are passed one at a time but for symmetry;
+/// an arc far from its tangents.
+fn strayed(made: &Made, path: &Path, size: f64, first: f64, control: &Control) -> bool {
     let before = path.points.last().map_or(0, |point| point.inertia().negative);
     let load = matches!(control, Control::Load { .. });
-    load && converged.inertia.negative > before + 1 && size > STRAY * first
+    let several = load && made.converged.inertia.negative > before + 1 && size > STRAY * first;
+    // Arcs that turn back or leave their branch are halved; load and displacement go where they are told.
+    let arc = matches!(control, Control::ArcLength { .. });
+    several || arc && made.strays && size > FINE * first
+}
+
+/// Looks at a step that is kept, from `saved` to the present state: for critical points where the number of negative
+/// pivots changes, and for a change of branch where its tangents do not explain it.
+fn look_for_critical<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    (saved, made, size): (&[f64], &Made, f64),
+    critical: &CriticalOptions,
+    options: &PathOptions,
+    path: &mut Path,
+) {
+    let before = path.points.last().map_or(0, |point| point.inertia().negative);
+    let negative = (before, made.converged.inertia.negative);
+    let leaps = made.strays;
+    if !leaps && negative.0 == negative.1 {
+        return;
+    }
+    let (step, levels) = (stepper.newton.step, (stepper.level, made.converged.level));
+    let here = system.save();
+    stepper.newton.go_back(system, saved);
+    let mut same = true;
+    if leaps {
+        let arc = matches!(options.control, Control::ArcLength { .. });
+        let traced =
+            (!arc).then(|| trace(system, levels.0, (&made.increment, made.predicted), &here, options));
+        let what = match traced.as_ref().map_or(Leads::Unknown, |traced| traced.leads) {
+            Leads::There => None,
+            Leads::Back(level) => Some(Passed::Turn(level)),
+            Leads::Elsewhere => Some(Passed::Branch),
+            Leads::Unknown => Some(Passed::Unproved),
+        };
+        // What lies on the branch that was left is told, with the step that left it; pairs that cancel as well.
+        if let Some(traced) = traced.filter(|_| what.is_some() || negative.0 == negative.1) {
+            path.critical.extend(traced.critical.into_iter().map(|point| CriticalPoint { step, ..point }));
+            path.passages.extend(traced.passages.into_iter().map(|passage| Passage { step, ..passage }));
+        }
+        same = what.is_none();
+        path.passages.extend(what.map(|what| Passage { step, levels, negative, what }));
+    }
+    if same && negative.0 != negative.1 {
+        stepper.newton.go_back(system, saved);
+        let (points, passages) =
+            locate_all(stepper, system, (&made.converged, &here), negative.0, size, critical);
+        path.critical.extend(points);
+        path.passages.extend(passages);
+    }
+    stepper.newton.go_back(system, &here);
 }
 
 /// Makes one step; an arc that leaves the range of levels is replaced by a step to the bound.
@@ -293,22 +391,22 @@ fn step_within<E: Equilibrium + ?Sized>(
     saved: &[f64],
     size: f64,
     control: &Control,
-) -> Result<(Converged, Increment, bool), BalanceError> {
-    let (converged, increment) = stepper.advance(system, size)?;
+) -> Result<(Made, bool), BalanceError> {
+    let made = stepper.advance(system, size)?;
     let Control::ArcLength { range: (low, high), .. } = *control else {
-        return Ok((converged, increment, false));
+        return Ok((made, false));
     };
-    let bound = converged.level.clamp(low, high);
-    if bound == converged.level {
-        return Ok((converged, increment, false));
+    let bound = made.converged.level.clamp(low, high);
+    if bound == made.converged.level || made.strays {
+        return Ok((made, false)); // one that strayed is made again
     }
     let beyond = system.save();
     stepper.newton.go_back(system, saved);
-    match stepper.reach_level(system, bound, &increment) {
-        Ok((converged, increment)) => Ok((converged, increment, true)),
+    match stepper.reach_level(system, bound, &made.increment) {
+        Ok(short) => Ok((short, true)),
         Err(_) => {
             stepper.newton.go_back(system, &beyond);
-            Ok((converged, increment, true))
+            Ok((made, true))
         }
     }
 }

@@ -5,6 +5,26 @@ use crate::path::{Control, Direction, Measure, PathOptions, Start};
 use crate::vectors::dot;
 use crate::{BalanceError, Converged, Equilibrium, Increment, Newton};
 
+/// Part of a step left unexplained by the tangents at its ends above which it may have left its branch.
+///
+/// A ring rolled up in two steps, 90° a step, leaves .09, the coarsest paths of shells tried .29; a step over a limit
+/// point .9, a step back 1.
+const MISS: f64 = 0.5;
+/// The same where Newton passed by a state with more negative pivots than both ends. Rings rolled up do so, and leave .12.
+const WILD_MISS: f64 = 0.25;
+
+/// A step made.
+pub(crate) struct Made {
+    pub converged: Converged,
+    pub increment: Increment,
+    /// Whether it may have left its branch, by what the tangents at its two ends leave unexplained; where that was asked for.
+    pub strays: bool,
+    /// Directions in which the equilibrium is unstable under the control.
+    pub unstable: usize,
+    /// Change of level of the predictor.
+    pub predicted: f64,
+}
+
 /// Steps of a path: the state stands at the last converged point whenever no step is being made.
 pub(crate) struct Stepper<'a> {
     pub newton: Newton,
@@ -17,6 +37,8 @@ pub(crate) struct Stepper<'a> {
     /// ψ², what a change of level counts in the norm.
     load: f64,
     sign: f64,
+    /// Whether steps are compared with the tangents at their ends.
+    compares: bool,
 }
 
 impl<'a> Stepper<'a> {
@@ -36,6 +58,7 @@ impl<'a> Stepper<'a> {
             weights: Vec::new(),
             load: 0.0,
             sign: 1.0,
+            compares: options.critical.is_some(),
         };
         let response = stepper.newton.response(system, start.level)?.0;
         let (change, sizes) = match &options.control {
@@ -72,12 +95,16 @@ impl<'a> Stepper<'a> {
         &mut self,
         system: &mut E,
         size: f64,
-    ) -> Result<(Converged, Increment), BalanceError> {
+    ) -> Result<Made, BalanceError> {
         let zero = vec![0.0; system.unknowns()];
         let mut increment = Increment { motion: zero, level: 0.0 };
+        let from = if self.compares { Some(self.newton.response(system, self.level)?.0) } else { None };
+        let before = self.newton.solver.inertia().negative;
+        let predicted;
         let converged = match self.control {
             Control::Load { .. } => {
-                increment.level = self.sign * size;
+                predicted = self.sign * size;
+                increment.level = predicted;
                 let level = self.level + increment.level;
                 let before = self.newton.tangent(system, self.level)?;
                 let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
@@ -90,7 +117,8 @@ impl<'a> Stepper<'a> {
                 let response = self.newton.response(system, self.level)?.0;
                 let rate = dot(&self.weights, &response);
                 let target = self.sign * size;
-                self.predict(system, &mut increment, target / rate, &response)?;
+                predicted = target / rate;
+                self.predict(system, &mut increment, predicted, &response)?;
                 let constraint = Constraint::Functional { weights: &self.weights, target };
                 self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
             }
@@ -99,12 +127,76 @@ impl<'a> Stepper<'a> {
                 let work = dot(&response, rate);
                 let length = (self.product(&response, &response) + self.load).sqrt();
                 let sign = self.heading(&response, work);
-                self.predict(system, &mut increment, sign * size / length, &response)?;
+                predicted = sign * size / length;
+                self.predict(system, &mut increment, predicted, &response)?;
                 let constraint = Constraint::Sphere { weights: &self.weights, load: self.load, radius: size };
                 self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
             }
         }?;
-        Ok((converged, increment))
+        let most_negative = self.newton.most_negative;
+        let unstable = self.unstable(system, &converged)?;
+        let strays = match from {
+            Some(from) => {
+                let arc = matches!(self.control, Control::ArcLength { .. });
+                let wild = !arc && most_negative > before.max(converged.inertia.negative);
+                let bound = if wild { WILD_MISS } else { MISS };
+                self.miss(system, (&from, predicted), &converged, &increment)? > bound
+            }
+            None => false,
+        };
+        Ok(Made { converged, increment, strays, unstable, predicted })
+    }
+
+    /// Part of a step that the mean of the tangents at its two ends, each over the whole step, leaves unexplained.
+    ///
+    /// Along a branch this is what the trapezoidal rule leaves of `∫q′ds`, of third order in the step. Over a limit point
+    /// `q′` has a pole between the ends, and a step to another branch is long where the tangents are short; a step back is 1.
+    fn miss<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        (from, first): (&[f64], f64),
+        converged: &Converged,
+        increment: &Increment,
+    ) -> Result<f64, BalanceError> {
+        let to = self.newton.response(system, converged.level)?.0;
+        // Change of level for which the tangent at the end makes a step of the same size, as `first` does at the start.
+        let last = match self.control {
+            Control::Load { .. } => increment.level,
+            Control::Displacement { .. } => dot(&self.weights, &increment.motion) / dot(&self.weights, &to),
+            Control::ArcLength { .. } => {
+                let along = self.product(&to, &increment.motion) + self.load * increment.level;
+                let unit = (self.product(&to, &to) + self.load).sqrt();
+                self.length(increment).copysign(along) / unit
+            }
+        };
+        let mean = |i: usize| 0.5 * (first * from[i] + last * to[i]);
+        let rest = Increment {
+            motion: increment.motion.iter().enumerate().map(|(i, q)| q - mean(i)).collect(),
+            level: increment.level - 0.5 * (first + last),
+        };
+        if let Control::ArcLength { .. } = self.control {
+            return Ok(self.length(&rest) / self.length(increment));
+        }
+        let rounding = self.newton.is_rounding(&rest.motion, increment);
+        let share = self.newton.length(&rest.motion) / self.newton.length(&increment.motion);
+        Ok(if rounding || share.is_nan() { 0.0 } else { share })
+    }
+
+    /// Negative pivots; where a displacement is given, less the one that it holds.
+    ///
+    /// The tangent bordered by the functional c has one negative pivot more than its free part, and by Sylvester's law
+    /// those of K and of −c·K⁻¹c together; c is along the load that brings the displacement about.
+    fn unstable<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        converged: &Converged,
+    ) -> Result<usize, BalanceError> {
+        let negative = converged.inertia.negative;
+        if negative == 0 || !matches!(self.control, Control::Displacement { .. }) {
+            return Ok(negative);
+        }
+        let response = self.newton.response(system, converged.level)?.0;
+        Ok(negative - usize::from(dot(&self.weights, &response) < 0.0))
     }
 
     /// Goes to a given level, predicted on the way of an increment that crosses it; the state is not put back.
@@ -113,13 +205,14 @@ impl<'a> Stepper<'a> {
         system: &mut E,
         level: f64,
         crossing: &Increment,
-    ) -> Result<(Converged, Increment), BalanceError> {
+    ) -> Result<Made, BalanceError> {
         let share = (level - self.level) / crossing.level;
         let motion = crossing.motion.iter().map(|q| share * q).collect();
         let mut increment = Increment { motion, level: level - self.level };
         self.newton.advance(system, &increment.motion);
         let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
-        Ok((converged, increment))
+        let (unstable, predicted) = (converged.inertia.negative, level - self.level);
+        Ok(Made { converged, increment, strays: false, unstable, predicted })
     }
 
     /// Takes a step over as the new last point.

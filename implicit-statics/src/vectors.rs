@@ -1,4 +1,4 @@
-//! Three one-line operations on flat vectors, and a start vector for eigenvalue iterations.
+//! One-line operations on flat vectors, and a start vector for eigenvalue iterations.
 
 /// A fixed vector in (−1, 1) without structure, from the golden-ratio (Weyl) sequence.
 pub(crate) fn unstructured(length: usize, seed: usize) -> Vec<f64> {
@@ -14,6 +14,10 @@ pub(crate) fn unstructured(length: usize, seed: usize) -> Vec<f64> {
 
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+pub(crate) fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 pub(crate) fn norm(a: &[f64]) -> f64 {

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 
 use common::{Arch, Flat, Hencky, RigidColumn};
 use implicit_statics::{
-    Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Path, PathOptions, Start,
-    follow, switch_branch,
+    Control, CriticalKind, CriticalOptions, End, Equilibrium, NewtonOptions, Passed, Path, PathOptions,
+    Start, follow, switch_branch,
 };
 
 fn newton() -> NewtonOptions {
@@ -114,5 +114,28 @@ fn a_chain_buckles_in_its_first_three_modes_and_carries_on() {
     for (i, y) in first.iter().enumerate() {
         let sine = (std::f64::consts::PI * (i + 1) as f64 / 12.0).sin();
         assert!((y - sine).abs() < 1e-6, "{y} {sine}");
+    }
+}
+
+#[test]
+fn what_cannot_be_located_is_bracketed() {
+    for control in
+        [Control::Load { step: 0.3, until: 1.5 }, Control::ArcLength { first: 0.3, range: (0.0, 1.5) }]
+    {
+        let options = PathOptions {
+            newton: newton(),
+            critical: Some(CriticalOptions::default()),
+            ..PathOptions::new(control)
+        };
+        let mut gap = Flat::new(RigidColumn);
+        gap.forceless = Some(0.99..1.01);
+        let path = run(&mut gap, &Start::default(), &options);
+        assert_eq!(path.end, Ok(End::Reached));
+        assert!(path.critical.is_empty());
+        let [passage] = &path.passages[..] else { panic!("{:?}", path.passages) };
+        assert_eq!((passage.what, passage.negative), (Passed::Pivots, (0, 1)));
+        let (low, high) = passage.levels;
+        // Brackets are cut until every trial between falls into the gap.
+        assert!(low > 0.9 && low < 0.99 && high >= 1.01 && high < 1.1, "{low} {high}");
     }
 }

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 
 use common::{Arch, ArchWithSpring, Flat, Potential, Softening};
 use implicit_statics::{
-    BalanceError, Control, Direction, End, Equilibrium, Measure, NewtonOptions, Path, PathOptions, Start,
-    follow,
+    BalanceError, Control, CriticalKind, CriticalOptions, Direction, End, Equilibrium, Measure,
+    NewtonOptions, OutOfBounds, Passage, Passed, Path, PathOptions, Start, follow,
 };
 
 const TIGHT: f64 = 1e-13; // Newton's last step squares the error: what is asked for is below 1e-10
@@ -200,6 +200,129 @@ fn a_load_step_that_leaps_over_a_limit_point_is_refused() {
         matches!(*cause, BalanceError::Fold { step: 1, level: 1.0, cosine } if cosine == -1.0),
         "{cause}"
     );
+}
+
+/// As an application follows paths: full steps of Newton, watched for what is critical.
+fn watched(control: Control) -> PathOptions {
+    let mut watched = options(control);
+    (watched.newton.line_search, watched.newton.iterations) = (false, 50);
+    PathOptions { critical: Some(CriticalOptions::default()), ..watched }
+}
+
+#[test]
+fn a_load_step_to_the_far_side_of_the_arch_names_the_limit_it_leapt_over() {
+    for line_search in [false, true] {
+        let mut system = Flat::new(shallow());
+        let limit = system.potential.limit();
+        let mut load = watched(Control::Load { step: 0.3 * limit, until: 1.5 * limit });
+        (load.newton.line_search, load.largest) = (line_search, 1.0);
+        let (path, _) = trace(&mut system, &load);
+        assert_eq!(path.end, Ok(End::Reached));
+        assert!(system.q[0] > 2.0, "the far side, with no negative pivot at either end");
+        assert!(path.points.iter().all(|point| point.inertia().negative == 0));
+        let [passage] = &path.passages[..] else { panic!("{:?}", path.passages) };
+        assert!(passage.levels.0 < limit && limit < passage.levels.1 && passage.negative == (0, 0));
+        let Passed::Turn(level) = passage.what else { panic!("{:?}", passage.what) };
+        assert!((level - limit).abs() < 1e-9 * limit, "{level} {limit}");
+        let [point] = &path.critical[..] else { panic!("{:?}", path.critical) };
+        assert_eq!((point.kind, point.level, point.step), (CriticalKind::Limit, level, passage.step));
+        assert_eq!(path.restart.level, 1.5 * limit, "the state found is kept");
+    }
+}
+
+#[test]
+fn a_displacement_step_over_a_turning_point_says_so() {
+    let mut system = Flat::new(snap_back());
+    let control = Control::Displacement { functional: vec![(1, 1.0)], step: 0.5, until: 4.0 };
+    let (path, curve) = trace(&mut system, &PathOptions { largest: 1.0, ..watched(control) });
+    assert_eq!(path.end, Ok(End::Reached));
+    let leap = curve.windows(2).position(|two| two[0].1[0] < 1.0 && two[1].1[0] > 1.0).unwrap() + 1;
+    let steps: Vec<_> = path.passages.iter().map(|passage| passage.step).collect();
+    assert_eq!(steps, [leap]);
+    assert!(matches!(path.passages[0].what, Passed::Turn(_)), "{:?}", path.passages);
+}
+
+/// λ = q + a sin q has limit points at cos q = −1/a, none if a < 1.
+struct Ripple(f64);
+
+impl Potential for Ripple {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        0.5 * q[0] * q[0] - self.0 * q[0].cos()
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        out[0] = q[0] + self.0 * q[0].sin();
+    }
+    fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, 1.0 + self.0 * q[0].cos());
+    }
+    fn load(&self, _q: &[f64], out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+}
+
+#[test]
+fn a_leap_over_many_limit_points_names_the_first() {
+    let q = (-1.0_f64 / 1.5).acos();
+    let limit = q + 1.5 * q.sin();
+    for until in [6.0, 9.0, 14.0, 30.0] {
+        let mut system = Flat::new(Ripple(1.5));
+        let (path, _) = trace(&mut system, &watched(Control::Load { step: until, until }));
+        assert_eq!(path.end, Ok(End::Reached));
+        let Some(&Passage { what: Passed::Turn(level), .. }) = path.passages.first() else {
+            panic!("{until}: {:?}", path.passages)
+        };
+        assert!((level - limit).abs() < 1e-6 * limit, "{until}: {level} {limit}");
+    }
+}
+
+#[test]
+fn steps_that_stay_on_their_branch_are_proved_to() {
+    // One step over three ripples without a limit point: far from its tangents, and on its branch all the same.
+    let mut system = Flat::new(Ripple(0.9));
+    let (path, curve) = trace(&mut system, &watched(Control::Load { step: 17.0, until: 17.0 }));
+    assert_eq!(path.end, Ok(End::Reached));
+    assert!((path.critical.is_empty(), path.passages.is_empty()) == (true, true), "{:?}", path.passages);
+    let (level, q) = curve.last().unwrap();
+    assert!((q[0] + 0.9 * q[0].sin() - level).abs() < 1e-8);
+}
+
+/// A spring whose model ends at q = 1.
+struct Bounded;
+
+impl Potential for Bounded {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        0.5 * q[0] * q[0]
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        out[0] = q[0];
+    }
+    fn hessian(&self, _q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, 1.0);
+    }
+    fn load(&self, _q: &[f64], out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+    fn within_bounds(&self, q: &[f64]) -> Result<(), OutOfBounds> {
+        let found =
+            OutOfBounds { place: "the spring".into(), what: "stretch", value: q[0], bound: "below 1" };
+        if q[0] < 1.0 { Ok(()) } else { Err(found) }
+    }
+}
+
+#[test]
+fn a_balance_beyond_the_bounds_of_the_model_is_refused() {
+    let mut system = Flat::new(Bounded);
+    let load = watched(Control::Load { step: 0.4, until: 3.0 });
+    let path = follow(&mut system, &Start::default(), &load, |_, _| ControlFlow::Continue(()));
+    let Err(BalanceError::StepTooSmall { cause, .. }) = &path.end else { panic!("{:?}", path.end) };
+    assert!(cause.to_string().contains("stretch of the spring is 1.0"), "{cause}");
+    assert!(system.q[0] < 1.0 && system.q[0] > 1.0 - 1e-5, "the last state within: {}", system.q[0]);
 }
 
 #[test]

@@ -193,10 +193,12 @@
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
 //! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
+//! | a cell turned inside out, crushed or torn is named, at rest and in time | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
 //! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (fused.rs) |
 
+mod bounds;
 mod cell_control;
 mod couple;
 mod dispatch;

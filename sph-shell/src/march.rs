@@ -1,9 +1,10 @@
 //! The shell as a system of `explicit-dynamics`: force, kick, drift, and the whole step at once.
 
-use explicit_dynamics::{Dynamics, Instant, Step, Work};
+use explicit_dynamics::{Dynamics, Instant, OutOfBounds, Step, Work};
 use rayon::prelude::*;
 
 use crate::Shell;
+use crate::bounds::Unsound;
 use crate::dispatch::widest;
 use crate::particle::{Decay, Slots, Update, drifted};
 use crate::point::Row;
@@ -152,5 +153,10 @@ impl Dynamics for Shell {
 
     fn speed_bound(&self) -> f64 {
         self.reference.sound_speed
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
+        self.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
     }
 }

@@ -3,10 +3,11 @@
 use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
-use implicit_statics::Equilibrium;
+use implicit_statics::{Equilibrium, OutOfBounds};
 use shell_kinematics::parallel_transport;
 
 use crate::Shell;
+use crate::bounds::Unsound;
 use crate::freedoms::{Basis, Freedoms};
 use crate::loads::Block;
 use crate::stiffness::BlockPattern;
@@ -218,6 +219,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             "particle {particle} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
             x.x, x.y, x.z, direction.x, direction.y, direction.z
         )
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
+        self.shell.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
     }
 }
 

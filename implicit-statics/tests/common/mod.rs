@@ -4,7 +4,9 @@
 
 pub mod pendulum;
 
-use implicit_statics::Equilibrium;
+use std::ops::Range;
+
+use implicit_statics::{Equilibrium, OutOfBounds};
 
 /// Energy and its derivatives in plain coordinates; the load is `λ load(q)`.
 pub trait Potential {
@@ -19,6 +21,9 @@ pub trait Potential {
     fn name(&self, unknown: usize) -> String {
         format!("unknown {unknown}")
     }
+    fn within_bounds(&self, _q: &[f64]) -> Result<(), OutOfBounds> {
+        Ok(())
+    }
 }
 
 /// A potential with its present state, as a system to balance.
@@ -26,12 +31,14 @@ pub struct Flat<P> {
     pub potential: P,
     pub q: Vec<f64>,
     pub masses: Vec<f64>,
+    /// Levels at which there is no load to be had.
+    pub forceless: Option<Range<f64>>,
 }
 
 impl<P: Potential> Flat<P> {
     pub fn new(potential: P) -> Self {
         let n = potential.unknowns();
-        Self { potential, q: vec![0.0; n], masses: vec![1.0; n] }
+        Self { potential, q: vec![0.0; n], masses: vec![1.0; n], forceless: None }
     }
 }
 
@@ -51,6 +58,9 @@ impl<P: Potential> Equilibrium for Flat<P> {
     fn external(&mut self, level: f64, out: &mut [f64]) {
         self.potential.load(&self.q, out);
         out.iter_mut().for_each(|f| *f *= level);
+        if self.forceless.as_ref().is_some_and(|levels| levels.contains(&level)) {
+            out.fill(f64::NAN);
+        }
     }
 
     fn load_rate(&mut self, _level: f64, out: &mut [f64]) {
@@ -85,6 +95,10 @@ impl<P: Potential> Equilibrium for Flat<P> {
 
     fn name_unknown(&self, unknown: usize) -> String {
         self.potential.name(unknown)
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        self.potential.within_bounds(&self.q)
     }
 }
 

@@ -88,7 +88,9 @@ fn swing(mut shell: Shell, steps: u64) -> Result<Outcome, String> {
     let ended = run.march(&mut shell, &mut totals);
     let (done, failure) = match ended {
         Ok(clock) => (clock.steps, None),
-        Err(MarchError::Diverged { step, .. }) => (step, Some(format!("diverged at step {step}"))),
+        Err(MarchError::Diverged { step, .. } | MarchError::OutOfBounds { step, .. }) => {
+            (step, Some(format!("diverged at step {step}")))
+        }
         Err(error) => return Err(error.to_string()),
     };
     let tenth = (totals.0.len() / 10).max(1);

@@ -68,6 +68,7 @@ fn run(mut shell: Shell, part: f64) -> Result<Outcome, String> {
         Err(MarchError::Diverged { time, particle, speed, .. }) => {
             *time > 0.0 && *particle < shell.len() && speed.is_finite()
         }
+        Err(MarchError::OutOfBounds { time, .. }) => *time > 0.0,
         _ => false,
     };
     let sound = ended.is_ok() && worst < 10.0;

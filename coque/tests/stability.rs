@@ -1,0 +1,136 @@
+//! What static runs say of limit points, bifurcations and states that no shell can be in.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::{column, overridden, ran, text};
+use coque::{Doubt, Ended, Failure, Outcome, Scene};
+use explicit_dynamics::MarchError;
+
+/// The hinged panel under a dead force at its crown, a quarter of 3 kN: more than it can bear.
+fn panel(analysis: &str) -> Outcome {
+    let text = text("panel.toml");
+    let (head, rest) = text.split_once("[[supports]]\non = \"u0v0\"").unwrap();
+    let (_, tail) = rest.split_once("[[curve]]").unwrap();
+    let load = "[[loads]]\non = \"u0v0\"\nforce = { total = [0.0, 0.0, -750.0] }\n";
+    let scene = format!("{head}{load}[analysis]\n{analysis}\n[[curve]]{tail}");
+    ran(overridden(&scene, "panel.toml", &[("geometry.cylinder.particles", "[11, 11]")]))
+}
+
+fn doubts(outcome: &Outcome) -> Vec<Doubt> {
+    outcome.summary.warnings.iter().map(|warning| warning.doubt).collect()
+}
+
+#[test]
+fn a_level_beyond_the_snap_names_the_limit_point_before_it() {
+    let outcome = panel("static.levels = 10");
+    assert_eq!(outcome.ended, Ended::Done, "the far side is an equilibrium, and is kept");
+    let w = column(&outcome, "w_crown");
+    assert!(w[7] < 9.0 && w[8] > 27.0, "{w:?}");
+    assert!(column(&outcome, "negative_pivots").iter().all(|&count| count == 0.0), "nothing else tells");
+    let [limit] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    assert_eq!(limit.kind, "limit point");
+    // The path by arc length passes the same point.
+    let path = panel("arc-length = { until = 0.9, steps = 200 }");
+    let found = &path.summary.critical[0];
+    assert!((limit.level / found.level - 1.0).abs() < 1e-6, "{limit:?} {found:?}");
+    assert_eq!(doubts(&outcome), [Doubt::PassedCritical]);
+    let message = &outcome.summary.warnings[0].message;
+    for word in [&limit.place() as &str, "load level 0.8 ", "another branch", "[analysis.arc-length]"] {
+        assert!(message.contains(word), "{word}: {message}");
+    }
+    assert_eq!(doubts(&path), [], "a path over limit points is what was asked for");
+}
+
+/// A straight bar held to its axis, pressed by a dead force; the force of Green–Lagrange strains is greatest at a
+/// stretch of 1/√3: EA/(3√3).
+const BAR: &str = r#"
+title = "Bar"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [1.0, 0.2], particles = [11, 3] }
+material.elastic = { young = 1000.0, poisson = 0.0, density = 1.0 }
+section.homogeneous.thickness = 0.1
+supports = [
+    { on = "all", held = { displacement = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], director = [[1.0, 0.0, 0.0]] } },
+    { on = "u0", clamped = {} },
+]
+loads = [{ on = "u1", force = { total = [-20.0, 0.0, 0.0] } }]
+curve = [{ name = "u", of = "displacement", on = "u1", direction = [1.0, 0.0, 0.0] }]
+"#;
+/// 1/(3√3), in the unit of the bar's load, which is EA.
+const GREATEST: f64 = 0.192_450_089_729_875_25;
+
+fn bar(analysis: &str) -> Outcome {
+    ran(Scene::parse(&format!("{BAR}analysis.{analysis}\n"), "bar.toml"))
+}
+
+#[test]
+fn a_bar_pressed_beyond_its_greatest_load_does_not_go_through_its_clamp() {
+    let outcome = bar("static.levels = [0.1, 0.18, 0.3]");
+    let Ended::Diverged(Failure::Balance { .. }) = &outcome.ended else {
+        panic!("{:?}, u = {:?}", outcome.ended, column(&outcome, "u"))
+    };
+    let (level, u) = (column(&outcome, "level"), column(&outcome, "u"));
+    assert_eq!(level, [0.0, 0.1, 0.18], "the last good state is kept");
+    // The stretch λ = 1 + u of these levels solves λ(1 − λ²)/2 = level.
+    let stretch = 1.0 + u[2];
+    assert!((0.5 * stretch * (1.0 - stretch * stretch) - 0.18).abs() < 1e-6, "{u:?}");
+    assert!(level[2] < GREATEST && stretch > 1.0 / 3.0_f64.sqrt());
+}
+
+#[test]
+fn a_march_that_pushes_the_bar_through_its_clamp_names_the_cell() {
+    let (head, _) = BAR.split_once("loads = ").unwrap();
+    let (_, curve) = BAR.split_once("\ncurve = ").unwrap();
+    let head = head
+        .replace("\n]\n", "\n    { on = \"u1\", moved = { direction = [-1.0, 0.0, 0.0], by = 2.28 } },\n]\n");
+    let march = "explicit.quasi-static = { levels = [0.1, 0.3, 1.0], period = 2.0, tolerance = 1e-6 }";
+    let outcome = ran(Scene::parse(&format!("{head}curve = {curve}analysis.{march}\n"), "bar.toml"));
+    let Ended::Diverged(Failure::March(MarchError::OutOfBounds { found, last_good, .. })) = &outcome.ended
+    else {
+        panic!("{:?}", outcome.ended)
+    };
+    assert!(found.place.starts_with("cell "), "{found}");
+    assert!(last_good.is_some());
+    let u = column(&outcome, "u");
+    assert!(u.iter().all(|u| *u > -0.9), "no row of a state out of bounds: {u:?}");
+}
+
+/// A straight column clamped at one end, free to bend, pressed beyond Euler's load: level 1 is π²EI/4L².
+const COLUMN: &str = r#"
+title = "Column"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [10.0, 1.0], particles = [21, 3] }
+material.elastic = { young = 12e6, poisson = 0.0, density = 10.0 }
+section.homogeneous.thickness = 0.1
+supports = [{ on = "u0", clamped = {} }, { on = "all", held = { displacement = [[0.0, 1.0, 0.0]] } }]
+loads = [{ on = "u1", force = { total = [-24.674011002723395, 0.0, 0.0] } }]
+"#;
+
+#[test]
+fn a_straight_column_beyond_its_load_is_called_unstable() {
+    let outcome =
+        ran(Scene::parse(&format!("{COLUMN}analysis.static.levels = [0.5, 1.5, 2.0]\n"), "column.toml"));
+    assert_eq!(outcome.ended, Ended::Done);
+    let [critical] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    assert_eq!(critical.kind, "bifurcation");
+    assert!((critical.level - 1.0).abs() < 0.01, "{critical:?}");
+    assert_eq!(doubts(&outcome), [Doubt::PassedCritical, Doubt::Unstable], "once each");
+    assert!(outcome.summary.warnings[1].message.starts_with("from load level 1.5 on"));
+}
+
+#[test]
+fn the_level_of_a_driven_path_is_a_force_with_its_unit() {
+    let text = text("panel.toml").replace("[analysis.explicit.quasi-static]", "[other]");
+    let (head, rest) = text.split_once("[other]").unwrap();
+    let (_, tail) = rest.split_once("[[curve]]").unwrap();
+    let scene = format!("{head}[analysis.static]\nlevels = [0.3, 0.4]\n[[curve]]{tail}");
+    let outcome = ran(overridden(&scene, "panel.toml", &[("geometry.cylinder.particles", "[9, 9]")]));
+    assert_eq!(outcome.ended, Ended::Done);
+    let [limit] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    assert_eq!((limit.kind.as_str(), limit.unit.as_deref()), ("limit point", Some("N")));
+    assert_eq!(limit.place(), format!("a force of {} N", limit.level));
+    assert!((4.0 * limit.level / 2222.0 - 1.0).abs() < 5e-3, "a quarter of the panel's limit load");
+    assert_eq!(doubts(&outcome), [], "what a given displacement holds is stable");
+}
