@@ -45,8 +45,12 @@ const BROKEN: [(&str, Replaced, &[Doubt]); 16] = [
     ("plate.toml", &[("sets.centre.nearest", "[0.5, 0.5, 0.2]")], &[Doubt::FarNearest]),
     ("plate.toml", &[("section.homogeneous.thickness", "0.6")], &[Doubt::TooThick]),
     ("plate.toml", &[("geometry.plate.particles", "[5, 5]")], &[Doubt::FewParticles]),
-    ("plate.toml", &[("geometry.plate.particles", "[21, 3]")], &[Doubt::FewParticles]),
-    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[4, 17]")], &[Doubt::CoarseTurn]),
+    ("plate.toml", &[("geometry.plate.particles", "[21, 5]")], &[Doubt::FewParticles]),
+    (
+        "pinched-cylinder.toml",
+        &[("geometry.cylinder.particles", "[4, 17]")],
+        &[Doubt::CoarseTurn, Doubt::CoarseBending, Doubt::FewParticles],
+    ),
     ("hemisphere.toml", &[("section.homogeneous.thickness", "0.004")], &[Doubt::CoarseBending]),
     ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[21, 13]")], &[Doubt::CoarseBending]),
     (
@@ -75,7 +79,7 @@ const SOUND: [(&str, Replaced); 9] = [
     ("plate.toml", &[("sets.centre.nearest", "[0.52, 0.48, 0.1]")]),
     ("plate.toml", &[("section.homogeneous.thickness", "0.3")]),
     ("plate.toml", &[("geometry.plate.particles", "[9, 9]")]),
-    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[13, 17]")]),
+    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[27, 17]")]),
     ("hemisphere.toml", &[("geometry.sphere", JITTERED)]),
     ("plate.toml", &[("formulation.nodal.order", "3"), ("section.homogeneous.thickness", "0.1")]),
     ("plate.toml", &[("geometry.plate", SCATTERED), ("section.homogeneous.thickness", "0.0001")]),
@@ -84,12 +88,14 @@ const SOUND: [(&str, Replaced); 9] = [
 
 #[test]
 fn each_rule_fires_on_a_scene_that_breaks_it() {
-    for (name, replaced, expected) in BROKEN {
-        assert_eq!(words(name, replaced), expected, "{name} {replaced:?}");
-    }
-    for (name, replaced) in SOUND {
-        assert_eq!(words(name, replaced), [], "{name} {replaced:?}");
-    }
+    let sound = SOUND.iter().map(|&(name, replaced)| (name, replaced, &[][..]));
+    let wrong: Vec<_> = BROKEN
+        .into_iter()
+        .chain(sound)
+        .map(|(name, replaced, expected)| (name, replaced, expected, words(name, replaced)))
+        .filter(|(.., expected, found)| expected != found)
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 /// Eight cells round a circle turn by 0.79 from one to the next; fifty, as the scene has them, by 0.13.
