@@ -78,7 +78,7 @@ fn fewer_modes_than_asked_for_carry_a_warning() {
     let outcome = run("column-buckling.toml", &few);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     assert!(!outcome.curve.rows.is_empty() && outcome.curve.rows.len() < 30);
-    assert_eq!(outcome.summary.warnings[0].doubt, Doubt::FewerModes);
+    assert!(outcome.summary.warnings.iter().any(|warning| warning.doubt == Doubt::FewerModes));
 }
 
 /// Ends a run when asked for the n-th time.
@@ -166,4 +166,35 @@ fn a_clamped_cap_has_two_linearised_levels() {
         let found = levels("clamped-cap.toml", replaced);
         assert!((found[0] / expected - 1.0).abs() < 0.01, "{replaced:?} {found:?}");
     }
+}
+
+/// A quarter of a cylinder R/t = 100, L = R, pressed along its axis: ten levels within five percent of the classical stress
+/// .605 E t/R, all of them, by two factorisations. Found: .98 to 1.02 on 91 × 61 particles.
+#[test]
+fn the_cluster_of_a_pressed_cylinder_is_found_whole() {
+    let force = 0.25 * std::f64::consts::TAU * 100.0 * 1e5 * 0.01 / (3.0 * 0.91_f64).sqrt();
+    let text = format!(
+        r#"
+title = "Cylinder"
+units = {{ length = "mm", force = "N", time = "s" }}
+geometry.cylinder = {{ radius = 100.0, angles = [0.0, 90.0], length = 100.0, particles = [46, 46] }}
+material.elastic = {{ young = 1e5, poisson = 0.3, density = 1e-9 }}
+section.homogeneous.thickness = 1.0
+supports = [
+    {{ on = "v0", held = {{ displacement = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }} }},
+    {{ on = "v1", held = {{ displacement = [[1, 0, 0], [0, 0, 1]] }} }},
+    {{ on = "u0", symmetry = {{ normal = [1, 0, 0] }} }},
+    {{ on = "u1", symmetry = {{ normal = [0, 0, 1] }} }},
+]
+loads = [{{ on = "v1", force = {{ total = [0, -{force}, 0] }} }}]
+analysis.buckling.modes = 10
+"#
+    );
+    let outcome = Scene::parse(&text, "cylinder.toml").unwrap().build(1).unwrap().run(&mut coque::Silent);
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    complete(&outcome);
+    let found = column(&outcome, "level");
+    assert_eq!(found.len(), 10);
+    assert!(found.iter().all(|level| (level - 1.0).abs() < 0.05), "{found:?}");
+    assert!(outcome.summary.counted.unwrap().factorisations <= 3);
 }

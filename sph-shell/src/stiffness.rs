@@ -115,7 +115,7 @@ impl Shell {
         if let Some(arcs) = self.arcs.get(index) {
             arcs.adjust(&mut now, &pack.reference);
         }
-        let strains = point_strains(pack, self.shear.get(index), &*self.strain, &now);
+        let strains = point_strains(pack, self.shear.get(index), self.strain, &now);
         (p, now, strains, control)
     }
 
