@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn an_answer_far_off_must_carry_a_warning() {
-        let error = |percent: f64| [Metric::error(ERROR, Some(percent), "%")];
+        let error = |percent: f64| [Metric::error(ERROR, Some(percent), "%").shown("made up")];
         let verdict = |run: &Run, percent: f64| told(run, &error(percent)).map(|metric| metric.pass);
         let silent = run(Vec::new());
         assert_eq!(verdict(&silent, 1.9), None);
