@@ -128,6 +128,7 @@ impl Checkpoint {
         }
         let fits = kept.turned.len() == model.gauges.len()
             && kept.rows.iter().all(|row| row.len() == width)
+            && kept.shapes.iter().all(|shape| shape.positions.len() == model.shell.len())
             && model.shell.take_up([state, rates]);
         if !fits {
             return Err(CheckpointError::Model { particles: state.len(), here: model.shell.len() });

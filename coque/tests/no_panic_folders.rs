@@ -46,7 +46,9 @@ impl Progress for StopAfter {
 
 /// The folder of a run that was stopped, with its checkpoint and frames.
 fn interrupted(name: &str, replaced: &[(&str, &str)]) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-panic").join(name);
+    // Tests may run as processes of their own, side by side.
+    let own = format!("no-panic-{}", std::process::id());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(own).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
     let text = scene_text("ring.toml");

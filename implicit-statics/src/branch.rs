@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::path::{Control, Passage, PathOptions, Start, march};
+use crate::passage::Passage;
+use crate::path::{Control, PathOptions, Start, march};
 use crate::vectors::{difference, dot};
 use crate::{BalanceError, CriticalKind, CriticalPoint, End, Equilibrium, Increment, Path};
 

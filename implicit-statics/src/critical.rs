@@ -1,7 +1,7 @@
 //! Critical points: located between converged points, told apart, and left along another branch.
 
 use crate::newton::Constraint;
-use crate::path::{Passage, Passed};
+use crate::passage::{Passage, Passed};
 use crate::stepper::Stepper;
 use crate::vectors::dot;
 use crate::{BalanceError, Converged, Equilibrium, Increment, Newton, NewtonOptions, Start};

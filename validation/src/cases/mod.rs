@@ -2,6 +2,7 @@
 
 mod buckling;
 mod cantilever_end_shear;
+mod clamped_cap;
 pub(crate) mod dial;
 mod external_pressure;
 mod hard;
@@ -49,6 +50,7 @@ pub fn all() -> Vec<Case> {
         plate::case(),
         plate_frequencies::case(),
         buckling::case(),
+        clamped_cap::case(),
         external_pressure::case(),
         hemisphere_large::case(),
         open_cylinder::case(),
