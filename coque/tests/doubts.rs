@@ -236,7 +236,7 @@ fn sharp_corners_and_poles_are_told() {
             Vec3::new(1.0 + cos, sin, 0.0) * f64::from(1 + k / spokes)
         };
         let mut positions = vec![Vec3::x()];
-        positions.extend((0..spokes).map(|k| ring(k)));
+        positions.extend((0..spokes).map(ring));
         let cells = (0..spokes).map(|k| Cell::triangle([0, 1 + k, 1 + (k + 1) % spokes])).collect();
         let told = doubts(&bare(Cloud::from_cells(positions, None, cells).unwrap(), 0.01));
         told.iter().any(|warning| warning.doubt == Doubt::Pole)
