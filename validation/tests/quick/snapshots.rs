@@ -20,8 +20,8 @@ const ERROR_DIGITS: usize = 2;
 const FLOOR: f64 = 1e-4;
 /// Rows of a curve that are kept, evenly spaced, with the first and the last.
 const ROWS: usize = 9;
-/// Columns that depend on the number of steps.
-const LEFT_OUT: [&str; 4] = ["time", "kinetic", "external", "dissipated"];
+/// Columns that depend on the number of steps, or are rounding.
+const LEFT_OUT: [&str; 5] = ["time", "kinetic", "external", "dissipated", "residual"];
 
 fn rounded(value: f64, digits: usize) -> f64 {
     // Through text: the number that is nearest to these digits, whatever powers of ten do.
