@@ -47,7 +47,7 @@ impl Shell {
                 if area[lane] > 0.0 && least > low * low && most < high * high {
                     continue;
                 }
-                let (what, value, bound) = if !(area[lane] > 0.0) {
+                let (what, value, bound) = if area[lane].is_nan() || area[lane] <= 0.0 {
                     (
                         "the area, signed, over that of the start,",
                         area[lane],

@@ -1,7 +1,7 @@
 //! How a run is ended from outside: Ctrl-C, and the signals by which systems end what they run.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 use super::say::say;
 use crate::INTERRUPTED;
@@ -13,8 +13,15 @@ use crate::INTERRUPTED;
 #[derive(Debug, Default)]
 pub struct Stop {
     asked: AtomicBool,
-    running: AtomicBool,
+    stage: AtomicU8,
 }
+
+/// Nothing is written yet; the stage that a [`Stop`] begins with.
+const BEFORE: u8 = 0;
+/// There are results to keep.
+const RUNNING: u8 = 1;
+/// A signal came before the run began, and the program is about to end.
+const ENDING: u8 = 2;
 
 impl Stop {
     /// Watches from here on: Ctrl-C and, on Unix, SIGTERM, SIGHUP (unless `nohup` had it ignored) and SIGXCPU.
@@ -29,7 +36,12 @@ impl Stop {
 
     /// From here on there are results to keep.
     pub fn begin(&self) {
-        self.running.store(true, Ordering::SeqCst);
+        if self.stage.compare_exchange(BEFORE, RUNNING, Ordering::SeqCst, Ordering::SeqCst) == Err(ENDING) {
+            // The program ends from the thread of the signal; a file begun now would be left half written.
+            loop {
+                std::thread::park();
+            }
+        }
     }
 
     /// Whether the run is to end.
@@ -41,7 +53,7 @@ impl Stop {
         if self.asked.swap(true, Ordering::SeqCst) {
             std::process::exit(INTERRUPTED.into());
         }
-        if !self.running.load(Ordering::SeqCst) {
+        if self.stage.compare_exchange(BEFORE, ENDING, Ordering::SeqCst, Ordering::SeqCst).is_ok() {
             say("\ninterrupted before the run began; nothing was written");
             std::process::exit(INTERRUPTED.into());
         }
