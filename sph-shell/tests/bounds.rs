@@ -28,7 +28,7 @@ fn moved(formulation: Formulation, to: impl Fn([f64; 3]) -> [f64; 3]) -> Result<
 #[test]
 fn mirrored_crushed_and_torn_plates_are_refused_by_every_formulation() {
     for (name, formulation) in energy_formulations() {
-        let along = |stretch: f64| moved(formulation.clone(), |[x, y, z]| [stretch * x, y, z]);
+        let along = |stretch: f64| moved(formulation, |[x, y, z]| [stretch * x, y, z]);
         for sound in [0.11, 0.5, 1.0, 9.9] {
             assert_eq!(along(sound), Ok(()), "{name}: {sound}");
         }
@@ -41,7 +41,7 @@ fn mirrored_crushed_and_torn_plates_are_refused_by_every_formulation() {
         }
         assert!(along(f64::NAN).is_err(), "{name}");
         // A turn by 180° about the normal mirrors nothing.
-        assert_eq!(moved(formulation.clone(), |[x, y, z]| [-x, -y, z]), Ok(()), "{name}");
+        assert_eq!(moved(formulation, |[x, y, z]| [-x, -y, z]), Ok(()), "{name}");
     }
 }
 
