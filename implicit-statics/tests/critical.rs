@@ -136,6 +136,6 @@ fn what_cannot_be_located_is_bracketed() {
         assert_eq!((passage.what, passage.negative), (Passed::Pivots, (0, 1)));
         let (low, high) = passage.levels;
         // Brackets are cut until every trial between falls into the gap.
-        assert!(low > 0.9 && low < 0.99 && high >= 1.01 && high < 1.1, "{low} {high}");
+        assert!((0.9..0.99).contains(&low) && (1.01..1.1).contains(&high), "{low} {high}");
     }
 }
