@@ -10,7 +10,7 @@ const LONGEST_TEXT: u64 = 1 << 30;
 /// Reads a file as text.
 ///
 /// # Errors
-/// Those of [`read_bytes`]; bytes that are no UTF-8.
+/// What the system says; inputs that are no file or too long; bytes that are no UTF-8.
 pub fn read_text(path: &Path) -> io::Result<String> {
     let bytes = read_bytes(path, LONGEST_TEXT)?;
     String::from_utf8(bytes).map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not text (UTF-8)"))
