@@ -18,9 +18,10 @@ use crate::{Doubt, Warning};
 
 /// Largest displacement of a shape of free size in units of the extent.
 const SCALE: f64 = 0.1;
-/// Shift below nought where rigid motions are free, in units of the largest ω²: rounding of the stiffness is 1e-16
-/// of that, bending of a thin shell some 1e-8.
-const SHIFT: f64 = 1e-10;
+/// Shifts below zero where rigid motions are free, in units of the largest ω², the next where the one before does not
+/// converge: bending of a thin shell is some 1e-8 of that. A smaller shift tells modes better apart; rounding, 1e-16 over the
+/// shift, puts rigid motions into every solve, and a larger shift keeps more digits.
+const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
 
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>, progress: &mut dyn Progress) {
@@ -28,12 +29,15 @@ pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>, pr
     let fastest = 2.0 / found.stable_step;
     let mut system = StaticShell::new(shell);
     let mut watch = watch(progress);
-    let spectrum = match natural_modes(&mut system, 0.0, count, 0.0, &mut watch) {
-        Err(BalanceError::Mechanism { .. } | BalanceError::Singular { .. }) => {
-            natural_modes(&mut system, 0.0, count, -SHIFT * fastest * fastest, &mut watch)
+    let mut spectrum = natural_modes(&mut system, 0.0, count, 0.0, &mut watch);
+    if matches!(spectrum, Err(BalanceError::Mechanism { .. } | BalanceError::Singular { .. })) {
+        for shift in SHIFTS {
+            spectrum = natural_modes(&mut system, 0.0, count, -shift * fastest * fastest, &mut watch);
+            if !matches!(spectrum, Err(BalanceError::Modes { .. })) {
+                break;
+            }
         }
-        other => other,
-    };
+    }
     let Some(modes) = taken(spectrum, count, "frequencies squared", found) else { return };
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
