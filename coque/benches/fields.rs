@@ -52,7 +52,7 @@ fn frames(c: &mut Criterion) {
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {
-                        // Always frame nought: the disk is not filled.
+                        // Always frame zero: the disk is not filled.
                         let files = FieldFiles::create(&folder, &wanted);
                         files.and_then(|mut files| files.frame(&frame)).expect("room on the disk");
                     });

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! linear fields have exact gradients      Σ_b G_b f(x_b) = ∇f
-//! a constant flux n balances at each b    Σ_p w_p n·G_b = n·r_b        (r_b: edge normal of b, nought inside)
+//! a constant flux n balances at each b    Σ_p w_p n·G_b = n·r_b        (r_b: edge normal of b, zero inside)
 //! and so does the shell that is built     ∂U/∂x_b = F N r_b,   N = C E,   E = (FᵀF − 1)/2
 //! ```
 //!

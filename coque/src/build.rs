@@ -26,7 +26,7 @@ pub struct Model {
     pub(crate) surface: Option<Provenance>,
     pub(crate) gauges: Vec<Gauge>,
     /// The prescribed motion whose force is sought, in analyses without time.
-    pub(crate) driven: Option<Driven>,
+    pub(crate) driven: Option<PrescribedPoint>,
     pub(crate) threads: usize,
     pub(crate) warnings: Vec<Warning>,
     /// What a run will need, and what there is.
@@ -35,7 +35,7 @@ pub struct Model {
 
 /// A prescribed motion of one particle that a force along it brings about.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Driven {
+pub(crate) struct PrescribedPoint {
     pub(crate) particle: u32,
     /// Unit vector along the motion, in the turned frame.
     pub(crate) direction: Vec3,
@@ -85,7 +85,7 @@ impl Scene {
         let supports = builder.supports(&sets)?;
         let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, &supports)?;
-        if let Some(Driven { particle, direction, .. }) = driven {
+        if let Some(PrescribedPoint { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
@@ -165,7 +165,7 @@ impl Builder<'_> {
     }
 
     /// The motion that drives an analysis without time; the checks leave at most one.
-    fn driven(&self, sets: &Sets, supports: &[Supported]) -> Result<Option<Driven>, SceneError> {
+    fn driven(&self, sets: &Sets, supports: &[Supported]) -> Result<Option<PrescribedPoint>, SceneError> {
         let moved = |(i, support): (usize, &scene::Support)| support.moved.map(|moved| (i, moved));
         let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
             return Ok(None);
@@ -191,7 +191,7 @@ impl Builder<'_> {
                 return Err(self.refusal(&ShellError::Contradiction { particle, wanted, held: 0.0 }));
             }
         }
-        Ok(Some(Driven { particle, direction, by: moved.by.abs() }))
+        Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
     }
 
     fn support(

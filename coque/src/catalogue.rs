@@ -8,7 +8,7 @@ use crate::sets::BUILT_IN;
 
 /// Things of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shelf {
+pub struct CatalogueEntry {
     /// What they are, as in `coque list`.
     pub name: &'static str,
     /// Where a scene names them.
@@ -18,7 +18,7 @@ pub struct Shelf {
 }
 
 /// Everything that a scene may name, by kind.
-pub fn catalogue() -> Vec<Shelf> {
+pub fn catalogue() -> Vec<CatalogueEntry> {
     let schema = schema();
     let types = &schema["$defs"];
     let mut analyses = alternatives(&types["Analysis"]);
@@ -27,7 +27,7 @@ pub fn catalogue() -> Vec<Shelf> {
         let marches = marches.into_iter().map(|(word, line)| (format!("explicit.{word}"), line));
         analyses.splice(at..=at, marches);
     }
-    let shelf = |name, place, entries| Shelf { name, place, entries };
+    let shelf = |name, place, entries| CatalogueEntry { name, place, entries };
     let kernels = sph_core::kernels().map(|kernel| (kernel.name().into(), kernel.describe().into()));
     let strains = shell_kinematics::strain_measures().map(|m| (m.name().into(), m.describe().into()));
     let sets = [(BUILT_IN.join(", "), "all particles, edges, corners, middle rows".into())];

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use explicit_dynamics::Standing;
+use explicit_dynamics::MarchState;
 use serde::{Deserialize, Serialize};
 use sph_core::Vec3;
 
@@ -86,7 +86,7 @@ struct Kept<'a> {
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) enum Place {
     /// Between two steps in time.
-    March(Standing),
+    March(MarchState),
     /// Between two levels without time.
     Levels {
         /// Levels found.

@@ -20,7 +20,7 @@ const ITERATIONS: [f64; 2] = [3.0, 30.0];
 /// What a run will cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// Greatest stable step of the unloaded shell \[T\]; nought without time.
+    /// Greatest stable step of the unloaded shell \[T\]; zero without time.
     pub stable_step: f64,
     /// Steps, without time factorisations: least and most; a path by arc length tells neither beforehand.
     pub steps: Option<[f64; 2]>,

@@ -160,7 +160,7 @@ mod whole;
 mod xml;
 
 pub use build::Model;
-pub use catalogue::{Shelf, catalogue};
+pub use catalogue::{CatalogueEntry, catalogue};
 pub use checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY};
 pub use curve::{Column, Curve, NotACurve};
 pub use doubts::doubts;
@@ -176,7 +176,7 @@ pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plain::plain_text;
 pub use plot::{PlotError, plot_svg};
 pub use render::{Rendering, render};
-pub use run::{Ended, Failure, News, Outcome, Progress, RunOptions, Shape, Silent};
+pub use run::{Ended, Failure, Outcome, Progress, ProgressReport, RunOptions, Shape, Silent};
 pub use scene::Scene;
 pub use schema::{schema, schema_text};
 pub use source::Source;

@@ -6,12 +6,12 @@ use implicit_statics::{Equilibrium, linear_response};
 use sph_core::Vec3;
 use sph_shell::{PointResult, Shell, StaticShell};
 
-use crate::build::Driven;
+use crate::build::PrescribedPoint;
 use crate::fields::LinearForces;
 use crate::modes::{keep_shape, scaled};
 use crate::path::energies;
 use crate::probe::Gauge;
-use crate::run::{Ended, Failure, Findings, News, Progress};
+use crate::run::{Ended, Failure, Findings, Progress, ProgressReport};
 
 /// Largest displacement, in thicknesses, of the states between which gauges, stresses and reactions are differentiated.
 ///
@@ -25,12 +25,13 @@ const REACH: f64 = 1e-2;
 /// Finds the linear answer at level one and reads the curve's one row.
 pub(crate) fn linear(
     system: &mut StaticShell,
-    driven: Option<Driven>,
+    driven: Option<PrescribedPoint>,
     mut gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
     progress: &mut dyn Progress,
 ) {
-    let mut goes_on = |steps| progress.update(&News { steps, ..News::default() }).is_continue();
+    let mut goes_on =
+        |steps| progress.update(&ProgressReport { steps, ..ProgressReport::default() }).is_continue();
     if !goes_on(0) {
         found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
         return;

@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Clock, LevelReached, MarchError, Missing, Observer, Record, Standing, largest_eigenvalue, stable_step,
+    Clock, LevelReached, MarchError, MarchState, Missing, Observer, Record, largest_eigenvalue, stable_step,
 };
 use implicit_statics::Inertia;
 use sph_shell::Shell;
 
 use crate::checkpoint::Place;
 use crate::probe::Gauge;
-use crate::run::{Ended, Findings, News, RunOptions};
+use crate::run::{Ended, Findings, ProgressReport, RunOptions};
 use crate::scene::{Damping, Explicit, QuasiStatic};
 use crate::stability::Stability;
 use crate::summary::{Energies, LevelSummary};
@@ -47,7 +47,7 @@ pub(crate) fn march(
     }
 }
 
-/// Greatest stable step of the present configuration \[T\]; nought if none was found.
+/// Greatest stable step of the present configuration \[T\]; zero if none was found.
 pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
     stable_step(&largest_eigenvalue(shell, LANCZOS_STEPS), 1.0).unwrap_or(0.0)
 }
@@ -56,7 +56,7 @@ fn clocked(
     explicit: &Explicit,
     shell: &mut Shell,
     watcher: &mut Watcher<'_, '_, '_, '_>,
-    from: Option<Standing>,
+    from: Option<MarchState>,
 ) -> Result<Clock, MarchError> {
     let safety = explicit.safety;
     if let Some(path) = &explicit.quasi_static {
@@ -78,7 +78,7 @@ fn clocked(
             Some(standing) => run.go_on(standing, shell, watcher),
         };
     }
-    // Neither table cannot pass the checks; a duration of nought would be refused here too.
+    // Neither table cannot pass the checks; a duration of zero would be refused here too.
     let run = explicit.transient.unwrap_or(crate::scene::Transient {
         duration: 0.0,
         record_every: 0.0,
@@ -192,9 +192,9 @@ impl Observer<Shell> for Watcher<'_, '_, '_, '_> {
         });
     }
 
-    fn between(&mut self, shell: &mut Shell, at: &Standing, done: f64) -> ControlFlow<()> {
+    fn between(&mut self, shell: &mut Shell, at: &MarchState, done: f64) -> ControlFlow<()> {
         let clock = &at.clock;
-        let flow = self.options.progress.update(&News {
+        let flow = self.options.progress.update(&ProgressReport {
             done,
             time: clock.now.time,
             level: clock.now.level,

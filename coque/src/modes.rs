@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BalanceError, BucklingOptions, Counted, Effort, Equilibrium, Prebuckling, Sign, Spectrum,
+    BucklingOptions, Counted, Effort, Equilibrium, EquilibriumError, Prebuckling, Sign, Spectrum,
     linear_buckling, natural_modes,
 };
 use sph_core::Vec3;
 use sph_shell::{Shell, StaticShell};
 
 use crate::march::reference_step;
-use crate::run::{Ended, Failure, Findings, News, Progress};
+use crate::run::{Ended, Failure, Findings, Progress, ProgressReport};
 use crate::scene::{self, Buckling, LevelSign};
 use crate::summary::CountSummary;
 use crate::{Doubt, Warning};
@@ -30,10 +30,10 @@ pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>, pr
     let mut system = StaticShell::new(shell);
     let mut watch = watch(progress);
     let mut spectrum = natural_modes(&mut system, 0.0, count, 0.0, &mut watch);
-    if matches!(spectrum, Err(BalanceError::Mechanism { .. } | BalanceError::Singular { .. })) {
+    if matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. })) {
         for shift in SHIFTS {
             spectrum = natural_modes(&mut system, 0.0, count, -shift * fastest * fastest, &mut watch);
-            if !matches!(spectrum, Err(BalanceError::Modes { .. })) {
+            if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
                 break;
             }
         }
@@ -81,19 +81,19 @@ pub(crate) fn buckling(
 
 /// Asks the progress between two solves whether to go on.
 fn watch(progress: &mut dyn Progress) -> impl FnMut(&Effort) -> ControlFlow<()> + '_ {
-    |effort| progress.update(&News { steps: effort.solves as u64, ..News::default() })
+    |effort| progress.update(&ProgressReport { steps: effort.solves as u64, ..ProgressReport::default() })
 }
 
 /// The modes of a spectrum, with its count and a warning if there are fewer than wanted; none where it failed.
 fn taken<M>(
-    spectrum: Result<Spectrum<M>, BalanceError>,
+    spectrum: Result<Spectrum<M>, EquilibriumError>,
     wanted: usize,
     what: &str,
     found: &mut Findings<'_>,
 ) -> Option<Vec<M>> {
     let Spectrum { modes, counted, effort } = match spectrum {
         Ok(spectrum) => spectrum,
-        Err(BalanceError::Stopped { .. }) => {
+        Err(EquilibriumError::Stopped { .. }) => {
             found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
             return None;
         }

@@ -3,16 +3,16 @@
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BalanceError, Control, CriticalOptions, End, Increment, NewtonOptions, Path, PathOptions, Point, Start,
-    follow, linear_response,
+    Control, CriticalOptions, End, EquilibriumError, Increment, NewtonOptions, Path, PathOptions, Point,
+    Start, follow, linear_response,
 };
 use sph_shell::StaticShell;
 
-use crate::build::Driven;
+use crate::build::PrescribedPoint;
 use crate::checkpoint::Place;
 use crate::criticality::{Follows, note};
 use crate::probe::Gauge;
-use crate::run::{Ended, Failure, Findings, News, Progress, RunOptions};
+use crate::run::{Ended, Failure, Findings, Progress, ProgressReport, RunOptions};
 use crate::scene::{ArcLength, Static};
 use crate::summary::{Energies, LevelSummary};
 
@@ -28,7 +28,7 @@ const CLOSER: &str = "use [analysis.arc-length], or more `iterations`";
 pub(crate) fn levels(
     wanted: &Static,
     system: &mut StaticShell,
-    driven: Option<Driven>,
+    driven: Option<PrescribedPoint>,
     gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
     (run, from): (&mut RunOptions<'_>, Option<Place>),
@@ -71,7 +71,7 @@ pub(crate) fn levels(
                     return ControlFlow::Break(());
                 }
             }
-            let news = News { done: before / last, ..news(found.steps, before, row[1]) };
+            let news = ProgressReport { done: before / last, ..news(found.steps, before, row[1]) };
             run.progress.update(&news)
         });
         count(&path, found);
@@ -94,7 +94,7 @@ pub(crate) fn levels(
             return;
         }
         row[0] = level;
-        let news = News { done: level / last, ..news(found.steps, level, row[1]) };
+        let news = ProgressReport { done: level / last, ..news(found.steps, level, row[1]) };
         found.energies = energies(row[1]);
         found.curve.rows.push(row);
         run.progress.recorded(&found.curve);
@@ -151,7 +151,7 @@ fn keep(
 pub(crate) fn arc_length(
     wanted: &ArcLength,
     system: &mut StaticShell,
-    driven: Option<Driven>,
+    driven: Option<PrescribedPoint>,
     gauges: Vec<Gauge>,
     found: &mut Findings<'_>,
     progress: &mut dyn Progress,
@@ -178,7 +178,8 @@ pub(crate) fn arc_length(
     let path = follow(system, &Start::default(), &options, |point, system| {
         let row = reader.row(system, point, point.converged.iterations);
         let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
-        let news = News { done: done.clamp(0.0, 1.0), ..news(point.step as u64, point.level(), row[1]) };
+        let news =
+            ProgressReport { done: done.clamp(0.0, 1.0), ..news(point.step as u64, point.level(), row[1]) };
         interrupted = progress.update(&news).is_break();
         found.energies = energies(row[1]);
         let reached = stop.is_some_and(|(at, above)| row[at] > above);
@@ -213,7 +214,7 @@ fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
     options
 }
 
-impl Driven {
+impl PrescribedPoint {
     /// Displacement along the prescribed motion within a motion of the unknowns \[L\].
     pub(crate) fn moved(&self, system: &StaticShell, motion: &[f64]) -> f64 {
         functional(system, self).into_iter().map(|(i, weight)| weight * motion[i]).sum()
@@ -221,13 +222,13 @@ impl Driven {
 }
 
 /// The displacement along the prescribed motion, by unknowns and weights.
-fn functional(system: &StaticShell, driven: &Driven) -> Vec<(usize, f64)> {
+fn functional(system: &StaticShell, driven: &PrescribedPoint) -> Vec<(usize, f64)> {
     let weights = system.functional(&[driven.particle], driven.direction);
     weights.into_iter().enumerate().filter(|&(_, weight)| weight != 0.0).collect()
 }
 
 /// Force along the prescribed motion for a unit of displacement, linear at the present state \[F/L\].
-fn stiffness(system: &mut StaticShell, driven: &Driven) -> Result<f64, BalanceError> {
+fn stiffness(system: &mut StaticShell, driven: &PrescribedPoint) -> Result<f64, EquilibriumError> {
     let response = linear_response(system, 0.0)?;
     Ok(1.0 / driven.moved(system, &response))
 }
@@ -241,7 +242,7 @@ fn count(path: &Path, found: &mut Findings<'_>) {
 
 /// Reads rows of the curve.
 struct Reader {
-    driven: Option<Driven>,
+    driven: Option<PrescribedPoint>,
     gauges: Vec<Gauge>,
 }
 
@@ -267,6 +268,6 @@ pub(crate) fn energies(internal: f64) -> Energies {
     Energies { internal, external: internal, ..Energies::default() }
 }
 
-fn news(steps: u64, level: f64, internal: f64) -> News {
-    News { level, steps, internal, ..News::default() }
+fn news(steps: u64, level: f64, internal: f64) -> ProgressReport {
+    ProgressReport { level, steps, internal, ..ProgressReport::default() }
 }

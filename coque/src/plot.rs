@@ -84,7 +84,7 @@ fn draw(
     Ok(svg)
 }
 
-/// A number beside an axis: six digits at most, powers of ten where nought after nought would come.
+/// A number beside an axis: six digits at most, powers of ten where zero after zero would come.
 fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     match rounded.abs() {

@@ -4,7 +4,7 @@ use nalgebra::{Matrix6, SymmetricEigen, Vector6};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{DirectorHold, Holds};
 
-/// Eigenvalues below this part of the largest count as nought: far above rounding, far below any support that
+/// Eigenvalues below this part of the largest count as zero: far above rounding, far below any support that
 /// holds at least one spacing away from a free axis.
 const FREE: f64 = 1e-10;
 
@@ -95,7 +95,7 @@ fn direction(v: &Vec3) -> Vec3 {
 }
 
 fn text(v: &Vec3) -> String {
-    // Adding nought turns −0 into 0.
+    // Adding zero turns −0 into 0.
     let [x, y, z] = [v.x, v.y, v.z].map(|c| (c * 1e3).round() / 1e3 + 0.0);
     format!("[{x}, {y}, {z}]")
 }

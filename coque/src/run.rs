@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use explicit_dynamics::MarchError;
-use implicit_statics::BalanceError;
+use implicit_statics::EquilibriumError;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Shell, StaticShell};
@@ -28,10 +28,10 @@ use crate::{Doubt, Warning};
 
 /// How a run is going.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct News {
+pub struct ProgressReport {
     /// Part that is done, from 0 to 1; a guess where levels may settle early.
     pub done: f64,
-    /// Time \[T\]; nought without time.
+    /// Time \[T\]; zero without time.
     pub time: f64,
     /// Load level.
     pub level: f64,
@@ -46,7 +46,7 @@ pub struct News {
 /// Told how a run is going, between any two steps in time, at every point of a path without time.
 pub trait Progress: Send {
     /// `Break` ends the run in good order.
-    fn update(&mut self, news: &News) -> ControlFlow<()>;
+    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()>;
 
     /// Told the curve as a run begins, and again whenever it has grown.
     fn recorded(&mut self, _curve: &Curve) {}
@@ -60,7 +60,7 @@ pub trait Progress: Send {
 pub struct Silent;
 
 impl Progress for Silent {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 }
@@ -103,7 +103,7 @@ pub enum Ended {
     Diverged(Failure),
     /// It was ended from outside; curve and shapes hold what came before.
     Interrupted {
-        /// Time \[T\]; nought without time.
+        /// Time \[T\]; zero without time.
         time: f64,
         /// Load level.
         level: f64,
@@ -137,7 +137,7 @@ pub enum Failure {
         /// Level of the last one, as in the curve.
         level: f64,
         /// What happened.
-        cause: BalanceError,
+        cause: EquilibriumError,
         /// Unit of the load levels that the cause names, where they are forces.
         unit: Option<String>,
     },
@@ -161,7 +161,7 @@ impl Failure {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Fields(_) | Self::March(MarchError::Option { .. }) => true,
-            Self::Balance { cause, .. } => matches!(cause, BalanceError::Option { .. }),
+            Self::Balance { cause, .. } => matches!(cause, EquilibriumError::Option { .. }),
             _ => false,
         }
     }
@@ -177,7 +177,7 @@ fn forces(unit: &Option<String>) -> String {
 }
 
 /// The causes behind an error, in brackets.
-fn causes(error: &BalanceError) -> String {
+fn causes(error: &EquilibriumError) -> String {
     let first = std::error::Error::source(error);
     std::iter::successors(first, |cause| cause.source()).map(|cause| format!(" ({cause})")).collect()
 }

@@ -185,7 +185,7 @@ fn mismatch(message: &str) -> Option<(String, String)> {
     let (found, expected) = rest.split_once(", expected ")?;
     let expected = match expected {
         "f64" => "a number",
-        "usize" | "u64" => "a whole number, nought or more",
+        "usize" | "u64" => "a whole number, zero or more",
         "a string" => "a text in quotes",
         "a boolean" => "true or false",
         other if other.starts_with("struct ") || other.contains(" enum ") => "a table",

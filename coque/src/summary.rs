@@ -19,7 +19,7 @@ pub struct Modelled {
     pub particles: usize,
     /// Points at which strains are sampled.
     pub points: usize,
-    /// Freedoms that no support holds.
+    /// DofMap that no support holds.
     pub freedoms: usize,
     /// Memory that the step touches, per particle \[bytes\].
     pub bytes_per_particle: f64,
@@ -110,25 +110,25 @@ pub struct Summary {
     pub particles: usize,
     /// Points at which strains are sampled.
     pub points: usize,
-    /// Freedoms that no support holds.
+    /// DofMap that no support holds.
     pub dof: usize,
     /// Mean spacing of the particles \[L\].
     pub spacing: f64,
     /// Steps done; without time the points found.
     pub steps: u64,
-    /// Newton iterations of all points found; nought in time.
+    /// Newton iterations of all points found; zero in time.
     pub newton_iterations: u64,
     /// Critical points found on a path without time.
     pub critical: Vec<CriticalSummary>,
     /// Threads used.
     pub threads: usize,
-    /// Greatest stable step of the reference configuration \[T\]; nought if none was found, or without time.
+    /// Greatest stable step of the reference configuration \[T\]; zero if none was found, or without time.
     pub stable_step: f64,
-    /// Fraction of the stable step that was used; nought without time.
+    /// Fraction of the stable step that was used; zero without time.
     pub safety: f64,
     /// Time the run took, over all its sittings \[s\].
     pub wall_seconds: f64,
-    /// Particles times steps per second of the march \[1/s\]; nought without time.
+    /// Particles times steps per second of the march \[1/s\]; zero without time.
     pub particle_steps_per_second: f64,
     /// Energies at the last record.
     pub energies: Energies,
@@ -139,7 +139,7 @@ pub struct Summary {
     /// The count of modes; none for other analyses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountSummary>,
-    /// Frames of fields written; nought without `output.fields`.
+    /// Frames of fields written; zero without `output.fields`.
     pub frames: u64,
     /// What is modelled.
     pub modelled: Vec<String>,

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use common::{Replaced, column, run, scene};
-use coque::{Doubt, Ended, News, Outcome, Progress, Scene};
+use coque::{Doubt, Ended, Outcome, Progress, ProgressReport, Scene};
 
 const STRESS: (&str, &str) = ("analysis.buckling.prebuckling", "\"stress\"");
 
@@ -85,7 +85,7 @@ fn fewer_modes_than_asked_for_carry_a_warning() {
 struct Impatient(usize);
 
 impl Progress for Impatient {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         self.0 = self.0.saturating_sub(1);
         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -48,7 +48,7 @@ fn a_frame_of_the_patch_test_reads_back() {
     assert!(read.get("thickness").iter().all(|&t| t == 0.1));
     assert_eq!(read.place("membrane_force"), Some("CellData"));
     for name in ["von_mises_top", "von_mises_bottom"] {
-        // The strain of 1e-5 is what small strain leaves out; bending of the flat sheet is nought.
+        // The strain of 1e-5 is what small strain leaves out; bending of the flat sheet is zero.
         assert!(read.get(name).iter().all(|s| (s / 1e-2 - 1.0).abs() < 5e-5), "{name}: {:?}", read.get(name));
     }
     for cell in 0..32 {
@@ -207,7 +207,7 @@ fn reactions_are_those_of_the_curve() {
     let loads = outcome.curve.column("P").unwrap();
     for ((_, path), load) in listed(&folder.join("shell.pvd")).iter().zip(loads) {
         let read = Read::new(path);
-        // The crown is particle nought, a quarter of the panel is modelled.
+        // The crown is particle zero, a quarter of the panel is modelled.
         assert!((-4.0 * read.get("reaction")[2] - load).abs() < 1e-9 * load.abs().max(1.0));
     }
 }

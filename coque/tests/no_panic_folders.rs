@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use coque::{
-    CHECKPOINT, Checkpoint, Checkpoints, Curve, FieldFiles, FieldSink, News, Origin, Picture, Progress,
-    Rendering, RunOptions, SCENE_COPY, Scene, Sheet, listed, picture_svg, plot_svg, render,
+    CHECKPOINT, Checkpoint, Checkpoints, Curve, FieldFiles, FieldSink, Origin, Picture, Progress,
+    ProgressReport, Rendering, RunOptions, SCENE_COPY, Scene, Sheet, listed, picture_svg, plot_svg, render,
 };
 use proptest::prelude::*;
 
@@ -37,7 +37,7 @@ fn scene_text(name: &str) -> String {
 struct StopAfter(usize);
 
 impl Progress for StopAfter {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         self.0 = self.0.saturating_sub(1);
         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

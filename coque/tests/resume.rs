@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use coque::{
-    CHECKPOINT, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, News, Origin, Outcome, Progress,
-    RunOptions, SCENE_COPY, Scene, Silent,
+    CHECKPOINT, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, Origin, Outcome, Progress,
+    ProgressReport, RunOptions, SCENE_COPY, Scene, Silent,
 };
 
 /// A folder of its own, empty.
@@ -34,7 +34,7 @@ fn pairs(replaced: &[(&str, &str)]) -> Pairs {
 struct StopAfter(usize);
 
 impl Progress for StopAfter {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         self.0 = self.0.saturating_sub(1);
         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -222,7 +222,7 @@ fn what_does_not_go_without_time_is_refused() {
         ("course in time", "ring.toml", &[levels, ("loads[0].amplitude", "{ ramp = 1.0 }")]),
         ("motion and load", "panel.toml", &[levels, push]),
         ("two motions", "ring.toml", &[levels, ("loads", "[]"), ("supports", second)]),
-        ("motion of nought", "panel.toml", &[levels, ("supports[3].moved.by", "0.0")]),
+        ("motion of zero", "panel.toml", &[levels, ("supports[3].moved.by", "0.0")]),
         ("motion of an edge", "panel.toml", &[path, ("supports[3].on", "u0")]),
         ("held motion", "panel.toml", &[levels, ("supports[3].moved.direction", "[1.0, 0.0, -1.0]")]),
     ];

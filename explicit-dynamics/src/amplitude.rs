@@ -5,7 +5,7 @@
 pub enum Amplitude {
     /// One at all times.
     Constant,
-    /// Linear from nought at time 0 to one at the given time \[T\], one after.
+    /// Linear from zero at time 0 to one at the given time \[T\], one after.
     Ramp(f64),
     /// `s³(10 − 15s + 6s²)`, `s = t/T`: the quintic with no velocity and no acceleration at its ends.
     Smooth(f64),

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use crate::stable_step::{LinearisedDynamics, largest_eigenvalue, stable_step};
-use crate::{Dynamics, Instant, LevelReached, MarchError, Standing, Step, Work};
+use crate::{Dynamics, Instant, LevelReached, MarchError, MarchState, Step, Work};
 
 /// Steps between two looks for runaway particles.
 const WATCH_EVERY: u64 = 64;
@@ -63,7 +63,7 @@ pub trait Observer<S> {
     ///
     /// `done` goes from 0 to 1; it is a guess where holds may end early. A march goes on from the standing and the
     /// state of the system as if it had never stopped.
-    fn between(&mut self, _system: &mut S, _at: &Standing, _done: f64) -> ControlFlow<()> {
+    fn between(&mut self, _system: &mut S, _at: &MarchState, _done: f64) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 }
@@ -95,7 +95,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Starts at time nought with the stable step of the present configuration.
+    /// Starts at time zero with the stable step of the present configuration.
     ///
     /// # Errors
     /// [`MarchError::Option`] for a safety outside (0, 1.2\] (beyond 1 only to show divergence),

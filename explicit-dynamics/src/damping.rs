@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 pub enum Damping {
     /// Mass-proportional with this ratio ζ to the critical damping of the mode whose period the march is given: `c = 4πζ/T₁`.
     Ratio(f64),
-    /// Velocities are set to nought whenever the kinetic energy passes a peak.
+    /// Velocities are set to zero whenever the kinetic energy passes a peak.
     Kinetic,
 }
 

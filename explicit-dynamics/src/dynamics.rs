@@ -71,7 +71,7 @@ pub trait Dynamics {
         work
     }
 
-    /// Sets all velocities to nought (kinetic damping).
+    /// Sets all velocities to zero (kinetic damping).
     fn stop(&mut self);
 
     /// The particle with the greatest speed, and that speed \[L/T\]; not a number counts as greatest.

@@ -10,7 +10,7 @@
 //! | find equilibria along a load path | [`QuasiStatic`] |
 //! | know the stable step | [`largest_eigenvalue`], [`stable_step`] |
 //! | watch, stop | [`Observer`], [`Record`] |
-//! | keep a march and go on later, to the same bits | [`Observer::between`], [`Standing`], [`QuasiStatic::go_on`], [`Transient::go_on`] |
+//! | keep a march and go on later, to the same bits | [`Observer::between`], [`MarchState`], [`QuasiStatic::go_on`], [`Transient::go_on`] |
 //!
 //! # The step
 //!
@@ -118,10 +118,10 @@ mod clock;
 mod damping;
 mod dynamics;
 mod error;
+mod march_state;
 mod quasi_static;
 mod rest;
 mod stable_step;
-mod standing;
 mod transient;
 
 pub use amplitude::Amplitude;
@@ -129,8 +129,8 @@ pub use clock::{Balance, Clock, Observer, Record};
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Dynamics, Instant, Step, Work};
 pub use error::{MarchError, OutOfBounds};
+pub use march_state::{Hold, MarchState, Stage};
 pub use quasi_static::{LevelReached, QuasiStatic};
 pub use rest::{MassScaled, Missing, Sizes};
 pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};
-pub use standing::{Hold, Place, Standing};
 pub use transient::Transient;

@@ -5,14 +5,14 @@ use std::ops::ControlFlow;
 use crate::amplitude::smooth;
 use crate::error::positive;
 use crate::{
-    Clock, Damping, Dynamics, Hold, KineticDamping, MarchError, MassScaled, Missing, Observer, Place, Sizes,
-    Standing,
+    Clock, Damping, Dynamics, Hold, KineticDamping, MarchError, MarchState, MassScaled, Missing, Observer,
+    Sizes, Stage,
 };
 
 /// Ramp and hold. Loads are read after a hold: damping drags the reaction while a ramp runs.
 #[derive(Clone, Debug)]
 pub struct QuasiStatic {
-    /// Load levels λ to stop at, in order; the path starts at nought.
+    /// Load levels λ to stop at, in order; the path starts at zero.
     pub levels: Vec<f64>,
     /// Period T₁ of the lowest mode \[T\]: the unit of `ramp` and `hold`, and the base of the damping.
     pub period: f64,
@@ -77,21 +77,26 @@ impl QuasiStatic {
         if flow.is_break() || self.levels.is_empty() {
             return Ok(clock);
         }
-        let place = self.begin(0, &clock, Sizes::default());
-        self.go_on(Standing { clock, place }, system, observer)
+        let stage = self.begin(0, &clock, Sizes::default());
+        self.go_on(MarchState { clock, stage }, system, observer)
     }
 
     /// Goes on from where a march of the same data stood, with its system in the state it had there.
     ///
     /// # Errors
     /// [`MarchError`] for divergence and for the standing of another march.
-    pub fn go_on<S, O>(&self, mut at: Standing, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
+    pub fn go_on<S, O>(
+        &self,
+        mut at: MarchState,
+        system: &mut S,
+        observer: &mut O,
+    ) -> Result<Clock, MarchError>
     where
         S: Dynamics + MassScaled,
         O: Observer<S>,
     {
         loop {
-            let Place::QuasiStatic { level, start, .. } = at.place else { return Err(at.other()) };
+            let Stage::QuasiStatic { level, start, .. } = at.stage else { return Err(at.other()) };
             let Some(&to) = self.levels.get(level) else { return Err(at.other()) };
             if self.ramp_up(&mut at, system, observer)?.is_break() {
                 break;
@@ -104,20 +109,20 @@ impl QuasiStatic {
                 break;
             }
             at.clock.estimate_step(system)?;
-            at.place = self.begin(level + 1, &at.clock, sizes);
+            at.stage = self.begin(level + 1, &at.clock, sizes);
         }
         Ok(at.clock)
     }
 
     /// The place at the foot of the ramp to a level.
-    fn begin(&self, level: usize, clock: &Clock, sizes: Sizes) -> Place {
-        Place::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, sizes, hold: None }
+    fn begin(&self, level: usize, clock: &Clock, sizes: Sizes) -> Stage {
+        Stage::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, sizes, hold: None }
     }
 
     /// Marches along the ramp, if it is not over; `Break` if the observer ends the march.
     fn ramp_up<S, O>(
         &self,
-        at: &mut Standing,
+        at: &mut MarchState,
         system: &mut S,
         observer: &mut O,
     ) -> Result<ControlFlow<()>, MarchError>
@@ -125,7 +130,7 @@ impl QuasiStatic {
         S: Dynamics,
         O: Observer<S>,
     {
-        let Place::QuasiStatic { level: number, start, first_step, sizes, hold: None } = at.place else {
+        let Stage::QuasiStatic { level: number, start, first_step, sizes, hold: None } = at.stage else {
             return Ok(ControlFlow::Continue(()));
         };
         let to = self.levels[number];
@@ -146,7 +151,7 @@ impl QuasiStatic {
             quiet: 0,
             peaks: KineticDamping::default(),
         };
-        at.place = Place::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
+        at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
         Ok(ControlFlow::Continue(()))
     }
 
@@ -154,7 +159,7 @@ impl QuasiStatic {
     /// nothing if the observer ends the march.
     fn hold_still<S, O>(
         &self,
-        at: &mut Standing,
+        at: &mut MarchState,
         start: f64,
         system: &mut S,
         observer: &mut O,
@@ -164,7 +169,7 @@ impl QuasiStatic {
         O: Observer<S>,
     {
         loop {
-            let Place::QuasiStatic { level: number, first_step, sizes, hold: Some(mut hold), .. } = at.place
+            let Stage::QuasiStatic { level: number, first_step, sizes, hold: Some(mut hold), .. } = at.stage
             else {
                 return Err(at.other());
             };
@@ -212,7 +217,7 @@ impl QuasiStatic {
                 }
                 hold.look = clock.now.time + self.period / LOOKS_PER_PERIOD;
             }
-            at.place = Place::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
+            at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
         }
     }
 

@@ -1,7 +1,7 @@
 //! A run in real time, recorded at equal intervals.
 
 use crate::error::positive;
-use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, Observer, Place, Standing};
+use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, MarchState, Observer, Stage};
 
 /// Steps between two estimates of the stable step.
 const ESTIMATE_EVERY: u64 = 5000;
@@ -42,25 +42,30 @@ impl Transient {
             return Err(MarchError::Option { key: "duration", value: self.duration, bound });
         }
         let flow = clock.recorded_step(system, observer, false, self.record_every, |_| 1.0)?;
-        let place = Place::Transient { record: 0, next_estimate: ESTIMATE_EVERY };
+        let stage = Stage::Transient { record: 0, next_estimate: ESTIMATE_EVERY };
         if flow.is_break() {
             return Ok(clock);
         }
-        self.go_on(Standing { clock, place }, system, observer)
+        self.go_on(MarchState { clock, stage }, system, observer)
     }
 
     /// Goes on from where a march of the same data stood, with its system in the state it had there.
     ///
     /// # Errors
     /// [`MarchError`] for divergence and for the standing of another march.
-    pub fn go_on<S, O>(&self, mut at: Standing, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
+    pub fn go_on<S, O>(
+        &self,
+        mut at: MarchState,
+        system: &mut S,
+        observer: &mut O,
+    ) -> Result<Clock, MarchError>
     where
         S: Dynamics + LinearisedDynamics,
         O: Observer<S>,
     {
         let records = (self.duration / self.record_every).ceil().max(1.0) as u64;
         loop {
-            let Place::Transient { record, next_estimate } = at.place else { return Err(at.other()) };
+            let Stage::Transient { record, next_estimate } = at.stage else { return Err(at.other()) };
             let done = at.clock.now.time / self.duration;
             if observer.between(system, &at, done.clamp(0.0, 1.0)).is_break() {
                 break;
@@ -79,7 +84,7 @@ impl Transient {
             }
             let left = (record + 2) as f64 * self.record_every - clock.now.time;
             let flow = clock.recorded_step(system, observer, false, left, |_| 1.0)?;
-            at.place = Place::Transient { record: record + 1, next_estimate: next };
+            at.stage = Stage::Transient { record: record + 1, next_estimate: next };
             if flow.is_break() || record + 1 >= records {
                 break;
             }

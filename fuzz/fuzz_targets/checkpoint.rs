@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use coque::{
-    CHECKPOINT, Checkpoint, Checkpoints, News, Origin, Progress, RunOptions, SCENE_COPY, Scene,
+    CHECKPOINT, Checkpoint, Checkpoints, ProgressReport, Origin, Progress, RunOptions, SCENE_COPY, Scene,
 };
 
 const TEXT: &str = include_str!("../../scenes/ring.toml");
@@ -18,7 +18,7 @@ const HEADER: usize = BEFORE + 8 + 4;
 struct StopAfter(usize);
 
 impl Progress for StopAfter {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         self.0 = self.0.saturating_sub(1);
         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::passage::Passage;
 use crate::path::{Control, PathOptions, Start, march};
 use crate::vectors::{difference, dot};
-use crate::{BalanceError, CriticalKind, CriticalPoint, End, Equilibrium, Increment, Path};
+use crate::{CriticalKind, CriticalPoint, End, Equilibrium, EquilibriumError, Increment, Path};
 
 /// First step along the branch, as a part of the linear answer to the whole.
 const PART: f64 = 0.125;
@@ -101,7 +101,7 @@ fn land<E: Equilibrium + ?Sized>(
     from: &Start,
     rest: f64,
     options: &PathOptions,
-) -> Result<(), BalanceError> {
+) -> Result<(), EquilibriumError> {
     if rest == 0.0 {
         return Ok(());
     }

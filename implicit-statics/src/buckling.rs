@@ -15,7 +15,7 @@ use crate::eigen::{BLOCK, End, Krylov, Operator, Ritz, TOLERANCE};
 use crate::geometric::{Prebuckling, along_load};
 use crate::pattern::product;
 use crate::vectors::dot;
-use crate::{BalanceError, Equilibrium, Spectrum, Watch, error::require};
+use crate::{Equilibrium, EquilibriumError, Spectrum, Watch, error::require};
 
 /// Restarts of the search for a shift.
 const PROBES: usize = 6;
@@ -82,7 +82,7 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     level: f64,
     options: &BucklingOptions,
     watch: &'a mut Watch<'a>,
-) -> Result<Spectrum<BucklingMode>, BalanceError> {
+) -> Result<Spectrum<BucklingMode>, EquilibriumError> {
     let n = system.unknowns();
     let bound = "between 1 and the number of unknowns";
     require(options.count > 0 && options.count <= n, "number of modes", options.count as f64, bound)?;
@@ -92,7 +92,7 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     system.tangent(level, &mut base);
     let inertia = solver.factor(&base)?;
     if inertia.negative > 0 {
-        return Err(BalanceError::Unstable { level, negative: inertia.negative });
+        return Err(EquilibriumError::Unstable { level, negative: inertia.negative });
     }
     let geometric = along_load(system, level, options.prebuckling, &pattern, &base, &mut solver)?;
     let mut pencil =
@@ -151,18 +151,18 @@ struct Pencil<'a> {
 
 impl Pencil<'_> {
     /// The nearest levels of a sign; an error with the nearest of the other sign where there is none.
-    fn stretched_or(&mut self, sign: f64, count: usize, level: f64) -> Result<Found, BalanceError> {
+    fn stretched_or(&mut self, sign: f64, count: usize, level: f64) -> Result<Found, EquilibriumError> {
         let found = self.nearest(sign, count)?;
         if !found.levels.is_empty() {
             return Ok(found);
         }
         let searched = level + if sign > 0.0 { found.counted.to } else { found.counted.from };
         let other = self.nearest(-sign, 1)?.levels.first().map(|one| level + one.value);
-        Err(BalanceError::Stretched { searched, other })
+        Err(EquilibriumError::Stretched { searched, other })
     }
 
     /// The levels of a sign nearest to the base state, none missing.
-    fn nearest(&mut self, sign: f64, mut count: usize) -> Result<Found, BalanceError> {
+    fn nearest(&mut self, sign: f64, mut count: usize) -> Result<Found, EquilibriumError> {
         let n = self.solver.scale().len();
         self.sign = sign;
         if self.shift != 0.0 {
@@ -204,7 +204,7 @@ impl Pencil<'_> {
             let pairs = krylov.converge(self, number, End::Least, &bound)?;
             let found = pairs.iter().take_while(|pair| pair.value < 0.0).count();
             if found != number {
-                return Err(BalanceError::Miscounted { found, counted: number });
+                return Err(EquilibriumError::Miscounted { found, counted: number });
             }
             let level = |pair: &Ritz| self.shift * pair.value / (pair.value - 1.0);
             pairs[..number].iter().map(|pair| (level(pair), krylov.vector(pair))).collect()
@@ -216,7 +216,7 @@ impl Pencil<'_> {
     }
 
     /// A few vectors of −K⁻¹K_g: Ritz pairs, the largest first, and the largest magnitude met on either side.
-    fn probe(&mut self, krylov: &mut Krylov, count: usize) -> Result<(Vec<Ritz>, f64), BalanceError> {
+    fn probe(&mut self, krylov: &mut Krylov, count: usize) -> Result<(Vec<Ritz>, f64), EquilibriumError> {
         let (mut before, mut top) = (0.0_f64, 0.0_f64);
         for _ in 1..PROBES {
             krylov.grow(self, Krylov::depth(count))?;
@@ -236,7 +236,7 @@ impl Pencil<'_> {
     }
 
     /// Finds a shift with at least `count` levels below it, and not many more; gives their number. Fewer only at `reach`.
-    fn find_shift(&mut self, first: f64, reach: f64, count: usize) -> Result<usize, BalanceError> {
+    fn find_shift(&mut self, first: f64, reach: f64, count: usize) -> Result<usize, EquilibriumError> {
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut shift = first;
         let mut fraction: f64 = 0.05;
@@ -265,11 +265,11 @@ impl Pencil<'_> {
                 0.5 * (low + high)
             };
         }
-        Err(BalanceError::Modes { found: 0, wanted: count, residual: f64::INFINITY, bound: TOLERANCE })
+        Err(EquilibriumError::Modes { found: 0, wanted: count, residual: f64::INFINITY, bound: TOLERANCE })
     }
 
     /// Factorises about a shift; levels between the base state and the shift, and those within rounding of it.
-    fn below(&mut self, shift: f64) -> Result<(usize, usize), BalanceError> {
+    fn below(&mut self, shift: f64) -> Result<(usize, usize), EquilibriumError> {
         self.shift = shift;
         let signed = self.sign * shift;
         let values: Vec<f64> = self.base.iter().zip(self.geometric).map(|(k, g)| k + signed * g).collect();
@@ -279,7 +279,7 @@ impl Pencil<'_> {
 
     /// A level with the error bound that one solve with the factor at σ gives: for w = (K + σK_g)⁻¹(K + μK_g)φ an exact
     /// level lies within |μ − σ|/|μ| ‖w‖ of μ, relative and in the norm of K.
-    fn judged(&mut self, value: f64, shape: Vec<f64>) -> Result<Level, BalanceError> {
+    fn judged(&mut self, value: f64, shape: Vec<f64>) -> Result<Level, EquilibriumError> {
         let mut left = vec![0.0; shape.len()];
         let mut weighed = left.clone();
         product(self.pattern, self.geometric, &shape, &mut left);
@@ -295,7 +295,7 @@ impl Pencil<'_> {
 }
 
 impl Operator for Pencil<'_> {
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), BalanceError> {
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
         if self.shift == 0.0 {
             product(self.pattern, self.geometric, v, out);
             let sign = self.sign;

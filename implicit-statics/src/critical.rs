@@ -4,7 +4,7 @@ use crate::newton::Constraint;
 use crate::passage::{Passage, Passed};
 use crate::stepper::Stepper;
 use crate::vectors::dot;
-use crate::{BalanceError, Converged, Equilibrium, Increment, Newton, NewtonOptions, Start};
+use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton, NewtonOptions, Start};
 
 /// How critical points are located.
 #[derive(Debug, Clone, PartialEq)]
@@ -133,7 +133,7 @@ fn tell<E: Equilibrium + ?Sized>(
     low: &Edge,
     high: &Edge,
     options: &CriticalOptions,
-) -> Result<CriticalPoint, BalanceError> {
+) -> Result<CriticalPoint, EquilibriumError> {
     stepper.newton.go_back(system, &low.state);
     stepper.newton.tangent(system, low.level)?;
     let mode = stepper.newton.solver.weakest_direction();
@@ -167,7 +167,7 @@ fn probe<E: Equilibrium + ?Sized>(
     system: &mut E,
     saved: &[f64],
     size: f64,
-) -> Result<Option<Edge>, BalanceError> {
+) -> Result<Option<Edge>, EquilibriumError> {
     stepper.newton.go_back(system, saved);
     let made = stepper.advance(system, size)?;
     if made.strays {
@@ -198,7 +198,7 @@ pub fn switch_branch<E: Equilibrium + ?Sized>(
     point: &CriticalPoint,
     amplitude: f64,
     options: &NewtonOptions,
-) -> Result<Start, BalanceError> {
+) -> Result<Start, EquilibriumError> {
     let mut newton = Newton::new(system, options)?;
     newton.step = point.step;
     newton.go_back(system, &point.state);

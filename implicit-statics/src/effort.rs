@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::{BalanceError, Inertia, SymmetricSolver};
+use crate::{EquilibriumError, Inertia, SymmetricSolver};
 
 /// Work done so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,7 +13,7 @@ pub struct Effort {
     pub solves: usize,
 }
 
-/// Asked before every factorisation and every solve; `Break` ends the search with [`BalanceError::Stopped`].
+/// Asked before every factorisation and every solve; `Break` ends the search with [`EquilibriumError::Stopped`].
 pub type Watch<'a> = dyn FnMut(&Effort) -> ControlFlow<()> + 'a;
 
 /// A [`Watch`] that never ends anything.
@@ -55,25 +55,25 @@ impl<'a> CountingSolver<'a> {
         unknowns: usize,
         pattern: &[(usize, usize)],
         watch: &'a mut Watch<'a>,
-    ) -> Result<Self, BalanceError> {
+    ) -> Result<Self, EquilibriumError> {
         Ok(Self { solver: SymmetricSolver::new(unknowns, pattern)?, watch, effort: Effort::default() })
     }
 
     /// Asks whether to go on.
-    pub fn ask(&mut self) -> Result<(), BalanceError> {
+    pub fn ask(&mut self) -> Result<(), EquilibriumError> {
         match (self.watch)(&self.effort) {
             ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(BalanceError::Stopped { solves: self.effort.solves }),
+            ControlFlow::Break(()) => Err(EquilibriumError::Stopped { solves: self.effort.solves }),
         }
     }
 
-    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, BalanceError> {
+    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, EquilibriumError> {
         self.ask()?;
         self.effort.factorisations += 1;
         self.solver.factor(values)
     }
 
-    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), BalanceError> {
+    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
         self.ask()?;
         self.effort.solves += 1;
         self.solver.solve(right)

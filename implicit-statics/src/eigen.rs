@@ -4,7 +4,7 @@
 //! others, so that a block of any width, restarts and invariant subspaces are one and the same loop. Kept Ritz vectors
 //! stay in the basis, converged or not; full orthogonalisation leaves no copies \[parlett1998\].
 
-use crate::BalanceError;
+use crate::EquilibriumError;
 use crate::solver::dense_eigen;
 use crate::vectors::{dot, unstructured};
 
@@ -26,7 +26,7 @@ const DEPENDENT: f64 = 1e-10;
 /// An operator symmetric in the inner product `aᵀ G b`, `G` positive (semi-)definite.
 pub(crate) trait Operator {
     /// `out = A v`.
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), BalanceError>;
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError>;
     /// `out = G v`.
     fn weigh(&mut self, v: &[f64], out: &mut [f64]);
 }
@@ -71,7 +71,7 @@ impl Krylov {
         operator: &mut dyn Operator,
         unknowns: usize,
         start: &[Vec<f64>],
-    ) -> Result<Self, BalanceError> {
+    ) -> Result<Self, EquilibriumError> {
         let mut krylov = Self { unknowns, basis: Vec::new(), columns: Vec::new(), complete: false, seed: 0 };
         for vector in start {
             krylov.add_image(operator, vector)?;
@@ -81,7 +81,7 @@ impl Krylov {
     }
 
     /// Adds images of vectors without structure.
-    pub fn freshen(&mut self, operator: &mut dyn Operator, number: usize) -> Result<(), BalanceError> {
+    pub fn freshen(&mut self, operator: &mut dyn Operator, number: usize) -> Result<(), EquilibriumError> {
         for _ in 0..number.min(self.unknowns) {
             self.seed += 1;
             self.add_image(operator, &unstructured(self.unknowns, self.seed))?;
@@ -89,7 +89,7 @@ impl Krylov {
         Ok(())
     }
 
-    fn add_image(&mut self, operator: &mut dyn Operator, vector: &[f64]) -> Result<bool, BalanceError> {
+    fn add_image(&mut self, operator: &mut dyn Operator, vector: &[f64]) -> Result<bool, EquilibriumError> {
         let mut image = vec![0.0; self.unknowns];
         operator.apply(vector, &mut image)?;
         Ok(self.orthogonalise(operator, image).1)
@@ -120,7 +120,7 @@ impl Krylov {
     }
 
     /// Multiplies until so many vectors are, or until no vector is left that is not in the span.
-    pub fn grow(&mut self, operator: &mut dyn Operator, to: usize) -> Result<(), BalanceError> {
+    pub fn grow(&mut self, operator: &mut dyn Operator, to: usize) -> Result<(), EquilibriumError> {
         while self.columns.len() < to {
             let next = self.columns.len();
             if next == self.basis.len() {
@@ -212,7 +212,7 @@ impl Krylov {
         wanted: usize,
         end: End,
         bound: &dyn Fn(&Ritz) -> f64,
-    ) -> Result<Vec<Ritz>, BalanceError> {
+    ) -> Result<Vec<Ritz>, EquilibriumError> {
         let depth = Self::depth(wanted);
         let mut before: Vec<f64> = Vec::new();
         let (mut worst, mut found) = (f64::INFINITY, 0);
@@ -240,6 +240,6 @@ impl Krylov {
             // Beyond the width of the block the copies of a multiple eigenvalue show themselves by rounding alone.
             self.freshen(operator, 1)?;
         }
-        Err(BalanceError::Modes { found, wanted, residual: worst, bound: TOLERANCE })
+        Err(EquilibriumError::Modes { found, wanted, residual: worst, bound: TOLERANCE })
     }
 }

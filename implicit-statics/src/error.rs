@@ -18,7 +18,7 @@ pub struct OutOfBounds {
 
 /// Why a balance was not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum BalanceError {
+pub enum EquilibriumError {
     /// The list of tangent entries is not a lower triangle with its whole diagonal, each entry once.
     #[error(
         "tangent pattern: entry ({row}, {column}) of {unknowns} unknowns is {what}; list the lower triangle with the whole diagonal, each entry once"
@@ -180,7 +180,7 @@ pub enum BalanceError {
         smallest: f64,
         /// Why the last trial failed.
         #[source]
-        cause: Box<BalanceError>,
+        cause: Box<EquilibriumError>,
     },
     /// Eigenpairs did not converge.
     #[error(
@@ -252,7 +252,7 @@ pub enum BalanceError {
     },
 }
 
-impl BalanceError {
+impl EquilibriumError {
     /// Gives a singular tangent the name of its free motion, the step and the level; leaves other errors alone.
     pub fn named<E: Equilibrium + ?Sized>(self, system: &E, step: usize, level: f64) -> Self {
         match self {
@@ -270,6 +270,6 @@ pub(crate) fn require(
     name: &'static str,
     value: f64,
     bound: &'static str,
-) -> Result<(), BalanceError> {
-    if holds { Ok(()) } else { Err(BalanceError::Option { name, value, bound }) }
+) -> Result<(), EquilibriumError> {
+    if holds { Ok(()) } else { Err(EquilibriumError::Option { name, value, bound }) }
 }

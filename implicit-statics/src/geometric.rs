@@ -2,7 +2,7 @@
 
 use crate::effort::CountingSolver;
 use crate::vectors::norm;
-use crate::{BalanceError, Equilibrium};
+use crate::{Equilibrium, EquilibriumError};
 
 /// Relative change of the tangent sought when it is differentiated along the load: its error is of the second
 /// order in this, rounding of the first order in its inverse.
@@ -41,7 +41,7 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     pattern: &[(usize, usize)],
     base: &[f64],
     solver: &mut CountingSolver<'_>,
-) -> Result<Vec<f64>, BalanceError> {
+) -> Result<Vec<f64>, EquilibriumError> {
     let mut response = vec![0.0; system.unknowns()];
     system.load_rate(level, &mut response);
     let load = norm(&response);
@@ -75,7 +75,7 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     let mut change = 0.0;
     for _ in 0..TRIALS {
         solver.ask()?;
-        let geometric = difference(delta).ok_or(BalanceError::Inseparable)?;
+        let geometric = difference(delta).ok_or(EquilibriumError::Inseparable)?;
         change = delta * scaled(&geometric) / stiffness;
         if (0.5..2.0).contains(&(change / PRESTRESS)) {
             return Ok(geometric);
@@ -84,7 +84,7 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
         delta *= (PRESTRESS / change).clamp(1e-4, 1e4);
     }
     if change < 0.1 * PRESTRESS {
-        return Err(BalanceError::NoPrestress { level, load, change });
+        return Err(EquilibriumError::NoPrestress { level, load, change });
     }
-    difference(delta).ok_or(BalanceError::Inseparable)
+    difference(delta).ok_or(EquilibriumError::Inseparable)
 }

@@ -103,7 +103,7 @@
 //! at hand. An arc that strays is halved. A step of load or displacement that strays is kept, and its branch followed by
 //! arc length from where it began: if it leads to the state found, nothing is said; if it turns back, its limit point is
 //! located and [`Passed::Turn`] says that the state lies on another branch. A step to the falling side of a limit point is
-//! refused by the sign of the response ([`BalanceError::Fold`]). What ends alone cannot tell: a leap that is by chance as
+//! refused by the sign of the response ([`EquilibriumError::Fold`]). What ends alone cannot tell: a leap that is by chance as
 //! long, in every unknown, as the mean of its tangents.
 //!
 //! # Modes
@@ -168,7 +168,7 @@ pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::Equilibrium;
-pub use error::{BalanceError, OutOfBounds};
+pub use error::{EquilibriumError, OutOfBounds};
 pub use geometric::Prebuckling;
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};

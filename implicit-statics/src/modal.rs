@@ -5,7 +5,7 @@ use crate::eigen::{End, Krylov, Operator, Ritz};
 use crate::error::require;
 use crate::pattern::product;
 use crate::vectors::dot;
-use crate::{BalanceError, Equilibrium};
+use crate::{Equilibrium, EquilibriumError};
 
 /// How far beyond the last eigenvalue they are counted, relative to its distance from the shift: half of the gap to
 /// the next one, within these.
@@ -43,7 +43,7 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     count: usize,
     shift: f64,
     watch: &'a mut Watch<'a>,
-) -> Result<Spectrum<Mode>, BalanceError> {
+) -> Result<Spectrum<Mode>, EquilibriumError> {
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
@@ -62,7 +62,7 @@ pub fn lowest_modes<'a>(
     count: usize,
     shift: f64,
     watch: &'a mut Watch<'a>,
-) -> Result<Spectrum<Mode>, BalanceError> {
+) -> Result<Spectrum<Mode>, EquilibriumError> {
     let n = masses.len();
     let carrying = masses.iter().filter(|&&m| m > 0.0).count();
     require(
@@ -87,7 +87,7 @@ pub fn lowest_modes<'a>(
             return if counted.number == wanted {
                 Ok(Spectrum { modes, counted, effort: vibration.solver.effort })
             } else {
-                Err(BalanceError::Miscounted { found: wanted, counted: counted.number })
+                Err(EquilibriumError::Miscounted { found: wanted, counted: counted.number })
             };
         }
         wanted = counted.number.min(carrying);
@@ -95,7 +95,7 @@ pub fn lowest_modes<'a>(
         krylov.restart(&pairs);
         krylov.freshen(&mut vibration, 1)?;
     }
-    Err(BalanceError::Modes { found: count, wanted, residual: 0.0, bound: crate::eigen::TOLERANCE })
+    Err(EquilibriumError::Modes { found: count, wanted, residual: 0.0, bound: crate::eigen::TOLERANCE })
 }
 
 struct Vibration<'a> {
@@ -107,7 +107,7 @@ struct Vibration<'a> {
 
 impl Vibration<'_> {
     /// Factorises K − σM; eigenvalues below σ, and those within rounding of it.
-    fn below(&mut self, shift: f64) -> Result<(usize, usize), BalanceError> {
+    fn below(&mut self, shift: f64) -> Result<(usize, usize), EquilibriumError> {
         let mut values = self.stiffness.to_vec();
         for (&(row, column), value) in self.pattern.iter().zip(&mut values) {
             if row == column {
@@ -125,7 +125,7 @@ impl Vibration<'_> {
         below: usize,
         pairs: &[Ritz],
         wanted: usize,
-    ) -> Result<Counted, BalanceError> {
+    ) -> Result<Counted, EquilibriumError> {
         let distance = |k: usize| pairs.get(k).map_or(f64::INFINITY, |pair| 1.0 / pair.value.abs());
         let last = distance(wanted - 1);
         let mut beyond = (0.5 * (distance(wanted) / last - 1.0)).clamp(BEYOND[0], BEYOND[1]);
@@ -146,7 +146,7 @@ impl Vibration<'_> {
 
     /// A mode from its pair, with the error bound that one solve with the factor at τ gives: for w = (K − τM)⁻¹(Kφ − λMφ)
     /// an eigenvalue lies within |λ − τ| ‖w‖ of λ, in the norm of M.
-    fn mode(&mut self, shift: f64, tau: f64, pair: &Ritz, shape: Vec<f64>) -> Result<Mode, BalanceError> {
+    fn mode(&mut self, shift: f64, tau: f64, pair: &Ritz, shape: Vec<f64>) -> Result<Mode, EquilibriumError> {
         let eigenvalue = shift + 1.0 / pair.value;
         let mut left = vec![0.0; shape.len()];
         product(self.pattern, self.stiffness, &shape, &mut left);
@@ -162,7 +162,7 @@ impl Vibration<'_> {
 }
 
 impl Operator for Vibration<'_> {
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), BalanceError> {
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
         self.weigh(v, out);
         self.solver.solve(out)
     }

@@ -2,7 +2,7 @@
 
 use crate::error::require;
 use crate::vectors::{dot, norm};
-use crate::{BalanceError, Equilibrium, Inertia, SymmetricSolver};
+use crate::{Equilibrium, EquilibriumError, Inertia, SymmetricSolver};
 
 /// A line search sets in when `|δ·r|` along the step `δ` does not fall to this share \[matthies1979, crisfield1991\].
 const SLACK: f64 = 0.8;
@@ -72,7 +72,7 @@ pub(crate) enum Constraint<'a> {
 pub fn linear_response<E: Equilibrium + ?Sized>(
     system: &mut E,
     level: f64,
-) -> Result<Vec<f64>, BalanceError> {
+) -> Result<Vec<f64>, EquilibriumError> {
     Ok(Newton::new(system, &NewtonOptions::default())?.response(system, level)?.0)
 }
 
@@ -100,7 +100,10 @@ pub struct Newton {
 
 impl Newton {
     /// Reads the pattern and analyses it once.
-    pub fn new<E: Equilibrium + ?Sized>(system: &E, options: &NewtonOptions) -> Result<Self, BalanceError> {
+    pub fn new<E: Equilibrium + ?Sized>(
+        system: &E,
+        options: &NewtonOptions,
+    ) -> Result<Self, EquilibriumError> {
         require(options.tolerance > 0.0, "newton tolerance", options.tolerance, "positive")?;
         require(options.iterations > 0, "newton iterations", options.iterations as f64, "one at least")?;
         let n = system.unknowns();
@@ -128,7 +131,7 @@ impl Newton {
         &mut self,
         system: &mut E,
         level: f64,
-    ) -> Result<Converged, BalanceError> {
+    ) -> Result<Converged, EquilibriumError> {
         let saved = system.save();
         let mut increment = Increment { motion: vec![0.0; system.unknowns()], level: 0.0 };
         let outcome = self.correct(system, level, &mut increment, &Constraint::Level);
@@ -144,7 +147,7 @@ impl Newton {
         &mut self,
         system: &mut E,
         level: f64,
-    ) -> Result<Inertia, BalanceError> {
+    ) -> Result<Inertia, EquilibriumError> {
         if self.factored != Some(level) {
             system.tangent(level, &mut self.values);
             self.solver.factor(&self.values)?;
@@ -159,7 +162,7 @@ impl Newton {
         &mut self,
         system: &mut E,
         level: f64,
-    ) -> Result<(Vec<f64>, &[f64]), BalanceError> {
+    ) -> Result<(Vec<f64>, &[f64]), EquilibriumError> {
         self.tangent(system, level)?;
         if let Some(response) = &self.answer {
             return Ok((response.clone(), &self.rate));
@@ -204,7 +207,7 @@ impl Newton {
         mut level: f64,
         increment: &mut Increment,
         constraint: &Constraint,
-    ) -> Result<Converged, BalanceError> {
+    ) -> Result<Converged, EquilibriumError> {
         self.most_negative = 0;
         let mut residuals = Vec::new();
         let mut rest = f64::INFINITY;
@@ -222,7 +225,7 @@ impl Newton {
             let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
             if size <= bound && moved {
                 if let Err(found) = system.within_bounds() {
-                    return Err(BalanceError::OutOfBounds { step: self.step, level, found });
+                    return Err(EquilibriumError::OutOfBounds { step: self.step, level, found });
                 }
                 let inertia = self.tangent(system, level)?;
                 self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
@@ -230,7 +233,7 @@ impl Newton {
             }
             if iterations == self.options.iterations {
                 let (step, residual) = (self.step, size);
-                return Err(BalanceError::NotConverged {
+                return Err(EquilibriumError::NotConverged {
                     step,
                     level,
                     iterations,
@@ -266,14 +269,14 @@ impl Newton {
         system: &mut E,
         level: f64,
         increment: &Increment,
-    ) -> Result<(), BalanceError> {
+    ) -> Result<(), EquilibriumError> {
         let response = self.response(system, level)?.0;
         let unit = |v: &[f64]| v.iter().zip(self.solver.scale()).map(|(q, s)| q / s).collect::<Vec<f64>>();
         let (way, response) = (unit(&increment.motion), unit(&response));
         let product = dot(&way, &response) * increment.level.signum();
         let cosine = product / (norm(&way) * norm(&response));
         let step = self.step;
-        if cosine < 0.0 { Err(BalanceError::Fold { step, level, cosine }) } else { Ok(()) }
+        if cosine < 0.0 { Err(EquilibriumError::Fold { step, level, cosine }) } else { Ok(()) }
     }
 
     /// Length of a motion with every unknown in the unit of its own stiffness.
@@ -301,7 +304,7 @@ impl Newton {
         level: f64,
         increment: &Increment,
         constraint: &Constraint,
-    ) -> Result<Increment, BalanceError> {
+    ) -> Result<Increment, EquilibriumError> {
         if self.factored.is_none() {
             self.tangent(system, level)?; // else a load step starts: the tangent before it serves
         }
@@ -325,7 +328,7 @@ impl Newton {
         };
         let change = missing / rate;
         if !change.is_finite() {
-            return Err(BalanceError::Uncontrolled { step: self.step, level, rate });
+            return Err(EquilibriumError::Uncontrolled { step: self.step, level, rate });
         }
         for (motion, response) in motion.iter_mut().zip(&response) {
             *motion += change * response;
@@ -341,7 +344,7 @@ impl Newton {
         system: &mut E,
         level: f64,
         motion: &[f64],
-    ) -> Result<f64, BalanceError> {
+    ) -> Result<f64, EquilibriumError> {
         let start = dot(motion, &self.residual);
         let saved = system.save();
         let mut share = 1.0;
@@ -364,7 +367,11 @@ impl Newton {
     }
 
     /// Norm of `external − internal` at the present state \[F\].
-    fn residual<E: Equilibrium + ?Sized>(&mut self, system: &mut E, level: f64) -> Result<f64, BalanceError> {
+    fn residual<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<f64, EquilibriumError> {
         system.internal(&mut self.internal);
         system.external(level, &mut self.external);
         for i in 0..self.residual.len() {
@@ -374,7 +381,7 @@ impl Newton {
             None => Ok(norm(&self.residual)),
             Some(unknown) => {
                 let (step, name) = (self.step, system.name_unknown(unknown));
-                Err(BalanceError::Force { step, level, name })
+                Err(EquilibriumError::Force { step, level, name })
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::critical::{CriticalOptions, CriticalPoint};
 use crate::error::require;
 use crate::passage::{Passage, look_for_critical};
 use crate::stepper::{Made, Stepper};
-use crate::{BalanceError, Converged, Equilibrium, Increment, Inertia, NewtonOptions};
+use crate::{Converged, Equilibrium, EquilibriumError, Increment, Inertia, NewtonOptions};
 
 /// Part of the first step above which a load step that may have strayed is halved.
 const STRAY: f64 = 0.1;
@@ -109,7 +109,7 @@ impl PathOptions {
         }
     }
 
-    fn check<E: Equilibrium + ?Sized>(&self, system: &E) -> Result<(), BalanceError> {
+    fn check<E: Equilibrium + ?Sized>(&self, system: &E) -> Result<(), EquilibriumError> {
         let unknowns = system.unknowns();
         let first = match &self.control {
             Control::Load { step, .. } => *step,
@@ -198,7 +198,7 @@ pub struct Path {
     /// Whence it can be continued.
     pub restart: Start,
     /// How it ended.
-    pub end: Result<End, BalanceError>,
+    pub end: Result<End, EquilibriumError>,
 }
 
 impl Path {
@@ -238,7 +238,7 @@ pub(crate) fn march<E: Equilibrium + ?Sized>(
     options: &PathOptions,
     path: &mut Path,
     observer: &mut Observer<'_, E>,
-) -> Result<End, BalanceError> {
+) -> Result<End, EquilibriumError> {
     options.check(system)?;
     let (mut stepper, converged, (mut size, first)) = Stepper::new(system, start, options)?;
     let unstable = converged.inertia.negative;
@@ -269,7 +269,7 @@ pub(crate) fn march<E: Equilibrium + ?Sized>(
                     let smallest = options.smallest * first;
                     if size < smallest {
                         let (level, cause) = (stepper.level, Box::new(cause));
-                        return Err(BalanceError::StepTooSmall { step, level, size, smallest, cause });
+                        return Err(EquilibriumError::StepTooSmall { step, level, size, smallest, cause });
                     }
                 }
             }
@@ -316,7 +316,7 @@ fn step_within<E: Equilibrium + ?Sized>(
     saved: &[f64],
     size: f64,
     control: &Control,
-) -> Result<(Made, bool), BalanceError> {
+) -> Result<(Made, bool), EquilibriumError> {
     let made = stepper.advance(system, size)?;
     let Control::ArcLength { range: (low, high), .. } = *control else {
         return Ok((made, false));

@@ -1,15 +1,15 @@
 //! The tangent's pattern as compressed columns, and products with values in the order of the pattern.
 
-use crate::BalanceError;
+use crate::EquilibriumError;
 use crate::error::require;
 
 /// Compressed columns of a pattern: pointers, rows, and the place of each entry of the pattern.
 pub(crate) type Columns = (Vec<usize>, Vec<usize>, Vec<usize>);
 
-pub(crate) fn columns(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Columns, BalanceError> {
+pub(crate) fn columns(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Columns, EquilibriumError> {
     require(unknowns > 0, "number of unknowns", 0.0, "one at least")?;
     let refuse = |(row, column): (usize, usize), what: &'static str| {
-        Err(BalanceError::Pattern { row, column, unknowns, what })
+        Err(EquilibriumError::Pattern { row, column, unknowns, what })
     };
     let mut order: Vec<usize> = (0..pattern.len()).collect();
     order.sort_unstable_by_key(|&k| (pattern[k].1, pattern[k].0));

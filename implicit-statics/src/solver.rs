@@ -10,7 +10,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, Mat, MatMut, Par, Side};
 
-use crate::BalanceError;
+use crate::EquilibriumError;
 use crate::pattern::columns;
 use crate::vectors::{dot, norm, unstructured};
 
@@ -62,7 +62,7 @@ pub struct SymmetricSolver {
 
 impl SymmetricSolver {
     /// Orders and analyses a pattern: lower triangle with the whole diagonal, each entry once, any order.
-    pub fn new(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Self, BalanceError> {
+    pub fn new(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Self, EquilibriumError> {
         let (pointers, rows, slots) = columns(unknowns, pattern)?;
         let matrix = SymbolicSparseColMat::new_checked(unknowns, unknowns, pointers, None, rows);
         // FORCE_SUPERNODAL is a ratio of 0, which a diagonal matrix (no multiplications) does not exceed.
@@ -102,10 +102,10 @@ impl SymmetricSolver {
     /// Factorises for values in the order of the pattern.
     ///
     /// A singular matrix is no error here: its zeros are counted, and [`SymmetricSolver::solve`] refuses.
-    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, BalanceError> {
+    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, EquilibriumError> {
         if values.len() != self.slots.len() {
             let (length, expected) = (values.len(), self.slots.len());
-            return Err(BalanceError::Length { name: "tangent values", length, expected });
+            return Err(EquilibriumError::Length { name: "tangent values", length, expected });
         }
         for (&slot, &value) in self.slots.iter().zip(values) {
             self.values[slot] = value;
@@ -130,7 +130,7 @@ impl SymmetricSolver {
 
     /// Solves `K x = b` in place, with one step of refinement and the guard
     /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
-    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), BalanceError> {
+    pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
         if self.inertia.zero > 0 {
             return Err(self.singular());
         }
@@ -159,7 +159,7 @@ impl SymmetricSolver {
         if left > bound {
             bound = bound.max(GUARD_ROUNDINGS * self.rounding(right));
         }
-        if left <= bound { Ok(()) } else { Err(BalanceError::Solve { residual: left, bound }) }
+        if left <= bound { Ok(()) } else { Err(EquilibriumError::Solve { residual: left, bound }) }
     }
 
     /// `out = K x` with the values of the last factor.
@@ -204,11 +204,11 @@ impl SymmetricSolver {
         direction
     }
 
-    fn singular(&mut self) -> BalanceError {
+    fn singular(&mut self) -> EquilibriumError {
         let direction = self.weakest_direction();
         let share = |i: usize| (direction[i] / self.scale[i]).abs();
         let unknown = (0..self.unknowns).fold(0, |best, i| if share(i) > share(best) { i } else { best });
-        BalanceError::Singular { zero: self.inertia.zero, unknown, share: share(unknown) }
+        EquilibriumError::Singular { zero: self.inertia.zero, unknown, share: share(unknown) }
     }
 
     /// Counts eigenvalues below −δ and below +δ by two shifted factors; keeps a factor that can be solved with.
@@ -226,12 +226,12 @@ impl SymmetricSolver {
     }
 
     /// Scales by the first stiffness each unknown had, so that one that loses its stiffness later is seen.
-    fn equilibrate(&mut self) -> Result<(), BalanceError> {
+    fn equilibrate(&mut self) -> Result<(), EquilibriumError> {
         let symbolic = self.matrix.as_ref();
         for j in 0..self.unknowns {
             let column = symbolic.col_range(j);
             if let Some(k) = column.clone().find(|&k| !self.values[k].is_finite()) {
-                return Err(BalanceError::Tangent { row: symbolic.row_idx()[k], column: j });
+                return Err(EquilibriumError::Tangent { row: symbolic.row_idx()[k], column: j });
             }
             if self.first[j] == 0.0 {
                 self.first[j] = self.values[column.start].abs(); // the diagonal opens its column

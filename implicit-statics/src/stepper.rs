@@ -3,7 +3,7 @@
 use crate::newton::Constraint;
 use crate::path::{Control, Direction, Measure, PathOptions, Start};
 use crate::vectors::dot;
-use crate::{BalanceError, Converged, Equilibrium, Increment, Newton};
+use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Part of a step left unexplained by the tangents at its ends above which it may have left its branch.
 ///
@@ -47,7 +47,7 @@ impl<'a> Stepper<'a> {
         system: &mut E,
         start: &Start,
         options: &'a PathOptions,
-    ) -> Result<(Self, Converged, (f64, f64)), BalanceError> {
+    ) -> Result<(Self, Converged, (f64, f64)), EquilibriumError> {
         let newton = Newton::new(system, &options.newton)?;
         let mut stepper = Self {
             newton,
@@ -95,7 +95,7 @@ impl<'a> Stepper<'a> {
         &mut self,
         system: &mut E,
         size: f64,
-    ) -> Result<Made, BalanceError> {
+    ) -> Result<Made, EquilibriumError> {
         let zero = vec![0.0; system.unknowns()];
         let mut increment = Increment { motion: zero, level: 0.0 };
         let from = if self.compares { Some(self.newton.response(system, self.level)?.0) } else { None };
@@ -157,7 +157,7 @@ impl<'a> Stepper<'a> {
         (from, first): (&[f64], f64),
         converged: &Converged,
         increment: &Increment,
-    ) -> Result<f64, BalanceError> {
+    ) -> Result<f64, EquilibriumError> {
         let to = self.newton.response(system, converged.level)?.0;
         // Change of level for which the tangent at the end makes a step of the same size, as `first` does at the start.
         let last = match self.control {
@@ -190,7 +190,7 @@ impl<'a> Stepper<'a> {
         &mut self,
         system: &mut E,
         converged: &Converged,
-    ) -> Result<usize, BalanceError> {
+    ) -> Result<usize, EquilibriumError> {
         let negative = converged.inertia.negative;
         if negative == 0 || !matches!(self.control, Control::Displacement { .. }) {
             return Ok(negative);
@@ -205,7 +205,7 @@ impl<'a> Stepper<'a> {
         system: &mut E,
         level: f64,
         crossing: &Increment,
-    ) -> Result<Made, BalanceError> {
+    ) -> Result<Made, EquilibriumError> {
         let share = (level - self.level) / crossing.level;
         let motion = crossing.motion.iter().map(|q| share * q).collect();
         let mut increment = Increment { motion, level: level - self.level };
@@ -242,10 +242,10 @@ impl<'a> Stepper<'a> {
         increment: &mut Increment,
         change: f64,
         response: &[f64],
-    ) -> Result<(), BalanceError> {
+    ) -> Result<(), EquilibriumError> {
         if !change.is_finite() {
             let (step, level) = (self.newton.step, self.level);
-            return Err(BalanceError::Uncontrolled { step, level, rate: dot(&self.weights, response) });
+            return Err(EquilibriumError::Uncontrolled { step, level, rate: dot(&self.weights, response) });
         }
         increment.level = change;
         for (motion, response) in increment.motion.iter_mut().zip(response) {
@@ -274,7 +274,7 @@ impl<'a> Stepper<'a> {
     }
 }
 
-fn measure<E: Equilibrium + ?Sized>(system: &E, measure: &Measure) -> Result<Vec<f64>, BalanceError> {
+fn measure<E: Equilibrium + ?Sized>(system: &E, measure: &Measure) -> Result<Vec<f64>, EquilibriumError> {
     let n = system.unknowns();
     let weights = match measure {
         Measure::Plain => vec![1.0; n],
@@ -289,6 +289,6 @@ fn measure<E: Equilibrium + ?Sized>(system: &E, measure: &Measure) -> Result<Vec
     if length == n {
         Ok(weights)
     } else {
-        Err(BalanceError::Length { name: "weights of the arc length", length, expected: n })
+        Err(EquilibriumError::Length { name: "weights of the arc length", length, expected: n })
     }
 }

@@ -7,7 +7,8 @@ use std::ops::ControlFlow;
 
 use common::{Arch, Flat, Hencky, Softening};
 use implicit_statics::{
-    BalanceError, BucklingMode, BucklingOptions, Equilibrium, Mode, Prebuckling, Sign, Spectrum, unwatched,
+    BucklingMode, BucklingOptions, Equilibrium, EquilibriumError, Mode, Prebuckling, Sign, Spectrum,
+    unwatched,
 };
 
 type Pattern = Vec<(usize, usize)>;
@@ -19,7 +20,7 @@ fn lowest_modes(
     masses: &[f64],
     count: usize,
     shift: f64,
-) -> Result<Vec<Mode>, BalanceError> {
+) -> Result<Vec<Mode>, EquilibriumError> {
     let found = implicit_statics::lowest_modes(pattern, values, masses, count, shift, &mut unwatched)?;
     // One more where the last is one of several alike.
     assert!((count..=count + 1).contains(&found.counted.number), "{:?}", found.counted);
@@ -27,7 +28,7 @@ fn lowest_modes(
     Ok(found.modes)
 }
 
-fn natural_modes<E: Equilibrium>(system: &mut E, count: usize) -> Result<Vec<Mode>, BalanceError> {
+fn natural_modes<E: Equilibrium>(system: &mut E, count: usize) -> Result<Vec<Mode>, EquilibriumError> {
     Ok(implicit_statics::natural_modes(system, 0.0, count, 0.0, &mut unwatched)?.modes)
 }
 
@@ -36,7 +37,7 @@ fn buckling<E: Equilibrium>(
     level: f64,
     count: usize,
     sign: Sign,
-) -> Result<Spectrum<BucklingMode>, BalanceError> {
+) -> Result<Spectrum<BucklingMode>, EquilibriumError> {
     let options = BucklingOptions { sign, ..BucklingOptions::new(count) };
     implicit_statics::linear_buckling(system, level, &options, &mut unwatched)
 }
@@ -45,7 +46,7 @@ fn linear_buckling<E: Equilibrium>(
     system: &mut E,
     level: f64,
     count: usize,
-) -> Result<Vec<BucklingMode>, BalanceError> {
+) -> Result<Vec<BucklingMode>, EquilibriumError> {
     let found = buckling(system, level, count, Sign::Positive)?;
     assert!(found.modes.iter().all(|mode| mode.residual < 1e-7), "{:?}", found.modes);
     Ok(found.modes)
@@ -112,7 +113,10 @@ fn a_free_chain_shows_its_rigid_motion_with_a_shift_below_zero() {
     let end = |i: usize| if i == 0 || i == n - 1 { 1.0 } else { 2.0 };
     let values: Vec<f64> = pattern.iter().map(|&(i, j)| if i == j { end(i) } else { -1.0 }).collect();
     let masses = vec![1.0; n];
-    assert!(matches!(lowest_modes(&pattern, &values, &masses, 3, 0.0), Err(BalanceError::Singular { .. })));
+    assert!(matches!(
+        lowest_modes(&pattern, &values, &masses, 3, 0.0),
+        Err(EquilibriumError::Singular { .. })
+    ));
     let modes = lowest_modes(&pattern, &values, &masses, 3, -0.01).unwrap();
     assert!(modes[0].eigenvalue.abs() < 1e-14);
     for (m, mode) in modes.iter().enumerate().skip(1) {
@@ -156,7 +160,7 @@ fn buckling_of_a_column_by_its_links() {
     let modes = linear_buckling(&mut system, 5.0, 1).unwrap();
     assert!((modes[0].level / system.potential.critical(1) - 1.0).abs() < 1e-9);
     let beyond = linear_buckling(&mut system, 12.0, 1);
-    assert_eq!(beyond, Err(BalanceError::Unstable { level: 12.0, negative: 1 }));
+    assert_eq!(beyond, Err(EquilibriumError::Unstable { level: 12.0, negative: 1 }));
 }
 
 /// A prestress that comes with a displacement: K_xx = (b² + ℓ²ε)·2/ℓ³ with ε = −wh/ℓ² linear in the load gives
@@ -339,7 +343,7 @@ fn a_load_that_stretches_is_told_so() {
     let mut system = dense(2000);
     system.levels.iter_mut().for_each(|level| *level = -level.abs());
     let error = buckling(&mut system, 0.0, 1, Sign::Positive).unwrap_err();
-    let BalanceError::Stretched { searched, other: Some(other) } = error else { panic!("{error}") };
+    let EquilibriumError::Stretched { searched, other: Some(other) } = error else { panic!("{error}") };
     assert!((other + 1.0).abs() < 1e-9 && searched > 9e3, "{other} {searched}");
     assert!(error.to_string().starts_with("the load stretches the structure"), "{error}");
 }
@@ -352,9 +356,9 @@ fn a_search_is_ended_from_outside() {
         };
         let options = BucklingOptions::new(3);
         let ended = implicit_statics::linear_buckling(&mut dense(500), 0.0, &options, &mut watch);
-        assert_eq!(ended, Err(BalanceError::Stopped { solves: most }));
+        assert_eq!(ended, Err(EquilibriumError::Stopped { solves: most }));
         let ended = implicit_statics::natural_modes(&mut dense(500), 0.0, 3, 0.0, &mut watch);
-        assert_eq!(ended, Err(BalanceError::Stopped { solves: most }));
+        assert_eq!(ended, Err(EquilibriumError::Stopped { solves: most }));
     }
 }
 
@@ -362,5 +366,5 @@ fn a_search_is_ended_from_outside() {
 fn stresses_alone_need_a_system_that_tells_them() {
     let options = BucklingOptions { prebuckling: Prebuckling::Stress, ..BucklingOptions::new(1) };
     let refused = implicit_statics::linear_buckling(&mut dense(10), 0.0, &options, &mut unwatched);
-    assert_eq!(refused, Err(BalanceError::Inseparable));
+    assert_eq!(refused, Err(EquilibriumError::Inseparable));
 }

@@ -7,7 +7,8 @@ use std::ops::ControlFlow;
 use common::pendulum::Pendulum;
 use common::{Arch, Flat, Hencky, Potential};
 use implicit_statics::{
-    BalanceError, Control, Equilibrium, Newton, NewtonOptions, PathOptions, Start, follow, linear_response,
+    Control, Equilibrium, EquilibriumError, Newton, NewtonOptions, PathOptions, Start, follow,
+    linear_response,
 };
 
 fn tight() -> NewtonOptions {
@@ -213,7 +214,7 @@ fn a_mechanism_is_named() {
     // two bars in a line: nothing holds their joint downwards
     let mut flat = Flat::new(Arch { half: 1.0, height: 0.0, sideways: true });
     let error = Newton::new(&flat, &tight()).unwrap().at_level(&mut flat, 0.1).unwrap_err();
-    let BalanceError::Mechanism { zero: 1, unknown: 0, ref name, .. } = error else { panic!("{error}") };
+    let EquilibriumError::Mechanism { zero: 1, unknown: 0, ref name, .. } = error else { panic!("{error}") };
     assert_eq!(name, "apex, down");
     let message = error.to_string();
     assert!(message.starts_with("step 0, load level 1.0"), "{message}");
@@ -222,7 +223,7 @@ fn a_mechanism_is_named() {
     let control = Control::ArcLength { first: 0.1, range: (0.0, 1.0) };
     let path =
         follow(&mut flat, &Start::default(), &PathOptions::new(control), |_, _| ControlFlow::Continue(()));
-    assert!(matches!(path.end, Err(BalanceError::Mechanism { step: 0, .. })), "{:?}", path.end);
+    assert!(matches!(path.end, Err(EquilibriumError::Mechanism { step: 0, .. })), "{:?}", path.end);
 }
 
 #[test]
@@ -231,7 +232,7 @@ fn failures_say_where_and_leave_the_state() {
     let options = NewtonOptions { iterations: 2, ..tight() };
     let limit = arch.potential.limit();
     let error = Newton::new(&arch, &options).unwrap().at_level(&mut arch, 0.9 * limit).unwrap_err();
-    let BalanceError::NotConverged { iterations: 2, ref residuals, residual, bound, .. } = error else {
+    let EquilibriumError::NotConverged { iterations: 2, ref residuals, residual, bound, .. } = error else {
         panic!("{error}")
     };
     assert_eq!((residuals.len(), residuals[2]), (3, residual));
@@ -241,5 +242,5 @@ fn failures_say_where_and_leave_the_state() {
 
     let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
     let error = Newton::new(&arch, &tight()).unwrap().at_level(&mut arch, f64::NAN).unwrap_err();
-    assert!(matches!(error, BalanceError::Force { ref name, .. } if name == "apex, down"), "{error}");
+    assert!(matches!(error, EquilibriumError::Force { ref name, .. } if name == "apex, down"), "{error}");
 }

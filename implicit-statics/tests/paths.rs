@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use common::{Arch, ArchWithSpring, Flat, Potential, Softening};
 use implicit_statics::{
-    BalanceError, Control, CriticalKind, CriticalOptions, Direction, End, Equilibrium, Measure,
+    Control, CriticalKind, CriticalOptions, Direction, End, Equilibrium, EquilibriumError, Measure,
     NewtonOptions, OutOfBounds, Passage, Passed, Path, PathOptions, Start, follow,
 };
 
@@ -144,7 +144,7 @@ fn a_failed_path_keeps_its_points_its_state_and_a_restart() {
     let control = Control::Load { step: 0.05, until: 0.5 };
     let (path, curve) = trace(&mut system, &options(control));
     let limit = (-1.0_f64).exp();
-    let Err(BalanceError::StepTooSmall { level, size, smallest, .. }) = &path.end else {
+    let Err(EquilibriumError::StepTooSmall { level, size, smallest, .. }) = &path.end else {
         panic!("{:?}", path.end)
     };
     assert!(size < smallest);
@@ -195,9 +195,9 @@ fn a_load_step_that_leaps_over_a_limit_point_is_refused() {
     // with no smaller step allowed the reason is told
     let mut system = Flat::new(Swing);
     let (path, _) = trace(&mut system, &PathOptions { smallest: 1.0, ..load });
-    let Err(BalanceError::StepTooSmall { cause, .. }) = path.end else { panic!("{:?}", path.end) };
+    let Err(EquilibriumError::StepTooSmall { cause, .. }) = path.end else { panic!("{:?}", path.end) };
     assert!(
-        matches!(*cause, BalanceError::Fold { step: 1, level: 1.0, cosine } if cosine == -1.0),
+        matches!(*cause, EquilibriumError::Fold { step: 1, level: 1.0, cosine } if cosine == -1.0),
         "{cause}"
     );
 }
@@ -320,7 +320,7 @@ fn a_balance_beyond_the_bounds_of_the_model_is_refused() {
     let mut system = Flat::new(Bounded);
     let load = watched(Control::Load { step: 0.4, until: 3.0 });
     let path = follow(&mut system, &Start::default(), &load, |_, _| ControlFlow::Continue(()));
-    let Err(BalanceError::StepTooSmall { cause, .. }) = &path.end else { panic!("{:?}", path.end) };
+    let Err(EquilibriumError::StepTooSmall { cause, .. }) = &path.end else { panic!("{:?}", path.end) };
     assert!(cause.to_string().contains("stretch of the spring is 1.0"), "{cause}");
     assert!(system.q[0] < 1.0 && system.q[0] > 1.0 - 1e-5, "the last state within: {}", system.q[0]);
 }
@@ -344,7 +344,7 @@ fn the_norm_of_the_arc_changes_the_points_not_the_curve() {
     let message = "weights of the arc length has 1 entries, must have 2";
     assert_eq!(path.end.unwrap_err().to_string(), message);
     let empty = options(Control::ArcLength { first: 0.1, range: (1.0, 1.0) });
-    assert!(matches!(trace(&mut Flat::new(snap_back()), &empty).0.end, Err(BalanceError::Option { .. })));
+    assert!(matches!(trace(&mut Flat::new(snap_back()), &empty).0.end, Err(EquilibriumError::Option { .. })));
 }
 
 #[test]

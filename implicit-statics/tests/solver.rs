@@ -1,6 +1,6 @@
 //! The sparse solver against dense eigenvalues, and what it says of singular matrices.
 
-use implicit_statics::{BalanceError, Inertia, SymmetricSolver};
+use implicit_statics::{EquilibriumError, Inertia, SymmetricSolver};
 use nalgebra::{DMatrix, DVector};
 
 /// A reproducible stream of numbers in (−1, 1) (Knuth's MMIX generator).
@@ -100,7 +100,7 @@ fn a_free_chain_is_singular_and_never_solved() {
         assert_eq!(inertia, Inertia { positive: n - 1, negative: 0, zero: 1 }, "{n}");
         let mut x = vec![1.0; n];
         let error = solver.solve(&mut x).unwrap_err();
-        let BalanceError::Singular { zero: 1, share, .. } = error else { panic!("{error}") };
+        let EquilibriumError::Singular { zero: 1, share, .. } = error else { panic!("{error}") };
         assert!((share - 1.0 / (n as f64).sqrt()).abs() < 0.3, "{n} {share}");
         // the same solver recovers with other values
         let (_, values) = chain(n, 2);
@@ -116,7 +116,7 @@ fn an_empty_row_is_counted_and_named() {
     let inertia = solver.factor(&[2.0, 0.0, -3.0, 1.0]).unwrap();
     assert_eq!(inertia, Inertia { positive: 1, negative: 1, zero: 1 });
     let error = solver.solve(&mut [1.0, 1.0, 1.0]).unwrap_err();
-    let BalanceError::Singular { zero: 1, unknown: 1, share } = error else { panic!("{error}") };
+    let EquilibriumError::Singular { zero: 1, unknown: 1, share } = error else { panic!("{error}") };
     assert!(share > 0.999);
     assert_eq!(solver.factor(&[0.0; 4]).unwrap().zero, 3);
 }
@@ -183,7 +183,7 @@ fn the_residual_guard_refuses_what_growth_has_spoilt() {
         let inertia = solver.factor(&values).unwrap();
         assert_eq!(inertia, Inertia { positive: n - negative, negative, zero: 0 });
         let error = solver.solve(&mut vec![1.0; n]).unwrap_err();
-        assert!(matches!(error, BalanceError::Solve { .. }), "{error}");
+        assert!(matches!(error, EquilibriumError::Solve { .. }), "{error}");
         assert!(error.to_string().contains("eliminate constraints"));
     }
 }
@@ -199,7 +199,7 @@ fn faulty_patterns_and_values_are_refused() {
 
     let mut solver = SymmetricSolver::new(2, &[(0, 0), (1, 1), (1, 0)]).unwrap();
     let error = solver.factor(&[1.0, 2.0, f64::NAN]).unwrap_err();
-    assert_eq!(error, BalanceError::Tangent { row: 1, column: 0 });
+    assert_eq!(error, EquilibriumError::Tangent { row: 1, column: 0 });
     assert!(solver.factor(&[1.0]).is_err());
 }
 

@@ -16,7 +16,7 @@ pub const LANES: usize = 4;
 pub struct Pack(f64x4);
 
 impl Pack {
-    /// Nought in every lane.
+    /// Zero in every lane.
     pub const ZERO: Pack = Pack(f64x4::ZERO);
 
     /// Lane by lane.

@@ -27,7 +27,7 @@ pub fn rodrigues(theta: &Vector3<f64>) -> Matrix3<f64> {
 
 /// Tangent map `𝕎(θ) = sinθ/θ I + (1−cosθ)/θ² Ξ + (θ−sinθ)/θ³ θ⊗θ` (eq. 10 of \[lin2013\]).
 ///
-/// The paper prints `θ × θ` in the last term, which is nought; the dyadic product is meant (Simo and
+/// The paper prints `θ × θ` in the last term, which is zero; the dyadic product is meant (Simo and
 /// Fox, \[simo1989\]). `𝕎` carries the rate of the rotation vector to the spatial angular velocity:
 /// `ω = 𝕎(θ) θ̇`.
 pub fn tangent_map(theta: &Vector3<f64>) -> Matrix3<f64> {

@@ -59,7 +59,7 @@ pub fn kernel_operator(
 }
 
 /// Part of the support in which neighbours are looked for: on a lattice whole rings of particles can lie on the rim,
-/// where their weight is nought and round-off would decide which of them belong to the stencil.
+/// where their weight is zero and round-off would decide which of them belong to the stencil.
 pub(crate) const RIM: f64 = 1.0 - 1e-9;
 
 /// Neighbours of one point and their coordinates; kept between points to save allocations.

@@ -14,7 +14,7 @@ pub(crate) fn delaunay(points: &[[f64; 2]]) -> Result<Vec<[u32; 3]>, SpaceError>
             return Err(SpaceError::BadNumber { particle, what: "parameter", value, bound });
         }
     }
-    // The crate refuses numbers so small that its predicates would underflow: nought will do.
+    // The crate refuses numbers so small that its predicates would underflow: zero will do.
     let clean = |x: f64| if x.abs() < spade::MIN_ALLOWED_VALUE { 0.0 } else { x };
     let list = points.iter().map(|x| Point2::new(clean(x[0]), clean(x[1]))).collect();
     let (found, expected) = (points.len(), points.len());

@@ -3,7 +3,7 @@
 use shell_kinematics::LANES;
 use sph_core::Vec3;
 
-use crate::point::place;
+use crate::point::interpolate;
 use crate::{Formulation, Reach, Shell};
 
 /// Least and greatest principal stretch of the mid-surface.
@@ -34,7 +34,7 @@ impl Shell {
         let packs = &self.packs;
         for (index, pack) in packs.points.iter().enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, _) = place::<false>(pack, entries, &self.state);
+            let (p, _) = interpolate::<false>(pack, entries, &self.state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());
             for lane in 0..LANES {

@@ -16,7 +16,7 @@
 //! # Swirl of directors
 //!
 //! Tilts α = c y about one axis and β = −c x about the other leave no strain at the middle of a cell: κ12 is the
-//! *symmetric* part of `x,α·d,β`. Where directors stand upright on the surface the antisymmetric part is nought
+//! *symmetric* part of `x,α·d,β`. Where directors stand upright on the surface the antisymmetric part is zero
 //! (`x,α·d,β = −x,αβ·d`), so `s6 = x,1·d,2 − x,2·d,1` is curl of shear alone, whose energy `½ w (5/6)Gt c² (Δ1²+Δ2²)/12`
 //! over the cell the one point does not see. It is put back: `½ w k_a s6²`, `k_a = (5/6)Gt·t²/(t²+w)·ρ²/12` with ρ² the
 //! mean of ξ² + η² over the particles, at bending scale for thin shells as above. Without it coarse strips under a
@@ -65,11 +65,11 @@ pub(crate) struct CellPack {
     lever: [Pack; 2],
     /// `H11, H22, H12 = Σγξ², Σγη², Σγξη` \[L²\].
     twist: [Pack; 3],
-    /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; nought for triangles.
+    /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; zero for triangles.
     stiffness: [Pack; 2],
-    /// `w k_a` \[F L³\]; nought for triangles.
+    /// `w k_a` \[F L³\]; zero for triangles.
     swirl: Pack,
-    /// One quarter; nought for triangles, which have no pattern.
+    /// One quarter; zero for triangles, which have no pattern.
     quarter: Pack,
     /// Reference values of s1…s6.
     reference: [Pack; 6],
@@ -96,7 +96,7 @@ pub(crate) struct CellState {
 
 /// What the tangent needs of the scaled curvature `k̂ = c k`, weights included.
 pub(crate) struct ScaleTangent {
-    /// Coupling of the scale with the five vectors; nought for the patterns.
+    /// Coupling of the scale with the five vectors; zero for the patterns.
     pub mixed: [Pack; 21],
     /// Second derivative over the scale itself.
     pub twice: Pack,

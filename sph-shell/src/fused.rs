@@ -234,9 +234,9 @@ mod tests {
     const LAYOUTS: usize = 80;
 
     /// Whole numbers that look random.
-    struct Dice(u64);
+    struct RandomNumbers(u64);
 
-    impl Dice {
+    impl RandomNumbers {
         /// One from `low` to `high`, both included.
         fn roll(&mut self, low: usize, high: usize) -> usize {
             self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -245,7 +245,7 @@ mod tests {
     }
 
     /// A cloud of 500 to 2700 particles: one to six chunks, so that parts have borders anywhere in a row.
-    fn layout(number: usize, dice: &mut Dice) -> Cloud {
+    fn layout(number: usize, dice: &mut RandomNumbers) -> Cloud {
         let (plate, roof) =
             (Plate { lengths: [2.0, 1.5] }, Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 });
         let patch: &dyn Patch = if dice.roll(0, 1) == 0 { &plate } else { &roof };
@@ -285,7 +285,7 @@ mod tests {
     }
 
     /// The shell of a cloud, clamped at an edge, under pressure; positions and rates are rough.
-    fn body(cloud: Cloud, loaded: bool, dice: &mut Dice) -> Shell {
+    fn body(cloud: Cloud, loaded: bool, dice: &mut RandomNumbers) -> Shell {
         let load = AppliedLoad {
             load: Box::new(Pressure { value: 0.01, follower: true }),
             amplitude: explicit_dynamics::Amplitude::Constant,
@@ -336,7 +336,7 @@ mod tests {
 
     #[test]
     fn one_sweep_gives_the_same_bits_on_many_layouts_and_threads() {
-        let mut dice = Dice(3);
+        let mut dice = RandomNumbers(3);
         let (mut planned, mut several) = (0, 0);
         for number in 0..2 * LAYOUTS {
             if planned == LAYOUTS {

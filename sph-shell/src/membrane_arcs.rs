@@ -17,7 +17,7 @@
 //! e_m + σ L_m·(k − K),   L_m = ∂l_m/∂k at rest,   σ = min(1, √(ε/12) t/|L|)
 //! ```
 //!
-//! with k the curvature along arcs, from directors, and K its value at rest. L is nought for flat bodies and for lattices on
+//! with k the curvature along arcs, from directors, and K its value at rest. L is zero for flat bodies and for lattices on
 //! developable surfaces.
 //!
 //! The bound σ and the first order have one reason. Directors that swing from row to row have curvature, no shear at the middle of

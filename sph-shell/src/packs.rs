@@ -2,7 +2,7 @@
 //!
 //! Stencils are stored in difference form: the first particle of a stencil is its base, and the
 //! other entries act on `x_k − x_base`. Translation then costs nothing, to the last bit, and the
-//! forces of a point sum to nought exactly. Each (point, particle) pair owns a slot into which the
+//! forces of a point sum to zero exactly. Each (point, particle) pair owns a slot into which the
 //! sweep writes its force; particles add up their slots in ascending order, so the result does not
 //! depend on threads.
 
@@ -21,7 +21,7 @@ pub(crate) struct PointPack {
     pub first: u32,
     /// Entries beyond the base.
     pub width: u32,
-    /// Areas w_p \[L²\]; nought in lanes that only fill up the last pack.
+    /// Areas w_p \[L²\]; zero in lanes that only fill up the last pack.
     pub weight: Pack,
     /// Measures of the reference configuration.
     pub reference: Measures,
@@ -91,7 +91,7 @@ impl Packs {
         let width = stencils.iter().map(|s| s.particles.len()).max().unwrap_or(1) - 1;
         let first = self.entries.len() as u32;
         for k in 1..=width {
-            // Stencils shorter than the pack end in their base with nought for numbers.
+            // Stencils shorter than the pack end in their base with zero for numbers.
             let pick =
                 |values: [&[f64]; LANES]| Pack::from_fn(|lane| values[lane].get(k).copied().unwrap_or(0.0));
             self.entries.push(Entry {

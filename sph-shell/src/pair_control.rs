@@ -113,7 +113,7 @@ impl PairControl {
             let other = &state[block.particle as usize];
             let [xx, xd, dx, dd] = block.numbers;
             for k in 0..3 {
-                // Rows add up to nought over positions: differences keep translation exact.
+                // Rows add up to zero over positions: differences keep translation exact.
                 let u = other[k] - own[k];
                 let d = other[3 + k];
                 force[k] += xx * u + xd * d;

@@ -51,7 +51,7 @@ fn sign(k: usize) -> f64 {
 
 /// The five vectors of a point, and the raw hourglass sums if the pack is one of cells.
 #[inline(always)]
-pub(crate) fn place<const CELL: bool>(
+pub(crate) fn interpolate<const CELL: bool>(
     pack: &PointPack,
     entries: &[Entry],
     state: &[Row],
@@ -129,7 +129,7 @@ pub(crate) fn sweep_pack<
     state: &[Row],
     slots: &mut [Row],
 ) -> f64 {
-    let (p, raw) = place::<CELL>(pack, entries, state);
+    let (p, raw) = interpolate::<CELL>(pack, entries, state);
     let mut measures = p.measures();
     let control = if CELL { cell.map(|cell| (cell, cell.state(&p, &measures.curvature, raw))) } else { None };
     if let Some((_, state)) = &control {

@@ -4,7 +4,7 @@ use shell_kinematics::{LANES, Pack};
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::point::{place, point_strains};
+use crate::point::{interpolate, point_strains};
 
 /// Strains and resultants of one sampling point.
 ///
@@ -42,7 +42,7 @@ impl Shell {
         let packs = &self.packs;
         for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, raw) = place::<true>(pack, entries, &self.state);
+            let (p, raw) = interpolate::<true>(pack, entries, &self.state);
             let mut measures = p.measures();
             if let Some(cell) = self.cells.get(index) {
                 measures.curvature = cell.state(&p, &measures.curvature, raw).arc(measures.curvature);

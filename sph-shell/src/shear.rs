@@ -1,7 +1,7 @@
 //! Transverse shear on uneven stencils: consistent with Kirchhoff's bending, and relaxed where it would lock.
 //!
 //! What a Kirchhoff deflection of the curvature κ leaves in `x,α·d` on a stencil is taken out:
-//! `γ̂_α = γ_α + E_α,βγ κ_βγ` with `E = ½ΣGξξ`, nought for parallelograms.
+//! `γ̂_α = γ_α + E_α,βγ κ_βγ` with `E = ½ΣGξξ`, zero for parallelograms.
 //!
 //! A curvature that varies leaves more: `(1/6) T^α∴∇∇∇w` and terms of the same order, T = ΣGξξξ. Where T is the same in
 //! neighbouring cells, particles make up for it; its uneven part T̃ ([`SamplingOperator::uneven_third_moments`]) they cannot, and

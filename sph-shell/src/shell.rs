@@ -9,7 +9,7 @@ use crate::loads::{AppliedLoad, Body};
 use crate::membrane_arcs::{ArcPack, ChordLoss};
 use crate::packs::Packs;
 use crate::pair_control::PairControl;
-use crate::point::{PointLaw, Row, place};
+use crate::point::{PointLaw, Row, interpolate};
 use crate::shear::ShearPack;
 use crate::strong_form::StrongForm;
 use crate::supports::{Constraint, constraints};
@@ -63,7 +63,7 @@ pub struct Shell {
     pub(crate) chord_loss: ChordLoss,
     pub(crate) pairs: Option<PairControl>,
     pub(crate) strong_form: Option<StrongForm>,
-    /// Number of each particle's entry in `constraints`, one up; nought for a free particle.
+    /// Number of each particle's entry in `constraints`, one up; zero for a free particle.
     pub(crate) constraint_of: Vec<u32>,
     pub(crate) constraints: Vec<Constraint>,
     pub(crate) loads: Vec<AppliedLoad>,
@@ -197,7 +197,7 @@ impl Shell {
     fn take_reference(&mut self) {
         for (index, pack) in self.packs.points.iter_mut().enumerate() {
             let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, raw) = place::<true>(pack, entries, &self.state);
+            let (p, raw) = interpolate::<true>(pack, entries, &self.state);
             pack.reference = p.measures();
             if let Some(cell) = self.cells.get_mut(index) {
                 pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
@@ -240,7 +240,7 @@ impl Shell {
         self.state.is_empty()
     }
 
-    /// Freedoms that no support holds: three translations and two rotations a particle, less what is held.
+    /// DofMap that no support holds: three translations and two rotations a particle, less what is held.
     pub fn freedoms(&self) -> usize {
         let held: usize = self.constraints.iter().map(Constraint::held_freedoms).sum();
         5 * self.len() - held

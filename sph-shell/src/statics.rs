@@ -8,7 +8,7 @@ use shell_kinematics::parallel_transport;
 
 use crate::Shell;
 use crate::bounds::Unsound;
-use crate::freedoms::{Basis, Freedoms};
+use crate::dofs::{Basis, DofMap};
 use crate::loads::Block;
 use crate::stiffness::BlockPattern;
 
@@ -18,7 +18,7 @@ use crate::stiffness::BlockPattern;
 /// of a state.
 pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
-    pub(crate) freedoms: Freedoms,
+    pub(crate) freedoms: DofMap,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
 }
@@ -33,7 +33,7 @@ impl StaticShell {
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is.
     pub fn lent(shell: S) -> Self {
-        let (freedoms, pattern) = (Freedoms::new(&shell), BlockPattern::new(&shell));
+        let (freedoms, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
         Self { shell, freedoms, pattern, blocks }
     }

@@ -10,7 +10,7 @@ use crate::Shell;
 use crate::cell_control::{CellPack, CellState, ScaleTangent};
 use crate::loads::Block;
 use crate::packs::{Entry, PointPack};
-use crate::point::{Row, place, point_strains};
+use crate::point::{Row, interpolate, point_strains};
 
 /// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d; those made of positions.
 const VECTORS: usize = 7;
@@ -106,7 +106,7 @@ impl Shell {
         entries: &[Entry],
         state: &[Row],
     ) -> (Placement, Measures, Strains, Option<(&CellPack, CellState)>) {
-        let (p, raw) = place::<true>(pack, entries, state);
+        let (p, raw) = interpolate::<true>(pack, entries, state);
         let mut now = p.measures();
         let control = self.cells.get(index).map(|cell| (cell, cell.state(&p, &now.curvature, raw)));
         if let Some((_, state)) = &control {
@@ -189,7 +189,7 @@ impl Shell {
             let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
             base = (base.0 - phi, base.1 - g1, base.2 - g2);
             let h = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
-            // Filled-up places repeat the base with nought: a triangle has no fourth particle and no pattern.
+            // Filled-up places repeat the base with zero: a triangle has no fourth particle and no pattern.
             if entry.particles[lane] != pack.base[lane] {
                 shares.push((entry.particles[lane], number(h, phi, g1, g2)));
             }

@@ -15,7 +15,7 @@ use sph_core::Vec3;
 
 use crate::Reference;
 use crate::packs::Packs;
-use crate::point::{PointLaw, Row, measure_forces, place};
+use crate::point::{PointLaw, Row, interpolate, measure_forces};
 use crate::shear::ShearPack;
 
 /// Resultants of one particle: `n1, n2, q, m1, m2`.
@@ -65,7 +65,7 @@ impl StrongForm {
         let mut energy = 0.0;
         for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, _) = place::<false>(pack, entries, state);
+            let (p, _) = interpolate::<false>(pack, entries, state);
             let (on_measures, density) =
                 measure_forces::<true, _, _>(pack, shear.get(index), law, &p.measures());
             let f = p.transpose(&on_measures);
@@ -110,7 +110,7 @@ impl StrongForm {
         sum.map(|value| -area * value)
     }
 
-    /// `ρ₀² t Π` of eq. 4, with `Π = (μ/ρ₀)(−c̄ϑ + 2ϑ²)` for approaching particles and nought for parting ones
+    /// `ρ₀² t Π` of eq. 4, with `Π = (μ/ρ₀)(−c̄ϑ + 2ϑ²)` for approaching particles and zero for parting ones
     /// \[F/L\].
     ///
     /// The paper adds Π to the tensile-positive stress; read so it would feed energy into approaching

@@ -140,7 +140,7 @@ fn axes() -> Vec<Vec3> {
     vec![Vec3::x(), Vec3::y(), Vec3::z()]
 }
 
-/// Joins all supports of each particle: the number of its entry, one up and nought for a free one, and the entries.
+/// Joins all supports of each particle: the number of its entry, one up and zero for a free one, and the entries.
 pub(crate) fn constraints(
     cloud: &Cloud,
     supports: &[Supported],
@@ -280,7 +280,7 @@ fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
 }
 
 impl Constraint {
-    /// Freedoms held, of three translations and two rotations.
+    /// DofMap held, of three translations and two rotations.
     pub(crate) fn held_freedoms(&self) -> usize {
         let rotations = match self.director {
             DirectorHold::Free => 0,

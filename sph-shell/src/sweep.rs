@@ -156,7 +156,7 @@ mod tests {
     use sph_core::{Cylinder, EndWeights, cell_operator, lattice};
 
     use super::*;
-    use crate::point::place;
+    use crate::point::interpolate;
 
     /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
     #[test]
@@ -185,7 +185,7 @@ mod tests {
             .collect();
         for (pack, cell) in packs.points.iter_mut().zip(&mut cells) {
             let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, raw) = place::<true>(pack, entries, &state);
+            let (p, raw) = interpolate::<true>(pack, entries, &state);
             pack.reference = p.measures();
             pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
         }

@@ -5,8 +5,8 @@
 mod common;
 
 use common::{
-    Dice, curved, disordered_curved, energy, energy_formulations, flat, free_shell, scattered_curved, shake,
-    shell,
+    RandomNumbers, curved, disordered_curved, energy, energy_formulations, flat, free_shell,
+    scattered_curved, shake, shell,
 };
 use nalgebra::Rotation3;
 use shell_kinematics::strain_measures;
@@ -48,7 +48,7 @@ fn force_is_the_derivative_of_the_energy() {
                 shell(cloud.clone(), formulation, common::THICKNESS, strain, Vec::new(), Vec::new());
             shake(&mut body, 0.08, 11);
             let exact = forces(&mut body);
-            let mut dice = Dice(5);
+            let mut dice = RandomNumbers(5);
             // A random direction; directors turn along their spheres, so only the tangent part does work.
             let along: Vec<(Vec3, Vec3)> = (0..body.len())
                 .map(|a| {

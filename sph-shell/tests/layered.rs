@@ -7,8 +7,8 @@ mod common;
 use std::f64::consts::FRAC_PI_3;
 
 use common::{
-    AXIS, Dice, curved, disordered_curved, disordered_flat, energy, energy_formulations, flat, laminated,
-    parts, shake, unsymmetric,
+    AXIS, RandomNumbers, curved, disordered_curved, disordered_flat, energy, energy_formulations, flat,
+    laminated, parts, shake, unsymmetric,
 };
 use explicit_dynamics::largest_eigenvalue;
 use implicit_statics::Equilibrium;
@@ -60,7 +60,7 @@ fn isotropic_shells_do_not_see_the_axes() {
                     Shell::new(Parts { material_axis: axis, ..parts(cloud.clone(), formulation, 0.2) })
                         .unwrap();
                 shake(&mut shell, 0.1, 4);
-                let mut dice = Dice(6);
+                let mut dice = RandomNumbers(6);
                 for a in 0..shell.len() {
                     shell.set_rate(a, dice.vector(), dice.vector());
                 }
@@ -86,7 +86,7 @@ fn force_is_the_derivative_of_the_energy() {
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];
         system.tangent(0.0, &mut values);
-        let mut dice = Dice(8);
+        let mut dice = RandomNumbers(8);
         let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
         let home = system.save();
         let mut at = |size: f64| {

@@ -51,7 +51,7 @@ fn the_stiffness_of_every_load_is_its_derivative() {
                 load.add(0.9, &Body { reference: body.reference(), state }, &mut forces);
                 forces
             };
-            let mut dice = common::Dice(11);
+            let mut dice = common::RandomNumbers(11);
             let way: Vec<[f64; 6]> = state.iter().map(|_| std::array::from_fn(|_| dice.roll())).collect();
             let mut found = vec![[0.0; 6]; state.len()];
             let mut any = false;

@@ -30,7 +30,7 @@ fn spectrum(shell: &mut Shell) -> Vec<f64> {
     }
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
     let mut values: Vec<f64> = SymmetricEigen::new(symmetric).eigenvalues.iter().copied().collect();
-    // Each director has one direction, its length, that is no freedom and comes out as nought.
+    // Each director has one direction, its length, that is no freedom and comes out as zero.
     values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
     values.split_off(n / 6)
 }

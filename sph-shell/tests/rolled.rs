@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Dice, energy, flat, free_shell, shake};
+use common::{RandomNumbers, energy, flat, free_shell, shake};
 use explicit_dynamics::LinearisedDynamics;
 use implicit_statics::Equilibrium;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -87,7 +87,7 @@ fn force_and_tangent_are_the_derivatives_of_the_energy() {
         let (mut force, mut values) = (vec![0.0; n], vec![0.0; pattern.len()]);
         system.internal(&mut force);
         system.tangent(0.0, &mut values);
-        let mut dice = Dice(4);
+        let mut dice = RandomNumbers(4);
         let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
         let home = system.save();
         let h = 2e-4;

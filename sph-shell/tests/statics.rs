@@ -4,8 +4,10 @@
 
 mod common;
 
-use common::{Dice, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell};
-use implicit_statics::{BalanceError, Equilibrium, Newton, NewtonOptions};
+use common::{
+    RandomNumbers, curved, disordered_curved, energy_formulations, flat, scattered_curved, shake, shell,
+};
+use implicit_statics::{Equilibrium, EquilibriumError, Newton, NewtonOptions};
 use shell_kinematics::{Isotropic, IsotropicSection, strain_measures};
 use sph_core::{Side, Vec3};
 use sph_shell::{
@@ -50,7 +52,7 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
                 let mut values = vec![0.0; pattern.len()];
                 // Dead loads have no stiffness: at level 0 the tangent is that of the energy alone.
                 system.tangent(0.0, &mut values);
-                let mut dice = Dice(3);
+                let mut dice = RandomNumbers(3);
                 let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
                 let home = system.save();
                 let h = 2e-4;
@@ -84,7 +86,7 @@ fn forces_along_the_unknowns_are_the_first_derivative() {
     assert_eq!(n, 5 * 30);
     let mut force = vec![0.0; n];
     system.internal(&mut force);
-    let mut dice = Dice(8);
+    let mut dice = RandomNumbers(8);
     let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
     let home = system.save();
     let h = 1e-5;
@@ -125,7 +127,7 @@ fn a_free_shell_is_a_mechanism_with_a_name() {
         let rest = system.save();
         let mut newton = Newton::new(&system, &NewtonOptions::default()).unwrap();
         let error = newton.at_level(&mut system, 1.0).unwrap_err();
-        assert!(matches!(error, BalanceError::Mechanism { zero, .. } if zero == free), "{error}");
+        assert!(matches!(error, EquilibriumError::Mechanism { zero, .. } if zero == free), "{error}");
         let message = error.to_string();
         for part in ["the structure moves freely, mostly in particle ", "moving along (", "support it"] {
             assert!(message.contains(part), "{message}");

@@ -36,7 +36,7 @@ pub struct Outcome {
     pub particles: usize,
     /// Mean spacing of the particles or nodes \[L\].
     pub spacing: f64,
-    /// Freedoms that no support holds.
+    /// DofMap that no support holds.
     pub dof: usize,
     /// Time steps, or converged points of a path.
     pub steps: u64,
@@ -44,9 +44,9 @@ pub struct Outcome {
     pub threads: usize,
     /// Wall time of the analysis \[s\].
     pub wall_seconds: f64,
-    /// Particles times time steps per second \[1/s\]; nought without time.
+    /// Particles times time steps per second \[1/s\]; zero without time.
     pub particle_steps_per_second: f64,
-    /// Greatest stable step at rest \[T\]; nought without time.
+    /// Greatest stable step at rest \[T\]; zero without time.
     pub stable_step: f64,
     /// Load levels at which the motion had not died.
     pub restless: usize,

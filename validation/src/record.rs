@@ -18,7 +18,7 @@ pub struct Record {
     pub particles: usize,
     /// Mean spacing of the particles, in the unit of length of the scene.
     pub spacing: f64,
-    /// Freedoms that no support holds.
+    /// DofMap that no support holds.
     pub dof: usize,
     /// Time steps; without time the equilibria found on the way.
     pub steps: u64,

@@ -6,7 +6,7 @@ use crate::record::{Metric, Record, Verdict};
 use crate::report::Numbers;
 use crate::run::{CaseResult, REST};
 
-/// Four significant digits, without trailing noughts; powers of ten outside 1e-4 … 1e6.
+/// Four significant digits, without trailing zeros; powers of ten outside 1e-4 … 1e6.
 pub fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();

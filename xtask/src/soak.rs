@@ -95,7 +95,7 @@ pub fn run(options: &Options) -> Result<(), String> {
     }
     let _ = fs::remove_dir_all(&place);
     let begun = Instant::now();
-    let mut dice = Dice(options.seed);
+    let mut dice = RandomNumbers(options.seed);
     let mut tally = Tally::default();
     let mut whole = Vec::new();
     for (name, scene, replaced) in SUBJECTS {
@@ -162,7 +162,7 @@ impl Soak<'_> {
         &self,
         length: Duration,
         expected: &BTreeMap<String, Vec<u8>>,
-        dice: &mut Dice,
+        dice: &mut RandomNumbers,
         tally: &mut Tally,
     ) -> Result<(), String> {
         let out = self.place.join("killed");
@@ -281,9 +281,9 @@ fn signal(run: &Child, name: &str) -> Result<(), String> {
 }
 
 /// Numbers in [0, 1) that look random (xorshift).
-struct Dice(u64);
+struct RandomNumbers(u64);
 
-impl Dice {
+impl RandomNumbers {
     fn part(&mut self) -> f64 {
         self.0 = (self.0 ^ 0x9e37_79b9_7f4a_7c15).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         self.0 ^= self.0 >> 31;
@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn moments_are_spread() {
-        let mut dice = Dice(1);
+        let mut dice = RandomNumbers(1);
         let mean = (0..1000).map(|_| dice.part()).sum::<f64>() / 1000.0;
         assert!((mean - 0.5).abs() < 0.05, "{mean}");
     }

@@ -2,7 +2,7 @@
 
 use super::support::Frame;
 
-/// Freedoms of a node: three displacements, two turns of the director.
+/// DofMap of a node: three displacements, two turns of the director.
 const FREEDOMS: usize = 5;
 
 /// Entries in the lower triangle of an element's tangent.

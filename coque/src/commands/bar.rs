@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use coque::{Curve, GrowingCurve, News, Progress};
+use coque::{Curve, GrowingCurve, Progress, ProgressReport};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::say::say;
@@ -44,7 +44,7 @@ impl Bar {
         self.bar.finish_and_clear();
     }
 
-    fn draw(&mut self, news: &News) {
+    fn draw(&mut self, news: &ProgressReport) {
         let (from, steps) = *self.first.get_or_insert((news.done, news.steps));
         let spent = self.begun.elapsed().as_secs_f64();
         self.bar.set_position((1000.0 * news.done) as u64);
@@ -53,7 +53,7 @@ impl Bar {
 }
 
 impl Progress for Bar {
-    fn update(&mut self, news: &News) -> ControlFlow<()> {
+    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
         if !self.bar.is_hidden() && self.drawn.is_none_or(|drawn| drawn.elapsed() >= REFRESH) {
             self.draw(news);
             self.drawn = Some(Instant::now());
@@ -76,7 +76,7 @@ impl Progress for Bar {
 }
 
 /// Level, speed, energy ratio and time left, from the steps and the part done in so many seconds.
-fn message(news: &News, steps: u64, particles: usize, spent: f64, gained: f64) -> String {
+fn message(news: &ProgressReport, steps: u64, particles: usize, spent: f64, gained: f64) -> String {
     let mut parts = Vec::new();
     // First: a narrow terminal cuts the line off.
     if gained > 0.0 {
@@ -113,13 +113,14 @@ mod tests {
 
     #[test]
     fn the_message_tells_rate_ratio_and_time_left() {
-        let news = News { done: 0.6, time: 2.0, level: 0.5, steps: 3000, kinetic: 1e-6, internal: 0.5 };
+        let news =
+            ProgressReport { done: 0.6, time: 2.0, level: 0.5, steps: 3000, kinetic: 1e-6, internal: 0.5 };
         // 2000 steps of 1000 particles in 4 s; a half gained, four tenths to go.
         assert_eq!(
             message(&news, 2000, 1000, 4.0, 0.5),
             "3.2 s left, level 0.5000, step 3000, 0.5 M particle-steps/s, kinetic/internal 2e-6"
         );
-        let point = News { time: 0.0, ..news };
+        let point = ProgressReport { time: 0.0, ..news };
         assert_eq!(message(&point, 3, 1000, 4.0, 0.0), "level 0.5000, step 3000");
     }
 

@@ -10,8 +10,8 @@ use std::time::Instant;
 
 use clap::Args;
 use coque::{
-    Column, Curve, Ended, FieldSink, GrowingCurve, Model, News, Outcome, Progress, RunOptions, Scene,
-    Warning, read_text, write_whole,
+    Column, Curve, Ended, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport, RunOptions,
+    Scene, Warning, read_text, write_whole,
 };
 
 use super::results::{CURVE, ResultFolder, TABLE};
@@ -216,7 +216,7 @@ struct Watch<'a> {
 }
 
 impl Progress for Watch<'_> {
-    fn update(&mut self, _: &News) -> ControlFlow<()> {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
         if self.stop.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 

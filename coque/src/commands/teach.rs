@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Scene, Shelf, catalogue, schema_text};
+use coque::{CatalogueEntry, Scene, catalogue, schema_text};
 
 use super::say::{Refused, print};
 
@@ -111,7 +111,7 @@ pub fn list(list: &List) -> Result<(), Refused> {
     print(&text.join("\n"))
 }
 
-fn shown(shelf: Shelf) -> String {
+fn shown(shelf: CatalogueEntry) -> String {
     format!("{} ({})\n{}", shelf.name, shelf.place, table(shelf.entries.into_iter()))
 }
 

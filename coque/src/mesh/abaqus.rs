@@ -186,7 +186,7 @@ impl Found {
         let label = count(line, "the number of a node", fields[0])?;
         let mut values = [0.0; 6];
         for (i, value) in values.iter_mut().enumerate() {
-            // What is not given is nought.
+            // What is not given is zero.
             let word = fields.get(i + 1).copied().unwrap_or_default();
             if !word.is_empty() {
                 *value =

@@ -64,7 +64,7 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
         for (name, value, given) in [("area", area, true), ("thickness", thickness, has_thickness)] {
             if given && value <= 0.0 {
                 let what = format!("{name} is {value}; it must be positive");
-                return Err(MeshError::at(line, what, "give a number above nought"));
+                return Err(MeshError::at(line, what, "give a number above zero"));
             }
         }
         raw.areas.push(area);

@@ -17,7 +17,7 @@ pub struct MeshError {
 }
 
 impl MeshError {
-    /// A fault in a line, nought for none; the file is named by [`super::parse`].
+    /// A fault in a line, zero for none; the file is named by [`super::parse`].
     pub(super) fn at(line: usize, what: impl Into<String>, repair: impl Into<String>) -> Self {
         Self {
             file: String::new(),

@@ -190,7 +190,7 @@ impl Found {
             groups.clear();
             for i in 0..words.count(&format!("the number of tags of element {label}"))? {
                 let tag = whole(words, &format!("a tag of element {label}"))?;
-                // The first tag is the physical group, nought for none.
+                // The first tag is the physical group, zero for none.
                 groups.extend((i == 0 && tag != 0).then_some(tag));
             }
             self.element(words, label, kind, &groups)?;

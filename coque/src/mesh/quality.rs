@@ -16,7 +16,7 @@ const SLIVER: f64 = 15.0 * PI / 180.0;
 pub struct Quality {
     /// Area of all faces, or of all points `[L²]`.
     pub area: f64,
-    /// Least, mean and greatest length of an edge `[L]`; nought for points.
+    /// Least, mean and greatest length of an edge `[L]`; zero for points.
     pub spacing: [f64; 3],
     /// Smallest and greatest corner angle of a face \[rad\].
     pub angles: [f64; 2],

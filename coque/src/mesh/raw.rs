@@ -22,7 +22,7 @@ pub(super) struct Face {
     pub cell: Cell,
     /// Number in the file, by which messages name it.
     pub label: u64,
-    /// Line of the file; nought where the format has no lines.
+    /// Line of the file; zero where the format has no lines.
     pub line: usize,
 }
 
@@ -115,7 +115,7 @@ impl Raw {
         }
     }
 
-    /// Line of the first face that uses a node; nought where no face does, or the format has no lines.
+    /// Line of the first face that uses a node; zero where no face does, or the format has no lines.
     pub fn line_at(&self, node: u32) -> usize {
         self.faces.iter().find(|face| face.cell.particles().contains(&node)).map_or(0, |face| face.line)
     }

@@ -132,7 +132,7 @@ pub(super) fn orient(raw: &mut Raw) -> Result<Turned, MeshError> {
     Ok(result)
 }
 
-/// Area by which a face (turned or not) looks away from the normals at its nodes; nought without normals.
+/// Area by which a face (turned or not) looks away from the normals at its nodes; zero without normals.
 fn against_normals(raw: &Raw, face: u32, turned: Option<bool>) -> f64 {
     let cell = raw.faces[face as usize].cell;
     let given: Vec3 = cell.particles().iter().filter_map(|node| raw.normals.get(node)).sum();

@@ -125,7 +125,7 @@ fn merged(triangles: &[Loose], names: &[String]) -> Result<Raw, MeshError> {
     for triangle in triangles {
         let mut nodes = [0; 3];
         for (node, x) in nodes.iter_mut().zip(triangle.corners) {
-            // Adding nought makes −0 and 0 one.
+            // Adding zero makes −0 and 0 one.
             let key = x.map(|c| (c + 0.0).to_bits());
             *node = match exact.get(&key) {
                 Some(&node) => node,

@@ -45,7 +45,7 @@ pub struct Surface {
     pub notes: Vec<String>,
     /// Numbers of the nodes in the file, by which messages name them; empty where they have none.
     pub labels: Vec<u64>,
-    /// Number and line of each face in the file, for messages; the line is nought where the format has none.
+    /// Number and line of each face in the file, for messages; the line is zero where the format has none.
     pub origins: Vec<(u64, usize)>,
 }
 

@@ -47,7 +47,7 @@ impl<'a> Words<'a> {
         float(self.line, what, word)
     }
 
-    /// The next word as a whole number, nought or more.
+    /// The next word as a whole number, zero or more.
     pub fn count(&mut self, what: &str) -> Result<u64, MeshError> {
         let word = self.word(what)?;
         count(self.line, what, word)
@@ -82,7 +82,7 @@ pub(super) fn float(line: usize, what: &str, word: &str) -> Result<f64, MeshErro
 /// A whole number from a word.
 pub(super) fn count(line: usize, what: &str, word: &str) -> Result<u64, MeshError> {
     word.parse().map_err(|_| {
-        let what = format!("{what} is \"{}\"; it must be a whole number, nought or more", shortened(word));
+        let what = format!("{what} is \"{}\"; it must be a whole number, zero or more", shortened(word));
         MeshError::at(line, what, "write a number such as 12")
     })
 }

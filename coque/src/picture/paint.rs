@@ -209,7 +209,7 @@ fn polygon(places: impl Iterator<Item = [i64; 2]>) -> String {
     path + "z"
 }
 
-/// Four digits, powers of ten where nought after nought would come.
+/// Four digits, powers of ten where zero after zero would come.
 fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
     match rounded.abs() {

@@ -16,15 +16,15 @@ impl Source {
         if x > 0.0 {
             return self.sized(path, x);
         }
-        Err(self.value(path, x, "positive", "give a number above nought"))
+        Err(self.value(path, x, "positive", "give a number above zero"))
     }
 
-    /// Nought, or of a size that arithmetic can hold.
+    /// Zero, or of a size that arithmetic can hold.
     pub(crate) fn sized(&self, path: &str, x: f64) -> Checked {
         if x == 0.0 || (LEAST..=GREATEST).contains(&x.abs()) {
             return Ok(());
         }
-        let bound = format!("nought or between {LEAST:e} and {GREATEST:e} in size");
+        let bound = format!("zero or between {LEAST:e} and {GREATEST:e} in size");
         Err(self.value(path, x, &bound, "choose other units if the number is meant"))
     }
 
@@ -33,12 +33,12 @@ impl Source {
         v.iter().enumerate().try_for_each(|(i, &x)| self.sized(&format!("{path}[{i}]"), x))
     }
 
-    /// Not below nought.
+    /// Not below zero.
     pub(crate) fn not_negative(&self, path: &str, x: f64) -> Checked {
         if x >= 0.0 {
             return self.sized(path, x);
         }
-        Err(self.value(path, x, "nought or positive", "leave it out for nought"))
+        Err(self.value(path, x, "zero or positive", "leave it out for zero"))
     }
 
     /// Strictly between two numbers.
@@ -63,7 +63,7 @@ impl Source {
         if v != [0.0; 3] {
             return Ok(());
         }
-        let repair = "give at least one component other than nought; the length does not matter";
+        let repair = "give at least one component other than zero; the length does not matter";
         Err(self.value(path, "[0, 0, 0]", "a vector with a direction", repair))
     }
 

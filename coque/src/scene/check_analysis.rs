@@ -177,7 +177,7 @@ impl Scene {
                 Err(SceneError::Choice(s.fault(&path, "a second prescribed motion", &bound, repair)))
             }
             (Some((path, by)), None) if by == 0.0 => {
-                let bound = format!("other than nought: it drives {what}");
+                let bound = format!("other than zero: it drives {what}");
                 let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
                 Err(s.value(&format!("{path}.by"), by, &bound, repair))
             }

@@ -78,7 +78,7 @@ impl Scene {
         Ok(())
     }
 
-    /// A prescribed motion follows the load level, in a transient run a course that starts at nought.
+    /// A prescribed motion follows the load level, in a transient run a course that starts at zero.
     fn check_course(&self, at: &str, amplitude: Option<&Amplitude>) -> Checked {
         let path = format!("{at}.amplitude");
         let starts_at_rest = match amplitude {
@@ -97,7 +97,7 @@ impl Scene {
         }
         let path = if amplitude.is_none() { format!("{at}.moved") } else { path };
         let repair = "a transient run has no load level: add amplitude = { ramp = time } beside `moved`";
-        let bound = "one with a course in time that starts at nought";
+        let bound = "one with a course in time that starts at zero";
         Err(SceneError::Choice(self.source.fault(&path, "a prescribed motion", bound, repair)))
     }
 

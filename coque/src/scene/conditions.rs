@@ -179,9 +179,9 @@ pub enum Amplitude {
     /// One throughout.
     #[default]
     Constant,
-    /// Linear from nought to one over this time \[T\].
+    /// Linear from zero to one over this time \[T\].
     Ramp(f64),
-    /// Quintic from nought to one over this time, without velocity and acceleration at its ends \[T\].
+    /// Quintic from zero to one over this time, without velocity and acceleration at its ends \[T\].
     Smooth(f64),
     /// Straight lines between `[time, factor]`.
     Table(Vec<[f64; 2]>),

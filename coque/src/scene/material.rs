@@ -100,7 +100,7 @@ pub struct Homogeneous {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Layered {
-    /// Direction whose projection on the surface has the angle nought, in the un-turned frame.
+    /// Direction whose projection on the surface has the angle zero, in the un-turned frame.
     pub axis: [f64; 3],
     /// From the lowest, against the normal, to the highest.
     pub plies: Vec<Ply>,

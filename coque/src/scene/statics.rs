@@ -62,7 +62,7 @@ pub struct Stop {
 
 /// Modes of free vibration of the unloaded shell; `moved` supports stand still.
 ///
-/// Rigid motions that no support holds are modes too, of frequency nought within rounding.
+/// Rigid motions that no support holds are modes too, of frequency zero within rounding.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Modal {

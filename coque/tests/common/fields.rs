@@ -18,7 +18,7 @@ pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Scene {
     Scene::with_overrides(&fs::read_to_string(path).unwrap(), name, &pairs).unwrap()
 }
 
-/// Holds the sheet of the patch test without time, where a motion of nought would drive it.
+/// Holds the sheet of the patch test without time, where a motion of zero would drive it.
 pub const HINGE: (&str, &str) = ("supports[2]", "{ on = \"u0v0\", hinged = {} }");
 
 /// An empty folder of a test's own.

@@ -109,9 +109,9 @@ pub fn laminated(cloud: Cloud, formulation: Formulation, axis: Vec3) -> Shell {
 }
 
 /// Numbers in (−1, 1), the same on every machine.
-pub struct Dice(pub u64);
+pub struct RandomNumbers(pub u64);
 
-impl Dice {
+impl RandomNumbers {
     pub fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         ((self.0 >> 11) as f64 / (1_u64 << 53) as f64) * 2.0 - 1.0
@@ -124,7 +124,7 @@ impl Dice {
 
 /// Moves every particle by up to `size` spacings and turns every director by about `size` radians.
 pub fn shake(shell: &mut Shell, size: f64, seed: u64) {
-    let mut dice = Dice(seed);
+    let mut dice = RandomNumbers(seed);
     let spacing = shell.reference().cloud.spacing();
     for a in 0..shell.len() {
         let position = shell.position(a) + dice.vector() * (size * spacing);

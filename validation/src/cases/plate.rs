@@ -30,7 +30,7 @@ pub fn case() -> Case {
         name: "plate",
         title: "Square plates under pressure, h/a from 0.2 to 0.0001",
         about: "Central deflection against Mindlin's theory, clamped and simply supported (hard), 21×21 on the whole plate. \
-                The ratio has to stay flat as the plate gets thin: shear locking would bend it to nought.",
+                The ratio has to stay flat as the plate gets thin: shear locking would bend it to zero.",
         citation: "Timoshenko and Woinowsky-Krieger 1959; thick plates by a Ritz series (this project's reference file)",
         variants: variants(),
         each,
@@ -123,7 +123,7 @@ const MEASURED: Measured = Measured(&[
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let Some(expected) = expected(run) else { return Ok(Vec::new()) };
-    let reason = "flat in the thickness: shear that locks would bend the thinnest to nought";
+    let reason = "flat in the thickness: shear that locks would bend the thinnest to zero";
     Ok(vec![linear::figure(run, NAME, "w_centre", expected, (&MEASURED, reason))?])
 }
 

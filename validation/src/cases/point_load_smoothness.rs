@@ -107,7 +107,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let falls = |name, fine: Option<f64>, coarse: Option<f64>| {
             let ratio = fine.zip(coarse).map(|(fine, coarse)| fine / coarse);
             let reason = "falls with the spacing (1 would be no fall, a tenth for certainty); it does not fall \
-                          to nought, for the shear strain of a point load, P/(κGt) = 1.7 % of the crown's \
+                          to zero, for the shear strain of a point load, P/(κGt) = 1.7 % of the crown's \
                           displacement times a logarithm, is the same at every spacing";
             (number, Metric::error(name, ratio, "-").within(0.9, reason))
         };

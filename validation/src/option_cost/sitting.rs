@@ -47,7 +47,7 @@ pub struct Body {
     pub particles: usize,
     /// Mean spacing \[m\].
     pub spacing: f64,
-    /// Freedoms that no support holds.
+    /// DofMap that no support holds.
     pub dof: usize,
     /// Memory that a step touches, as the shell counts it \[bytes a particle\].
     pub step_bytes: f64,

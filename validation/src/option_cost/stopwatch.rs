@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use coque::{News, Progress};
-use explicit_dynamics::{Observer, Record, Standing};
+use coque::{Progress, ProgressReport};
+use explicit_dynamics::{MarchState, Observer, Record};
 use sph_shell::Shell;
 use stats_alloc::INSTRUMENTED_SYSTEM;
 
@@ -88,7 +88,7 @@ impl Stopwatch {
 
 /// Through coque: told as the progress bar is.
 impl Progress for Stopwatch {
-    fn update(&mut self, news: &News) -> ControlFlow<()> {
+    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
         self.between(news.steps)
     }
 }
@@ -99,7 +99,7 @@ impl Observer<Shell> for Stopwatch {
         ControlFlow::Continue(())
     }
 
-    fn between(&mut self, _: &mut Shell, at: &Standing, _: f64) -> ControlFlow<()> {
+    fn between(&mut self, _: &mut Shell, at: &MarchState, _: f64) -> ControlFlow<()> {
         self.between(at.clock.steps)
     }
 }

@@ -18,7 +18,7 @@ pub use strips::{Strip, end_moment, end_shear};
 
 use super::{FeShellError, Model};
 use implicit_statics::{
-    BalanceError, Control, Equilibrium, Path, PathOptions, Start, SymmetricSolver, follow,
+    Control, Equilibrium, EquilibriumError, Path, PathOptions, Start, SymmetricSolver, follow,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -32,7 +32,7 @@ pub enum CaseError {
     Build(#[from] FeShellError),
     /// The balance is not found.
     #[error(transparent)]
-    Balance(#[from] BalanceError),
+    Balance(#[from] EquilibriumError),
     /// A controlled displacement is held by the supports.
     #[error(
         "the displacement that drives the case \"{0}\" is held; its supports and its load contradict each other"

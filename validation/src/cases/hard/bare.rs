@@ -115,9 +115,9 @@ pub fn march(
 }
 
 /// Numbers in (−1, 1), the same on every machine: the high bits of a linear congruential generator.
-pub struct Dice(pub u64);
+pub struct RandomNumbers(pub u64);
 
-impl Dice {
+impl RandomNumbers {
     pub fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 11) as f64 / (1_u64 << 53) as f64) * 2.0 - 1.0
@@ -130,7 +130,7 @@ impl Dice {
 
 /// Gives every particle a random velocity of up to `speed` \[L/T\] a component, and its director a rate to match.
 pub fn stir(shell: &mut Shell, speed: f64, seed: u64) {
-    let mut dice = Dice(seed);
+    let mut dice = RandomNumbers(seed);
     for a in 0..shell.len() {
         let radius = (shell.reference().inertias[a] / shell.reference().masses[a]).sqrt();
         let (v, w) = (dice.vector() * speed, dice.vector() * (speed / radius));

@@ -8,7 +8,7 @@ use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, Frame, Side, Vec3};
 use sph_shell::{AppliedLoad, Force, Formulation, Held, Parts, Shell, Supported, SymmetryPlane};
 
-use super::bare::{Dice, SHOWN, figure, in_time, jittered, march, model, outcome};
+use super::bare::{RandomNumbers, SHOWN, figure, in_time, jittered, march, model, outcome};
 use crate::case::{Case, Headline, Published, Run, Variant};
 use crate::cases::dial::{self, CELL, NODAL_1, NODAL_2, STRONG_12, WIDE_14, WIDE_30};
 use crate::cases::hemisphere::SCENE;
@@ -69,7 +69,7 @@ fn compare(scene: &Variant, turned: Turned) -> Result<Outcome, String> {
     let started = Instant::now();
     let built = model(scene, 1)?.shell;
     let (cloud, formulation) = (built.reference().cloud.clone(), *built.formulation());
-    let mut dice = Dice(7);
+    let mut dice = RandomNumbers(7);
     for _ in 0..8 {
         dice.roll();
     }
@@ -103,7 +103,7 @@ fn compare(scene: &Variant, turned: Turned) -> Result<Outcome, String> {
 }
 
 /// Frames of particles turned about their normals; cells that begin at another corner.
-fn with_other_frames(mut cloud: Cloud, dice: &mut Dice) -> Cloud {
+fn with_other_frames(mut cloud: Cloud, dice: &mut RandomNumbers) -> Cloud {
     for frame in &mut cloud.frames {
         let normal = nalgebra::Unit::new_normalize(frame.n);
         let turned = frame.rotated(&Rotation3::from_axis_angle(&normal, 3.0 * dice.roll()));

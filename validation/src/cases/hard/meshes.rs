@@ -6,7 +6,7 @@ use std::fmt::Write;
 use coque::mesh::{Format, parse};
 use sph_core::{Cloud, Vec3};
 
-use super::bare::Dice;
+use super::bare::RandomNumbers;
 
 /// Places closer than this are one node where blocks are welded.
 const WELD: f64 = 1e-7;
@@ -166,7 +166,7 @@ impl Mesh {
     /// Moves nodes at random in the plane z = 0 by up to a part of a spacing, except those that stay.
     #[must_use]
     pub fn jittered(mut self, reach: f64, seed: u64, stays: impl Fn(&Vec3) -> bool) -> Self {
-        let mut dice = Dice(seed);
+        let mut dice = RandomNumbers(seed);
         // The first rolls of small seeds are alike.
         for _ in 0..8 {
             dice.roll();

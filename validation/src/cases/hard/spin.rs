@@ -102,7 +102,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
             .within(1e-10, "asked: angular momentum to 1e-10; kick and drift both keep it"),
         figure(run, GROWTH, "-")?.within(
             1.5,
-            "the strain swings between nought and twice that of the centrifugal force; more is growth",
+            "the strain swings between zero and twice that of the centrifugal force; more is growth",
         ),
         ratio,
     ])

@@ -19,7 +19,7 @@ const NAME: &str = "worst of three frequencies";
 const THICKNESSES: [f64; 2] = [0.1, 0.01];
 /// Modes asked for: six rigid ones, three that are judged, and three more in which a zero mode too many would show.
 const MODES: usize = 12;
-/// A frequency below this part of the first elastic one counts as nought: rounding leaves 1e-3 of it and less.
+/// A frequency below this part of the first elastic one counts as zero: rounding leaves 1e-3 of it and less.
 const NOUGHT: f64 = 0.02;
 const DEFECT: &str = "imaginary part";
 const ASYMMETRY: &str = "asymmetry of the operator";

@@ -6,16 +6,16 @@ use crate::{Clock, KineticDamping, MarchError, Sizes};
 
 /// Where a march stands between two steps, beside the state of its system.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Standing {
+pub struct MarchState {
     /// Time, step size, energies booked so far.
     pub clock: Clock,
     /// Where on its way the march is.
-    pub place: Place,
+    pub stage: Stage,
 }
 
 /// Where on its way a march is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Place {
+pub enum Stage {
     /// [`crate::QuasiStatic`].
     QuasiStatic {
         /// Number of the level it goes to, or holds, from 0.
@@ -51,12 +51,12 @@ pub struct Hold {
     pub peaks: KineticDamping,
 }
 
-impl Standing {
+impl MarchState {
     /// Refuses the place of another march.
     pub(crate) fn other(&self) -> MarchError {
-        MarchError::OtherMarch(match self.place {
-            Place::QuasiStatic { level, .. } => format!("level number {level} of a quasi-static march"),
-            Place::Transient { record, .. } => format!("record number {record} of a transient march"),
+        MarchError::OtherMarch(match self.stage {
+            Stage::QuasiStatic { level, .. } => format!("level number {level} of a quasi-static march"),
+            Stage::Transient { record, .. } => format!("record number {record} of a transient march"),
         })
     }
 }

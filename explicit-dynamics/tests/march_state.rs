@@ -5,8 +5,8 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MassScaled, Observer, QuasiStatic, Record,
-    Standing, Step, Transient, Work,
+    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MarchState, MassScaled, Observer,
+    QuasiStatic, Record, Step, Transient, Work,
 };
 
 /// `m ẍ + k x + c x³ = level · load`: the stable step changes on the way.
@@ -86,7 +86,7 @@ impl MassScaled for Oscillator {
 #[derive(Default)]
 struct Notes {
     records: Vec<Record>,
-    standings: Vec<(usize, Standing, Oscillator)>,
+    standings: Vec<(usize, MarchState, Oscillator)>,
     last_done: f64,
     stop_at: Option<usize>,
 }
@@ -96,7 +96,7 @@ impl Observer<Oscillator> for Notes {
         self.records.push(*record);
         ControlFlow::Continue(())
     }
-    fn between(&mut self, system: &mut Oscillator, at: &Standing, done: f64) -> ControlFlow<()> {
+    fn between(&mut self, system: &mut Oscillator, at: &MarchState, done: f64) -> ControlFlow<()> {
         assert!((self.last_done..=1.0).contains(&done), "{done} after {}", self.last_done);
         self.last_done = done;
         self.standings.push((self.records.len(), at.clone(), system.clone()));
@@ -124,7 +124,7 @@ fn quasi_static(damping: Damping) -> QuasiStatic {
 /// Marches through, then goes on from many a standing; all must end in the same bits.
 fn goes_on(
     march: impl Fn(&mut Oscillator, &mut Notes) -> Result<(), MarchError>,
-    go_on: impl Fn(Standing, &mut Oscillator, &mut Notes) -> Result<(), MarchError>,
+    go_on: impl Fn(MarchState, &mut Oscillator, &mut Notes) -> Result<(), MarchError>,
 ) {
     let (mut whole, mut notes) = (Oscillator::new(), Notes::default());
     march(&mut whole, &mut notes).unwrap();

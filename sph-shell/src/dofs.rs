@@ -11,7 +11,7 @@ use crate::supports::DirectorHold;
 
 /// Where the unknowns of each particle start, and how many are translations.
 #[derive(Clone, Debug)]
-pub(crate) struct Freedoms {
+pub(crate) struct DofMap {
     /// First unknown of each particle, and the end.
     pub offsets: Vec<u32>,
     /// Arc of a turn by one radian \[L\].
@@ -29,7 +29,7 @@ pub(crate) struct Basis {
     pub count: usize,
 }
 
-impl Freedoms {
+impl DofMap {
     pub fn new(shell: &Shell) -> Self {
         let mut offsets = vec![0];
         let mut translations = Vec::with_capacity(shell.len());
