@@ -28,8 +28,8 @@ pub use files::FieldFiles;
 pub use read::{Array, ReadError, Sheet, listed};
 
 use crate::run::Failure;
+use crate::scene::units::Units;
 use crate::scene::{Analysis, Scene};
-use crate::units::Units;
 
 /// Takes the frames of a run while it goes on.
 pub trait FieldSink: Send {

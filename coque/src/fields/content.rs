@@ -11,7 +11,7 @@ use sph_shell::{Formulation, PointResult};
 use super::stress::{face, von_mises};
 use super::vtu::{Kind, Vtu};
 use super::{Frame, State};
-use crate::units::Quantity;
+use crate::scene::units::Quantity;
 
 const XYZ: [&str; 3] = [""; 3];
 const PLANE: [&str; 3] = ["11", "22", "12"];

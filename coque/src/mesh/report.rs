@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::error::{number, place};
 use super::raw::counted;
 use super::{MeshError, Quality, Surface, quality};
-use crate::doubts::doubts_of_cloud;
+use crate::bodies::shell::doubts::doubts_of_cloud;
 
 /// Sets that are listed one by one.
 const LISTED: usize = 24;

@@ -1,11 +1,10 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{Deserializer, SeqAccess, Visitor};
 
-use super::{ArcLength, Buckling, Linear, Modal, Static};
+use super::levels::Levels;
+use super::statics::{ArcLength, Buckling, Linear, Modal, Static};
 
 /// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -65,15 +64,6 @@ pub struct QuasiStatic {
     /// Whether the negative pivots of the tangent are counted at settled levels; left out, where that costs less than 1 %
     /// of the run.
     pub stability: Option<bool>,
-}
-
-/// Load levels.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Levels {
-    /// This many equal steps up to one.
-    Equal(u64),
-    /// These levels, in order.
-    List(Vec<f64>),
 }
 
 /// How a quasi-static run comes to rest.
@@ -147,16 +137,6 @@ impl Default for Damping {
     }
 }
 
-impl Levels {
-    /// The levels, written out.
-    pub fn list(&self) -> Vec<f64> {
-        match self {
-            Self::Equal(count) => (1..=*count).map(|i| i as f64 / *count as f64).collect(),
-            Self::List(levels) => levels.clone(),
-        }
-    }
-}
-
 /// The stable step is an estimate from below 1 % sharp; membrane stiffening takes the rest.
 fn usual_safety() -> f64 {
     0.8
@@ -178,44 +158,4 @@ fn usual_tolerance() -> f64 {
 /// Half of the 1 % that an answer may be off: what the softness of a few modes at once hides is less than as much again.
 fn usual_accuracy() -> f64 {
     5e-3
-}
-
-impl<'de> Deserialize<'de> for Levels {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct CountOrList;
-        impl<'de> Visitor<'de> for CountOrList {
-            type Value = Levels;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a number of equal levels, or a list such as [0.25, 0.5, 1.0]")
-            }
-
-            fn visit_i64<E: serde::de::Error>(self, count: i64) -> Result<Levels, E> {
-                u64::try_from(count).map(Levels::Equal).map_err(|_| {
-                    E::invalid_value(serde::de::Unexpected::Signed(count), &"a positive number of levels")
-                })
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Levels, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(seq)).map(Levels::List)
-            }
-        }
-        deserializer.deserialize_any(CountOrList)
-    }
-}
-
-impl JsonSchema for Levels {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Levels".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "description": "Load levels: this many equal steps up to one, or these, in order.",
-            "oneOf": [
-                { "type": "integer", "minimum": 1 },
-                { "type": "array", "items": { "type": "number" }, "minItems": 1 }
-            ]
-        })
-    }
 }

@@ -1,7 +1,7 @@
 //! Bounds on single numbers and vectors of a scene, each with its repair.
 
-use crate::error::SceneError;
-use crate::source::Source;
+use crate::scene::error::SceneError;
+use crate::scene::source::Source;
 
 type Checked = Result<(), SceneError>;
 
@@ -82,7 +82,7 @@ impl Source {
         if known.contains(&word) {
             return Ok(());
         }
-        let repair = crate::source::suggest(word, known);
+        let repair = crate::scene::source::suggest(word, known);
         let bound = format!("one of {}", known.join(", "));
         Err(SceneError::UnknownWord(self.fault(path, word, &bound, &repair)))
     }

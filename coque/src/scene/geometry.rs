@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Mesh;
+use super::mesh::Mesh;
 
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

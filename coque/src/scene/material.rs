@@ -115,3 +115,9 @@ pub struct Ply {
     /// Angle of the fibre from the axis, positive about the normal \[degrees\].
     pub angle: f64,
 }
+
+/// A material with a section that suits it.
+pub(crate) enum MaterialSection<'a> {
+    Homogeneous(&'a Elastic, &'a Homogeneous),
+    Layered(&'a Orthotropic, &'a Layered),
+}

@@ -5,10 +5,10 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::Scene;
-use crate::error::SceneError;
-use crate::overrides;
-use crate::source::Source;
-use crate::tables;
+use crate::scene::error::SceneError;
+use crate::scene::overrides;
+use crate::scene::source::Source;
+use crate::scene::tables;
 
 impl Scene {
     /// Reads and checks a scene; `origin` names the text in errors.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Levels;
+use super::levels::Levels;
 
 /// Equilibria at load levels, by Newton's method.
 ///

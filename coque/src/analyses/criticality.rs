@@ -1,0 +1,119 @@
+//! What was critical on a path of equilibria: for the summary, and as warnings.
+
+use implicit_statics::{CriticalKind, Passed, Path};
+
+use crate::results::summary::CriticalSummary;
+use crate::run::Findings;
+use crate::{Doubt, Warning};
+
+/// A path whose levels are given, or one that goes where the equilibria lead.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Follows {
+    Levels,
+    Arc,
+}
+
+const BY_ARC: &str = "follow the path itself with [analysis.arc-length]";
+const SMALLER: &str = "take smaller steps there";
+
+/// Takes over what was critical on a path; `unit` is that of the force where the level is one.
+pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mut Findings<'_>) {
+    let place = |level: f64| place(level, unit);
+    let summary = |kind: &str, level: f64, between: Option<[f64; 2]>| CriticalSummary {
+        kind: kind.into(),
+        level,
+        unit: unit.map(String::from),
+        between,
+    };
+    for critical in &path.critical {
+        let kind = match critical.kind {
+            CriticalKind::Limit => "limit point",
+            CriticalKind::Bifurcation => "bifurcation",
+        };
+        let first = !found.critical.iter().any(|earlier| earlier.kind == kind);
+        let (before, after) = critical.negative;
+        if critical.kind == CriticalKind::Bifurcation && after > before && first {
+            let message = format!(
+                "beyond the bifurcation at {} the equilibria that follow are unstable in {after} of the ways to move: \
+                 the shell leaves this path there, and a slight imperfection makes it leave before",
+                place(critical.level)
+            );
+            found.warnings.push(Warning::new(Doubt::PassedCritical, message));
+        }
+        found.critical.push(summary(kind, critical.level, None));
+    }
+    for passage in &path.passages {
+        let (low, high) = (passage.levels.0, passage.levels.1);
+        let span = format!("between {} and {}", place(low), place(high));
+        let between = Some([low, high]);
+        let elsewhere =
+            format!("the state found at {} is an equilibrium, but on another branch", place(high));
+        let (message, kind, level) = match passage.what {
+            Passed::Pivots => {
+                let (before, after) = passage.negative;
+                let message = format!(
+                    "{span} the tangent goes from {before} to {after} negative pivots, and the critical points there were not \
+                     located; {SMALLER}"
+                );
+                (message, "critical points, not located", 0.5 * (low + high))
+            }
+            Passed::Turn(level) => {
+                let message = format!(
+                    "the branch of equilibria turns back at {}: {elsewhere}, which the shell reaches by a snap; {BY_ARC}",
+                    place(level)
+                );
+                (message, "turning point", level)
+            }
+            Passed::Branch => {
+                let message = format!("{span} the branch of equilibria was left: {elsewhere}; {BY_ARC}");
+                (message, "change of branch", 0.5 * (low + high))
+            }
+            Passed::Unproved => {
+                let message = format!(
+                    "{span} the equilibria move farther than their tangents lead, and the branch could not be followed \
+                     across: the state found at {} may lie on another; {SMALLER}, or {BY_ARC}",
+                    place(high)
+                );
+                (message, "doubtful step", 0.5 * (low + high))
+            }
+        };
+        found.warnings.push(Warning::new(Doubt::PassedCritical, message));
+        // A limit point that was located is where its branch turns back.
+        if !found.critical.iter().any(|critical| critical.level == level) {
+            found.critical.push(summary(kind, level, between));
+        }
+    }
+    if follows == Follows::Arc || found.warnings.iter().any(|warning| warning.doubt == Doubt::Unstable) {
+        return;
+    }
+    if let Some(point) = path.points.iter().skip(1).find(|point| point.unstable > 0) {
+        let message = format!(
+            "from {} on equilibria were found that are unstable in {} of the ways to move: the shell would leave them; column \
+             `negative_pivots` tells which",
+            place(point.level()),
+            point.unstable
+        );
+        found.warnings.push(Warning::new(Doubt::Unstable, message));
+    }
+}
+
+/// A level with what it is: `load level 0.5`, or `a force of 127.4 N`.
+pub(crate) fn place(level: f64, unit: Option<&str>) -> String {
+    match unit {
+        None => format!("load level {level}"),
+        Some("-") => format!("a force of {level}"),
+        Some(unit) => format!("a force of {level} {unit}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_has_its_unit() {
+        assert_eq!(place(0.5, None), "load level 0.5");
+        assert_eq!(place(127.4, Some("N")), "a force of 127.4 N");
+        assert_eq!(place(127.4, Some("-")), "a force of 127.4");
+    }
+}

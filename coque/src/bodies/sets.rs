@@ -1,0 +1,161 @@
+//! Named sets of particles: edges, corners and middle rows of the lattice, nearest particles, boxes.
+
+use std::collections::BTreeMap;
+
+use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
+
+use crate::bodies::shell::imported::{self, Imported};
+use crate::scene::error::SceneError;
+use crate::scene::{Region, Scene};
+
+/// Sets that every scene has.
+pub(crate) const BUILT_IN: [&str; 11] =
+    ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
+
+/// Built-in sets that are edges: particles in a row, each with a tributary length.
+pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
+
+/// The particle sets of a cloud, by name.
+#[derive(Clone, Debug)]
+pub(crate) struct Sets {
+    members: BTreeMap<String, Vec<u32>>,
+}
+
+impl Sets {
+    /// Finds every set that the scene uses or declares; `cloud` is not turned yet.
+    pub(crate) fn find(
+        scene: &Scene,
+        cloud: &Cloud,
+        imported: Option<&Imported>,
+    ) -> Result<Self, SceneError> {
+        let mut members = match imported {
+            Some(imported) => imported.sets(scene)?,
+            None => {
+                let found = |name: &str| Some((name.to_string(), built_in(name, cloud)?));
+                BUILT_IN.into_iter().filter_map(found).collect()
+            }
+        };
+        for (name, region) in &scene.sets {
+            let particles = inside(region, cloud);
+            if particles.is_empty() {
+                let repair = format!(
+                    "the shell lies between {} and {}",
+                    corner(cloud, f64::min),
+                    corner(cloud, f64::max)
+                );
+                let bound = "its region holds no particle";
+                let fault = scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair);
+                return Err(SceneError::Set(fault));
+            }
+            members.insert(name.clone(), particles);
+        }
+        Ok(Self { members })
+    }
+
+    /// Particles of the set that the scene names at `path`.
+    pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
+        self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
+            if scene.geometry.mesh().is_some() {
+                return imported::no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
+            }
+            let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
+            let (bound, repair) = match scene.geometry.particles() {
+                Some(counts) => (
+                    format!("but there is no middle one among {} particles along {direction}", counts[i]),
+                    format!("use an odd number of particles along {direction}"),
+                ),
+                None => (
+                    "but scattered particles stand in no rows".into(),
+                    "declare a set with a box, model half of the shell with a symmetry plane on the cut edge, or \
+                     place a lattice with `particles`"
+                        .into(),
+                ),
+            };
+            SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
+        })
+    }
+}
+
+fn built_in(name: &str, cloud: &Cloud) -> Option<Vec<u32>> {
+    let sides = cloud.sides.as_ref()?;
+    let corner = |u, v| sides.corner(u, v).map(|a| vec![a]);
+    match name {
+        "all" => Some((0..cloud.len() as u32).collect()),
+        "u0v0" => corner(Side::U0, Side::V0),
+        "u1v0" => corner(Side::U1, Side::V0),
+        "u0v1" => corner(Side::U0, Side::V1),
+        "u1v1" => corner(Side::U1, Side::V1),
+        "centre-row" => middle(cloud, 1).map(|(lattice, j)| lattice.row(j)),
+        "centre-column" => middle(cloud, 0).map(|(lattice, i)| lattice.column(i)),
+        _ => side(name).map(|side| sides.edge(side).to_vec()),
+    }
+}
+
+/// The lattice of a cloud with the place of its middle row or column; none without one.
+fn middle(cloud: &Cloud, direction: usize) -> Option<(Lattice, usize)> {
+    let lattice = cloud.lattice?;
+    let n = lattice.counts[direction];
+    (n % 2 == 1).then_some((lattice, n / 2))
+}
+
+fn side(name: &str) -> Option<Side> {
+    match name {
+        "u0" => Some(Side::U0),
+        "u1" => Some(Side::U1),
+        "v0" => Some(Side::V0),
+        "v1" => Some(Side::V1),
+        _ => None,
+    }
+}
+
+fn inside(region: &Region, cloud: &Cloud) -> Vec<u32> {
+    let numbered = || cloud.positions.iter().enumerate().map(|(a, x)| (a as u32, x));
+    if let Some(point) = region.nearest {
+        let distance = |x: &Vec3| (x - Vec3::from(point)).norm_squared();
+        let nearest = numbered().min_by(|(_, x), (_, y)| distance(x).total_cmp(&distance(y)));
+        return nearest.map(|(a, _)| a).into_iter().collect();
+    }
+    if let Some(plane) = region.plane {
+        let normal = Vec3::from(plane.normal).normalize();
+        let within = plane.within.unwrap_or(1e-3 * cloud.spacing());
+        let on = |x: &Vec3| (x - Vec3::from(plane.point)).dot(&normal).abs() <= within;
+        return numbered().filter(|(_, x)| on(x)).map(|(a, _)| a).collect();
+    }
+    let Some(faces) = region.inside else { return Vec::new() };
+    // A particle on a face belongs to the box, whatever rounding did to it.
+    let slack = 1e-9 * cloud.spacing();
+    let holds = |x: &Vec3| (0..3).all(|i| faces.min[i] - slack <= x[i] && x[i] <= faces.max[i] + slack);
+    numbered().filter(|(_, x)| holds(x)).map(|(a, _)| a).collect()
+}
+
+/// One corner of the box round the cloud.
+fn corner(cloud: &Cloud, pick: fn(f64, f64) -> f64) -> String {
+    let extreme = cloud.positions.iter().copied().reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default();
+    format!("[{:.4}, {:.4}, {:.4}]", extreme.x, extreme.y, extreme.z)
+}
+
+/// Particles with tributary lengths \[L\] on the edge called `name`; none if it is no edge.
+///
+/// The lengths are those along this edge alone (a corner has half a spacing), weighted like the areas of the cloud.
+pub(crate) fn edge(
+    name: &str,
+    particles: &[u32],
+    cloud: &Cloud,
+    weights: EndWeights,
+) -> Option<Vec<(u32, f64)>> {
+    side(name)?;
+    let gaps: Vec<f64> = particles
+        .windows(2)
+        .map(|pair| (cloud.positions[pair[1] as usize] - cloud.positions[pair[0] as usize]).norm())
+        .collect();
+    let half = |gap: Option<&f64>| gap.map_or(0.0, |gap| 0.5 * gap);
+    let trapezoid = |i: usize| half(i.checked_sub(1).and_then(|i| gaps.get(i))) + half(gaps.get(i));
+    let lengths: Vec<f64> = match (weights, weights.weights(particles.len())) {
+        (EndWeights::Gregory, Ok(weights)) => {
+            let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
+            weights.into_iter().map(|w| w * mean).collect()
+        }
+        _ => (0..particles.len()).map(trapezoid).collect(),
+    };
+    Some(particles.iter().copied().zip(lengths).collect())
+}

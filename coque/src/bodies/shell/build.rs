@@ -1,0 +1,342 @@
+//! From a scene to a shell ready to move: particles, sets, supports, loads.
+
+use std::fmt;
+
+use nalgebra::Rotation3;
+use sph_core::{Cloud, EndWeights, SpaceError, Vec3};
+use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
+
+use crate::Warning;
+use crate::bodies::probe::Gauge;
+use crate::bodies::sets::{self, Sets};
+use crate::bodies::shell::doubts::doubts_of;
+use crate::bodies::shell::imported::{Imported, Provenance};
+use crate::bodies::shell::rigid::free_motions;
+use crate::run::memory::Memory;
+use crate::scene::error::SceneError;
+use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
+
+/// A shell ready to be marched, with what its curve measures.
+pub struct Model {
+    /// The shell.
+    pub shell: Shell,
+    /// The scene it was built from.
+    pub scene: Scene,
+    /// Where the surface comes from, if it was read from a file.
+    pub(crate) surface: Option<Provenance>,
+    pub(crate) gauges: Vec<Gauge>,
+    /// The prescribed motion whose force is sought, in analyses without time.
+    pub(crate) driven: Option<PrescribedPoint>,
+    pub(crate) threads: usize,
+    pub(crate) warnings: Vec<Warning>,
+    /// What a run will need, and what there is.
+    pub memory: Memory,
+}
+
+/// A prescribed motion of one particle that a force along it brings about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PrescribedPoint {
+    pub(crate) particle: u32,
+    /// Unit vector along the motion, in the turned frame.
+    pub(crate) direction: Vec3,
+    /// Displacement at level one \[L\], positive.
+    pub(crate) by: f64,
+}
+
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Model").field("describe", &self.describe()).finish_non_exhaustive()
+    }
+}
+
+impl Model {
+    /// What is known beforehand to make its numbers wrong, and why.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
+
+impl Scene {
+    /// Builds the shell; a run will use `threads` threads (at least one), with the same results for any number.
+    ///
+    /// # Errors
+    /// [`SceneError`] for whatever [`Scene::parse`] refuses (fields may have been changed since), for empty
+    /// sets, supports that leave a rigid motion free in a quasi-static run, and
+    /// whatever the layers below refuse.
+    pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+        self.check()?;
+        let builder = Builder { scene: self, turn: self.turn() };
+        let weights = self.end_weights();
+        let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
+        let imported = Imported::read(self)?;
+        let memory = match (asked, &imported) {
+            (Some(memory), _) => memory,
+            (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
+            (None, None) => self.room(0.0)?,
+        };
+        let flat = match &imported {
+            Some(imported) => imported.cloud.clone(),
+            None => self.place(weights)?,
+        };
+        let sets = Sets::find(self, &flat, imported.as_ref())?;
+        let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
+        let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
+        let gauges = builder.gauges(&sets)?;
+        let supports = builder.supports(&sets)?;
+        let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
+        let driven = builder.driven(&sets, &supports)?;
+        if let Some(PrescribedPoint { particle, direction, .. }) = driven {
+            let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
+            loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
+        }
+        builder.refuse_free_motion(&cloud, &supports)?;
+        let parts = Parts {
+            cloud,
+            section: builder.section()?,
+            strain: builder.strain()?,
+            material_axis: builder.material_axis(),
+            density: self.material.density(),
+            formulation: builder.formulation(),
+            supports,
+            loads,
+            threads,
+        };
+        let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        if shell.freedoms() == 0 {
+            let (found, bound) = ("no freedom of any particle", "at least one that is not held");
+            let repair = "take out a support, or let it name fewer particles";
+            return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
+        }
+        builder.refuse_more_modes_than(shell.freedoms())?;
+        let surface = imported.map(|imported| imported.provenance());
+        let warnings = doubts_of(self, builder.turn, &shell);
+        let threads = threads.max(1);
+        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads, warnings, memory })
+    }
+
+    fn turn(&self) -> Rotation3<f64> {
+        self.orientation.map_or_else(Rotation3::identity, |turn| {
+            // libm: the same bits on every machine.
+            let (sin, cos) = libm::sincos(turn.degrees.to_radians());
+            let k = Vec3::from(turn.axis).normalize().cross_matrix();
+            Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
+        })
+    }
+}
+
+pub(crate) struct Builder<'a> {
+    pub(crate) scene: &'a Scene,
+    turn: Rotation3<f64>,
+}
+
+impl Builder<'_> {
+    fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {
+        let gauge = |(i, probe): (usize, &scene::Probe)| {
+            Ok(Gauge {
+                name: probe.name.clone(),
+                of: probe.of,
+                particles: sets.at(self.scene, &format!("curve[{i}].on"), &probe.on)?.to_vec(),
+                direction: self.turned(probe.direction).normalize(),
+                factor: probe.factor,
+                turned: Vec::new(),
+            })
+        };
+        self.scene.curve.iter().enumerate().map(gauge).collect()
+    }
+
+    pub(crate) fn turned(&self, v: [f64; 3]) -> Vec3 {
+        self.turn * Vec3::from(v)
+    }
+
+    fn supports(&self, sets: &Sets) -> Result<Vec<Supported>, SceneError> {
+        let mut supports = Vec::new();
+        for (i, support) in self.scene.supports.iter().enumerate() {
+            let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
+            for (_, kind) in support.kinds() {
+                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.driven_by_load() {
+                    continue; // its direction is left free for the force that brings it about
+                }
+                let course = amplitude(support.amplitude.as_ref());
+                supports
+                    .push(Supported { particles: particles.to_vec(), support: self.support(kind, course) });
+            }
+        }
+        Ok(supports)
+    }
+
+    /// The motion that drives an analysis without time; the checks leave at most one.
+    fn driven(&self, sets: &Sets, supports: &[Supported]) -> Result<Option<PrescribedPoint>, SceneError> {
+        let moved = |(i, support): (usize, &scene::Support)| support.moved.map(|moved| (i, moved));
+        let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
+            return Ok(None);
+        };
+        if !self.scene.analysis.driven_by_load() {
+            return Ok(None);
+        }
+        let on = &self.scene.supports[i].on;
+        let path = format!("supports[{i}].on");
+        let &[particle] = sets.at(self.scene, &path, on)? else {
+            let what = self.scene.analysis.run_name();
+            let bound = format!("but in {what} a prescribed motion acts on one particle");
+            let repair = "name a corner or a set with `nearest`, or use [analysis.explicit]";
+            let fault = self.scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
+            return Err(SceneError::Set(fault));
+        };
+        let direction = self.turned(moved.direction).normalize() * moved.by.signum();
+        let others = supports.iter().filter(|s| s.particles.contains(&particle));
+        for held in others.flat_map(|s| s.support.holds().translations) {
+            let along = direction.dot(&held);
+            if along.abs() > 1e-9 {
+                let wanted = along * moved.by.abs();
+                return Err(self.refusal(&ShellError::Contradiction { particle, wanted, held: 0.0 }));
+            }
+        }
+        Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
+    }
+
+    fn support(
+        &self,
+        kind: SupportKind,
+        amplitude: explicit_dynamics::Amplitude,
+    ) -> Box<dyn sph_shell::Support> {
+        match kind {
+            SupportKind::Clamped => Box::new(sph_shell::Clamped),
+            SupportKind::Hinged => Box::new(sph_shell::Hinged),
+            SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
+            SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
+            SupportKind::Held(s) => Box::new(sph_shell::Held {
+                displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
+                director: s.director.first().map(|&v| self.turned(v)),
+            }),
+            SupportKind::Moved(s) => {
+                Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
+            }
+        }
+    }
+
+    fn loads(
+        &self,
+        sets: &Sets,
+        cloud: &Cloud,
+        weights: EndWeights,
+        imported: Option<&Imported>,
+    ) -> Result<Vec<AppliedLoad>, SceneError> {
+        let mut loads = Vec::new();
+        for (i, load) in self.scene.loads.iter().enumerate() {
+            let path = format!("loads[{i}].on");
+            let particles = sets.at(self.scene, &path, &load.on)?;
+            let edge = match imported {
+                None => sets::edge(&load.on, particles, cloud, weights),
+                Some(imported) => imported.edge(self.scene, &path, load, particles)?,
+            };
+            let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
+            for (_, kind) in load.kinds() {
+                let amplitude = amplitude(load.amplitude.as_ref());
+                loads.push(AppliedLoad { load: self.load(kind, shares.clone()), amplitude });
+            }
+        }
+        Ok(loads)
+    }
+
+    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Box<dyn sph_shell::Load> {
+        match kind {
+            LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
+            LoadKind::Couple(couple) => Box::new(sph_shell::EdgeCouple {
+                edge: shares,
+                moment: couple.moment,
+                axis: match couple.axis {
+                    Axis::Edge => CoupleAxis::Edge,
+                    Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
+                },
+            }),
+            LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value, follower: p.follower }),
+            LoadKind::Gravity(g) => {
+                Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
+            }
+        }
+    }
+
+    /// A static answer needs every rigid motion held; a run in real time and vibration do not.
+    fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
+        let analysis = &self.scene.analysis;
+        if analysis.transient() || matches!(analysis, scene::Analysis::Modal(_)) {
+            return Ok(());
+        }
+        let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
+        let free = free_motions(cloud, &held);
+        if free.is_empty() {
+            return Ok(());
+        }
+        let path = if supports.is_empty() { "supports" } else { "supports[0]" };
+        let bound = format!("every rigid motion must be held in {}", analysis.run_name());
+        let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
+        Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
+    }
+
+    /// There are as many modes as freedoms.
+    fn refuse_more_modes_than(&self, freedoms: usize) -> Result<(), SceneError> {
+        let (path, modes) = match &self.scene.analysis {
+            scene::Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
+            scene::Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
+            _ => return Ok(()),
+        };
+        if modes <= freedoms {
+            return Ok(());
+        }
+        let bound = format!("at most {freedoms}, the freedoms that no support holds");
+        Err(self.scene.source.value(
+            path,
+            modes,
+            &bound,
+            "the lowest few modes are usual; or use more particles",
+        ))
+    }
+
+    /// Puts a refusal of the shell where the scene causes it.
+    fn refusal(&self, error: &ShellError) -> SceneError {
+        let reach = match &self.scene.formulation {
+            scene::Formulation::StressPoint(_) => "formulation.stress-point.support",
+            scene::Formulation::Nodal(_) => "formulation.nodal.smoothing",
+            scene::Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
+        };
+        let moved = self.scene.supports.iter().position(|s| s.moved.is_some()).unwrap_or(0);
+        let path = match error {
+            ShellError::Space(
+                SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
+            ) => reach.to_string(),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => "section.layered.axis".into(),
+            ShellError::Space(_) | ShellError::Area { .. } => {
+                format!("geometry.{}", self.scene.geometry.word())
+            }
+            ShellError::Density(_) => format!("material.{}.density", self.scene.material.word()),
+            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
+                format!("supports[{moved}].moved")
+            }
+            &ShellError::OutOfPlane { support, .. } => {
+                let present = |(_, s): &(usize, &scene::Support)| {
+                    s.moved.is_none() || !self.scene.analysis.driven_by_load()
+                };
+                let supports = self.scene.supports.iter().enumerate();
+                let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
+                format!("supports[{number}]")
+            }
+            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
+                "loads".into()
+            }
+        };
+        self.scene.model_error(&path, &error.to_string())
+    }
+}
+
+fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude {
+    use explicit_dynamics::Amplitude;
+    match course {
+        None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
+        Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
+        Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
+        Some(scene::Amplitude::Table(points)) => {
+            Amplitude::Table(points.iter().map(|p| (p[0], p[1])).collect())
+        }
+        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine(*period),
+    }
+}

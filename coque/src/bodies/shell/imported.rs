@@ -1,0 +1,189 @@
+//! A surface from a file as the particles of a scene: cloud, sets, edges, refusals.
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+use sph_core::{Cloud, Vec3};
+
+use crate::bodies::sets::{BUILT_IN, Sets};
+use crate::mesh::{Cells, MeshError, Surface, boundary_edges, chains, read};
+use crate::scene::error::SceneError;
+use crate::scene::{Formulation, Load, Mesh, Scene, Section};
+
+/// Length below which the part of a normal in its symmetry plane has no direction.
+const NO_DIRECTION: f64 = 1e-6;
+
+/// Parts of a thickness by which points may differ from that of the section.
+const SAME_THICKNESS: f64 = 1e-6;
+
+/// Where the particles of a model come from, if from a file.
+#[derive(Clone, Debug)]
+pub(crate) struct Provenance {
+    /// The file.
+    pub(crate) file: String,
+    /// Checksum of its bytes.
+    pub(crate) checksum: u32,
+    /// What became of its faces, in a line for the summary.
+    pub(crate) line: String,
+}
+
+/// A surface, the cloud made of it, and its boundary.
+#[derive(Clone, Debug)]
+pub(crate) struct Imported {
+    surface: Surface,
+    /// Not turned yet.
+    pub(crate) cloud: Cloud,
+    cells: Cells,
+    /// End of the boundary edge that begins at a particle.
+    edges: HashMap<u32, u32>,
+}
+
+impl Imported {
+    /// Reads the file of a scene, if it names one.
+    pub(crate) fn read(scene: &Scene) -> Result<Option<Self>, SceneError> {
+        let Some(Mesh { file, scale, flip }) = scene.geometry.mesh() else { return Ok(None) };
+        let refuse = |error: &MeshError| refuse(scene, error);
+        let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
+        let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
+        let surface = if *flip { surface.flipped() } else { surface };
+        refuse_points(scene, &surface)?;
+        let (cloud, cells) = surface.cloud(surface.node_normals()).map_err(|error| refuse(&error))?;
+        let edges = boundary_edges(&surface.faces);
+        Ok(Some(Self { surface, cloud, cells, edges }))
+    }
+
+    /// The sets that the file brings: all particles, its groups, its boundary loops.
+    pub(crate) fn sets(&self, scene: &Scene) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
+        if let Some(name) = scene.sets.keys().find(|name| self.surface.set(name).is_some()) {
+            let bound = format!("but {} has a set of that name", self.surface.file);
+            let fault =
+                scene.source.fault(&format!("sets.{name}"), "declared", &bound, "choose another name");
+            return Err(SceneError::Set(fault));
+        }
+        let names = self.surface.set_names();
+        let known = names.into_iter().filter_map(|name| {
+            let particles = self.surface.set(&name)?.to_vec();
+            Some((name, particles))
+        });
+        let all = (0..self.surface.positions.len() as u32).collect();
+        Ok(known.chain([("all".to_string(), all)]).collect())
+    }
+
+    /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple needs one line of it.
+    pub(crate) fn edge(
+        &self,
+        scene: &Scene,
+        path: &str,
+        load: &Load,
+        particles: &[u32],
+    ) -> Result<Option<Vec<(u32, f64)>>, SceneError> {
+        let lines = chains(particles, &self.surface.positions, &self.edges);
+        let count = lines.as_ref().map_or(0, Vec::len);
+        if load.couple.is_some() && count != 1 {
+            let why = match count {
+                0 => "its particles do not follow the boundary".to_string(),
+                count => format!("its particles lie on {count} lines of the boundary"),
+            };
+            let bound = format!("but a couple acts on one line along the boundary: {why}");
+            let repair = "use a boundary loop, or a box or plane that holds one edge alone";
+            let fault = scene.source.fault(path, &format!("\"{}\"", load.on), &bound, repair);
+            return Err(SceneError::Set(fault));
+        }
+        Ok(lines.map(|lines| lines.into_iter().flatten().collect()))
+    }
+
+    /// The cloud with reconstructed normals turned into the symmetry planes of the scene.
+    ///
+    /// At a symmetry plane the faces of one side only are there, and their mean leans out of the plane.
+    pub(crate) fn mirrored(&self, scene: &Scene, sets: &Sets) -> Result<Cloud, SceneError> {
+        let planes: Vec<_> = scene.supports.iter().map(|support| support.symmetry).collect();
+        if self.surface.normals.is_some() || planes.iter().all(Option::is_none) {
+            return Ok(self.cloud.clone());
+        }
+        let mut normals: Vec<Vec3> = self.cloud.frames.iter().map(|frame| frame.n).collect();
+        for (i, plane) in planes.into_iter().enumerate() {
+            let Some(plane) = plane else { continue };
+            let (path, on) = (format!("supports[{i}].on"), &scene.supports[i].on);
+            let across = Vec3::from(plane.normal).normalize();
+            for &a in sets.at(scene, &path, on)? {
+                let normal = normals[a as usize];
+                let inside = normal - across * across.dot(&normal);
+                if inside.norm() < NO_DIRECTION {
+                    let bound =
+                        format!("but the surface is parallel to the plane at {}", self.surface.name(a));
+                    let repair = "a symmetry plane cuts the surface: name the particles on the cut";
+                    let fault = scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
+                    return Err(SceneError::Set(fault));
+                }
+                normals[a as usize] = inside.normalize();
+            }
+        }
+        let Cloud { positions, cells, .. } = self.cloud.clone();
+        let cloud = Cloud::from_cells(positions, Some(normals), cells);
+        cloud.map_err(|error| refuse(scene, &self.surface.refusal(&error)))
+    }
+
+    /// Where the particles come from.
+    pub(crate) fn provenance(&self) -> Provenance {
+        let Surface { file, checksum, normals, .. } = &self.surface;
+        let from = if normals.is_some() { "the file" } else { "the faces" };
+        let line = format!("surface from {file}: {}, normals from {from}", self.cells);
+        Provenance { file: file.clone(), checksum: *checksum, line }
+    }
+}
+
+/// A refusal of the file, shown at its name in the scene.
+fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
+    let mut said = error.clone();
+    let repair = std::mem::take(&mut said.repair);
+    let value = said.to_string();
+    let value = value.trim_end_matches([';', ' ']);
+    SceneError::Mesh(scene.source.fault("geometry.mesh.file", value, "a sound surface", &repair))
+}
+
+/// Points without faces have neither cells nor an edge: what needs them is refused.
+fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
+    if !surface.faces.is_empty() {
+        return Ok(());
+    }
+    let plain = matches!(&scene.formulation, Formulation::Nodal(f) if !f.divergence_consistent());
+    if !plain {
+        let value = format!("{} has points without faces", surface.file);
+        let repair = "set formulation.nodal.consistent = false, or bring a mesh with faces";
+        let bound = "a surface with faces: cells and edges are found from them";
+        return Err(SceneError::Mesh(scene.source.fault("geometry.mesh.file", &value, bound, repair)));
+    }
+    if let Some(i) = scene.loads.iter().position(|load| load.pressure.is_some()) {
+        let bound = "but pressure acts on faces, and the file has points only";
+        let fault = scene.source.fault(
+            &format!("loads[{i}].pressure"),
+            "a pressure",
+            bound,
+            "bring a mesh with faces",
+        );
+        return Err(SceneError::Set(fault));
+    }
+    let own = scene.section.thickness();
+    let other = |t: &&f64| (**t / own - 1.0).abs() > SAME_THICKNESS;
+    if let Some(thickness) = surface.thicknesses.iter().find(other) {
+        let bound =
+            format!("{thickness} as in {}: one thickness for the whole shell is modelled", surface.file);
+        let repair = "make them equal, or take the column out of the file";
+        let path = match &scene.section {
+            Section::Homogeneous(_) => "section.homogeneous.thickness",
+            Section::Layered(_) => "section.layered.plies",
+        };
+        return Err(scene.source.value(path, own, &bound, repair));
+    }
+    Ok(())
+}
+
+/// Refusal of a set that neither the file nor the scene has.
+pub(crate) fn no_such_set(scene: &Scene, path: &str, name: &str, known: &[&String]) -> SceneError {
+    let known: Vec<&str> = known.iter().map(|name| name.as_str()).collect();
+    let mut repair = crate::scene::source::suggest(name, &known);
+    if BUILT_IN.contains(&name) {
+        repair = format!("a mesh has no rows and columns; known here: {}", known.join(", "));
+    }
+    SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), "which is no set of this mesh", &repair))
+}

@@ -1,0 +1,72 @@
+//! Particles where a scene places them on a shape: a lattice with its options, or scattered.
+
+use sph_core::{Cloud, EndWeights, Patch, SpaceError};
+
+use crate::scene::error::SceneError;
+use crate::scene::{Formulation, Geometry, Scene};
+
+impl Scene {
+    /// Cubic end weights where gradients are cubic, on uniform lattices; other clouds have areas of their own.
+    pub(crate) fn end_weights(&self) -> EndWeights {
+        let geometry = &self.geometry;
+        let uniform =
+            geometry.scattered().is_none() && geometry.disorder().is_none() && geometry.grading().is_none();
+        match &self.formulation {
+            Formulation::Nodal(f) if f.order == 3 && uniform => EndWeights::Gregory,
+            _ => EndWeights::Trapezoid,
+        }
+    }
+
+    /// The particles, not turned yet.
+    pub(crate) fn place(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
+        let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
+        let patch: Box<dyn Patch> = match &self.geometry {
+            Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
+            Geometry::Cylinder(c) => {
+                Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
+            }
+            Geometry::Sphere(s) => Box::new(sph_core::Sphere {
+                radius: s.radius,
+                polar: radians(s.polar),
+                azimuth: radians(s.azimuth),
+            }),
+            Geometry::Twisted(s) => {
+                Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
+            }
+            Geometry::Mesh(_) => {
+                return Err(self.model_error("geometry.mesh", "a mesh has no rows of particles"));
+            }
+        };
+        let geometry = &self.geometry;
+        let (cloud, key) = match geometry.scattered() {
+            Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing, s.seed), "scattered.spacing"),
+            // The checks leave one of the two; a lattice of nothing is refused below.
+            None => self.lattice(&*patch, geometry.particles().unwrap_or_default(), weights),
+        };
+        let path = format!("geometry.{}.{key}", self.geometry.word());
+        cloud.map_err(|e| self.model_error(&path, &e.to_string()))
+    }
+
+    /// A lattice as the scene asks for it, and the key to blame.
+    fn lattice(
+        &self,
+        patch: &dyn Patch,
+        counts: [usize; 2],
+        weights: EndWeights,
+    ) -> (Result<Cloud, SpaceError>, &'static str) {
+        let (disorder, grading) = (self.geometry.disorder(), self.geometry.grading());
+        if disorder.is_none() && grading.is_none() {
+            return (sph_core::lattice(patch, counts, weights), "particles");
+        }
+        let (fraction, seed) = disorder.map_or((0.0, 0), |d| (d.fraction, d.seed));
+        let graded = sph_core::Graded::new(patch, counts, grading.unwrap_or([1.0, 1.0]));
+        let cloud = graded.and_then(|graded| sph_core::jittered_lattice(&graded, counts, fraction, seed));
+        (cloud, if disorder.is_some() { "disorder" } else { "grading" })
+    }
+
+    /// Messages from below end with their repair, after the last semicolon.
+    pub(crate) fn model_error(&self, path: &str, message: &str) -> SceneError {
+        let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
+        SceneError::Model(self.source.fault(path, value, "", repair))
+    }
+}

@@ -1,0 +1,6 @@
+//! What a run leaves behind, and the files it is written to.
+
+pub(crate) mod curve;
+pub(crate) mod growing;
+pub(crate) mod plot;
+pub(crate) mod summary;

@@ -1,0 +1,125 @@
+//! The curve as a picture: one line with its points, SVG.
+
+use std::io::Write;
+use std::path::Path;
+
+use plotters::prelude::*;
+
+use crate::plain::plain_text;
+use crate::results::curve::Curve;
+use crate::whole::write_whole;
+
+/// Why a plot could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// No such column.
+    #[error("the curve has no column `{name}`; it has {known}")]
+    NoColumn {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// Drawing or writing failed.
+    #[error("cannot draw {path}: {reason}")]
+    Drawing {
+        /// The file.
+        path: String,
+        /// What went wrong.
+        reason: String,
+    },
+}
+
+/// Draws column `y` over column `x` into an SVG file; rows that are not finite are left out.
+///
+/// # Errors
+/// [`PlotError`] for an unknown column or a file that cannot be written.
+pub fn plot_svg(curve: &Curve, x: &str, y: &str, title: &str, file: &Path) -> Result<(), PlotError> {
+    let values = |name: &str| {
+        curve.column(name).ok_or_else(|| PlotError::NoColumn {
+            name: name.into(),
+            known: curve.columns.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", "),
+        })
+    };
+    let points: Vec<(f64, f64)> =
+        values(x)?.into_iter().zip(values(y)?).filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    let label = |name: &str| {
+        let column = curve.columns.iter().find(|column| column.name == name);
+        column.map_or_else(|| name.to_string(), |column| column.title())
+    };
+    let refused = |reason: String| PlotError::Drawing { path: file.display().to_string(), reason };
+    let svg =
+        draw(&points, [&label(x), &label(y)], &plain_text(title)).map_err(|e| refused(e.to_string()))?;
+    write_whole(file, |to| to.write_all(svg.as_bytes())).map_err(|e| refused(e.to_string()))
+}
+
+fn draw(
+    points: &[(f64, f64)],
+    [x_label, y_label]: [&str; 2],
+    title: &str,
+) -> Result<String, Box<dyn std::error::Error>> {
+    let mut svg = String::new();
+    let area = SVGBackend::with_string(&mut svg, (720, 480)).into_drawing_area();
+    area.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&area)
+        .caption(title, ("sans-serif", 22))
+        .margin(12)
+        .x_label_area_size(44)
+        .y_label_area_size(70)
+        .build_cartesian_2d(range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)))?;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .x_label_formatter(&|x| short(*x))
+        .y_label_formatter(&|y| short(*y))
+        .label_style(("sans-serif", 16))
+        .draw()?;
+    chart.draw_series(LineSeries::new(points.iter().copied(), BLUE.stroke_width(2)))?;
+    chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;
+    area.present()?;
+    drop(chart);
+    drop(area);
+    Ok(svg)
+}
+
+/// A number beside an axis: six digits at most, powers of ten where zero after zero would come.
+fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    match rounded.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e5).contains(&size) => format!("{rounded}"),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+/// Range of an axis with a little air; never empty.
+fn range(values: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
+    let low = values.clone().fold(f64::INFINITY, f64::min);
+    let high = values.fold(f64::NEG_INFINITY, f64::max);
+    if low > high {
+        return 0.0..1.0;
+    }
+    let air = 0.04 * (high - low);
+    if air > 0.0 { low - air..high + air } else { low - 1.0..high + 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_beside_axes_are_short() {
+        assert_eq!(
+            [0.1 + 0.2, 2e-5, 0.0, 123456.0, -40.0].map(short),
+            ["0.3", "2e-5", "0", "1.23456e5", "-40"]
+        );
+    }
+
+    #[test]
+    fn an_axis_is_never_empty() {
+        assert_eq!(range([].into_iter()), 0.0..1.0);
+        assert_eq!(range([3.0, 3.0].into_iter()), 2.0..4.0);
+    }
+}

@@ -1,0 +1,165 @@
+//! What a run will cost, before it runs: steps from the stable step, seconds from a few steps that are timed.
+
+use std::time::{Duration, Instant};
+
+use explicit_dynamics::{Dynamics, Instant as Moment, Step};
+use implicit_statics::{Equilibrium, SymmetricSolver, linear_response};
+use sph_shell::{Shell, StaticShell};
+
+use crate::analyses::march::reference_step;
+use crate::bodies::shell::build::Model;
+use crate::scene::{Analysis, Explicit, LevelSign};
+
+/// How long steps are timed.
+const TIMED: Duration = Duration::from_millis(300);
+/// Part of a period that the shortest hold takes: two looks of twenty a period.
+const SHORTEST_HOLD: f64 = 0.1;
+/// Newton iterations of a level: few where the load path is smooth, the default bound where it is not.
+const ITERATIONS: [f64; 2] = [3.0, 30.0];
+
+/// What a run will cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// Greatest stable step of the unloaded shell \[T\]; zero without time.
+    pub stable_step: f64,
+    /// Steps, without time factorisations: least and most; a path by arc length tells neither beforehand.
+    pub steps: Option<[f64; 2]>,
+    /// Wall time of one of them \[s\], as timed just now with the threads of the model.
+    pub seconds_a_step: f64,
+    /// Solves that modes take beside their factorisations: least and most; none for other analyses.
+    pub solves: Option<[f64; 2]>,
+    /// Wall time of the run \[s\]: least and most.
+    pub seconds: Option<[f64; 2]>,
+    /// Memory that a step in time touches \[bytes\]; factors of a tangent come on top.
+    pub bytes: f64,
+}
+
+impl Model {
+    /// Times a few steps, or the first factorisation, of the shell at rest.
+    pub fn estimate(self) -> Estimate {
+        let Self { mut shell, scene, threads, .. } = self;
+        let bytes = shell.bytes_per_particle() * shell.len() as f64;
+        if let Analysis::Explicit(explicit) = &scene.analysis {
+            let stable_step = reference_step(&mut shell);
+            let dt = explicit.safety * stable_step;
+            let seconds_a_step = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+                Ok(pool) if threads > 1 => pool.install(|| time_steps(&mut shell, dt)),
+                _ => time_steps(&mut shell, dt),
+            };
+            let steps = steps(explicit, dt);
+            let seconds = Some(steps.map(|count| count * seconds_a_step));
+            return Estimate {
+                stable_step,
+                steps: Some(steps),
+                seconds_a_step,
+                solves: None,
+                seconds,
+                bytes,
+            };
+        }
+        let work = match &scene.analysis {
+            Analysis::Modal(wanted) => Some(Work::of_vibration(wanted.modes)),
+            Analysis::Buckling(wanted) => {
+                let sides = if wanted.sign == LevelSign::Either { 2.0 } else { 1.0 };
+                Some(Work::of_buckling(wanted.modes, sides))
+            }
+            _ => None,
+        };
+        if let Some(work) = work {
+            return work.estimate(&mut StaticShell::new(shell), bytes);
+        }
+        let steps = match &scene.analysis {
+            Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
+            Analysis::ArcLength(_) => None,
+            _ => Some([1.0; 2]),
+        };
+        let begun = Instant::now();
+        // A tangent that cannot be factorised says so when the scene is run; its time counts all the same.
+        let _ = linear_response(&mut StaticShell::new(shell), 0.0);
+        let seconds_a_step = begun.elapsed().as_secs_f64();
+        let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
+        Estimate { stable_step: 0.0, steps, seconds_a_step, solves: None, seconds, bytes }
+    }
+}
+
+/// What modes take: tangents, factorisations, solves; least and most.
+struct Work {
+    tangents: [f64; 2],
+    factorisations: [f64; 2],
+    solves: [f64; 2],
+}
+
+impl Work {
+    /// Modes far apart, and modes so close that some are missed at first.
+    fn of_vibration(modes: usize) -> Self {
+        let modes = modes as f64;
+        Self {
+            tangents: [1.0; 2],
+            factorisations: [2.0, 6.0],
+            solves: [12.0 + 2.0 * modes, 60.0 + 12.0 * modes],
+        }
+    }
+
+    /// Levels far apart, and a dense spectrum of which a crowd lies below the shift; the tangent is differentiated.
+    fn of_buckling(modes: usize, sides: f64) -> Self {
+        let modes = modes as f64;
+        Self {
+            tangents: [5.0, 9.0],
+            factorisations: [2.0, 6.0].map(|count| sides * count),
+            solves: [12.0 + 2.0 * modes, 600.0 + 24.0 * modes].map(|count| sides * count),
+        }
+    }
+
+    /// Times each of the three once.
+    fn estimate(&self, system: &mut StaticShell, bytes: f64) -> Estimate {
+        let timed = |begun: Instant| begun.elapsed().as_secs_f64();
+        let pattern = system.pattern();
+        let mut values = vec![0.0; pattern.len()];
+        let begun = Instant::now();
+        system.tangent(0.0, &mut values);
+        let tangent = timed(begun);
+        let begun = Instant::now();
+        // A tangent that cannot be factorised says so when the scene is run; its time counts all the same.
+        let mut solver = SymmetricSolver::new(system.unknowns(), &pattern).ok();
+        let _ = solver.as_mut().map(|solver| solver.factor(&values));
+        let factorisation = timed(begun);
+        let begun = Instant::now();
+        let _ = solver.as_mut().map(|solver| solver.solve(&mut vec![1.0; system.unknowns()]));
+        let solve = timed(begun);
+        let Self { tangents, factorisations, solves } = self;
+        let seconds =
+            [0, 1].map(|i| tangents[i] * tangent + factorisations[i] * factorisation + solves[i] * solve);
+        Estimate {
+            stable_step: 0.0,
+            steps: Some(*factorisations),
+            seconds_a_step: factorisation,
+            solves: Some(*solves),
+            seconds: Some(seconds),
+            bytes,
+        }
+    }
+}
+
+/// Steps of a run: every hold at its shortest, every hold at its longest.
+fn steps(explicit: &Explicit, dt: f64) -> [f64; 2] {
+    if let Some(path) = &explicit.quasi_static {
+        let levels = path.levels.list().len() as f64;
+        return [SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * path.period / dt);
+    }
+    let duration = explicit.transient.map_or(0.0, |run| run.duration);
+    [duration / dt; 2]
+}
+
+/// Seconds a step, without load: nothing moves and the work is the same.
+fn time_steps(shell: &mut Shell, dt: f64) -> f64 {
+    let at = |time| Moment { time, level: 0.0 };
+    let step = Step { from: at(0.0), to: at(dt), kick: dt, damping: 0.0 };
+    shell.advance(&step);
+    let begun = Instant::now();
+    let mut count = 0;
+    while begun.elapsed() < TIMED {
+        shell.advance(&step);
+        count += 1;
+    }
+    begun.elapsed().as_secs_f64() / f64::from(count)
+}

@@ -1,0 +1,187 @@
+//! Checks of the analysis that need no particles.
+
+use crate::bodies::probe::always;
+use crate::scene::error::SceneError;
+use crate::scene::{
+    Analysis, ArcLength, Buckling, Damping, Explicit, Formulation, Levels, Linear, Modal, Scene, Static, Stop,
+};
+
+type Checked = Result<(), SceneError>;
+
+/// Every level is a ramp and a hold; more than this is a mistake.
+const MOST_LEVELS: u64 = 100_000;
+/// Rows of a curve that still fit in memory and on a plot.
+const MOST_RECORDS: f64 = 1e7;
+/// Modes are found together and kept whole.
+const MOST_MODES: f64 = 1000.0;
+/// A path keeps every point.
+const MOST_STEPS: f64 = 1e6;
+/// Newton's method either converges in some ten iterations or not at all.
+const MOST_ITERATIONS: f64 = 1000.0;
+
+impl Scene {
+    /// Refuses numbers out of bounds and what does not go with the analysis.
+    pub(in crate::scene) fn check_analysis(&self) -> Checked {
+        match &self.analysis {
+            Analysis::Explicit(explicit) => return self.check_explicit(explicit),
+            Analysis::Linear(Linear {}) => {}
+            Analysis::Static(Static { levels, tolerance, iterations }) => {
+                self.check_levels("analysis.static.levels", levels)?;
+                self.check_newton("analysis.static", *tolerance, *iterations)?;
+            }
+            Analysis::ArcLength(path) => self.check_arc_length(path)?,
+            Analysis::Modal(Modal { modes }) => self.check_modes("analysis.modal.modes", *modes)?,
+            Analysis::Buckling(Buckling { modes, .. }) => {
+                self.check_modes("analysis.buckling.modes", *modes)?
+            }
+        }
+        self.check_tangent()?;
+        if self.analysis.driven_by_load() { self.check_driver() } else { Ok(()) }
+    }
+
+    fn check_explicit(&self, explicit: &Explicit) -> Checked {
+        let s = &self.source;
+        let at = |key: &str| format!("analysis.explicit.{key}");
+        let repair = "0.8 is usual; at 1 the step is at the limit of stability";
+        s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
+        let known = ["quasi-static", "transient"];
+        let mut given = Vec::new();
+        given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
+        given.extend(explicit.transient.map(|_| known[1]));
+        s.exactly_one("analysis.explicit", "table", &given, &known)?;
+        if let Some(path) = &explicit.quasi_static {
+            let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
+            self.check_levels(&at("levels"), &path.levels)?;
+            s.positive(&at("period"), path.period)?;
+            s.positive(&at("ramp"), path.ramp)?;
+            s.positive(&at("hold"), path.hold)?;
+            s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
+            s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
+            if let Formulation::StrongForm(_) = self.formulation
+                && path.stability == Some(true)
+            {
+                let repair =
+                    "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
+                let bound = "one with an energy, and so a tangent, to look at stability";
+                let fault = s.fault("formulation.strong-form", "a formulation without energy", bound, repair);
+                return Err(SceneError::Choice(fault));
+            }
+            if let Damping::Ratio(ratio) = path.damping {
+                s.positive(&at("damping.ratio"), ratio)?;
+            }
+        }
+        if let Some(run) = explicit.transient {
+            let at = |key: &str| format!("analysis.explicit.transient.{key}");
+            s.positive(&at("duration"), run.duration)?;
+            s.positive(&at("record_every"), run.record_every)?;
+            s.not_negative(&at("damping"), run.damping)?;
+            if run.record_every > run.duration || run.duration / run.record_every > MOST_RECORDS {
+                let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
+                let repair = "a hundredth of the duration gives a smooth curve";
+                return Err(s.value(&at("record_every"), run.record_every, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_levels(&self, at: &str, levels: &Levels) -> Checked {
+        let s = &self.source;
+        match levels {
+            Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
+            Levels::Equal(count) => {
+                Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual"))
+            }
+            Levels::List(list) if list.is_empty() => Err(s.value(
+                at,
+                "empty",
+                "a list of at least one level",
+                "levels = [1.0] goes to the full load",
+            )),
+            Levels::List(list) => {
+                let mut last = 0.0;
+                for (i, &level) in list.iter().enumerate() {
+                    let path = format!("{at}[{i}]");
+                    s.sized(&path, level)?;
+                    if level <= last {
+                        let bound = format!("greater than the level {last} before it");
+                        return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
+                    }
+                    last = level;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn check_arc_length(&self, path: &ArcLength) -> Checked {
+        let s = &self.source;
+        let at = |key: &str| format!("analysis.arc-length.{key}");
+        let known = ["until", "stop"];
+        let mut given = Vec::new();
+        given.extend(path.until.map(|_| known[0]));
+        given.extend(path.stop.as_ref().map(|_| known[1]));
+        s.exactly_one("analysis.arc-length", "end of the path", &given, &known)?;
+        if let Some(until) = path.until {
+            s.positive(&at("until"), until)?;
+        }
+        if let Some(Stop { column, above }) = &path.stop {
+            let own = self.curve.iter().map(|probe| probe.name.as_str());
+            let known: Vec<&str> = always(&self.analysis).iter().copied().chain(own).collect();
+            s.word(&at("stop.column"), column, &known)?;
+            s.sized(&at("stop.above"), *above)?;
+        }
+        s.positive(&at("radius"), path.radius)?;
+        s.within(&at("steps"), path.steps as f64, [1.0, MOST_STEPS], "a few hundred are usual")?;
+        self.check_newton("analysis.arc-length", path.tolerance, path.iterations)
+    }
+
+    fn check_newton(&self, at: &str, tolerance: f64, iterations: usize) -> Checked {
+        let s = &self.source;
+        s.between(&format!("{at}.tolerance"), tolerance, [0.0, 1.0], "leave it out for the usual 1e-9")?;
+        let repair = "leave it out for the usual number";
+        s.within(&format!("{at}.iterations"), iterations as f64, [1.0, MOST_ITERATIONS], repair)
+    }
+
+    fn check_modes(&self, at: &str, modes: usize) -> Checked {
+        self.source.within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
+    }
+
+    fn check_tangent(&self) -> Checked {
+        let Formulation::StrongForm(_) = self.formulation else { return Ok(()) };
+        let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.run_name());
+        let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
+        let path = "formulation.strong-form";
+        Err(SceneError::Choice(self.source.fault(path, "a formulation without energy", &bound, repair)))
+    }
+
+    /// One load level drives the analysis: loads, or one prescribed motion alone.
+    fn check_driver(&self) -> Checked {
+        let s = &self.source;
+        let what = self.analysis.run_name();
+        let mut moved = (0..self.supports.len())
+            .filter_map(|i| self.supports[i].moved.map(|m| (format!("supports[{i}].moved"), m.by)));
+        match (moved.next(), moved.next()) {
+            (None, _) if self.loads.is_empty() => {
+                let repair = "add a load, or a support with `moved`";
+                let fault = s.fault("loads", "nothing", &format!("something that drives {what}"), repair);
+                Err(SceneError::Choice(fault))
+            }
+            (Some((path, _)), None) if !self.loads.is_empty() => {
+                let bound = format!("one without loads beside it in {what}");
+                let repair = "remove the loads, or use [analysis.explicit]";
+                Err(SceneError::Choice(s.fault(&path, "a prescribed motion", &bound, repair)))
+            }
+            (Some(_), Some((path, _))) => {
+                let bound = format!("only one in {what}");
+                let repair = "keep one of them, or use [analysis.explicit]";
+                Err(SceneError::Choice(s.fault(&path, "a second prescribed motion", &bound, repair)))
+            }
+            (Some((path, by)), None) if by == 0.0 => {
+                let bound = format!("other than zero: it drives {what}");
+                let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
+                Err(s.value(&format!("{path}.by"), by, &bound, repair))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Checks of supports and loads that need no particles.
+
+use crate::bodies::sets::EDGES;
+use crate::scene::error::SceneError;
+use crate::scene::{Amplitude, Axis, Held, Load, LoadKind, Scene, Support, SupportKind};
+use sph_core::Vec3;
+
+/// Directions this close to the span of others are the same but for rounding or a slip.
+const PARALLEL: f64 = 1e-6;
+
+type Checked = Result<(), SceneError>;
+
+impl Scene {
+    pub(in crate::scene) fn check_support(&self, at: &str, support: &Support) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &support.on)?;
+        let kinds = support.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        if support.amplitude.is_some() && support.moved.is_none() {
+            let repair = "remove it: only `moved` has a course in time";
+            let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
+            return Err(SceneError::Choice(fault));
+        }
+        for (_, kind) in kinds {
+            match kind {
+                SupportKind::Clamped | SupportKind::Hinged => {}
+                SupportKind::Symmetry(plane) => {
+                    s.direction(&format!("{at}.symmetry.normal"), plane.normal)?
+                }
+                SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
+                SupportKind::Held(held) => self.check_held(&format!("{at}.held"), &held)?,
+                SupportKind::Moved(moved) => {
+                    s.direction(&format!("{at}.moved.direction"), moved.direction)?;
+                    s.sized(&format!("{at}.moved.by"), moved.by)?;
+                    self.check_course(at, support.amplitude.as_ref())?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_held(&self, at: &str, held: &Held) -> Checked {
+        let s = &self.source;
+        let Held { displacement, director } = held;
+        if displacement.is_empty() && director.is_empty() {
+            let repair =
+                "held = { displacement = [[0, 0, 1]] } holds z; `director` keeps the director in a plane";
+            let bound = "`displacement`, `director` or both";
+            return Err(SceneError::Choice(s.fault(at, "no direction", bound, repair)));
+        }
+        let lists = [
+            ("displacement", displacement, 3, "three hold the particle"),
+            ("director", director, 1, "use `clamped` to hold both turns"),
+        ];
+        for (key, list, most, repair) in lists {
+            let path = format!("{at}.{key}");
+            if list.len() > most {
+                let value = format!("{} directions", list.len());
+                return Err(s.value(&path, value, &format!("at most {most}"), repair));
+            }
+            for (i, &v) in list.iter().enumerate() {
+                s.direction(&format!("{path}[{i}]"), v)?;
+            }
+        }
+        let mut basis: Vec<Vec3> = Vec::new();
+        for (i, &v) in displacement.iter().enumerate() {
+            let v = Vec3::from(v).normalize();
+            let rest = basis.iter().fold(v, |rest, known| rest - known * known.dot(&rest));
+            if rest.norm() < PARALLEL {
+                let path = format!("{at}.displacement[{i}]");
+                let value = format!("{:?}", displacement[i]);
+                let repair = "remove it: the directions before it hold this one already";
+                return Err(s.value(&path, value, "out of the plane or line of those before it", repair));
+            }
+            basis.push(rest.normalize());
+        }
+        Ok(())
+    }
+
+    /// A prescribed motion follows the load level, in a transient run a course that starts at zero.
+    fn check_course(&self, at: &str, amplitude: Option<&Amplitude>) -> Checked {
+        let path = format!("{at}.amplitude");
+        let starts_at_rest = match amplitude {
+            None => !self.analysis.transient(),
+            Some(amplitude) => {
+                self.check_amplitude(&path, amplitude)?;
+                match amplitude {
+                    Amplitude::Constant => false,
+                    Amplitude::Table(points) => points[0][1] == 0.0 && points[0][0] >= 0.0,
+                    _ => true,
+                }
+            }
+        };
+        if starts_at_rest {
+            return Ok(());
+        }
+        let path = if amplitude.is_none() { format!("{at}.moved") } else { path };
+        let repair = "a transient run has no load level: add amplitude = { ramp = time } beside `moved`";
+        let bound = "one with a course in time that starts at zero";
+        Err(SceneError::Choice(self.source.fault(&path, "a prescribed motion", bound, repair)))
+    }
+
+    pub(in crate::scene) fn check_load(&self, at: &str, load: &Load) -> Checked {
+        let s = &self.source;
+        self.check_set_name(&format!("{at}.on"), &load.on)?;
+        let kinds = load.kinds();
+        let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
+        s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        for (word, kind) in kinds {
+            match kind {
+                LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
+                LoadKind::Couple(couple) => {
+                    s.sized(&format!("{at}.couple.moment"), couple.moment)?;
+                    if let Axis::Fixed(axis) = couple.axis {
+                        s.direction(&format!("{at}.couple.axis"), axis)?;
+                    }
+                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                }
+                LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
+                LoadKind::Gravity(g) => {
+                    s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?
+                }
+            }
+            if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
+                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
+            }
+        }
+        match &load.amplitude {
+            None => Ok(()),
+            Some(amplitude) => self.check_amplitude(&format!("{at}.amplitude"), amplitude),
+        }
+    }
+
+    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
+        // Whether a set of a mesh is an edge is known when its file has been read.
+        if fit.contains(&on) || (fit == EDGES && self.geometry.mesh().is_some()) {
+            return Ok(());
+        }
+        let repair = format!("use one of {}", fit.join(", "));
+        Err(SceneError::Set(self.source.fault(
+            &format!("{at}.on"),
+            &format!("\"{on}\""),
+            &format!("but {why}"),
+            &repair,
+        )))
+    }
+
+    fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
+        let s = &self.source;
+        if !self.analysis.transient() {
+            let what = self.analysis.run_name();
+            let repair = format!("remove it: in {what} the load level takes its place");
+            let fault = s.fault(at, "a course in time", &format!("none in {what}"), &repair);
+            return Err(SceneError::Choice(fault));
+        }
+        match amplitude {
+            Amplitude::Constant => Ok(()),
+            Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
+            Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
+            Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
+            Amplitude::Table(points) => {
+                for (i, point) in points.iter().enumerate() {
+                    s.sized_all(&format!("{at}.table[{i}]"), point)?;
+                }
+                if !points.is_empty() && points.windows(2).all(|w| w[0][0] < w[1][0]) {
+                    return Ok(());
+                }
+                let bound = "a list of [time, factor] with ascending times";
+                Err(s.value(&format!("{at}.table"), "empty or out of order", bound, "sort it by time"))
+            }
+        }
+    }
+}

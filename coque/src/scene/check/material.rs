@@ -1,0 +1,128 @@
+//! Checks of material and section, and whether they go together.
+
+use crate::scene::error::SceneError;
+use crate::scene::{
+    Elastic, Geometry, Homogeneous, Layered, Material, MaterialSection, Orthotropic, Scene, Section,
+};
+
+type Checked = Result<(), SceneError>;
+
+impl Scene {
+    pub(in crate::scene) fn check_material(&self) -> Checked {
+        match &self.material {
+            Material::Elastic(elastic) => self.check_elastic(elastic)?,
+            Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic)?,
+        }
+        self.check_section()?;
+        self.material_section().map(drop)
+    }
+
+    fn check_elastic(&self, elastic: &Elastic) -> Checked {
+        let s = &self.source;
+        s.positive("material.elastic.young", elastic.young)?;
+        s.positive("material.elastic.density", elastic.density)?;
+        let repair =
+            "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
+        s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)
+    }
+
+    fn check_orthotropic(&self, material: &Orthotropic) -> Checked {
+        let s = &self.source;
+        let at = |key: &str| format!("material.orthotropic.{key}");
+        for (key, value) in [
+            ("young_along", material.young_along),
+            ("young_across", material.young_across),
+            ("shear", material.shear),
+            ("shear_across", material.shear_across.unwrap_or(material.shear)),
+            ("density", material.density),
+        ] {
+            s.positive(&at(key), value)?;
+        }
+        let bound = (material.young_along / material.young_across).sqrt();
+        let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
+                      the fibre under stress along it";
+        s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
+    }
+
+    fn check_section(&self) -> Checked {
+        let s = &self.source;
+        let total = self.section.thickness();
+        let (path, value) = match &self.section {
+            Section::Homogeneous(section) => {
+                s.positive("section.homogeneous.thickness", section.thickness)?;
+                if let Some(points) = section.gauss_points {
+                    let repair = "one point carries no bending; leave it out for the closed form";
+                    s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
+                }
+                ("section.homogeneous.thickness", total.to_string())
+            }
+            Section::Layered(section) => {
+                self.check_layered(section)?;
+                ("section.layered.plies", format!("{total} thick altogether"))
+            }
+        };
+        let radius = match &self.geometry {
+            Geometry::Plate(_) | Geometry::Mesh(_) => f64::INFINITY,
+            Geometry::Cylinder(cylinder) => cylinder.radius,
+            Geometry::Sphere(sphere) => sphere.radius,
+            // On the centre line the curvatures are ± twist / length.
+            Geometry::Twisted(strip) => strip.length / strip.twist.to_radians().abs(),
+        };
+        if total >= radius {
+            let bound = format!("less than the radius {radius} of the surface");
+            let repair = "a thin shell wants a thickness of at most a fifth of the radius";
+            return Err(s.value(path, value, &bound, repair));
+        }
+        Ok(())
+    }
+
+    fn check_layered(&self, section: &Layered) -> Checked {
+        let s = &self.source;
+        s.direction("section.layered.axis", section.axis)?;
+        if section.plies.is_empty() {
+            let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";
+            return Err(s.value("section.layered.plies", "empty", "a list of plies", repair));
+        }
+        for (i, ply) in section.plies.iter().enumerate() {
+            let at = |key: &str| format!("section.layered.plies[{i}].{key}");
+            s.positive(&at("thickness"), ply.thickness)?;
+            let repair = "in degrees from the axis; give the angle within one turn";
+            s.within(&at("angle"), ply.angle, [-360.0, 360.0], repair)?;
+        }
+        Ok(())
+    }
+
+    /// Material and section together: the one material has axes and needs a section that says where they lie, the other
+    /// has none to turn.
+    ///
+    /// # Errors
+    /// [`SceneError::Choice`] for an orthotropic homogeneous section and an isotropic layered one.
+    pub(crate) fn material_section(&self) -> Result<MaterialSection<'_>, SceneError> {
+        let thickness = self.section.thickness();
+        let (path, value, bound, repair) = match (&self.material, &self.section) {
+            (Material::Elastic(material), Section::Homogeneous(section)) => {
+                return Ok(MaterialSection::Homogeneous(material, section));
+            }
+            (Material::Orthotropic(material), Section::Layered(section)) => {
+                return Ok(MaterialSection::Layered(material, section));
+            }
+            (Material::Orthotropic(_), Section::Homogeneous(_)) => (
+                "section.homogeneous",
+                "no direction to the fibre of [material.orthotropic]",
+                "one",
+                format!(
+                    "use [section.layered] with one ply: axis = [1.0, 0.0, 0.0] and plies = [{{ thickness = {thickness:?}, angle = 0.0 }}]"
+                ),
+            ),
+            (Material::Elastic(_), Section::Layered(_)) => (
+                "section.layered",
+                "angles to [material.elastic], which is the same in all directions",
+                "the thickness alone",
+                format!(
+                    "use [section.homogeneous] with thickness = {thickness:?}, or [material.orthotropic] for plies"
+                ),
+            ),
+        };
+        Err(SceneError::Choice(self.source.fault(path, value, bound, &repair)))
+    }
+}
