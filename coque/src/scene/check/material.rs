@@ -1,9 +1,7 @@
 //! Checks of material and section, and whether they go together.
 
 use crate::scene::error::SceneError;
-use crate::scene::{
-    Elastic, Geometry, Homogeneous, Layered, Material, MaterialSection, Orthotropic, Scene, Section,
-};
+use crate::scene::{Elastic, Geometry, Layered, Material, MaterialSection, Orthotropic, Scene, Section};
 
 type Checked = Result<(), SceneError>;
 
