@@ -1,18 +1,25 @@
 //! How a load varies in time.
 
+use serde::{Deserialize, Serialize};
+
 /// A factor of time.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Amplitude {
     /// One at all times.
+    #[default]
     Constant,
     /// Linear from zero at time 0 to one at the given time \[T\], one after.
     Ramp(f64),
     /// `s³(10 − 15s + 6s²)`, `s = t/T`: the quintic with no velocity and no acceleration at its ends.
     Smooth(f64),
-    /// Straight lines between `(time, factor)`, times ascending; constant before and after.
-    Table(Vec<(f64, f64)>),
-    /// `sin(2πt/T)` with period T \[T\].
-    Sine(f64),
+    /// Straight lines between `[time, factor]`, times ascending; constant before and after.
+    Table(Vec<[f64; 2]>),
+    /// `sin(2πt/T)`.
+    Sine {
+        /// Period T \[T\].
+        period: f64,
+    },
 }
 
 impl Amplitude {
@@ -22,7 +29,7 @@ impl Amplitude {
             Self::Constant => 1.0,
             Self::Ramp(duration) => (time / duration).clamp(0.0, 1.0),
             Self::Smooth(duration) => smooth(time / duration),
-            Self::Sine(period) => libm::sin(std::f64::consts::TAU * time / period),
+            Self::Sine { period } => libm::sin(std::f64::consts::TAU * time / period),
             Self::Table(points) => table(points, time),
         }
     }
@@ -34,11 +41,11 @@ pub(crate) fn smooth(s: f64) -> f64 {
     s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)
 }
 
-fn table(points: &[(f64, f64)], time: f64) -> f64 {
-    let after = points.partition_point(|&(t, _)| t <= time);
+fn table(points: &[[f64; 2]], time: f64) -> f64 {
+    let after = points.partition_point(|&[t, _]| t <= time);
     match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {
-        (Some(&(t0, v0)), Some(&(t1, v1))) => v0 + (v1 - v0) * (time - t0) / (t1 - t0),
-        (Some(&(_, v)), None) | (None, Some(&(_, v))) => v,
+        (Some(&[t0, v0]), Some(&[t1, v1])) => v0 + (v1 - v0) * (time - t0) / (t1 - t0),
+        (Some(&[_, v]), None) | (None, Some(&[_, v])) => v,
         (None, None) => 1.0,
     }
 }
@@ -54,9 +61,9 @@ mod tests {
         assert_eq!(Amplitude::Ramp(2.0).value(5.0), 1.0);
         assert_eq!(Amplitude::Smooth(2.0).value(1.0), 0.5);
         for (time, value) in [(1.0, 1.0), (2.0, 0.0), (3.0, -1.0)] {
-            assert!((Amplitude::Sine(4.0).value(time) - value).abs() < 1e-15);
+            assert!((Amplitude::Sine { period: 4.0 }.value(time) - value).abs() < 1e-15);
         }
-        let table = Amplitude::Table(vec![(1.0, 2.0), (3.0, 6.0)]);
+        let table = Amplitude::Table(vec![[1.0, 2.0], [3.0, 6.0]]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
     }
 

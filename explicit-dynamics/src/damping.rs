@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 /// How a quasi-static march comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Damping {
     /// Mass-proportional with this ratio ζ to the critical damping of the mode whose period the march is given: `c = 4πζ/T₁`.
     Ratio(f64),
@@ -25,7 +26,7 @@ impl Damping {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct KineticDamping {
     last: f64,
-    /// The highest peak since the last reset: what the stop criterion looks at \[F L\].
+    /// The highest peak since the last reset: what the stop criterion takes \[F L\].
     pub peak: f64,
 }
 

@@ -1,11 +1,29 @@
 //! How a march can fail.
 
-use crate::Record;
+use crate::record::Record;
+
+/// A system out of bounds.
+#[derive(Clone, Debug, thiserror::Error, PartialEq)]
+pub enum OutOfBounds {
+    /// A particle is faster than any of a sound run.
+    #[error("particle {particle} moves at {speed:.3e}, beyond the bound {bound:.3e}")]
+    Speed {
+        /// The particle.
+        particle: usize,
+        /// Its speed \[L/T\].
+        speed: f64,
+        /// The bound \[L/T\].
+        bound: f64,
+    },
+    /// The configuration is outside the range of the model.
+    #[error(transparent)]
+    Range(#[from] OutOfRange),
+}
 
 /// A configuration outside the range of its model.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 #[error("{what} of {place} is {value:.3e}, must be {bound}")]
-pub struct OutOfBounds {
+pub struct OutOfRange {
     /// Where.
     pub place: String,
     /// The quantity.
@@ -54,16 +72,19 @@ pub enum MarchError {
         /// Load level.
         level: f64,
         /// What is out of bounds.
-        found: OutOfBounds,
+        found: OutOfRange,
         /// The last state that was recorded in good order.
         last_good: Option<Box<Record>>,
     },
+    /// A quasi-static march of a system that does not tell how far from rest it is.
+    #[error("the system has no linearised form to tell when it is at rest; march it in real time")]
+    NotLinearised,
     /// The stiffness has no positive, finite largest eigenvalue.
     #[error(
         "no stable step: the largest eigenvalue of the stiffness over the mass was estimated as {0}; check masses and material"
     )]
     NoStableStep(f64),
-    /// A standing was handed to a march of another kind, or with fewer levels.
+    /// The place of a march was handed to one of another kind, or with fewer levels.
     #[error("the march stands at {0}, which this one never comes to; go on with the march that stood there")]
     OtherMarch(String),
     /// An option of the march is outside its bounds.

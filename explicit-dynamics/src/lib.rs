@@ -1,14 +1,14 @@
 //! Marching `M q̈ = f` by central differences: amplitudes, damping, stable step, energy balance.
 //!
 //! This crate knows no shell and no particle method. A system tells by [`Dynamics`] how to evaluate forces, how to kick
-//! its velocities and how to drift its configuration (which is where a rotation advances on its sphere); everything
-//! else is here.
+//! its velocities, how to drift its configuration (which is where a rotation advances on its sphere), how long a step is
+//! stable and which bounds it keeps; everything else is here. Marches take `dyn Dynamics` as well.
 //!
 //! | to | use |
 //! |---|---|
 //! | march freely in time | [`Transient`] |
 //! | find equilibria along a load path | [`QuasiStatic`] |
-//! | know the stable step | [`largest_eigenvalue`], [`stable_step`] |
+//! | know the stable step | [`Dynamics::stable_step`], [`lanczos_step`], [`largest_eigenvalue`] |
 //! | watch, stop | [`Observer`], [`Record`] |
 //! | keep a march and go on later, to the same bits | [`Observer::between`], [`MarchState`], [`QuasiStatic::go_on`], [`Transient::go_on`] |
 //!
@@ -18,7 +18,7 @@
 //! one kick a step. From time tₙ to tₙ₊₁ = tₙ + Δt
 //!
 //! ```text
-//! f = external(qₙ, tₙ, λ) − internal(qₙ)                        Dynamics::force
+//! f = external(qₙ, tₙ, λ) − internal(qₙ)                        Dynamics::evaluate
 //! v ← [v(1 − ½cκ) + κ f/m] / (1 + ½cκ)                          Dynamics::kick
 //! q ← q + Δt v            directors: along their great circles  Dynamics::drift
 //! ```
@@ -31,19 +31,21 @@
 //! # The stable step
 //!
 //! Central differences are stable for `Δt ω_max ≤ 2`, ω_max² the largest eigenvalue of `M⁻½ K M⁻½`.
-//! [`largest_eigenvalue`] finds it by 30 Lanczos steps \[lanczos1950\] on the present tangent
+//! [`lanczos_step`] finds it by 30 Lanczos steps \[lanczos1950\] on the present tangent
 //! ([`LinearisedDynamics::apply`]); an eigenvalue lies within the residual r of the Ritz value θ, and the step is taken
 //! from their sum:
 //!
 //! ```text
-//! Δt = safety · 2/√(θ + |r|)                                     stable_step
+//! Δt = safety · 2/√(θ + |r|)
 //! ```
 //!
-//! It is estimated anew at every load level and every 5000 steps of a transient. Damping does not enter: the scheme
+//! A system says by [`StableStep::holds`] how long its step is good for: this estimate for 5000 steps, a Courant number for one.
+//! Quasi-static marches renew it at every load level, transients at the first record after it has lapsed, and one that holds for
+//! a single step is found before every step. Damping does not enter: the scheme
 //! takes half of cκ before and half after the kick, which leaves the limit where it is.
 //!
 //! ```
-//! use explicit_dynamics::{LinearisedDynamics, largest_eigenvalue, stable_step};
+//! use explicit_dynamics::{LinearisedDynamics, lanczos_step};
 //!
 //! /// A chain of equal masses m and springs k, held at both ends: ω_j² = 4 (k/m) sin²(jπ/(2n + 2)).
 //! struct Chain(f64);
@@ -59,8 +61,8 @@
 //!     }
 //! }
 //! let fastest = 2.0 * 100.0_f64.sqrt() * (8.0 * std::f64::consts::PI / 18.0).sin();
-//! let step = stable_step(&largest_eigenvalue(&mut Chain(100.0), 30), 0.9)?;
-//! assert!((step * fastest / 2.0 - 0.9).abs() < 1e-9);
+//! let step = lanczos_step(&mut Chain(100.0), 0.9)?;
+//! assert!((step.dt * fastest / 2.0 - 0.9).abs() < 1e-9);
 //! # Ok::<(), explicit_dynamics::MarchError>(())
 //! ```
 //!
@@ -75,18 +77,18 @@
 //! error         = T + U + D − W − (T + U − W at the first record)
 //! ```
 //!
-//! A particle faster than [`Dynamics::speed_bound`] ends the run as [`MarchError::Diverged`], which names the particle,
-//! its speed and the last record in good order. The look is taken every 64 steps, and at once when the kinetic energy
-//! has grown fourfold. Whether the configuration is within the range of its model, [`Dynamics::within_bounds`], is looked
-//! at every 64 steps and before every record ([`MarchError::OutOfBounds`]).
+//! [`Dynamics::within_bounds`] is the watch. A particle beyond [`Bounds::Motion`] ends the run as [`MarchError::Diverged`], which
+//! names the particle, its speed and the last record in good order; this is checked every 64 steps, and at once when the
+//! kinetic energy has grown fourfold. [`Bounds::Configuration`], the range of the model, is checked every 64 steps and before
+//! every record ([`MarchError::OutOfBounds`]).
 //!
 //! # Finding equilibria by marching
 //!
 //! [`QuasiStatic`] goes from load level to load level by the quintic `s³(10 − 15s + 6s²)`, which starts and ends
-//! without velocity or acceleration, and then holds the load until the motion has died and nothing is missing: at two
-//! looks in a row, twenty looks a period, kinetic over internal energy is below a tolerance, and the force out of balance
+//! without velocity or acceleration, and then dwells there until the motion has died and nothing is missing: at two
+//! checks in a row, twenty checks a period, kinetic over internal energy is below a tolerance, and the force out of balance
 //! over the load and the way left over the displacement ([`Missing`]) are below an accuracy. The latter two cost four
-//! evaluations of the forces at looks that find the motion dead, and nothing else. This is dynamic relaxation
+//! evaluations of the forces at checks that find the motion dead, and nothing else. This is dynamic relaxation
 //! \[underwood1983\] with
 //!
 //! ```text
@@ -94,7 +96,7 @@
 //! Damping::Kinetic   v ← 0            whenever the kinetic energy has passed a peak
 //! ```
 //!
-//! Loads are read after the hold: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
+//! Loads are read after the dwell: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
 //! motion had died, and what was missing. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
 //!
 //! # What holds, and the test that says so
@@ -103,14 +105,15 @@
 //! |---|---|
 //! | second order: an oscillator is the cosine, the error falls with Δt² | `free_vibration_is_the_cosine_to_second_order` (tests/oscillator.rs) |
 //! | kinetic, internal, external and dissipated energy balance | `energy_is_booked_to_the_last` |
-//! | both dampings end at the static answer | `ramp_and_hold_ends_at_the_static_answer` |
-//! | a hold without rest says so | `a_hold_that_never_rests_says_so` |
+//! | both dampings end at the static answer | `ramp_and_dwell_ends_at_the_static_answer` |
+//! | a dwell without rest says so | `a_dwell_that_never_rests_says_so` |
 //! | a level settles at its equilibrium or says that it did not, for any damping and any period | `what_settles_is_near_its_equilibrium` |
 //! | the way left is the error, at every phase of a swing | `the_way_left_is_the_error` |
 //! | beyond the stable step a run diverges and hands back its last good record | `beyond_the_limit_it_diverges_with_the_last_good_record` |
 //! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
 //! | the eigenvalue is bounded from both sides | `chain_spectrum_is_bounded_from_both_sides` (src/stable_step.rs) |
-//! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/standing.rs) |
+//! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/march_state.rs) |
+//! | a system behind `dyn Dynamics` marches to the same bits; one without a measure of rest is refused | `a_system_without_a_type_marches_to_the_same_bits`, `a_system_that_does_not_say_when_it_rests_is_refused` (tests/any_system.rs) |
 //! | ramps start and end at rest | `smooth_starts_and_ends_without_velocity_or_acceleration` (src/amplitude.rs) |
 
 mod amplitude;
@@ -118,19 +121,27 @@ mod clock;
 mod damping;
 mod dynamics;
 mod error;
+mod linearised;
 mod march_state;
+mod observer;
 mod quasi_static;
+mod record;
 mod rest;
 mod stable_step;
+mod step;
 mod transient;
 
 pub use amplitude::Amplitude;
-pub use clock::{Balance, Clock, Observer, Record};
+pub use clock::Clock;
 pub use damping::{Damping, KineticDamping};
-pub use dynamics::{Dynamics, Instant, Step, Work};
-pub use error::{MarchError, OutOfBounds};
-pub use march_state::{Hold, MarchState, Stage};
-pub use quasi_static::{LevelReached, QuasiStatic};
-pub use rest::{MassScaled, Missing, Sizes};
-pub use stable_step::{LinearisedDynamics, Spectrum, largest_eigenvalue, stable_step};
+pub use dynamics::{Bounds, Dynamics};
+pub use error::{MarchError, OutOfBounds, OutOfRange};
+pub use linearised::{LinearisedDynamics, MassScaled};
+pub use march_state::{Dwell, MarchState, Stage};
+pub use observer::Observer;
+pub use quasi_static::QuasiStatic;
+pub use record::{Balance, Record};
+pub use rest::{LevelReached, Missing, Sizes};
+pub use stable_step::{LANCZOS_STEPS, Spectrum, StableStep, lanczos_step, largest_eigenvalue};
+pub use step::{Instant, Step, Work};
 pub use transient::Transient;

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Clock, KineticDamping, MarchError, Sizes};
+use crate::clock::Clock;
+use crate::damping::KineticDamping;
+use crate::error::MarchError;
+use crate::rest::Sizes;
 
 /// Where a march stands between two steps, beside the state of its system.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,7 +21,7 @@ pub struct MarchState {
 pub enum Stage {
     /// [`crate::QuasiStatic`].
     QuasiStatic {
-        /// Number of the level it goes to, or holds, from 0.
+        /// Number of the level it goes to, or dwells at, from 0.
         level: usize,
         /// When the ramp to it began \[T\].
         start: f64,
@@ -26,8 +29,8 @@ pub enum Stage {
         first_step: u64,
         /// Sizes of the answers so far.
         sizes: Sizes,
-        /// The hold, once the ramp is over.
-        hold: Option<Hold>,
+        /// The dwell, once the ramp is over.
+        dwell: Option<Dwell>,
     },
     /// [`crate::Transient`].
     Transient {
@@ -38,15 +41,15 @@ pub enum Stage {
     },
 }
 
-/// A hold under way.
+/// A dwell under way: the load stays until the motion has died.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Hold {
+pub struct Dwell {
     /// When it ends at the latest \[T\].
     pub end: f64,
-    /// When the motion is looked at next \[T\].
-    pub look: f64,
-    /// Looks in a row that found the motion dead.
-    pub quiet: usize,
+    /// When the motion is checked next \[T\].
+    pub next_check: f64,
+    /// Checks in a row that found the motion dead.
+    pub settled_checks: usize,
     /// Peaks of the kinetic energy.
     pub peaks: KineticDamping,
 }

@@ -1,25 +1,27 @@
-//! Equilibria along a load path: a smooth ramp to each level, then a hold until the motion has died.
+//! Equilibria along a load path: a smooth ramp to each level, then a dwell until the motion has died.
 
 use std::ops::ControlFlow;
 
 use crate::amplitude::smooth;
-use crate::error::positive;
-use crate::{
-    Clock, Damping, Dynamics, Hold, KineticDamping, MarchError, MarchState, MassScaled, Missing, Observer,
-    Sizes, Stage,
-};
+use crate::clock::Clock;
+use crate::damping::{Damping, KineticDamping};
+use crate::dynamics::Dynamics;
+use crate::error::{MarchError, positive};
+use crate::march_state::{Dwell, MarchState, Stage};
+use crate::observer::Observer;
+use crate::rest::{LevelReached, Missing, Sizes};
 
-/// Ramp and hold. Loads are read after a hold: damping drags the reaction while a ramp runs.
+/// Ramp and dwell. Loads are read after a dwell: damping drags the reaction while a ramp runs.
 #[derive(Clone, Debug)]
 pub struct QuasiStatic {
     /// Load levels λ to stop at, in order; the path starts at zero.
     pub levels: Vec<f64>,
-    /// Period T₁ of the lowest mode \[T\]: the unit of `ramp` and `hold`, and the base of the damping.
+    /// Period T₁ of the lowest mode \[T\]: the unit of `ramp` and `dwell`, and the base of the damping.
     pub period: f64,
     /// Ramp to each level, in periods.
     pub ramp: f64,
-    /// Longest hold, in periods.
-    pub hold: f64,
+    /// Longest dwell, in periods.
+    pub dwell: f64,
     /// How the motion dies.
     pub damping: Damping,
     /// Stop criterion: kinetic over internal energy.
@@ -30,43 +32,31 @@ pub struct QuasiStatic {
     pub safety: f64,
 }
 
-/// How a level ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LevelReached {
-    /// The level.
-    pub level: f64,
-    /// Whether the stop criterion was met within the hold.
-    pub settled: bool,
-    /// Kinetic over internal energy at the end of the hold.
-    pub kinetic_over_internal: f64,
-    /// What was missing at the end of the hold.
-    pub missing: Missing,
-    /// Steps spent on the level.
-    pub steps: u64,
-}
-
-/// Holds are looked at this many times a period.
-const LOOKS_PER_PERIOD: f64 = 20.0;
-/// Looks in a row that must find the motion dead: a swing is at rest for an instant wherever it turns.
-const QUIET_LOOKS: usize = 2;
+/// Checks a period, while the load dwells, whether the motion has died.
+const CHECKS_PER_PERIOD: f64 = 20.0;
+/// Checks in a row that must find the motion dead: a swing is at rest for an instant wherever it turns.
+const SETTLED_CHECKS: usize = 2;
 /// Steps a period beyond which the period is taken for a mistake: a run would never end.
 const MOST_STEPS_A_PERIOD: f64 = 1e8;
 
 impl QuasiStatic {
-    /// Marches through all levels; one record at the start and one at the end of each hold.
+    /// Marches through all levels; one record at the start and one at the end of each dwell.
     ///
     /// # Errors
-    /// [`MarchError`] for options out of bounds and for divergence.
+    /// [`MarchError`] for options out of bounds, for divergence, and for systems without [`Dynamics::linearised`].
     pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
-        S: Dynamics + MassScaled,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
         positive("period", self.period)?;
         positive("ramp", self.ramp)?;
-        positive("hold", self.hold)?;
+        positive("hold", self.dwell)?;
         positive("tolerance", self.tolerance)?;
         positive("accuracy", self.accuracy)?;
+        if system.linearised().is_none() {
+            return Err(MarchError::NotLinearised);
+        }
         let damping = self.damping.coefficient(self.period);
         let mut clock = Clock::start(system, 0.0, self.safety, damping)?;
         if self.period > MOST_STEPS_A_PERIOD * clock.dt {
@@ -84,7 +74,7 @@ impl QuasiStatic {
     /// Goes on from where a march of the same data stood, with its system in the state it had there.
     ///
     /// # Errors
-    /// [`MarchError`] for divergence and for the standing of another march.
+    /// [`MarchError`] for divergence and for the place of another march.
     pub fn go_on<S, O>(
         &self,
         mut at: MarchState,
@@ -92,7 +82,7 @@ impl QuasiStatic {
         observer: &mut O,
     ) -> Result<Clock, MarchError>
     where
-        S: Dynamics + MassScaled,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
         loop {
@@ -102,7 +92,7 @@ impl QuasiStatic {
                 break;
             }
             at.clock.now.level = to;
-            let Some((settled, sizes)) = self.hold_still(&mut at, start, system, observer)? else { break };
+            let Some((settled, sizes)) = self.dwell(&mut at, start, system, observer)? else { break };
             let flow = at.clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
             at.clock.watch(system)?;
             if flow.is_break() || level + 1 == self.levels.len() {
@@ -116,7 +106,7 @@ impl QuasiStatic {
 
     /// The place at the foot of the ramp to a level.
     fn begin(&self, level: usize, clock: &Clock, sizes: Sizes) -> Stage {
-        Stage::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, sizes, hold: None }
+        Stage::QuasiStatic { level, start: clock.now.time, first_step: clock.steps, sizes, dwell: None }
     }
 
     /// Marches along the ramp, if it is not over; `Break` if the observer ends the march.
@@ -127,10 +117,10 @@ impl QuasiStatic {
         observer: &mut O,
     ) -> Result<ControlFlow<()>, MarchError>
     where
-        S: Dynamics,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
-        let Stage::QuasiStatic { level: number, start, first_step, sizes, hold: None } = at.stage else {
+        let Stage::QuasiStatic { level: number, start, first_step, sizes, dwell: None } = at.stage else {
             return Ok(ControlFlow::Continue(()));
         };
         let to = self.levels[number];
@@ -145,19 +135,19 @@ impl QuasiStatic {
             at.clock.step(system, start + ramp - at.clock.now.time, level)?;
         }
         let now = at.clock.now.time;
-        let hold = Hold {
-            end: now + self.hold * self.period,
-            look: now + self.period / LOOKS_PER_PERIOD,
-            quiet: 0,
+        let dwell = Dwell {
+            end: now + self.dwell * self.period,
+            next_check: now + self.period / CHECKS_PER_PERIOD,
+            settled_checks: 0,
             peaks: KineticDamping::default(),
         };
-        at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
+        at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, dwell: Some(dwell) };
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Marches until the motion has died (true) or the hold is over (false), with the sizes of the answers so far;
+    /// Marches until the motion has died (true) or the dwell is over (false), with the sizes of the answers so far;
     /// nothing if the observer ends the march.
-    fn hold_still<S, O>(
+    fn dwell<S, O>(
         &self,
         at: &mut MarchState,
         start: f64,
@@ -165,44 +155,46 @@ impl QuasiStatic {
         observer: &mut O,
     ) -> Result<Option<(bool, Sizes)>, MarchError>
     where
-        S: Dynamics + MassScaled,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
         loop {
-            let Stage::QuasiStatic { level: number, first_step, sizes, hold: Some(mut hold), .. } = at.stage
+            let Stage::QuasiStatic { level: number, first_step, sizes, dwell: Some(mut dwell), .. } =
+                at.stage
             else {
                 return Err(at.other());
             };
-            // Most holds end early: half a level for the ramp, the rest approached.
-            let held = at.clock.now.time - start - self.ramp * self.period;
-            let within = 1.0 - 0.5 / (1.0 + held / self.period);
+            // Most dwells end early: half a level for the ramp, the rest approached.
+            let dwelt = at.clock.now.time - start - self.ramp * self.period;
+            let within = 1.0 - 0.5 / (1.0 + dwelt / self.period);
             if observer.between(system, at, self.done(number, within)).is_break() {
                 return Ok(None);
             }
             let (clock, to) = (&mut at.clock, self.levels[number]);
-            if clock.now.time < hold.look {
+            if clock.now.time < dwell.next_check {
                 clock.step(system, f64::INFINITY, |_| to)?;
-                if self.damping == Damping::Kinetic && hold.peaks.peaked(clock.kinetic) {
+                if self.damping == Damping::Kinetic && dwell.peaks.peaked(clock.kinetic) {
                     system.stop();
                     clock.book_stop();
                 }
             }
-            if clock.now.time >= hold.look {
+            if clock.now.time >= dwell.next_check {
                 clock.evaluate(system);
                 // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
-                let kinetic = if self.damping == Damping::Kinetic { hold.peaks.peak } else { clock.kinetic };
+                let kinetic = if self.damping == Damping::Kinetic { dwell.peaks.peak } else { clock.kinetic };
                 let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
                 let slow =
-                    ratio < self.tolerance && (self.damping != Damping::Kinetic || hold.peaks.peak > 0.0);
-                let over = clock.now.time >= hold.end;
+                    ratio < self.tolerance && (self.damping != Damping::Kinetic || dwell.peaks.peak > 0.0);
+                let over = clock.now.time >= dwell.end;
                 // An overshoot on the way is no answer to measure by: only what a level ends with is kept.
                 let (mut missing, mut reached) = (Missing::default(), sizes);
                 if slow || over {
+                    let system = system.linearised().ok_or(MarchError::NotLinearised)?;
                     missing = Missing::find(system, clock.internal, self.period, &mut reached);
                 }
                 let at_rest = slow && missing.within(self.accuracy);
-                hold.quiet = if at_rest { hold.quiet + 1 } else { 0 };
-                let settled = hold.quiet >= QUIET_LOOKS;
+                dwell.settled_checks = if at_rest { dwell.settled_checks + 1 } else { 0 };
+                let settled = dwell.settled_checks >= SETTLED_CHECKS;
                 if settled || over {
                     let steps = clock.steps - first_step;
                     let kinetic_over_internal = ratio;
@@ -215,9 +207,9 @@ impl QuasiStatic {
                     });
                     return Ok(Some((settled, reached)));
                 }
-                hold.look = clock.now.time + self.period / LOOKS_PER_PERIOD;
+                dwell.next_check = clock.now.time + self.period / CHECKS_PER_PERIOD;
             }
-            at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, hold: Some(hold) };
+            at.stage = Stage::QuasiStatic { level: number, start, first_step, sizes, dwell: Some(dwell) };
         }
     }
 

@@ -1,8 +1,8 @@
 //! Whether a motion has come to rest: what is out of balance, and how far it still has to go.
 //!
 //! Little kinetic energy does not say that a shell is near its equilibrium: a motion damped far beyond the critical
-//! ratio creeps towards it with hardly any, and a period given too short ends a look before anything has happened. What
-//! is missing shows in the forces. In mass-scaled coordinates (`M^½ q`: freedoms of any unit become alike) let `a` be
+//! ratio creeps towards it with hardly any, and a period given too short ends a check before anything has happened. What
+//! is missing shows in the forces. In mass-scaled coordinates (`M^½ q`) let `a` be
 //! the force out of balance, `v` the velocity and `u` the displacement. Along a mode of circular frequency ω
 //! equilibrium is `‖a‖/ω²` away, whatever the damping and whatever the period the march was given:
 //!
@@ -17,22 +17,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::LinearisedDynamics;
+use crate::linearised::MassScaled;
 
-/// Modes slower than this many periods cannot move within a hold: a tangent softer than theirs, or none, counts as theirs.
+/// Modes slower than this many periods cannot move within a dwell: a tangent softer than theirs, or none, counts as theirs.
 const SLOWEST_PERIODS: f64 = 100.0;
-
-/// A system that tells how far from rest it is, in mass-scaled coordinates, vectors of [`LinearisedDynamics::unknowns`].
-pub trait MassScaled: LinearisedDynamics {
-    /// `out = M^{-½} (external − internal)` of the last forces evaluated, without what supports bear.
-    fn out_of_balance(&self, out: &mut [f64]);
-
-    /// `out = M^½ v`, the velocities.
-    fn rates(&self, out: &mut [f64]);
-
-    /// `‖M^½ u‖`, the displacement from the reference configuration \[M^½ L\].
-    fn displaced(&self) -> f64;
-}
 
 /// Sizes that what is missing at rest is measured by: the greatest at the end of any level so far, and at present.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -44,7 +32,7 @@ pub struct Sizes {
 }
 
 /// What is missing at rest, as shares of the answer.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Missing {
     /// Force out of balance over load \[–\].
     pub out_of_balance: f64,
@@ -56,7 +44,7 @@ impl Missing {
     /// Finds what is missing in the present state, whose forces have just been evaluated, with its internal energy
     /// \[F L\], the period \[T\] of its march and the sizes of the levels before, which take in the present ones. The
     /// forces of the system are those of another state afterwards.
-    pub fn find(system: &mut impl MassScaled, internal: f64, period: f64, sizes: &mut Sizes) -> Self {
+    pub fn find(system: &mut dyn MassScaled, internal: f64, period: f64, sizes: &mut Sizes) -> Self {
         let displaced = system.displaced();
         if displaced > 0.0 {
             sizes.displaced = sizes.displaced.max(displaced);
@@ -79,8 +67,23 @@ impl Missing {
     }
 }
 
+/// How a level ended.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LevelReached {
+    /// The level.
+    pub level: f64,
+    /// Whether the stop criterion was met within the dwell.
+    pub settled: bool,
+    /// Kinetic over internal energy at the end of the dwell.
+    pub kinetic_over_internal: f64,
+    /// What was missing at the end of the dwell.
+    pub missing: Missing,
+    /// Steps spent on the level.
+    pub steps: u64,
+}
+
 /// `x·K̂x/x·x`: the square of a circular frequency; infinite along nothing.
-fn quotient(system: &mut impl MassScaled, x: &[f64]) -> f64 {
+fn quotient(system: &mut dyn MassScaled, x: &[f64]) -> f64 {
     let length = square(x);
     if length == 0.0 {
         return f64::INFINITY;

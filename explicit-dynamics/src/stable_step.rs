@@ -2,15 +2,22 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::MarchError;
+use crate::error::MarchError;
+use crate::linearised::LinearisedDynamics;
 
-/// A system whose mass-scaled tangent can be applied to a vector.
-pub trait LinearisedDynamics {
-    /// Length of the vectors.
-    fn unknowns(&self) -> usize;
+/// Steps of a Lanczos iteration for a stable step.
+pub const LANCZOS_STEPS: usize = 30;
+/// Steps for which its estimate holds: spectra of solids change slowly.
+const HOLDS: u64 = 5000;
 
-    /// `out = M^{-½} K M^{-½} v` at the present configuration; symmetric.
-    fn apply(&mut self, v: &[f64], out: &mut [f64]);
+/// A step of central differences that is stable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StableStep {
+    /// Its span \[T\].
+    pub dt: f64,
+    /// Steps for which it holds. Where it is one the step is found anew before every step; longer ones are renewed at the
+    /// first record of a transient after so many steps, and at every level of a quasi-static march.
+    pub holds: u64,
 }
 
 /// An estimate of the upper end of a spectrum.
@@ -31,9 +38,9 @@ impl Spectrum {
 
 /// Largest eigenvalue by `iterations` Lanczos steps (\[lanczos1950\]) from a fixed pseudo-random vector.
 ///
-/// About 30 steps give four digits on shell clouds. No reorthogonalisation: ghosts of converged
+/// About [`LANCZOS_STEPS`] give four digits on shell clouds. No reorthogonalisation: ghosts of converged
 /// values do not move the largest one.
-pub fn largest_eigenvalue(system: &mut impl LinearisedDynamics, iterations: usize) -> Spectrum {
+pub fn largest_eigenvalue(system: &mut dyn LinearisedDynamics, iterations: usize) -> Spectrum {
     let n = system.unknowns();
     let mut v = pseudo_random(n);
     normalise(&mut v);
@@ -62,14 +69,15 @@ pub fn largest_eigenvalue(system: &mut impl LinearisedDynamics, iterations: usiz
     top_ritz_value(&alpha, &beta)
 }
 
-/// `safety × 2/√λ_max`, the largest stable step of central differences times a stated safety.
+/// `safety × 2/√λ_max`, the largest stable step of central differences times a stated safety, from the spectrum of the
+/// present tangent.
 ///
 /// # Errors
 /// [`MarchError::NoStableStep`] if the estimate is not positive and finite.
-pub fn stable_step(spectrum: &Spectrum, safety: f64) -> Result<f64, MarchError> {
-    let bound = spectrum.bound();
+pub fn lanczos_step(system: &mut dyn LinearisedDynamics, safety: f64) -> Result<StableStep, MarchError> {
+    let bound = largest_eigenvalue(system, LANCZOS_STEPS).bound();
     if bound > 0.0 && bound.is_finite() {
-        Ok(safety * 2.0 / bound.sqrt())
+        Ok(StableStep { dt: safety * 2.0 / bound.sqrt(), holds: HOLDS })
     } else {
         Err(MarchError::NoStableStep(bound))
     }
@@ -105,7 +113,7 @@ fn normalise(v: &mut [f64]) {
     v.iter_mut().for_each(|x| *x *= scale);
 }
 
-/// The same numbers in (−½, ½) on every machine (SplitMix64).
+/// The same numbers in (−½, ½) on every machine (SplitMix64 of \[steele2014\]).
 fn pseudo_random(n: usize) -> Vec<f64> {
     let mut state = 0x9E37_79B9_7F4A_7C15_u64;
     let mut next = || {
@@ -143,7 +151,7 @@ mod tests {
     fn chain_spectrum_is_bounded_from_both_sides() {
         for n in [1, 2, 5, 40, 400] {
             let exact = 2.0 - 2.0 * libm::cos(std::f64::consts::PI * n as f64 / (n as f64 + 1.0));
-            let found = largest_eigenvalue(&mut Chain(n), 30);
+            let found = largest_eigenvalue(&mut Chain(n), LANCZOS_STEPS);
             assert!(found.ritz <= exact * (1.0 + 1e-12), "n = {n}: {found:?} against {exact}");
             // A chain is the hard case (its spectrum is dense at the top): 30 steps leave 1 % at n = 400.
             assert!(found.bound() >= exact * 0.99, "n = {n}: {found:?} against {exact}");
@@ -152,7 +160,15 @@ mod tests {
 
     #[test]
     fn a_spectrum_without_positive_values_gives_no_step() {
-        let none = Spectrum { ritz: 0.0, residual: 0.0 };
-        assert_eq!(stable_step(&none, 0.8), Err(MarchError::NoStableStep(0.0)));
+        struct Slack;
+        impl LinearisedDynamics for Slack {
+            fn unknowns(&self) -> usize {
+                3
+            }
+            fn apply(&mut self, _: &[f64], out: &mut [f64]) {
+                out.fill(0.0);
+            }
+        }
+        assert_eq!(lanczos_step(&mut Slack, 0.8), Err(MarchError::NoStableStep(0.0)));
     }
 }

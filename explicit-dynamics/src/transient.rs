@@ -1,10 +1,10 @@
 //! A run in real time, recorded at equal intervals.
 
-use crate::error::positive;
-use crate::{Clock, Dynamics, LinearisedDynamics, MarchError, MarchState, Observer, Stage};
-
-/// Steps between two estimates of the stable step.
-const ESTIMATE_EVERY: u64 = 5000;
+use crate::clock::Clock;
+use crate::dynamics::Dynamics;
+use crate::error::{MarchError, positive};
+use crate::march_state::{MarchState, Stage};
+use crate::observer::Observer;
 
 /// Length of a run, in steps and in records, beyond which it is taken for a mistake.
 const MOST_STEPS: f64 = 1e10;
@@ -30,7 +30,7 @@ impl Transient {
     /// [`MarchError`] for options out of bounds and for divergence.
     pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
     where
-        S: Dynamics + LinearisedDynamics,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
         positive("duration", self.duration)?;
@@ -42,7 +42,7 @@ impl Transient {
             return Err(MarchError::Option { key: "duration", value: self.duration, bound });
         }
         let flow = clock.recorded_step(system, observer, false, self.record_every, |_| 1.0)?;
-        let stage = Stage::Transient { record: 0, next_estimate: ESTIMATE_EVERY };
+        let stage = Stage::Transient { record: 0, next_estimate: clock.holds };
         if flow.is_break() {
             return Ok(clock);
         }
@@ -52,7 +52,7 @@ impl Transient {
     /// Goes on from where a march of the same data stood, with its system in the state it had there.
     ///
     /// # Errors
-    /// [`MarchError`] for divergence and for the standing of another march.
+    /// [`MarchError`] for divergence and for the place of another march.
     pub fn go_on<S, O>(
         &self,
         mut at: MarchState,
@@ -60,7 +60,7 @@ impl Transient {
         observer: &mut O,
     ) -> Result<Clock, MarchError>
     where
-        S: Dynamics + LinearisedDynamics,
+        S: Dynamics + ?Sized,
         O: Observer<S>,
     {
         let records = (self.duration / self.record_every).ceil().max(1.0) as u64;
@@ -78,9 +78,9 @@ impl Transient {
                 continue;
             }
             let mut next = next_estimate;
-            if clock.steps >= next {
+            if clock.holds > 1 && clock.steps >= next {
                 clock.estimate_step(system)?;
-                next = clock.steps + ESTIMATE_EVERY;
+                next = clock.steps + clock.holds;
             }
             let left = (record + 2) as f64 * self.record_every - clock.now.time;
             let flow = clock.recorded_step(system, observer, false, left, |_| 1.0)?;

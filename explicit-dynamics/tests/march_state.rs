@@ -5,8 +5,8 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MarchState, MassScaled, Observer,
-    QuasiStatic, Record, Step, Transient, Work,
+    Bounds, Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MarchState, MassScaled, Observer,
+    OutOfBounds, QuasiStatic, Record, StableStep, Step, Transient, Work, lanczos_step,
 };
 
 /// `m ẍ + k x + c x³ = level · load`: the stable step changes on the way.
@@ -29,11 +29,9 @@ impl Oscillator {
 }
 
 impl Dynamics for Oscillator {
-    fn force(&mut self, at: Instant, _: bool) {
+    fn evaluate(&mut self, at: Instant) -> f64 {
         self.external = 4.0 * at.level;
         self.f = self.external - STIFFNESS * self.x - CUBIC * self.x.powi(3);
-    }
-    fn internal_energy(&self) -> f64 {
         0.5 * STIFFNESS * self.x * self.x + 0.25 * CUBIC * self.x.powi(4)
     }
     fn kick(&mut self, step: &Step) -> Work {
@@ -53,11 +51,15 @@ impl Dynamics for Oscillator {
     fn stop(&mut self) {
         self.v = 0.0;
     }
-    fn fastest(&self) -> (usize, f64) {
-        (0, self.v.abs())
+    fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
+        lanczos_step(self, safety)
     }
-    fn speed_bound(&self) -> f64 {
-        1e3
+    fn within_bounds(&self, _: Bounds) -> Result<(), OutOfBounds> {
+        let (particle, speed, bound) = (0, self.v.abs(), 1e3);
+        if speed <= bound { Ok(()) } else { Err(OutOfBounds::Speed { particle, speed, bound }) }
+    }
+    fn linearised(&mut self) -> Option<&mut dyn MassScaled> {
+        Some(self)
     }
 }
 
@@ -82,11 +84,11 @@ impl MassScaled for Oscillator {
     }
 }
 
-/// Notes every record, and every standing with the state beside it; ends the march where it is told.
+/// Notes every record, and every place with the state beside it; ends the march where it is told.
 #[derive(Default)]
 struct Notes {
     records: Vec<Record>,
-    standings: Vec<(usize, MarchState, Oscillator)>,
+    places: Vec<(usize, MarchState, Oscillator)>,
     last_done: f64,
     stop_at: Option<usize>,
 }
@@ -99,8 +101,8 @@ impl Observer<Oscillator> for Notes {
     fn between(&mut self, system: &mut Oscillator, at: &MarchState, done: f64) -> ControlFlow<()> {
         assert!((self.last_done..=1.0).contains(&done), "{done} after {}", self.last_done);
         self.last_done = done;
-        self.standings.push((self.records.len(), at.clone(), system.clone()));
-        if self.stop_at == Some(self.standings.len()) {
+        self.places.push((self.records.len(), at.clone(), system.clone()));
+        if self.stop_at == Some(self.places.len()) {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
@@ -113,7 +115,7 @@ fn quasi_static(damping: Damping) -> QuasiStatic {
         levels,
         period: 3.1,
         ramp: 0.7,
-        hold: 4.0,
+        dwell: 4.0,
         damping,
         tolerance: 1e-6,
         accuracy: 5e-3,
@@ -121,18 +123,18 @@ fn quasi_static(damping: Damping) -> QuasiStatic {
     }
 }
 
-/// Marches through, then goes on from many a standing; all must end in the same bits.
+/// Marches through, then goes on from many a place; all must end in the same bits.
 fn goes_on(
     march: impl Fn(&mut Oscillator, &mut Notes) -> Result<(), MarchError>,
     go_on: impl Fn(MarchState, &mut Oscillator, &mut Notes) -> Result<(), MarchError>,
 ) {
     let (mut whole, mut notes) = (Oscillator::new(), Notes::default());
     march(&mut whole, &mut notes).unwrap();
-    assert!(notes.standings.len() > 100);
-    for (seen, standing, system) in notes.standings.iter().step_by(17) {
+    assert!(notes.places.len() > 100);
+    for (seen, place, system) in notes.places.iter().step_by(17) {
         let mut system = system.clone();
         let mut rest = Notes::default();
-        go_on(standing.clone(), &mut system, &mut rest).unwrap();
+        go_on(place.clone(), &mut system, &mut rest).unwrap();
         assert_eq!(rest.records, notes.records[*seen..]);
         assert_eq!([system.x, system.v].map(f64::to_bits), [whole.x, whole.v].map(f64::to_bits));
     }
@@ -164,18 +166,18 @@ fn an_observer_ends_a_march_between_steps() {
     for stop_at in [1, 7, 20] {
         let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
         let clock = quasi_static(Damping::Ratio(0.5)).march(&mut Oscillator::new(), &mut notes).unwrap();
-        assert_eq!(notes.standings.len(), stop_at);
-        // One step with the first record, one more between each two standings of the first level.
+        assert_eq!(notes.places.len(), stop_at);
+        // One step with the first record, one more between each two places of the first level.
         assert_eq!(clock.steps as usize, stop_at);
     }
 }
 
 #[test]
-fn the_standing_of_another_march_is_refused() {
+fn the_place_of_another_march_is_refused() {
     let mut notes = Notes { stop_at: Some(5), ..Notes::default() };
     let run = quasi_static(Damping::Ratio(0.5));
     run.march(&mut Oscillator::new(), &mut notes).unwrap();
-    let at = notes.standings.pop().unwrap().1;
+    let at = notes.places.pop().unwrap().1;
     let transient = Transient { duration: 7.0, record_every: 1.0, damping: 0.0, safety: 0.1 };
     let error = transient.go_on(at.clone(), &mut Oscillator::new(), &mut Notes::default()).unwrap_err();
     assert!(error.to_string().contains("level number 0 of a quasi-static march"), "{error}");

@@ -351,7 +351,7 @@ mod tests {
             several += usize::from(shell.len() > 2 * PARTICLE_CHUNK);
             let from = shell.motion().map(<[Row]>::to_vec);
             let expected = marched(&mut shell, &from, |shell, step| {
-                shell.force(step.from, false);
+                shell.evaluate(step.from);
                 let work = shell.kick(step);
                 shell.drift(step);
                 work

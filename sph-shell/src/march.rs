@@ -1,6 +1,9 @@
-//! The shell as a system of `explicit-dynamics`: force, kick, drift, and the whole step at once.
+//! The shell as a system of `explicit-dynamics`: forces, kick, drift, the whole step at once, its stable step and bounds.
 
-use explicit_dynamics::{Dynamics, Instant, OutOfBounds, Step, Work};
+use explicit_dynamics::{
+    Bounds, Dynamics, Instant, MarchError, MassScaled, OutOfBounds, OutOfRange, StableStep, Step, Work,
+    lanczos_step,
+};
 use rayon::prelude::*;
 
 use crate::Shell;
@@ -103,12 +106,9 @@ impl Shell {
 }
 
 impl Dynamics for Shell {
-    fn force(&mut self, at: Instant, energy: bool) {
-        self.evaluate_internal(energy);
+    fn evaluate(&mut self, at: Instant) -> f64 {
+        self.evaluate_internal(true);
         self.evaluate_external(at);
-    }
-
-    fn internal_energy(&self) -> f64 {
         self.internal_energy
     }
 
@@ -127,7 +127,8 @@ impl Dynamics for Shell {
             self.evaluate_external(step.from);
             return self.fused_step(step);
         }
-        self.force(step.from, false);
+        self.evaluate_internal(false);
+        self.evaluate_external(step.from);
         self.update::<true>(step)
     }
 
@@ -135,11 +136,32 @@ impl Dynamics for Shell {
         self.rates.fill([0.0; 6]);
     }
 
+    fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
+        lanczos_step(self, safety)
+    }
+
+    fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
+        if bounds == Bounds::Configuration {
+            let found = |Unsound { place, what, value, bound }| OutOfRange { place, what, value, bound };
+            return self.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound).into()));
+        }
+        let (particle, speed) = self.fastest();
+        let bound = self.reference.sound_speed;
+        if speed <= bound { Ok(()) } else { Err(OutOfBounds::Speed { particle, speed, bound }) }
+    }
+
+    fn linearised(&mut self) -> Option<&mut dyn MassScaled> {
+        Some(self)
+    }
+}
+
+impl Shell {
+    /// The particle with the greatest speed, and that speed \[L/T\]; not a number counts as greatest.
     fn fastest(&self) -> (usize, f64) {
         let speed = |(a, rate): (usize, &Row)| {
-            let turning = rate[3] * rate[3] + rate[4] * rate[4] + rate[5] * rate[5];
+            let rotating = rate[3] * rate[3] + rate[4] * rate[4] + rate[5] * rate[5];
             let moving = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2];
-            let energy = moving + turning * self.reference.inertias[a] / self.reference.masses[a];
+            let energy = moving + rotating * self.reference.inertias[a] / self.reference.masses[a];
             (a, if energy.is_nan() { f64::INFINITY } else { energy })
         };
         let (particle, square) = self
@@ -149,14 +171,5 @@ impl Dynamics for Shell {
             .map(speed)
             .fold((0, 0.0), |best, x| if x.1 > best.1 { x } else { best });
         (particle, square.sqrt())
-    }
-
-    fn speed_bound(&self) -> f64 {
-        self.reference.sound_speed
-    }
-
-    fn within_bounds(&self) -> Result<(), OutOfBounds> {
-        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
-        self.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
     }
 }

@@ -148,7 +148,7 @@ fn quasi_static_load_and_reaction_balance() {
         levels: vec![1.0],
         period: 5.0,
         ramp: 2.0,
-        hold: 20.0,
+        dwell: 20.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-16,
         accuracy: 5e-3,
@@ -156,7 +156,7 @@ fn quasi_static_load_and_reaction_balance() {
     };
     let mut keep = Keep::default();
     path.march(&mut body, &mut keep).unwrap();
-    body.force(Instant { time: 0.0, level: 1.0 }, false);
+    body.evaluate(Instant { time: 0.0, level: 1.0 });
     let reaction: Vec3 = clamp.iter().map(|&a| body.reaction(a as usize)).sum();
     let last = keep.0.last().unwrap();
     assert!(last.settled);
@@ -185,7 +185,7 @@ fn kinetic_damping_finds_the_same_rest() {
             levels: vec![0.5, 1.0],
             period: 2.0,
             ramp: 2.0,
-            hold: 40.0,
+            dwell: 40.0,
             damping,
             tolerance: 1e-13,
             accuracy: 5e-3,

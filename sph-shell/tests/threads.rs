@@ -59,11 +59,11 @@ fn bits(formulation: Formulation, threads: usize) -> Vec<u64> {
         for _ in 0..60 {
             clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
         }
-        shell.force(clock.now, true);
+        let energy = shell.evaluate(clock.now);
         let mut out: Vec<u64> = (0..shell.len())
             .flat_map(|a| shell.position(a).iter().map(|x| x.to_bits()).collect::<Vec<_>>())
             .collect();
-        out.push(shell.internal_energy().to_bits());
+        out.push(energy.to_bits());
         out.push(clock.kinetic.to_bits());
         out
     })

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Clock, LevelReached, MarchError, MarchState, Missing, Observer, Record, largest_eigenvalue, stable_step,
+    Clock, LevelReached, MarchError, Dynamics, MarchState, Missing, Observer, Record,
 };
 use implicit_statics::Inertia;
 use sph_shell::Shell;
@@ -15,9 +15,6 @@ use crate::run::checkpoint::Place;
 use crate::run::{Ended, Findings, ProgressReport, RunOptions};
 use crate::scene::{Damping, Explicit, QuasiStatic};
 use crate::{Doubt, Warning};
-
-/// Lanczos steps for the stable step that the summary reports.
-const LANCZOS_STEPS: usize = 30;
 
 /// Marches to the end, or to divergence, from the start or from where an earlier march stood.
 pub(crate) fn march(
@@ -49,7 +46,7 @@ pub(crate) fn march(
 
 /// Greatest stable step of the present configuration \[T\]; zero if none was found.
 pub(crate) fn reference_step(shell: &mut Shell) -> f64 {
-    stable_step(&largest_eigenvalue(shell, LANCZOS_STEPS), 1.0).unwrap_or(0.0)
+    shell.stable_step(1.0).map_or(0.0, |step| step.dt)
 }
 
 fn clocked(
@@ -64,7 +61,7 @@ fn clocked(
             levels: path.levels.list(),
             period: path.period,
             ramp: path.ramp,
-            hold: path.hold,
+            dwell: path.hold,
             damping: match path.damping {
                 Damping::Ratio(ratio) => explicit_dynamics::Damping::Ratio(ratio),
                 Damping::Kinetic => explicit_dynamics::Damping::Kinetic,

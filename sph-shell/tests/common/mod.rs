@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use explicit_dynamics::{Amplitude, Dynamics};
+use explicit_dynamics::Amplitude;
 use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
@@ -135,5 +135,5 @@ pub fn shake(shell: &mut Shell, size: f64, seed: u64) {
 
 pub fn energy(shell: &mut Shell) -> f64 {
     shell.evaluate_internal(true);
-    shell.internal_energy()
+    shell.stored_energy()
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use coque::{Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, render};
-use explicit_dynamics::{Transient, largest_eigenvalue, stable_step};
+use explicit_dynamics::{Dynamics, Transient};
 use nalgebra::Rotation3;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{EndWeights, Plate, Vec3, lattice};
@@ -20,8 +20,6 @@ const WARM: u64 = 20;
 const SAFETY: f64 = 0.8;
 /// Length of all transient runs \[s\], beyond whatever is marched.
 const DURATION: f64 = 1.0;
-/// Lanczos steps of the estimate of the stable step, as many as a run takes.
-const LANCZOS_STEPS: usize = 30;
 
 /// What one sitting measured.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +125,7 @@ pub fn shell_without_scene(side: usize) -> Result<Shell, String> {
 /// What the layers below refuse, in words.
 pub fn bare_step(side: usize) -> Result<f64, String> {
     let mut shell = shell_without_scene(side)?;
-    stable_step(&largest_eigenvalue(&mut shell, LANCZOS_STEPS), SAFETY).map_err(|error| error.to_string())
+    shell.stable_step(SAFETY).map(|step| step.dt).map_err(|error| error.to_string())
 }
 
 /// The model of a row.

@@ -335,8 +335,8 @@ fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude 
         Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
         Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
         Some(scene::Amplitude::Table(points)) => {
-            Amplitude::Table(points.iter().map(|p| (p[0], p[1])).collect())
+            Amplitude::Table(points.clone())
         }
-        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine(*period),
+        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine { period: *period },
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use explicit_dynamics::{MarchError, Observer, Record, Transient, largest_eigenvalue, stable_step};
+use explicit_dynamics::{Dynamics, MarchError, Observer, Record, Transient};
 use implicit_statics::{Newton, NewtonOptions};
 use sph_shell::{Shell, StaticShell};
 
@@ -81,7 +81,7 @@ impl Observer<Shell> for Totals {
 
 fn swing(mut shell: Shell, steps: u64) -> Result<Outcome, String> {
     let started = Instant::now();
-    let dt = stable_step(&largest_eigenvalue(&mut shell, 30), SAFETY).map_err(|e| e.to_string())?;
+    let dt = shell.stable_step(SAFETY).map_err(|e| e.to_string())?.dt;
     let duration = dt * steps as f64;
     let mut totals = Totals(Vec::new());
     let run = Transient { duration, record_every: duration / RECORDS as f64, damping: 0.0, safety: SAFETY };

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use explicit_dynamics::{Amplitude, Clock};
+use explicit_dynamics::{Amplitude, Clock, LANCZOS_STEPS, largest_eigenvalue};
 use nalgebra::Rotation3;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{EndWeights, Plate, Side, Vec3, lattice};
@@ -116,7 +116,7 @@ fn offset(formulation: Formulation) -> Result<Outcome, String> {
     let mut near = strip(formulation, &Vec3::zeros(), USUAL)?;
     // No round numbers: those could be free of rounding.
     let mut far = strip(formulation, &(Vec3::new(0.6, -0.35, 0.72) * (1e6 * LENGTH * 1.0123456789)), USUAL)?;
-    let spectrum = |shell: &mut Shell| explicit_dynamics::largest_eigenvalue(shell, 30).bound();
+    let spectrum = |shell: &mut Shell| largest_eigenvalue(shell, LANCZOS_STEPS).bound();
     let step = (spectrum(&mut far) / spectrum(&mut near) - 1.0).abs();
     swing(&mut near, STEPS)?;
     swing(&mut far, STEPS)?;

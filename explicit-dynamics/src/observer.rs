@@ -1,0 +1,58 @@
+//! Who watches a run, and the step that shows it a record.
+
+use std::ops::ControlFlow;
+
+use crate::clock::Clock;
+use crate::dynamics::{Bounds, Dynamics};
+use crate::error::MarchError;
+use crate::march_state::MarchState;
+use crate::record::Record;
+use crate::rest::LevelReached;
+use crate::step::Step;
+
+/// Watches a run; the system is in the state the record speaks of, its forces evaluated.
+pub trait Observer<S: ?Sized> {
+    /// Takes a record; `Break` ends the run in good order.
+    fn record(&mut self, system: &mut S, record: &Record) -> ControlFlow<()>;
+
+    /// Told at the end of each load level of a quasi-static march.
+    fn level(&mut self, _reached: &LevelReached) {}
+
+    /// Told between any two steps where the march stands; `Break` ends it there in good order.
+    ///
+    /// `done` goes from 0 to 1; it is a guess where dwells may end early. A march goes on from this place and the
+    /// state of the system as if it had never stopped.
+    fn between(&mut self, _system: &mut S, _at: &MarchState, _done: f64) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+impl Clock {
+    /// One step like [`Clock::step`], with a record of the state it starts from.
+    ///
+    /// # Errors
+    /// [`MarchError::Diverged`]; [`MarchError::OutOfBounds`] instead of the record of a state out of bounds.
+    pub fn recorded_step<S: Dynamics + ?Sized>(
+        &mut self,
+        system: &mut S,
+        observer: &mut impl Observer<S>,
+        settled: bool,
+        limit: f64,
+        level: impl Fn(f64) -> f64,
+    ) -> Result<ControlFlow<()>, MarchError> {
+        self.renew(system)?;
+        self.evaluate(system);
+        let step = self.next_step(limit, level);
+        // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
+        // velocities as they were given.
+        let still = (self.steps == 0).then(|| system.kick(&Step { kick: 0.0, ..step }));
+        let work = system.kick(&step);
+        self.check(system, Bounds::Configuration)?;
+        let record = self.make_record(still.unwrap_or(work), settled);
+        let flow = observer.record(system, &record);
+        self.keep(record);
+        system.drift(&step);
+        self.finish(system, &step, work)?;
+        Ok(flow)
+    }
+}
