@@ -133,7 +133,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         out
     }
 
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, _: f64, out: &mut [f64]) {
         self.shell.evaluate_internal(false);
         self.project(|a| self.shell.internal_force(a), out);
     }
