@@ -21,15 +21,16 @@ mod vtu;
 
 use std::ops::ControlFlow;
 
-use sph_core::Vec3;
-use sph_shell::{PointResult, Shell};
+use sph_shell::Shell;
 
 pub use files::FieldFiles;
 pub use read::{Array, ReadError, Sheet, listed};
 
-use crate::run::Failure;
+use crate::bodies::shell::LinearForces;
+use crate::bodies::{Body, Task};
+use crate::run::outcome::Failure;
+use crate::scene::Analysis;
 use crate::scene::units::Units;
-use crate::scene::{Analysis, Scene};
 
 /// Takes the frames of a run while it goes on.
 pub trait FieldSink: Send {
@@ -84,15 +85,6 @@ impl Frame<'_> {
     }
 }
 
-/// What a linear answer holds beside its motion: all of it grows with the load, none of it is that of the moved shell.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LinearForces {
-    /// Strains and resultants of every sampling point, with its direction at rest.
-    pub points: Vec<PointResult>,
-    /// Reactions of all particles \[F\].
-    pub reactions: Vec<Vec3>,
-}
-
 /// Kinds of states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
@@ -134,8 +126,13 @@ enum Along {
 }
 
 impl<'a> Frames<'a> {
-    pub(crate) fn new(sink: &'a mut dyn FieldSink, scene: &Scene, driven: Option<u32>) -> Self {
-        let (state, along) = match &scene.analysis {
+    pub(crate) fn new(
+        sink: &'a mut dyn FieldSink,
+        task: &Task,
+        driven: Option<u32>,
+        homogeneous: bool,
+    ) -> Self {
+        let (state, along) = match &task.analysis {
             Analysis::Explicit(explicit) if explicit.quasi_static.is_some() => (State::Moving, Along::Level),
             Analysis::Explicit(_) => (State::Moving, Along::Time),
             Analysis::Linear(_) => (State::Linear, Along::Level),
@@ -143,29 +140,28 @@ impl<'a> Frames<'a> {
             Analysis::ArcLength(_) => (State::Balance, Along::Number(0)),
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
         };
-        let every = scene.output.fields.map_or(1, |fields| fields.every).max(1);
-        let homogeneous = scene.section.homogeneous();
-        let units = scene.units;
+        let every = task.output.fields.map_or(1, |fields| fields.every).max(1);
+        let units = task.units;
         Self { sink, every, state, along, driven, homogeneous, units, offered: 0, taken: 0, failure: None }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
-    pub(crate) fn offer(&mut self, shell: &Shell, time: f64, level: f64) -> ControlFlow<()> {
-        self.offer_with(shell, time, level, None)
+    pub(crate) fn offer(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
+        self.offer_with(body, time, level, None)
     }
 
     /// The same for a linear answer, of which there is but one.
-    pub(crate) fn offer_linear(&mut self, shell: &Shell, forces: &LinearForces) {
+    pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64]) {
         // Nothing follows: a frame that could not be taken is told by the failure.
-        let _ = self.offer_with(shell, 0.0, 1.0, Some(forces));
+        let _ = self.offer_with(body, 0.0, 1.0, Some(forces));
     }
 
     fn offer_with(
         &mut self,
-        shell: &Shell,
+        body: &dyn Body,
         time: f64,
         level: f64,
-        linear: Option<&LinearForces>,
+        linear: Option<&[f64]>,
     ) -> ControlFlow<()> {
         let number = self.offered;
         let wanted = self.failure.is_none() && number.is_multiple_of(self.every);
@@ -177,6 +173,9 @@ impl<'a> Frames<'a> {
                 Along::Number(first) => (first + number) as f64,
             };
             let Self { state, driven, homogeneous, units, .. } = *self;
+            let Some(shell) = body.as_shell() else { return ControlFlow::Continue(()) };
+            let forces = linear.and_then(|row| LinearForces::of(shell).with_numbers(row));
+            let linear = forces.as_ref();
             let frame = Frame { shell, state, along, level, driven, homogeneous, linear, units };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,

@@ -132,22 +132,26 @@ mod warning;
 mod whole;
 mod xml;
 
-pub use bodies::shell::build::Model;
+pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::doubts::doubts;
-pub use fields::{
-    Array, FieldError, FieldFiles, FieldSink, Frame, LinearForces, ReadError, Sheet, State, listed,
+pub use bodies::{
+    Balanced, Body, Configuration, Description, Marched, Memory, Mismatch, Model, PrescribedPoint, Probe,
+    Ready, Shape, StateArray, TangentCost, Task,
 };
+pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
 pub use input::read_text;
 pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
 pub use results::plot::{PlotError, plot_svg};
-pub use results::summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Modelled, Summary};
-pub use run::checkpoint::{CHECKPOINT, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY};
-pub use run::estimate::Estimate;
-pub use run::memory::Memory;
-pub use run::{Ended, Failure, Outcome, Progress, ProgressReport, RunOptions, Shape, Silent};
+pub use run::checkpoint::{
+    CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,
+};
+pub use run::outcome::{Ended, Failure, Outcome};
+pub use run::progress::{Progress, ProgressReport, Silent};
+pub use run::record::{CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
+pub use run::summary::Summary;
 pub use scene::Scene;
 pub use scene::catalogue::{CatalogueEntry, catalogue};
 pub use scene::error::{Fault, Place, SceneError};

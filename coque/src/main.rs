@@ -28,7 +28,7 @@ use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
     Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
-    Outcome, RunOptions, Scene, Warning, read_text,
+    Outcome, RunOptions, Scene, Task, Warning, read_text,
 };
 
 const DONE: u8 = 0;
@@ -203,14 +203,14 @@ fn launch(
     stop: &Arc<Stop>,
 ) -> Result<u8, Refused> {
     let out = folder.path();
-    let scene = model.scene.clone();
+    let task = model.task.clone();
     let described = model.describe();
-    say(&format!("{}: {} particles, {} freedoms", scene.title, described.particles, described.freedoms));
+    say(&format!("{}: {} particles, {} freedoms", task.title, described.particles, described.dof));
     let early = model.warnings().to_vec();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
-    let mut checkpoints = scene.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
-    let mut files = fields(&scene, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
+    let mut checkpoints = task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
+    let mut files = fields(&task, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
     let curve = GrowingCurve::new(&out.join(CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let options = RunOptions {
@@ -222,7 +222,7 @@ fn launch(
     let mut outcome = model.run_with(options).map_err(|e| format!("{e}\n"))?;
     bar.finish();
     outcome.summary.replaced = replaced.into_iter().map(|(path, value)| format!("{path}={value}")).collect();
-    let written = folder.write(&scene, &outcome);
+    let written = folder.write(&task, &outcome);
     // With more room on the disk a run can go on, or write its results, as well.
     let stopped = matches!(outcome.ended, Ended::Interrupted { .. } | Ended::Diverged(Failure::Fields(_)));
     let resumable = (stopped || written.is_err()) && checkpoints.is_some();
@@ -235,8 +235,8 @@ fn launch(
 }
 
 /// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
-fn fields(scene: &Scene, out: &Path, from: Option<&Checkpoint>) -> Result<Option<FieldFiles>, FieldError> {
-    let Some(wanted) = &scene.output.fields else { return Ok(None) };
+fn fields(task: &Task, out: &Path, from: Option<&Checkpoint>) -> Result<Option<FieldFiles>, FieldError> {
+    let Some(wanted) = &task.output.fields else { return Ok(None) };
     let folder = out.join("fields");
     let files = match from {
         None => FieldFiles::create(&folder, wanted),
@@ -252,28 +252,28 @@ fn default_out(scene: &Path) -> PathBuf {
 /// Tells what came out and gives the exit code; warnings told early are not repeated.
 fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
-    for warning in summary.warnings.iter().filter(|warning| !early.contains(warning)) {
+    for warning in summary.record.warnings.iter().filter(|warning| !early.contains(warning)) {
         say(&format!("warning: {}", warning.message));
     }
-    if let Some(counted) = summary.counted {
+    if let Some(counted) = summary.record.counted {
         let from = counted.from.map_or("below zero".into(), |from| format!("{from:.4e}"));
         say(&format!(
             "{} modes from {from} to {:.4e} by inertia, all found; {} factorisations, {} solves",
             counted.number, counted.to, counted.factorisations, counted.solves
         ));
     }
-    for critical in &summary.critical {
+    for critical in &summary.record.critical {
         say(&format!("{} at {}", critical.kind, critical.place()));
     }
     let effort = match summary.analysis.as_str() {
         "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),
-        "static" | "arc-length" => format!(", {} Newton iterations", summary.newton_iterations),
+        "static" | "arc-length" => format!(", {} Newton iterations", summary.record.newton_iterations),
         _ => String::new(),
     };
     say(&format!(
         "{} steps in {:.2} s{effort}; results in {}",
-        summary.steps,
-        summary.wall_seconds,
+        summary.record.steps,
+        summary.record.wall_seconds,
         out.display()
     ));
     match &outcome.ended {
@@ -281,7 +281,7 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
             if resumable {
                 say(&format!("with more room: coque resume {}", out.display()));
             }
-            let levels = summary.not_settled();
+            let levels = summary.record.not_settled();
             if levels.is_empty() {
                 return DONE;
             }

@@ -36,7 +36,7 @@ fn last(outcome: &Outcome, column: &str) -> f64 {
 }
 
 fn doubted(outcome: &Outcome, doubt: Doubt) -> bool {
-    outcome.summary.warnings.iter().any(|warning| warning.doubt == doubt)
+    outcome.summary.record.warnings.iter().any(|warning| warning.doubt == doubt)
 }
 
 /// A coarse shell, its period and one number that is read off.
@@ -113,7 +113,7 @@ fn what_settles_is_right_whatever_the_damping_and_the_period() {
             );
             let outcome = run(&text, &set(&[grid, (PATH, &path)]));
             let error = last(&outcome, column) / exact - 1.0;
-            let reached = outcome.summary.levels[0];
+            let reached = outcome.summary.record.levels[0];
             let row = format!(
                 "{scene}, {damping}, {share}, {ramp}, {hold}: {:.3} %, {:.1e}, {:.1e}, {:.1e}, {}{}",
                 100.0 * error,
@@ -156,23 +156,23 @@ fn column(load: f64, across: f64) -> Outcome {
 #[test]
 fn a_perfect_column_above_its_critical_load_is_warned_of() {
     let outcome = column(2.02, 0.0);
-    let reached = outcome.summary.levels[0];
+    let reached = outcome.summary.record.levels[0];
     assert!(reached.settled && last(&outcome, "w").abs() < 1e-6, "{reached:?}");
     // The second mode comes at nine times the first load, the first across the width at four times.
     assert_eq!(reached.negative_pivots, Some(1));
-    assert!(doubted(&outcome, Doubt::Unstable), "{:?}", outcome.summary.warnings);
+    assert!(doubted(&outcome, Doubt::Unstable), "{:?}", outcome.summary.record.warnings);
 }
 
 #[test]
 fn columns_that_stand_or_have_buckled_are_not_warned_of() {
     let straight = column(0.9, 0.0);
-    assert_eq!(straight.summary.levels[0].negative_pivots, Some(0));
-    assert!(straight.summary.warnings.is_empty(), "{:?}", straight.summary.warnings);
+    assert_eq!(straight.summary.record.levels[0].negative_pivots, Some(0));
+    assert!(straight.summary.record.warnings.is_empty(), "{:?}", straight.summary.record.warnings);
     let buckled = column(2.02, 0.01);
-    assert_eq!(buckled.summary.levels[0].negative_pivots, Some(0));
+    assert_eq!(buckled.summary.record.levels[0].negative_pivots, Some(0));
     // Elastica: .795 L, and a little more from the load across.
     assert!(last(&buckled, "w") > 7.9, "{}", last(&buckled, "w"));
-    assert!(buckled.summary.warnings.is_empty(), "{:?}", buckled.summary.warnings);
+    assert!(buckled.summary.record.warnings.is_empty(), "{:?}", buckled.summary.record.warnings);
 }
 
 #[test]
@@ -185,12 +185,13 @@ fn a_look_at_stability_changes_no_bit_and_what_was_not_looked_at_is_said() {
     assert_eq!(looked.curve.rows, not.curve.rows);
     assert_eq!(looked.shapes, not.shapes);
     let pivots = |outcome: &Outcome| -> Vec<_> {
-        outcome.summary.levels.iter().map(|level| level.negative_pivots).collect()
+        outcome.summary.record.levels.iter().map(|level| level.negative_pivots).collect()
     };
     assert_eq!((pivots(&looked), pivots(&not)), (vec![Some(0); 2], vec![None; 2]));
-    let said =
-        |outcome: &Outcome| outcome.summary.left_out.iter().any(|line| line.contains("stability at 2 of 2"));
-    assert!(!said(&looked) && said(&not), "{:?}", not.summary.left_out);
+    let said = |outcome: &Outcome| {
+        outcome.summary.body.left_out.iter().any(|line| line.contains("stability at 2 of 2"))
+    };
+    assert!(!said(&looked) && said(&not), "{:?}", not.summary.body.left_out);
 }
 
 fn coque(name: &str, arguments: &[&str]) -> (Output, PathBuf) {

@@ -24,7 +24,7 @@ fn levels(name: &str, replaced: Replaced) -> Vec<f64> {
 
 /// The modes are proved to be all there are, and each lies at an exact one.
 fn complete(outcome: &Outcome) {
-    let counted = outcome.summary.counted.unwrap();
+    let counted = outcome.summary.record.counted.unwrap();
     let inside = |level: &f64| *level < counted.to && counted.from.is_none_or(|from| *level > from);
     assert!(column(outcome, "level").iter().all(inside), "{counted:?}");
     assert!(counted.number >= outcome.curve.rows.len(), "{counted:?}");
@@ -78,7 +78,7 @@ fn fewer_modes_than_asked_for_carry_a_warning() {
     let outcome = run("column-buckling.toml", &few);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     assert!(!outcome.curve.rows.is_empty() && outcome.curve.rows.len() < 30);
-    assert!(outcome.summary.warnings.iter().any(|warning| warning.doubt == Doubt::FewerModes));
+    assert!(outcome.summary.record.warnings.iter().any(|warning| warning.doubt == Doubt::FewerModes));
 }
 
 /// Ends a run when asked for the n-th time.
@@ -196,5 +196,5 @@ analysis.buckling.modes = 10
     let found = column(&outcome, "level");
     assert_eq!(found.len(), 10);
     assert!(found.iter().all(|level| (level - 1.0).abs() < 0.05), "{found:?}");
-    assert!(outcome.summary.counted.unwrap().factorisations <= 3);
+    assert!(outcome.summary.record.counted.unwrap().factorisations <= 3);
 }

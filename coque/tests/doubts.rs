@@ -104,7 +104,7 @@ fn turns_of_the_deformed_shell_are_told_once() {
     let replaced = [("geometry.plate.particles", "[9, 3]"), ("analysis", "{ static = { levels = 8 } }")];
     let model = scene("ring.toml", &replaced).unwrap().build(1).unwrap();
     assert_eq!(model.warnings(), []);
-    let told = model.run(&mut coque::Silent).summary.warnings;
+    let told = model.run(&mut coque::Silent).summary.record.warnings;
     let turns: Vec<_> = told.iter().filter(|warning| warning.doubt == Doubt::CoarseTurn).collect();
     assert_eq!(turns.len(), 1, "{told:?}");
     assert!(turns[0].message.contains("at level 0.75"), "{}", turns[0].message);

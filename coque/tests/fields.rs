@@ -17,7 +17,7 @@ fn a_frame_of_the_patch_test_reads_back() {
     let folder = folder("patch");
     let scene = scene("patch-test.toml", &[]);
     let outcome = run(&scene, &mut FieldFiles::create(&folder, &EVERYTHING).unwrap());
-    assert_eq!((outcome.ended, outcome.summary.frames), (Ended::Done, 2));
+    assert_eq!((outcome.ended, outcome.summary.record.frames), (Ended::Done, 2));
     let frames = listed(&folder.join("shell.pvd"));
     assert_eq!(frames.iter().map(|frame| frame.0).collect::<Vec<_>>(), [0.0, 1.0]);
     let read = Read::new(&frames[1].1);
@@ -130,7 +130,7 @@ fn frames_come_at_levels_records_points_and_modes() {
     let noted = |name: &str, replaced: &[(&str, &str)]| {
         let mut sink = Noted::default();
         let outcome = run(&scene(name, replaced), &mut sink);
-        assert_eq!(outcome.summary.frames as usize, sink.0.len());
+        assert_eq!(outcome.summary.record.frames as usize, sink.0.len());
         (sink.0, outcome)
     };
     let every = ("output.fields", "{ every = 2 }");
@@ -167,7 +167,7 @@ fn a_mode_shows_its_shape_and_claims_no_stress() {
     ];
     let scene = scene("panel.toml", &replaced);
     let outcome = run(&scene, &mut FieldFiles::create(&folder, &scene.output.fields.unwrap()).unwrap());
-    assert!(outcome.summary.left_out.iter().any(|line| line.contains("stresses of modes")));
+    assert!(outcome.summary.body.left_out.iter().any(|line| line.contains("stresses of modes")));
     for (frame, shape) in listed(&folder.join("shell.pvd")).iter().zip(&outcome.shapes) {
         let read = Read::new(&frame.1);
         for (x, expected) in

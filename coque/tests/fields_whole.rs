@@ -56,7 +56,7 @@ fn a_run_that_ends_early_leaves_whole_frames_and_a_list_of_them() {
         let outcome = run(&scene, &mut sink);
         let Ended::Diverged(Failure::Fields(error)) = &outcome.ended else { panic!("{:?}", outcome.ended) };
         assert!(error.path.ends_with(&format!("shell-{most:04}.vtu")), "{error}");
-        assert_eq!(outcome.summary.frames as usize, most);
+        assert_eq!(outcome.summary.record.frames as usize, most);
         // The curve holds the frame's own row as well: it was found before it was written.
         assert_eq!(outcome.curve.rows.len(), most + 1);
         check_whole(&folder, most);

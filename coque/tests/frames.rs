@@ -41,7 +41,7 @@ fn shipped(name: &str) -> PathBuf {
 }
 
 fn left_out(outcome: &Outcome, what: &str) -> bool {
-    outcome.summary.left_out.iter().any(|line| line.contains(what))
+    outcome.summary.body.left_out.iter().any(|line| line.contains(what))
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn plies_leave_out_the_stresses_at_the_faces() {
 #[test]
 fn the_linear_answer_is_one_frame() {
     let (outcome, frames) = run("linear", &shipped("scordelis-lo.toml"), &[]);
-    assert_eq!((outcome.summary.frames, frames.len()), (1, 1));
+    assert_eq!((outcome.summary.record.frames, frames.len()), (1, 1));
     let sheet = Sheet::read(&frames[0]).unwrap();
     let names: Vec<&str> = sheet.point_data.keys().map(String::as_str).collect();
     assert_eq!(names, ["director", "displacement", "reaction", "thickness"]);

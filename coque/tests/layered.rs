@@ -69,7 +69,7 @@ fn limit_loads_of_the_laminated_roofs_are_the_published_ones() {
             ("section.layered.axis", axis),
             ("analysis.static.levels", "[0.1, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55]"),
         ]);
-        let limit = &outcome.summary.critical[0];
+        let limit = &outcome.summary.record.critical[0];
         assert_eq!(limit.kind, "limit point");
         let ratio = 4.0 * limit.level / (3000.0 * published);
         assert!((ratio - 1.0).abs() < 0.02, "{axis}: {ratio}");

@@ -54,7 +54,7 @@ fn a_scene_runs_on_every_format() {
         let found = deflection(&outcome);
         // Same cells and the force shared by length: other numbers of nodes change the last digits alone.
         assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} for {expected}");
-        assert!(outcome.summary.modelled.iter().any(|line| line.contains(name)), "{name}");
+        assert!(outcome.summary.body.modelled.iter().any(|line| line.contains(name)), "{name}");
     }
     // Scaled by two, with a thickness and a force that go with it: w ∝ F L³/(E t³ b) = twice.
     let text =

@@ -325,7 +325,7 @@ fn frames_of_a_run_in_sittings_are_those_of_one_sitting() {
         }
         assert!(stops >= 2, "{name}: {stops}");
         same(&outcome, &expected);
-        assert!(expected.summary.frames >= 4, "{name}: {}", expected.summary.frames);
+        assert!(expected.summary.record.frames >= 4, "{name}: {}", expected.summary.record.frames);
         assert!(contents(&parts.join("fields")) == contents(&whole.join("fields")), "{name}");
     }
 }

@@ -15,7 +15,7 @@ use coque::{Ended, Scene, Silent};
 fn patch_test_strains_uniformly() {
     let outcome = run("patch-test.toml", &[]);
     assert_eq!(outcome.ended, Ended::Done);
-    assert!(outcome.summary.levels.iter().all(|level| level.settled));
+    assert!(outcome.summary.record.levels.iter().all(|level| level.settled));
     // Exact for small strain; the strain of 1e-5 itself is the relative size of what that leaves out.
     assert!((last(&outcome, "U_end") / 2e-5 - 1.0).abs() < 5e-5);
     assert!((last(&outcome, "V_side") / -3e-6 - 1.0).abs() < 5e-5);
@@ -89,7 +89,7 @@ fn a_scene_with_everything_keeps_its_energy_balance() {
     let outcome = ran(Scene::parse(EVERYTHING, "test.toml"));
     assert_eq!(outcome.ended, Ended::Done);
     assert_eq!(outcome.curve.rows.len(), 101);
-    let energies = outcome.summary.energies;
+    let energies = outcome.summary.record.energies;
     // Central differences keep the balance to second order of the step; 1e-4 is far above, a lost load far below.
     assert!(energies.balance_error.abs() < 1e-4 * energies.external.abs(), "{energies:?}");
 }

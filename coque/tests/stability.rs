@@ -19,7 +19,7 @@ fn panel(analysis: &str) -> Outcome {
 }
 
 fn doubts(outcome: &Outcome) -> Vec<Doubt> {
-    outcome.summary.warnings.iter().map(|warning| warning.doubt).collect()
+    outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect()
 }
 
 #[test]
@@ -29,14 +29,16 @@ fn a_level_beyond_the_snap_names_the_limit_point_before_it() {
     let w = column(&outcome, "w_crown");
     assert!(w[7] < 9.0 && w[8] > 27.0, "{w:?}");
     assert!(column(&outcome, "negative_pivots").iter().all(|&count| count == 0.0), "nothing else tells");
-    let [limit] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    let [limit] = &outcome.summary.record.critical[..] else {
+        panic!("{:?}", outcome.summary.record.critical)
+    };
     assert_eq!(limit.kind, "limit point");
     // The path by arc length passes the same point.
     let path = panel("arc-length = { until = 0.9, steps = 200 }");
-    let found = &path.summary.critical[0];
+    let found = &path.summary.record.critical[0];
     assert!((limit.level / found.level - 1.0).abs() < 1e-6, "{limit:?} {found:?}");
     assert_eq!(doubts(&outcome), [Doubt::PassedCritical]);
-    let message = &outcome.summary.warnings[0].message;
+    let message = &outcome.summary.record.warnings[0].message;
     for word in [&limit.place() as &str, "load level 0.8 ", "another branch", "[analysis.arc-length]"] {
         assert!(message.contains(word), "{word}: {message}");
     }
@@ -113,11 +115,13 @@ fn a_straight_column_beyond_its_load_is_called_unstable() {
     let outcome =
         ran(Scene::parse(&format!("{COLUMN}analysis.static.levels = [0.5, 1.5, 2.0]\n"), "column.toml"));
     assert_eq!(outcome.ended, Ended::Done);
-    let [critical] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    let [critical] = &outcome.summary.record.critical[..] else {
+        panic!("{:?}", outcome.summary.record.critical)
+    };
     assert_eq!(critical.kind, "bifurcation");
     assert!((critical.level - 1.0).abs() < 0.01, "{critical:?}");
     assert_eq!(doubts(&outcome), [Doubt::PassedCritical, Doubt::Unstable], "once each");
-    assert!(outcome.summary.warnings[1].message.starts_with("from load level 1.5 on"));
+    assert!(outcome.summary.record.warnings[1].message.starts_with("from load level 1.5 on"));
 }
 
 #[test]
@@ -128,7 +132,9 @@ fn the_level_of_a_driven_path_is_a_force_with_its_unit() {
     let scene = format!("{head}[analysis.static]\nlevels = [0.3, 0.4]\n[[curve]]{tail}");
     let outcome = ran(overridden(&scene, "panel.toml", &[("geometry.cylinder.particles", "[9, 9]")]));
     assert_eq!(outcome.ended, Ended::Done);
-    let [limit] = &outcome.summary.critical[..] else { panic!("{:?}", outcome.summary.critical) };
+    let [limit] = &outcome.summary.record.critical[..] else {
+        panic!("{:?}", outcome.summary.record.critical)
+    };
     assert_eq!((limit.kind.as_str(), limit.unit.as_deref()), ("limit point", Some("N")));
     assert_eq!(limit.place(), format!("a force of {} N", limit.level));
     assert!((4.0 * limit.level / 2222.0 - 1.0).abs() < 5e-3, "a quarter of the panel's limit load");

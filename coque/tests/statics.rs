@@ -52,7 +52,7 @@ fn the_ring_closes_without_time() {
     assert_eq!(outcome.shapes.len(), 5);
     assert_eq!(outcome.summary.analysis, "static");
     let iterations: f64 = column(&outcome, "iterations").iter().sum();
-    assert_eq!(outcome.summary.newton_iterations, iterations as u64);
+    assert_eq!(outcome.summary.record.newton_iterations, iterations as u64);
     assert_eq!(outcome.summary.particle_steps_per_second, 0.0);
 }
 
@@ -85,7 +85,7 @@ fn the_crown_of_the_panel_is_pushed_to_its_levels() {
     }
     // At 11 mm the force has just passed its maximum.
     assert_eq!(column(&outcome, "negative_pivots"), [0.0, 0.0, 0.0, 1.0]);
-    assert_eq!(outcome.summary.critical[0].kind, "limit point");
+    assert_eq!(outcome.summary.record.critical[0].kind, "limit point");
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn the_arc_passes_the_limit_point_of_the_panel() {
     let outcome = run("panel.toml", &[stop, ("geometry.cylinder.particles", "[15, 15]")]);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     assert_eq!(outcome.curve.columns[0].title(), "level [N]");
-    let limit = &outcome.summary.critical[0];
+    let limit = &outcome.summary.record.critical[0];
     assert_eq!(limit.kind, "limit point");
     // A quarter of the force on the whole panel.
     assert!((4.0 * limit.level / 2222.0 - 1.0).abs() < 5e-3, "{limit:?}");
@@ -308,6 +308,10 @@ fn rolled_strips_are_stable_whatever_their_rows() {
         let outcome = run("ring.toml", &[levels, ("geometry.plate.particles", particles)]);
         assert_eq!(outcome.ended, Ended::Done, "{particles}: {}", outcome.summary.ended);
         assert_eq!(column(&outcome, "negative_pivots").last(), Some(&0.0), "{particles}");
-        assert!(outcome.summary.critical.is_empty(), "{particles}: {:?}", outcome.summary.critical);
+        assert!(
+            outcome.summary.record.critical.is_empty(),
+            "{particles}: {:?}",
+            outcome.summary.record.critical
+        );
     }
 }

@@ -4,6 +4,8 @@
 //! \[schweizerhof1984\]. The solver is symmetric, so the tangent takes the symmetric part. Equilibria stay exact, since
 //! residuals hold the whole load; critical levels are those of the symmetric part, and flutter is not looked for.
 
+use std::ops::DerefMut;
+
 use explicit_dynamics::Instant;
 
 use crate::loads::{Block, Body};
@@ -30,7 +32,7 @@ impl Shell {
     }
 }
 
-impl StaticShell {
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Largest entry of the skew part of the load stiffness at level one in the unknowns, in units of its largest derivative:
     /// zero where the loads have a potential in the present state, of order one where free edges leave them without.
     pub fn skew_load_share(&self) -> f64 {

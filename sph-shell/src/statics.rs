@@ -49,6 +49,11 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         &self.shell
     }
 
+    /// The same, to put it into another state; whatever is evaluated is that of the state before.
+    pub fn shell_mut(&mut self) -> &mut Shell {
+        &mut self.shell
+    }
+
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
     pub fn evaluate(&mut self, level: f64) {
         self.put(level);

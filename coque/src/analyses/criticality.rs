@@ -2,9 +2,8 @@
 
 use implicit_statics::{CriticalKind, Passed, Path};
 
-use crate::results::summary::CriticalSummary;
-use crate::run::Findings;
-use crate::{Doubt, Warning};
+use crate::Doubt;
+use crate::run::record::{CriticalSummary, RunRecord, place};
 
 /// A path whose levels are given, or one that goes where the equilibria lead.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -17,7 +16,7 @@ const BY_ARC: &str = "follow the path itself with [analysis.arc-length]";
 const SMALLER: &str = "take smaller steps there";
 
 /// Takes over what was critical on a path; `unit` is that of the force where the level is one.
-pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mut Findings<'_>) {
+pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mut RunRecord) {
     let place = |level: f64| place(level, unit);
     let summary = |kind: &str, level: f64, between: Option<[f64; 2]>| CriticalSummary {
         kind: kind.into(),
@@ -38,7 +37,7 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
                  the shell leaves this path there, and a slight imperfection makes it leave before",
                 place(critical.level)
             );
-            found.warnings.push(Warning::new(Doubt::PassedCritical, message));
+            found.warn(Doubt::PassedCritical, message);
         }
         found.critical.push(summary(kind, critical.level, None));
     }
@@ -77,7 +76,7 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
                 (message, "doubtful step", 0.5 * (low + high))
             }
         };
-        found.warnings.push(Warning::new(Doubt::PassedCritical, message));
+        found.warn(Doubt::PassedCritical, message);
         // A limit point that was located is where its branch turns back.
         if !found.critical.iter().any(|critical| critical.level == level) {
             found.critical.push(summary(kind, level, between));
@@ -93,27 +92,6 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
             place(point.level()),
             point.unstable
         );
-        found.warnings.push(Warning::new(Doubt::Unstable, message));
-    }
-}
-
-/// A level with what it is: `load level 0.5`, or `a force of 127.4 N`.
-pub(crate) fn place(level: f64, unit: Option<&str>) -> String {
-    match unit {
-        None => format!("load level {level}"),
-        Some("-") => format!("a force of {level}"),
-        Some(unit) => format!("a force of {level} {unit}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_force_has_its_unit() {
-        assert_eq!(place(0.5, None), "load level 0.5");
-        assert_eq!(place(127.4, Some("N")), "a force of 127.4 N");
-        assert_eq!(place(127.4, Some("-")), "a force of 127.4");
+        found.warn(Doubt::Unstable, message);
     }
 }

@@ -1,20 +1,21 @@
-//! Analyses that give modes: free vibration and linearised buckling of the unloaded shell.
+//! Analyses that give modes: free vibration and linearised buckling of the unloaded body.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BucklingOptions, Counted, Effort, Equilibrium, EquilibriumError, Prebuckling, Sign, Spectrum,
-    linear_buckling, natural_modes,
+    BucklingOptions, Counted, Effort, EquilibriumError, Prebuckling, Sign, Spectrum, linear_buckling,
+    natural_modes,
 };
 use sph_core::Vec3;
-use sph_shell::{Shell, StaticShell};
 
-use crate::analyses::march::reference_step;
-use crate::results::summary::CountSummary;
-use crate::run::{Ended, Failure, Findings, Progress, ProgressReport};
+use crate::Doubt;
+use crate::bodies::{Balanced, Configuration};
+use crate::run::Run;
+use crate::run::outcome::Ended;
+use crate::run::progress::{Progress, ProgressReport};
+use crate::run::record::CountSummary;
 use crate::scene::{self, Buckling, LevelSign};
-use crate::{Doubt, Warning};
 
 /// Largest displacement of a shape of free size in units of the extent.
 const SCALE: f64 = 0.1;
@@ -24,39 +25,37 @@ const SCALE: f64 = 0.1;
 const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
 
 /// Finds the lowest modes of vibration.
-pub(crate) fn modal(count: usize, mut shell: Shell, found: &mut Findings<'_>, progress: &mut dyn Progress) {
-    found.stable_step = reference_step(&mut shell);
-    let fastest = 2.0 / found.stable_step;
-    let mut system = StaticShell::new(shell);
-    let mut watch = watch(progress);
-    let mut spectrum = natural_modes(&mut system, 0.0, count, 0.0, &mut watch);
+pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+    run.record.stable_step = system.stable_step();
+    let fastest = 2.0 / run.record.stable_step;
+    let mut watch = watch(&mut *run.progress);
+    let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
     if matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. })) {
         for shift in SHIFTS {
-            spectrum = natural_modes(&mut system, 0.0, count, -shift * fastest * fastest, &mut watch);
+            spectrum = natural_modes(system, 0.0, count, -shift * fastest * fastest, &mut watch);
             if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
                 break;
             }
         }
     }
-    let Some(modes) = taken(spectrum, count, "frequencies squared", found) else { return };
+    drop(watch);
+    let modes = match taken(spectrum, count, "frequencies squared", run) {
+        Ok(modes) => modes,
+        Err(ended) => return ended,
+    };
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
-        found.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU, mode.residual]);
-        if keep(&mut system, &mode.shape, omega / TAU, found).is_break() {
-            return;
+        run.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU, mode.residual]);
+        if keep(system, &mode.shape, omega / TAU, run).is_break() {
+            break;
         }
     }
+    Ended::Done
 }
 
 /// Finds the buckling levels nearest to zero.
-pub(crate) fn buckling(
-    wanted: &Buckling,
-    shell: Shell,
-    found: &mut Findings<'_>,
-    progress: &mut dyn Progress,
-) {
-    let mut system = StaticShell::new(shell);
-    found.warn_of_skew_loads(&system);
+pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+    run.warn_of_skew_loads(system.skew_load_share());
     let options = BucklingOptions {
         count: wanted.modes,
         sign: match wanted.sign {
@@ -69,14 +68,18 @@ pub(crate) fn buckling(
             scene::Prebuckling::Stress => Prebuckling::Stress,
         },
     };
-    let spectrum = linear_buckling(&mut system, 0.0, &options, &mut watch(progress));
-    let Some(modes) = taken(spectrum, wanted.modes, "levels", found) else { return };
+    let spectrum = linear_buckling(system, 0.0, &options, &mut watch(&mut *run.progress));
+    let modes = match taken(spectrum, wanted.modes, "levels", run) {
+        Ok(modes) => modes,
+        Err(ended) => return ended,
+    };
     for (number, mode) in modes.iter().enumerate() {
-        found.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
-        if keep(&mut system, &mode.shape, mode.level, found).is_break() {
-            return;
+        run.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
+        if keep(system, &mode.shape, mode.level, run).is_break() {
+            break;
         }
     }
+    Ended::Done
 }
 
 /// Asks the progress between two solves whether to go on.
@@ -84,79 +87,66 @@ fn watch(progress: &mut dyn Progress) -> impl FnMut(&Effort) -> ControlFlow<()> 
     |effort| progress.update(&ProgressReport { steps: effort.solves as u64, ..ProgressReport::default() })
 }
 
-/// The modes of a spectrum, with its count and a warning if there are fewer than wanted; none where it failed.
+/// The modes of a spectrum, with its count and a warning if there are fewer than wanted.
+///
+/// # Errors
+/// How the run ends where there are none.
 fn taken<M>(
     spectrum: Result<Spectrum<M>, EquilibriumError>,
     wanted: usize,
     what: &str,
-    found: &mut Findings<'_>,
-) -> Option<Vec<M>> {
-    let Spectrum { modes, counted, effort } = match spectrum {
-        Ok(spectrum) => spectrum,
-        Err(EquilibriumError::Stopped { .. }) => {
-            found.ended = Ended::Interrupted { time: 0.0, level: 0.0 };
-            return None;
-        }
-        Err(cause) => {
-            found.ended = Ended::Diverged(Failure::Balance { points: 0, level: 0.0, cause, unit: None });
-            return None;
-        }
-    };
+    run: &mut Run<'_>,
+) -> Result<Vec<M>, Ended> {
+    let Spectrum { modes, counted, effort } = spectrum.map_err(|cause| match cause {
+        EquilibriumError::Stopped { .. } => Ended::Interrupted { time: 0.0, level: 0.0 },
+        cause => run.unbalanced(0, 0.0, cause),
+    })?;
     let Counted { from, to, number } = counted;
     if modes.len() < wanted {
         let message = format!(
             "{} of {wanted} modes: inertia counts no more {what} from {from:.3e} to {to:.3e}; ask for fewer `modes`",
             modes.len()
         );
-        found.warnings.push(Warning::new(Doubt::FewerModes, message));
+        run.record.warn(Doubt::FewerModes, message);
     }
-    found.counted = Some(CountSummary {
+    run.record.counted = Some(CountSummary {
         from: from.is_finite().then_some(from),
         to,
         number,
         factorisations: effort.factorisations,
         solves: effort.solves,
     });
-    Some(modes)
+    Ok(modes)
 }
 
 /// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.
-fn keep(system: &mut StaticShell, mode: &[f64], level: f64, found: &mut Findings<'_>) -> ControlFlow<()> {
-    let factor = keep_shape(system, mode, level, found);
-    show(system, &scaled(mode, factor), level, found)
+fn keep(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
+    let factor = keep_shape(system, mode, level, run);
+    if run.frames.is_none() {
+        return ControlFlow::Continue(());
+    }
+    let rest = system.save();
+    system.update(&scaled(mode, factor));
+    let flow = run.offer(system, 0.0, level);
+    system.restore(&rest);
+    flow
 }
 
 /// Counts a mode or a linear answer and keeps its shape about the unloaded one; returns the factor on its motion there.
-pub(crate) fn keep_shape(
-    system: &mut StaticShell,
-    mode: &[f64],
-    level: f64,
-    found: &mut Findings<'_>,
-) -> f64 {
+pub(crate) fn keep_shape(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> f64 {
     let rest = system.save();
     system.update(mode);
-    let shell = system.shell();
-    let motion: Vec<Vec3> = (0..shell.len()).map(|a| shell.displacement(a)).collect();
-    system.restore(&rest);
-    let start = &system.shell().reference().cloud.positions;
+    let Configuration { rest: start, present, .. } = system.configuration();
+    let motion: Vec<Vec3> = start.iter().zip(&present).map(|(from, to)| to - from).collect();
     let corner = |pick: fn(f64, f64) -> f64| start.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
     let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
     let largest = motion.iter().map(|u| u.norm()).fold(0.0, f64::max);
     let factor = if largest > 0.0 { SCALE * (high - low).norm() / largest } else { 0.0 };
     let positions = start.iter().zip(&motion).map(|(x, u)| x + u * factor).collect();
-    found.steps += 1;
-    found.keep_positions(positions, 0.0, level);
-    factor
-}
-
-/// Offers the shell moved by `motion` as a frame, if frames are wanted, and moves it back.
-fn show(system: &mut StaticShell, motion: &[f64], level: f64, found: &mut Findings<'_>) -> ControlFlow<()> {
-    let Some(frames) = &mut found.frames else { return ControlFlow::Continue(()) };
-    let rest = system.save();
-    system.update(motion);
-    let flow = frames.offer(system.shell(), 0.0, level);
     system.restore(&rest);
-    flow
+    run.record.steps += 1;
+    run.keep_positions(positions, 0.0, level);
+    factor
 }
 
 /// A motion times a factor.

@@ -1,5 +1,24 @@
 //! The bodies of a scene: what the application asks of any of them, and a folder for each kind.
+//!
+//! | where is | look in |
+//! |---|---|
+//! | what a body must offer | `body.rs` |
+//! | a body with its task, ready to run | `model.rs` |
+//! | columns of the curve | `probe.rs` |
+//! | shells | `shell/` |
 
+pub(crate) mod body;
+mod memory;
+pub(crate) mod model;
 pub(crate) mod probe;
 pub(crate) mod sets;
 pub(crate) mod shell;
+
+pub use body::{
+    Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
+    TangentCost,
+};
+pub use memory::Memory;
+pub(crate) use model::Identity;
+pub use model::{Model, Task};
+pub use probe::Probe;

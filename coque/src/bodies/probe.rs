@@ -1,12 +1,11 @@
-//! What a row of the curve is made of: columns measured on sets of particles.
+//! A column of the curve, measured on a set of particles of a body.
 
 use sph_core::Vec3;
-use sph_shell::Shell;
 
-use crate::bodies::shell::build::Model;
+use super::body::Body;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Measured, Scene};
+use crate::scene::{Analysis, Measured};
 
 /// Columns that every curve of an analysis has.
 pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
@@ -20,40 +19,29 @@ pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
     }
 }
 
-/// The columns of [`always`] with their units, and those of the scene's own gauges.
-///
-/// `level` is a force where a prescribed motion drives an analysis that finds the load, and the share of that motion
-/// where the level is given.
-pub(crate) fn columns(model: &Model) -> Vec<Column> {
-    let Scene { analysis, units, .. } = &model.scene;
-    let force = model.driven.is_some() && !matches!(analysis, Analysis::Static(_) | Analysis::Linear(_));
-    let quantity = |name: &str| match name {
-        "time" => Quantity::Time,
-        "level" if force => Quantity::Force,
-        "level" | "iterations" | "negative_pivots" | "mode" | "residual" => Quantity::Ratio,
-        "circular_frequency" | "frequency" => Quantity::Rate,
-        _ => Quantity::Energy,
-    };
-    let unit = |name: &str| units.symbol(quantity(name));
-    let always = always(analysis).iter().map(|&name| Column { name: name.into(), unit: unit(name) });
-    let own = model.gauges.iter().filter(|_| !analysis.gives_modes()).map(|gauge| gauge.column(units));
-    always.chain(own).collect()
-}
-
 /// One column, measured.
 #[derive(Clone, Debug)]
-pub(crate) struct Gauge {
-    pub(crate) name: String,
-    pub(crate) of: Measured,
-    pub(crate) particles: Vec<u32>,
-    /// Unit vector in the turned frame.
-    pub(crate) direction: Vec3,
-    pub(crate) factor: f64,
-    /// For a rotation: last director and accumulated angle \[rad\] of each particle.
-    pub(crate) turned: Vec<(Vec3, f64)>,
+pub struct Probe {
+    /// Name of the column.
+    pub name: String,
+    /// What it measures.
+    pub of: Measured,
+    /// Particles over which it is reduced.
+    pub particles: Vec<u32>,
+    /// Unit vector along which it is measured.
+    pub direction: Vec3,
+    /// Factor on the value.
+    pub factor: f64,
+    /// For a rotation: last director and angle so far \[rad\] of each particle.
+    pub(crate) turns: Vec<(Vec3, f64)>,
 }
 
-impl Gauge {
+impl Probe {
+    /// A column of factor one.
+    pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
+        Self { name: name.into(), of, particles, direction, factor: 1.0, turns: Vec::new() }
+    }
+
     pub(crate) fn column(&self, units: &Units) -> Column {
         let quantity = match self.of {
             Measured::Displacement | Measured::Position => Quantity::Length,
@@ -67,18 +55,15 @@ impl Gauge {
     /// The value now: a mean over the set, for a reaction the sum.
     ///
     /// A rotation must be read at least twice a turn, since it is counted on from the last reading.
-    pub(crate) fn read(&mut self, shell: &Shell) -> f64 {
+    pub(crate) fn read(&mut self, body: &dyn Body) -> f64 {
         if self.of == Measured::Rotation {
-            self.count_on(shell);
+            self.count_on(body);
         }
         let one = |i: usize| {
             let a = self.particles[i] as usize;
             match self.of {
-                Measured::Displacement => shell.displacement(a).dot(&self.direction),
-                Measured::Position => shell.position(a).dot(&self.direction),
-                Measured::Reaction => shell.reaction(a).dot(&self.direction),
-                Measured::Director => shell.director(a).dot(&self.direction),
-                Measured::Rotation => self.turned[i].1,
+                Measured::Rotation => self.turns[i].1,
+                of => body.read(of, a, &self.direction),
             }
         };
         let sum: f64 = (0..self.particles.len()).map(one).sum();
@@ -86,13 +71,15 @@ impl Gauge {
         self.factor * sum / share
     }
 
-    fn count_on(&mut self, shell: &Shell) {
-        let directors = self.particles.iter().map(|&a| shell.director(a as usize));
-        if self.turned.is_empty() {
-            self.turned = directors.map(|d| (d, 0.0)).collect();
+    fn count_on(&mut self, body: &dyn Body) {
+        let along = |a: u32, axis: &Vec3| body.read(Measured::Director, a as usize, axis);
+        let director = |&a: &u32| Vec3::new(along(a, &Vec3::x()), along(a, &Vec3::y()), along(a, &Vec3::z()));
+        let directors = self.particles.iter().map(director);
+        if self.turns.is_empty() {
+            self.turns = directors.map(|d| (d, 0.0)).collect();
             return;
         }
-        for ((last, angle), now) in self.turned.iter_mut().zip(directors) {
+        for ((last, angle), now) in self.turns.iter_mut().zip(directors) {
             *angle += turn(last, &now, &self.direction);
             *last = now;
         }

@@ -51,7 +51,7 @@ fn described(model: &Model) -> String {
     let about = model.describe();
     let mut text = format!(
         "\n  particles                {}\n  points                   {}\n  freedoms                 {}\n",
-        about.particles, about.points, about.freedoms
+        about.particles, about.points, about.dof
     );
     for (heading, lines) in [("modelled", &about.modelled), ("left out", &about.left_out)] {
         text.push_str(&format!("\n{heading}\n"));

@@ -4,7 +4,9 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use coque::{CHECKPOINT, FieldFiles, Outcome, SCENE_COPY, Scene, Whole, plot_svg, write_whole};
+use coque::{
+    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, Task, Whole, plot_svg, write_whole,
+};
 
 use super::say::say;
 
@@ -19,7 +21,7 @@ const FIELDS: &str = "fields";
 const LOCK: &str = "coque.lock";
 
 /// What a run writes, but for the copy of its scene and its frames.
-const WRITTEN: [&str; 5] = [CURVE, PICTURE, SUMMARY, CHECKPOINT, TABLE];
+const WRITTEN: [&str; 6] = [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, TABLE];
 
 /// The folder of a run, held until this is dropped.
 pub struct ResultFolder {
@@ -103,7 +105,7 @@ impl ResultFolder {
     }
 
     /// Writes what a run found. One file that cannot be written keeps no other from being.
-    pub fn write(&self, scene: &Scene, outcome: &Outcome) -> Result<(), String> {
+    pub fn write(&self, task: &Task, outcome: &Outcome) -> Result<(), String> {
         let mut refused = String::new();
         let mut note = |name: &str, written: io::Result<()>| {
             if let Err(error) = written {
@@ -117,8 +119,8 @@ impl ResultFolder {
             summary.and_then(|text| write_whole(&self.path.join(SUMMARY), |to| to.write_all(&text))),
         );
         // A plot of what probes measure has no place among modes.
-        if let Some(plot) = scene.output.plot.as_ref().filter(|_| !scene.analysis.gives_modes()) {
-            let drawn = plot_svg(&outcome.curve, &plot.x, &plot.y, &scene.title, &self.path.join(PICTURE));
+        if let Some(plot) = task.output.plot.as_ref().filter(|_| !task.analysis.gives_modes()) {
+            let drawn = plot_svg(&outcome.curve, &plot.x, &plot.y, &task.title, &self.path.join(PICTURE));
             if let Err(error) = drawn {
                 refused.push_str(&format!("{error}\n"));
             }

@@ -156,7 +156,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         Err(error) => return refused(error),
     };
     let code = match outcome.ended {
-        Ended::Done if !outcome.summary.not_settled().is_empty() => NOT_SETTLED,
+        Ended::Done if !outcome.summary.record.not_settled().is_empty() => NOT_SETTLED,
         Ended::Done => DONE,
         Ended::Diverged(ref failure) if failure.is_input() => BAD_INPUT,
         Ended::Diverged(_) => DIVERGED,
@@ -164,7 +164,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
     };
     let last = outcome.curve.rows.last().cloned().unwrap_or_default();
     let seconds = begun.elapsed().as_secs_f64();
-    let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.warnings);
+    let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.record.warnings);
     Row { ended, code, seconds, columns: outcome.curve.columns, last, warnings }
 }
 
@@ -195,7 +195,7 @@ fn clear_runs(out: &Path) -> Result<(), String> {
 /// Runs a model; its curve and its frames go into its folder.
 fn run(model: Model, out: &Path, stop: &Stop) -> Result<Outcome, String> {
     let folder = ResultFolder::take(out)?;
-    let mut files = fields(&model.scene, out, None).map_err(|error| error.to_string())?;
+    let mut files = fields(&model.task, out, None).map_err(|error| error.to_string())?;
     let options = RunOptions {
         progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(CURVE)) },
         checkpoints: None,

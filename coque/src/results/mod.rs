@@ -3,4 +3,3 @@
 pub(crate) mod curve;
 pub(crate) mod growing;
 pub(crate) mod plot;
-pub(crate) mod summary;

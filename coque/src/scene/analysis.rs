@@ -112,6 +112,11 @@ impl Analysis {
         matches!(self, Self::Modal(_) | Self::Buckling(_))
     }
 
+    /// Whether shapes are those that the body takes, not enlarged for the eye.
+    pub(crate) fn states_are_true_to_scale(&self) -> bool {
+        matches!(self, Self::Explicit(_) | Self::Static(_) | Self::ArcLength(_))
+    }
+
     /// What the run is called in messages.
     pub(crate) fn run_name(&self) -> &'static str {
         match self {

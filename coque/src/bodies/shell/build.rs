@@ -1,69 +1,64 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
-use std::fmt;
-
 use nalgebra::Rotation3;
-use sph_core::{Cloud, EndWeights, SpaceError, Vec3};
-use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, Supported};
+use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
+use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported};
 
-use crate::Warning;
-use crate::bodies::probe::Gauge;
+use super::describe::describe;
+use super::doubts::{doubts_of, doubts_of_shapes};
+use super::imported::{Imported, Provenance};
+use super::rigid::free_motions;
 use crate::bodies::sets::{self, Sets};
-use crate::bodies::shell::doubts::doubts_of;
-use crate::bodies::shell::imported::{Imported, Provenance};
-use crate::bodies::shell::rigid::free_motions;
-use crate::run::memory::Memory;
+use crate::bodies::{Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape, Task};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
 
-/// A shell ready to be marched, with what its curve measures.
-pub struct Model {
-    /// The shell.
-    pub shell: Shell,
-    /// The scene it was built from.
-    pub scene: Scene,
-    /// Where the surface comes from, if it was read from a file.
-    pub(crate) surface: Option<Provenance>,
-    pub(crate) gauges: Vec<Gauge>,
-    /// The prescribed motion whose force is sought, in analyses without time.
-    pub(crate) driven: Option<PrescribedPoint>,
-    pub(crate) threads: usize,
-    pub(crate) warnings: Vec<Warning>,
-    /// What a run will need, and what there is.
-    pub memory: Memory,
-}
-
-/// A prescribed motion of one particle that a force along it brings about.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct PrescribedPoint {
-    pub(crate) particle: u32,
-    /// Unit vector along the motion, in the turned frame.
-    pub(crate) direction: Vec3,
-    /// Displacement at level one \[L\], positive.
-    pub(crate) by: f64,
-}
-
-impl fmt::Debug for Model {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Model").field("describe", &self.describe()).finish_non_exhaustive()
-    }
-}
-
-impl Model {
-    /// What is known beforehand to make its numbers wrong, and why.
-    pub fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-}
-
 impl Scene {
-    /// Builds the shell; a run will use `threads` threads (at least one), with the same results for any number.
+    /// Builds the body; a run will use `threads` threads (at least one), with the same results for any number.
     ///
     /// # Errors
     /// [`SceneError`] for whatever [`Scene::parse`] refuses (fields may have been changed since), for empty
     /// sets, supports that leave a rigid motion free in a quasi-static run, and
     /// whatever the layers below refuse.
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+        let Built { shell, probes, driven, surface, turn, memory } = self.assemble(threads)?;
+        let description = describe(self, &shell, surface.as_ref());
+        let warnings = doubts_of(self, turn, &shell);
+        let cloud = &shell.reference().cloud;
+        let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
+        let judge = move |cells: &[Cell], shapes: &[Shape]| doubts_of_shapes(cells, loss, area, shapes);
+        let identity = surface.map_or_else(Identity::default, |surface| Identity {
+            file: Some(surface.file),
+            checksum: Some(surface.checksum),
+        });
+        let body = match &self.analysis {
+            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
+            _ => Ready::Static(Box::new(StaticShell::new(shell))),
+        };
+        let threads = threads.max(1);
+        Ok(Model {
+            task: Task::of(self),
+            body,
+            description,
+            memory,
+            identity,
+            probes,
+            driven,
+            threads,
+            warnings,
+            judge: Some(Box::new(judge)),
+        })
+    }
+
+    /// Builds the shell alone, for programs that march or solve it themselves.
+    ///
+    /// # Errors
+    /// As [`Scene::build`].
+    pub fn build_shell(&self, threads: usize) -> Result<Shell, SceneError> {
+        self.assemble(threads).map(|built| built.shell)
+    }
+
+    fn assemble(&self, threads: usize) -> Result<Built, SceneError> {
         self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
@@ -81,7 +76,7 @@ impl Scene {
         let sets = Sets::find(self, &flat, imported.as_ref())?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
-        let gauges = builder.gauges(&sets)?;
+        let probes = builder.probes(&sets)?;
         let supports = builder.supports(&sets)?;
         let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, &supports)?;
@@ -109,9 +104,7 @@ impl Scene {
         }
         builder.refuse_more_modes_than(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        let warnings = doubts_of(self, builder.turn, &shell);
-        let threads = threads.max(1);
-        Ok(Model { shell, scene: self.clone(), surface, gauges, driven, threads, warnings, memory })
+        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -124,24 +117,31 @@ impl Scene {
     }
 }
 
+/// A shell with what its curve measures.
+struct Built {
+    shell: Shell,
+    probes: Vec<Probe>,
+    driven: Option<PrescribedPoint>,
+    /// Where the surface comes from, if it was read from a file.
+    surface: Option<Provenance>,
+    turn: Rotation3<f64>,
+    memory: Memory,
+}
+
 pub(crate) struct Builder<'a> {
     pub(crate) scene: &'a Scene,
     turn: Rotation3<f64>,
 }
 
 impl Builder<'_> {
-    fn gauges(&self, sets: &Sets) -> Result<Vec<Gauge>, SceneError> {
-        let gauge = |(i, probe): (usize, &scene::Probe)| {
-            Ok(Gauge {
-                name: probe.name.clone(),
-                of: probe.of,
-                particles: sets.at(self.scene, &format!("curve[{i}].on"), &probe.on)?.to_vec(),
-                direction: self.turned(probe.direction).normalize(),
-                factor: probe.factor,
-                turned: Vec::new(),
-            })
+    fn probes(&self, sets: &Sets) -> Result<Vec<Probe>, SceneError> {
+        let probe = |(i, column): (usize, &scene::Probe)| {
+            let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?.to_vec();
+            let direction = self.turned(column.direction).normalize();
+            let probe = Probe::new(&column.name, column.of, particles, direction);
+            Ok(Probe { factor: column.factor, ..probe })
         };
-        self.scene.curve.iter().enumerate().map(gauge).collect()
+        self.scene.curve.iter().enumerate().map(probe).collect()
     }
 
     pub(crate) fn turned(&self, v: [f64; 3]) -> Vec3 {
@@ -312,8 +312,7 @@ impl Builder<'_> {
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
             }
-            &(ShellError::OutOfPlane { support, .. }
-            | ShellError::HeldDirector { rotated: support, .. }) => {
+            &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |(_, s): &(usize, &scene::Support)| {
                     s.moved.is_none() || !self.scene.analysis.driven_by_load()
                 };
@@ -335,9 +334,7 @@ fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude 
         None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
         Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
         Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
-        Some(scene::Amplitude::Table(points)) => {
-            Amplitude::Table(points.clone())
-        }
+        Some(scene::Amplitude::Table(points)) => Amplitude::Table(points.clone()),
         Some(scene::Amplitude::Sine { period }) => Amplitude::Sine { period: *period },
     }
 }

@@ -1,8 +1,12 @@
 //! Shells of one layer of particles: from the scene's words to `sph-shell`.
 
+mod body;
 pub(crate) mod build;
+mod describe;
 pub(crate) mod doubts;
 pub(crate) mod imported;
 mod material;
 mod places;
 mod rigid;
+
+pub(crate) use body::LinearForces;

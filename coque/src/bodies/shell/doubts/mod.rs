@@ -16,7 +16,7 @@ use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud};
 use sph_shell::{ChordLoss, Shell};
 
-use crate::run::Shape;
+use crate::bodies::Shape;
 use crate::scene::Scene;
 use crate::warning::{Doubt, Warning};
 use look::Look;

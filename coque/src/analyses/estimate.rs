@@ -2,12 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use explicit_dynamics::{Dynamics, Instant as Moment, Step};
-use implicit_statics::{Equilibrium, SymmetricSolver, linear_response};
-use sph_shell::{Shell, StaticShell};
+use explicit_dynamics::{Instant as Moment, Step};
+use implicit_statics::{SymmetricSolver, linear_response};
 
-use crate::analyses::march::reference_step;
-use crate::bodies::shell::build::Model;
+use super::march::reference_step;
+use crate::bodies::{Balanced, Marched, Model, Ready};
 use crate::scene::{Analysis, Explicit, LevelSign};
 
 /// How long steps are timed.
@@ -18,9 +17,9 @@ const SHORTEST_HOLD: f64 = 0.1;
 const ITERATIONS: [f64; 2] = [3.0, 30.0];
 
 /// What a run will cost.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
-    /// Greatest stable step of the unloaded shell \[T\]; zero without time.
+    /// Greatest stable step of the unloaded body \[T\]; zero without time.
     pub stable_step: f64,
     /// Steps, without time factorisations: least and most; a path by arc length tells neither beforehand.
     pub steps: Option<[f64; 2]>,
@@ -35,51 +34,49 @@ pub struct Estimate {
 }
 
 impl Model {
-    /// Times a few steps, or the first factorisation, of the shell at rest.
+    /// Times a few steps, or the first factorisation, of the body at rest.
     pub fn estimate(self) -> Estimate {
-        let Self { mut shell, scene, threads, .. } = self;
-        let bytes = shell.bytes_per_particle() * shell.len() as f64;
-        if let Analysis::Explicit(explicit) = &scene.analysis {
-            let stable_step = reference_step(&mut shell);
-            let dt = explicit.safety * stable_step;
-            let seconds_a_step = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-                Ok(pool) if threads > 1 => pool.install(|| time_steps(&mut shell, dt)),
-                _ => time_steps(&mut shell, dt),
-            };
-            let steps = steps(explicit, dt);
-            let seconds = Some(steps.map(|count| count * seconds_a_step));
-            return Estimate {
-                stable_step,
-                steps: Some(steps),
-                seconds_a_step,
-                solves: None,
-                seconds,
-                bytes,
-            };
-        }
-        let work = match &scene.analysis {
-            Analysis::Modal(wanted) => Some(Work::of_vibration(wanted.modes)),
-            Analysis::Buckling(wanted) => {
-                let sides = if wanted.sign == LevelSign::Either { 2.0 } else { 1.0 };
-                Some(Work::of_buckling(wanted.modes, sides))
+        let Self { mut body, task, description, threads, .. } = self;
+        let bytes = description.bytes_per_particle * description.particles as f64;
+        match (&mut body, &task.analysis) {
+            (Ready::Dynamic(body), Analysis::Explicit(explicit)) => {
+                of_march(explicit, body.as_mut(), threads, bytes)
             }
-            _ => None,
-        };
-        if let Some(work) = work {
-            return work.estimate(&mut StaticShell::new(shell), bytes);
+            (Ready::Dynamic(_), _) => Estimate { bytes, ..Estimate::default() },
+            (Ready::Static(body), analysis) => of_balance(analysis, body.as_mut(), bytes),
         }
-        let steps = match &scene.analysis {
-            Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
-            Analysis::ArcLength(_) => None,
-            _ => Some([1.0; 2]),
-        };
-        let begun = Instant::now();
-        // A tangent that cannot be factorised says so when the scene is run; its time counts all the same.
-        let _ = linear_response(&mut StaticShell::new(shell), 0.0);
-        let seconds_a_step = begun.elapsed().as_secs_f64();
-        let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
-        Estimate { stable_step: 0.0, steps, seconds_a_step, solves: None, seconds, bytes }
     }
+}
+
+fn of_march(explicit: &Explicit, body: &mut dyn Marched, threads: usize, bytes: f64) -> Estimate {
+    let stable_step = reference_step(body);
+    let dt = explicit.safety * stable_step;
+    let seconds_a_step = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) if threads > 1 => pool.install(|| time_steps(body, dt)),
+        _ => time_steps(body, dt),
+    };
+    let steps = steps(explicit, dt);
+    let seconds = Some(steps.map(|count| count * seconds_a_step));
+    Estimate { stable_step, steps: Some(steps), seconds_a_step, seconds, bytes, ..Estimate::default() }
+}
+
+fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estimate {
+    let steps = match analysis {
+        Analysis::Modal(wanted) => return Work::of_vibration(wanted.modes).estimate(body, bytes),
+        Analysis::Buckling(wanted) => {
+            let sides = if wanted.sign == LevelSign::Either { 2.0 } else { 1.0 };
+            return Work::of_buckling(wanted.modes, sides).estimate(body, bytes);
+        }
+        Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
+        Analysis::ArcLength(_) => None,
+        _ => Some([1.0; 2]),
+    };
+    let begun = Instant::now();
+    // A tangent that cannot be factorised says so when the scene is run; its time counts all the same.
+    let _ = linear_response(body, 0.0);
+    let seconds_a_step = begun.elapsed().as_secs_f64();
+    let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
+    Estimate { steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
 }
 
 /// What modes take: tangents, factorisations, solves; least and most.
@@ -111,7 +108,7 @@ impl Work {
     }
 
     /// Times each of the three once.
-    fn estimate(&self, system: &mut StaticShell, bytes: f64) -> Estimate {
+    fn estimate(&self, system: &mut dyn Balanced, bytes: f64) -> Estimate {
         let timed = |begun: Instant| begun.elapsed().as_secs_f64();
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];
@@ -151,14 +148,14 @@ fn steps(explicit: &Explicit, dt: f64) -> [f64; 2] {
 }
 
 /// Seconds a step, without load: nothing moves and the work is the same.
-fn time_steps(shell: &mut Shell, dt: f64) -> f64 {
+fn time_steps(body: &mut dyn Marched, dt: f64) -> f64 {
     let at = |time| Moment { time, level: 0.0 };
     let step = Step { from: at(0.0), to: at(dt), kick: dt, damping: 0.0 };
-    shell.advance(&step);
+    body.advance(&step);
     let begun = Instant::now();
     let mut count = 0;
     while begun.elapsed() < TIMED {
-        shell.advance(&step);
+        body.advance(&step);
         count += 1;
     }
     begun.elapsed().as_secs_f64() / f64::from(count)

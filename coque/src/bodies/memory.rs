@@ -21,7 +21,7 @@ const KERNEL_FACTOR: f64 = 9100.0;
 const MOST_PARTICLES: f64 = 1e7;
 
 /// Memory of a run \[bytes\].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Memory {
     /// What it will need, within a factor of two.
     pub needed: f64,

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::input::{read_bytes, read_text};
 use crate::whole::{under_way, write_whole};
 
-use super::checkpoint::{CHECKPOINT, Kept, Origin, SCENE_COPY};
+use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 
 /// First bytes of the file.
 const MARK: [u8; 8] = *b"coque-cp";

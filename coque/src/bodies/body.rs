@@ -1,0 +1,190 @@
+//! What the application asks of any model: where its particles are, what can be measured on them, what it keeps.
+
+use std::borrow::Cow;
+
+use explicit_dynamics::Dynamics;
+use implicit_statics::Equilibrium;
+use serde::{Deserialize, Serialize};
+use sph_core::{Cell, Vec3};
+
+use crate::scene::Measured;
+
+/// Particles that move, whatever they are made of.
+///
+/// Curves, pictures, checkpoints and files of fields need no more than this. How a body moves is [`Dynamics`] or
+/// [`Equilibrium`].
+pub trait Body: Send {
+    /// Where the particles are, and where they were at rest.
+    fn configuration(&self) -> Configuration<'_>;
+
+    /// One quantity at one particle, its component along a unit vector where it has components.
+    ///
+    /// Forces are those of the last evaluation.
+    fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64;
+
+    /// TEMP
+    fn as_shell(&self) -> Option<&sph_shell::Shell>;
+
+    /// All that changes while it moves, as named arrays: what a checkpoint keeps.
+    fn state(&self) -> Vec<StateArray<'_>>;
+
+    /// Takes up a state that [`Body::state`] gave, to the same bits.
+    ///
+    /// # Errors
+    /// [`Mismatch`], and nothing changed, for the state of another body.
+    fn set_state(&mut self, state: &[StateArray<'_>]) -> Result<(), Mismatch>;
+}
+
+/// A body that is marched in time.
+pub trait Marched: Body + Dynamics {
+    /// The same body without time, for a look at the tangent of the state at which it rests; none without an energy.
+    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+        None
+    }
+}
+
+/// A body whose equilibria are sought without time.
+pub trait Balanced: Body + Equilibrium {
+    /// Evaluates forces at a level, so that they can be read; returns the internal energy \[F L\].
+    fn refresh(&mut self, level: f64) -> f64;
+
+    /// The displacement of a particle along a direction, as weights of the unknowns.
+    fn functional(&self, particle: usize, along: Vec3) -> Vec<f64>;
+
+    /// A displacement across which answers are no longer linear \[L\]: the thickness of a shell.
+    fn linear_reach(&self) -> f64;
+
+    /// Greatest stable step of the unloaded body, were it marched \[T\]; zero if none was found.
+    fn stable_step(&mut self) -> f64;
+
+    /// Largest skew entry of the load stiffness over the largest entry \[–\]: zero for loads with a potential.
+    fn skew_load_share(&self) -> f64 {
+        0.0
+    }
+
+    /// Forces that fields show and that grow with the load of a linear answer, as one row of numbers.
+    fn forces(&self) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+/// A body ready for its analysis.
+pub enum Ready {
+    /// For analyses in time.
+    Dynamic(Box<dyn Marched>),
+    /// For analyses without time.
+    Static(Box<dyn Balanced>),
+}
+
+impl Ready {
+    /// The body, however it is solved.
+    pub fn body(&self) -> &dyn Body {
+        match self {
+            Self::Dynamic(body) => body.as_ref(),
+            Self::Static(body) => body.as_ref(),
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn body_mut(&mut self) -> &mut dyn Body {
+        match self {
+            Self::Dynamic(body) => body.as_mut(),
+            Self::Static(body) => body.as_mut(),
+        }
+    }
+}
+
+/// Where the particles of a body are.
+#[derive(Clone, Debug)]
+pub struct Configuration<'a> {
+    /// Positions at rest \[L\].
+    pub rest: &'a [Vec3],
+    /// Present positions \[L\].
+    pub present: Vec<Vec3>,
+    /// Cells between the particles; none where there are particles only.
+    pub cells: &'a [Cell],
+}
+
+/// A named array of what changes while a body moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StateArray<'a> {
+    /// What it holds.
+    pub name: Cow<'a, str>,
+    /// Its numbers.
+    pub numbers: Cow<'a, [f64]>,
+}
+
+impl<'a> StateArray<'a> {
+    /// An array under a name.
+    pub fn new(name: &'static str, numbers: &'a [f64]) -> Self {
+        Self { name: name.into(), numbers: numbers.into() }
+    }
+}
+
+/// A state that belongs to another body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the state is that of another body")]
+pub struct Mismatch;
+
+/// A deformed shape.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shape {
+    /// Time \[T\].
+    pub time: f64,
+    /// Load level.
+    pub level: f64,
+    /// Positions of the particles \[L\].
+    pub positions: Vec<Vec3>,
+}
+
+/// What a body is: for summaries, and for what a run costs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Description {
+    /// Kind of body, as scenes call it.
+    pub kind: &'static str,
+    /// Method with its options.
+    pub method: String,
+    /// Particles.
+    pub particles: usize,
+    /// Points at which strains are sampled.
+    pub points: usize,
+    /// Degrees of freedom that no support holds.
+    pub dof: usize,
+    /// Mean distance between particles \[L\].
+    pub spacing: f64,
+    /// Memory that a step touches, per particle \[bytes\].
+    pub bytes_per_particle: f64,
+    /// What is modelled, one line each.
+    pub modelled: Vec<String>,
+    /// What is not, one line each.
+    pub left_out: Vec<String>,
+    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
+    #[serde(skip)]
+    pub homogeneous: bool,
+    /// Steps in time that a look at the tangent costs.
+    #[serde(skip)]
+    pub tangent: TangentCost,
+}
+
+/// What the tangent of a marched body costs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum TangentCost {
+    /// It has none.
+    #[default]
+    Without,
+    /// Much; it is looked at only where that is asked for.
+    Dear,
+    /// About so many steps in time.
+    Steps(f64),
+}
+
+/// A prescribed motion of one particle that a force along it brings about.
+#[derive(Clone, Copy, Debug)]
+pub struct PrescribedPoint {
+    /// The particle.
+    pub particle: u32,
+    /// Unit vector along the motion.
+    pub direction: Vec3,
+    /// Displacement at level one \[L\], positive.
+    pub by: f64,
+}

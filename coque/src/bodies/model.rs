@@ -1,0 +1,115 @@
+//! A body with what is asked of it, ready to run.
+
+use std::fmt;
+
+use sph_core::Cell;
+
+use super::body::{Description, PrescribedPoint, Ready, Shape};
+use super::memory::Memory;
+use super::probe::Probe;
+use crate::Warning;
+use crate::results::curve::Column;
+use crate::scene::units::{Quantity, Units};
+use crate::scene::{Analysis, Output, Scene};
+
+/// What is asked of a body, whatever it is made of.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// One line that names the problem.
+    pub title: String,
+    /// Units of all numbers.
+    pub units: Units,
+    /// How to find answers.
+    pub analysis: Analysis,
+    /// Further results.
+    pub output: Output,
+}
+
+impl Task {
+    /// What a scene asks of its body.
+    pub fn of(scene: &Scene) -> Self {
+        let Scene { title, units, analysis, output, .. } = scene;
+        Self { title: title.clone(), units: *units, analysis: analysis.clone(), output: output.clone() }
+    }
+}
+
+/// A body ready to be run, with what its curve measures.
+pub struct Model {
+    /// What is asked of it.
+    pub task: Task,
+    /// The body.
+    pub body: Ready,
+    /// What it is.
+    pub description: Description,
+    /// What a run will need, and what there is.
+    pub memory: Memory,
+    pub(crate) identity: Identity,
+    pub(crate) probes: Vec<Probe>,
+    /// The prescribed motion whose force is sought, in analyses without time.
+    pub(crate) driven: Option<PrescribedPoint>,
+    pub(crate) threads: usize,
+    pub(crate) warnings: Vec<Warning>,
+    pub(crate) judge: Option<ShapeJudge>,
+}
+
+/// Looks for doubts in the shapes that a body of such cells took.
+pub(crate) type ShapeJudge = Box<dyn Fn(&[Cell], &[Shape]) -> Vec<Warning> + Send>;
+
+/// What tells a body from another with the same particles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Identity {
+    /// The file that its surface was read from.
+    pub file: Option<String>,
+    /// Checksum of that file.
+    pub checksum: Option<u32>,
+}
+
+impl Model {
+    /// A body that no scene describes, with what its curve measures; it runs on one thread.
+    pub fn new(task: Task, body: Ready, description: Description, probes: Vec<Probe>) -> Self {
+        Self {
+            task,
+            body,
+            description,
+            memory: Memory::default(),
+            identity: Identity::default(),
+            probes,
+            driven: None,
+            threads: 1,
+            warnings: Vec::new(),
+            judge: None,
+        }
+    }
+
+    /// What is known beforehand to make its numbers wrong, and why.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// The columns of the analysis with their units, and those of the probes.
+    ///
+    /// `level` is a force where a prescribed motion drives an analysis that finds the load, and the share of that motion
+    /// where the level is given.
+    pub(crate) fn columns(&self) -> Vec<Column> {
+        let Task { analysis, units, .. } = &self.task;
+        let force = self.driven.is_some() && !matches!(analysis, Analysis::Static(_) | Analysis::Linear(_));
+        let quantity = |name: &str| match name {
+            "time" => Quantity::Time,
+            "level" if force => Quantity::Force,
+            "level" | "iterations" | "negative_pivots" | "mode" | "residual" => Quantity::Ratio,
+            "circular_frequency" | "frequency" => Quantity::Rate,
+            _ => Quantity::Energy,
+        };
+        let unit = |name: &str| units.symbol(quantity(name));
+        let always = super::probe::always(analysis).iter();
+        let always = always.map(|&name| Column { name: name.into(), unit: unit(name) });
+        let own = self.probes.iter().filter(|_| !analysis.gives_modes()).map(|probe| probe.column(units));
+        always.chain(own).collect()
+    }
+}
+
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Model").field("description", &self.description).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,155 @@
+//! A shell as a body: what can be measured on it, what it keeps, and what it offers analyses without time.
+
+use std::ops::DerefMut;
+
+use explicit_dynamics::Dynamics;
+use sph_core::Vec3;
+use sph_shell::{Formulation, PointResult, Shell, StaticShell};
+
+use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
+use crate::scene::Measured;
+
+impl Body for Shell {
+    fn configuration(&self) -> Configuration<'_> {
+        let cloud = &self.reference().cloud;
+        let present = (0..self.len()).map(|a| self.position(a)).collect();
+        Configuration { rest: &cloud.positions, present, cells: &cloud.cells }
+    }
+
+    fn read(&self, of: Measured, a: usize, along: &Vec3) -> f64 {
+        match of {
+            Measured::Displacement => self.displacement(a).dot(along),
+            Measured::Position => self.position(a).dot(along),
+            Measured::Reaction => self.reaction(a).dot(along),
+            Measured::Director | Measured::Rotation => self.director(a).dot(along),
+        }
+    }
+
+    fn as_shell(&self) -> Option<&Shell> {
+        Some(self)
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        let [state, rates] = self.motion().map(<[[f64; 6]]>::as_flattened);
+        vec![StateArray::new("positions and directors", state), StateArray::new("their rates", rates)]
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        let [state, rates] = arrays else { return Err(Mismatch) };
+        let (state, left) = state.numbers.as_chunks::<6>();
+        let (rates, over) = rates.numbers.as_chunks::<6>();
+        let fits = left.is_empty() && over.is_empty() && self.take_up([state, rates]);
+        if fits { Ok(()) } else { Err(Mismatch) }
+    }
+}
+
+impl Marched for Shell {
+    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+        match self.formulation() {
+            Formulation::StrongForm { .. } => None,
+            _ => Some(Box::new(StaticShell::lent(self))),
+        }
+    }
+}
+
+impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
+    fn configuration(&self) -> Configuration<'_> {
+        self.shell().configuration()
+    }
+
+    fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
+        self.shell().read(of, particle, along)
+    }
+
+    fn as_shell(&self) -> Option<&Shell> {
+        Some(self.shell())
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        self.shell().state()
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        Body::set_state(self.shell_mut(), arrays)
+    }
+}
+
+impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
+    fn refresh(&mut self, level: f64) -> f64 {
+        self.evaluate(level);
+        self.shell().stored_energy()
+    }
+
+    fn functional(&self, particle: usize, along: Vec3) -> Vec<f64> {
+        StaticShell::functional(self, &[particle as u32], along)
+    }
+
+    fn linear_reach(&self) -> f64 {
+        self.shell().thickness()
+    }
+
+    fn stable_step(&mut self) -> f64 {
+        Dynamics::stable_step(self.shell_mut(), 1.0).map_or(0.0, |step| step.dt)
+    }
+
+    fn skew_load_share(&self) -> f64 {
+        StaticShell::skew_load_share(self)
+    }
+
+    /// Reactions of all particles, then strains and resultants of all sampling points ([`LinearForces`]).
+    fn forces(&self) -> Vec<f64> {
+        LinearForces::of(self.shell()).numbers()
+    }
+}
+
+/// The forces of a linear answer: all of them grow with the load, none is that of the moved shell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearForces {
+    /// Strains and resultants of every sampling point.
+    pub points: Vec<PointResult>,
+    /// Reactions of all particles \[F\].
+    pub reactions: Vec<Vec3>,
+}
+
+/// Numbers of a sampling point, its direction apart.
+const NUMBERS: usize = 16;
+
+impl LinearForces {
+    /// Those of the present state.
+    pub fn of(shell: &Shell) -> Self {
+        let mut points = vec![PointResult::default(); shell.reference().operator.points.len()];
+        shell.point_results(&mut points);
+        Self { points, reactions: (0..shell.len()).map(|a| shell.reaction(a)).collect() }
+    }
+
+    /// All of them in one row.
+    pub fn numbers(&self) -> Vec<f64> {
+        let mut row: Vec<f64> = self.reactions.iter().flat_map(|force| <[f64; 3]>::from(*force)).collect();
+        let mut points = self.points.clone();
+        for slot in points.iter_mut().flat_map(slots) {
+            row.push(*slot);
+        }
+        row
+    }
+
+    /// Those of a row, in the directions at the points that stand here; none if the row has another length.
+    pub fn with_numbers(mut self, row: &[f64]) -> Option<Self> {
+        let (reactions, numbers) = row.split_at_checked(3 * self.reactions.len())?;
+        if numbers.len() != NUMBERS * self.points.len() {
+            return None;
+        }
+        for (slot, number) in self.points.iter_mut().flat_map(slots).zip(numbers) {
+            *slot = *number;
+        }
+        self.reactions = reactions.chunks_exact(3).map(Vec3::from_column_slice).collect();
+        Some(self)
+    }
+}
+
+/// Every number of a point that grows with the load, in one order for writing and reading.
+fn slots(point: &mut PointResult) -> [&mut f64; NUMBERS] {
+    let PointResult { membrane, curvature, shear, force, moment, shear_force, t1: _ } = point;
+    let ([a, b, c], [d, e, f], [g, h], [i, j, k], [l, m, n], [o, p]) =
+        (membrane, curvature, shear, force, moment, shear_force);
+    [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]
+}

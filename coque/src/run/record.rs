@@ -1,0 +1,158 @@
+//! What a run has found, its rows and shapes apart: kept in checkpoints, written into summaries, read by the judge.
+
+use implicit_statics::Inertia;
+use serde::{Deserialize, Serialize};
+
+use crate::{Doubt, Warning};
+
+/// What a run has found so far, its rows and shapes apart.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RunRecord {
+    /// Time steps; without time the converged points of the path, or the modes.
+    pub steps: u64,
+    /// Newton iterations; zero for analyses in time.
+    pub newton_iterations: u64,
+    /// CriticalSummary points found on a path without time.
+    pub critical: Vec<CriticalSummary>,
+    /// Greatest stable step of the reference configuration \[T\]; zero if none was found, or without time.
+    pub stable_step: f64,
+    /// Fraction of the stable step that was used; zero without time.
+    pub safety: f64,
+    /// Time the run took, over all its sessions \[s\].
+    pub wall_seconds: f64,
+    /// Energies at the last record.
+    pub energies: Energies,
+    /// How each load level ended; empty without levels.
+    pub levels: Vec<LevelSummary>,
+    /// What may be wrong with the numbers above, and why.
+    pub warnings: Vec<Warning>,
+    /// The count of modes; none for other analyses.
+    pub counted: Option<CountSummary>,
+    /// Frames of fields written; zero without `output.fields`.
+    pub frames: u64,
+}
+
+impl RunRecord {
+    /// Adds a warning.
+    pub(crate) fn warn(&mut self, doubt: Doubt, message: String) {
+        self.warnings.push(Warning::new(doubt, message));
+    }
+
+    /// Load levels that were left before the motion had died.
+    pub fn not_settled(&self) -> Vec<f64> {
+        self.levels.iter().filter(|level| !level.settled).map(|level| level.level).collect()
+    }
+}
+
+/// Energies at the last record \[F L\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energies {
+    /// Kinetic.
+    pub kinetic: f64,
+    /// Internal.
+    pub internal: f64,
+    /// Work of loads and prescribed motions.
+    pub external: f64,
+    /// Taken by damping.
+    pub dissipated: f64,
+    /// What is missing from the balance.
+    pub balance_error: f64,
+}
+
+impl Energies {
+    /// Along equilibria that start unloaded the work of the loads is the internal energy.
+    pub(crate) fn at_rest(internal: f64) -> Self {
+        Self { internal, external: internal, ..Self::default() }
+    }
+}
+
+/// How a load level ended.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LevelSummary {
+    /// Load level.
+    pub level: f64,
+    /// Whether the motion died within the hold.
+    pub settled: bool,
+    /// Kinetic over internal energy at the end of the hold.
+    pub kinetic_over_internal: f64,
+    /// Force out of balance over load at the end of the hold; zero without time.
+    pub out_of_balance: f64,
+    /// Way left to the equilibrium over displacement at the end of the hold; zero without time.
+    pub way_left: f64,
+    /// Negative pivots of the tangent: the directions in which the state is unstable; absent where it was not looked at.
+    pub negative_pivots: Option<usize>,
+    /// Steps spent on the level.
+    pub steps: u64,
+}
+
+impl LevelSummary {
+    /// An equilibrium found without time.
+    pub(crate) fn balanced(level: f64, inertia: Option<Inertia>, steps: u64) -> Self {
+        Self {
+            level,
+            settled: true,
+            kinetic_over_internal: 0.0,
+            out_of_balance: 0.0,
+            way_left: 0.0,
+            negative_pivots: inertia.map(|inertia| inertia.negative),
+            steps,
+        }
+    }
+}
+
+/// A singular tangent met on a path of equilibria.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CriticalSummary {
+    /// "limit point" or "bifurcation"; "turning point", "change of branch", "critical points, not located" or "doubtful
+    /// step" where a warning says more.
+    pub kind: String,
+    /// Load level; with a `moved` support the force along the motion.
+    pub level: f64,
+    /// Unit of the level where it is a force.
+    pub unit: Option<String>,
+    /// Levels between which it lies, where it was not located.
+    pub between: Option<[f64; 2]>,
+}
+
+impl CriticalSummary {
+    /// Where it lies: `load level 0.5`, or `a force of 127.4 N`.
+    pub fn place(&self) -> String {
+        place(self.level, self.unit.as_deref())
+    }
+}
+
+/// A level with what it is: `load level 0.5`, or `a force of 127.4 N`.
+pub(crate) fn place(level: f64, unit: Option<&str>) -> String {
+    match unit {
+        None => format!("load level {level}"),
+        Some("-") => format!("a force of {level}"),
+        Some(unit) => format!("a force of {level} {unit}"),
+    }
+}
+
+/// How many modes there are, counted by the signs of pivots (Sylvester's law): as many as were found, none missing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CountSummary {
+    /// Lower end of the interval: a level, or a circular frequency squared \[1/T²\]; none where nothing lies below.
+    pub from: Option<f64>,
+    /// Its upper end.
+    pub to: f64,
+    /// Modes between the two; those wanted are the nearest to zero of them.
+    pub number: usize,
+    /// Factorisations that the modes took.
+    pub factorisations: usize,
+    /// Solves that they took.
+    pub solves: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_has_its_unit() {
+        assert_eq!(place(0.5, None), "load level 0.5");
+        assert_eq!(place(127.4, Some("N")), "a force of 127.4 N");
+        assert_eq!(place(127.4, Some("-")), "a force of 127.4");
+    }
+}

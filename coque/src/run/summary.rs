@@ -1,0 +1,29 @@
+//! What a run was and what it cost, for people and programs (`summary.json`).
+
+use serde::Serialize;
+
+use super::record::RunRecord;
+use crate::bodies::Description;
+
+/// What a run was, what it found and what it cost.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Title of the scene.
+    pub title: String,
+    /// Values of the scene that the command line replaced, as `path=value`.
+    pub replaced: Vec<String>,
+    /// Analysis, as the scene calls it.
+    pub analysis: String,
+    /// What ran, with what is modelled and what is left out.
+    #[serde(flatten)]
+    pub body: Description,
+    /// What was found.
+    #[serde(flatten)]
+    pub record: RunRecord,
+    /// Threads used.
+    pub threads: usize,
+    /// Particles times steps per second of the march \[1/s\]; zero without time.
+    pub particle_steps_per_second: f64,
+    /// "done", or why the run ended early.
+    pub ended: String,
+}

@@ -1,0 +1,176 @@
+//! A run under way: what it has found, what it measures, whom it tells.
+
+use std::borrow::Cow;
+use std::ops::ControlFlow;
+
+use implicit_statics::EquilibriumError;
+
+use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Kept, Stage, checksum};
+use super::outcome::{Ended, Failure};
+use super::progress::{Progress, ProgressReport};
+use super::record::RunRecord;
+use crate::Doubt;
+use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Shape};
+use crate::fields::Frames;
+use crate::results::curve::Curve;
+
+/// Positions kept in all shapes together: half a gigabyte.
+const MOST_POSITIONS: usize = 20_000_000;
+
+/// A run under way.
+pub(crate) struct Run<'a> {
+    pub curve: Curve,
+    /// Deformed shapes, one after the other.
+    pub shapes: Vec<Shape>,
+    /// The shape at the last record, where none before it is kept.
+    pub latest: Option<Shape>,
+    pub record: RunRecord,
+    pub probes: Vec<Probe>,
+    /// The prescribed motion whose force is sought.
+    pub driven: Option<PrescribedPoint>,
+    /// Unit of the force that is the level of paths, where a prescribed motion drives them.
+    pub force_unit: Option<String>,
+    /// Where frames of fields go, if anywhere.
+    pub frames: Option<Frames<'a>>,
+    pub progress: &'a mut dyn Progress,
+    pub checkpoints: Option<&'a mut Checkpoints>,
+}
+
+impl Run<'_> {
+    /// Adds a row to the curve: the columns of the analysis, then what the probes read.
+    pub fn row(&mut self, mut columns: Vec<f64>, body: &dyn Body) {
+        self.read_probes(&mut columns, body);
+        self.push(columns);
+    }
+
+    /// Appends what the probes read now.
+    pub fn read_probes(&mut self, row: &mut Vec<f64>, body: &dyn Body) {
+        row.extend(self.probes.iter_mut().map(|probe| probe.read(body)));
+    }
+
+    /// Adds a row that is complete.
+    pub fn push(&mut self, row: Vec<f64>) {
+        self.curve.rows.push(row);
+        self.progress.recorded(&self.curve);
+    }
+
+    /// Keeps the present shape, as long as there is room, and offers it as a frame; `Break` if that cannot go on.
+    ///
+    /// The forces of the body must be those of its state.
+    pub fn keep_shape(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
+        self.keep_positions(body.configuration().present, time, level);
+        self.offer(body, time, level)
+    }
+
+    /// Keeps the present shape in the place of the one before, and offers it as a frame.
+    pub fn keep_latest(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
+        let Configuration { present, .. } = body.configuration();
+        self.latest = (present.len() <= MOST_POSITIONS).then_some(Shape { time, level, positions: present });
+        self.offer(body, time, level)
+    }
+
+    pub fn keep_positions(&mut self, positions: Vec<sph_core::Vec3>, time: f64, level: f64) {
+        if (self.shapes.len() + 1) * positions.len() <= MOST_POSITIONS {
+            self.shapes.push(Shape { time, level, positions });
+        }
+    }
+
+    /// Offers the present state as a frame, if frames are wanted.
+    pub fn offer(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
+        self.frames.as_mut().map_or(ControlFlow::Continue(()), |frames| frames.offer(body, time, level))
+    }
+
+    /// Whether a checkpoint is due; `asked` where one is wanted at any rate.
+    pub fn checkpoint_due(&self, asked: bool) -> bool {
+        self.checkpoints.as_ref().is_some_and(|kept| kept.due(asked))
+    }
+
+    /// Writes a checkpoint, if the run writes any; what prevents it is told, and the run goes on.
+    pub fn keep_checkpoint(&mut self, stage: &Stage, body: &dyn Body) {
+        let Some(checkpoints) = self.checkpoints.take() else { return };
+        if let Err(error) = checkpoints.write(self.kept(stage, body), &self.curve.rows, &self.shapes) {
+            self.progress.warn(&error.to_string());
+        }
+        self.checkpoints = Some(checkpoints);
+    }
+
+    /// What a checkpoint keeps of it beside its rows and shapes.
+    fn kept<'k>(&'k self, stage: &'k Stage, body: &'k dyn Body) -> Kept<'k> {
+        let mut record = self.record.clone();
+        let offered = self.frames.as_ref().map_or(0, |frames| frames.offered);
+        record.frames = self.frames.as_ref().map_or(0, |frames| frames.taken);
+        Kept {
+            body: 0,
+            particles: body.configuration().rest.len(),
+            stage: Cow::Borrowed(stage),
+            state: body.state(),
+            turns: self.probes.iter().map(|probe| Cow::Borrowed(&probe.turns[..])).collect(),
+            record: Cow::Owned(record),
+            latest: self.latest.as_ref().map(Cow::Borrowed),
+            offered,
+            rows: 0,
+        }
+    }
+
+    /// Puts the run and its body where a checkpoint stood; gives the stage.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Surface`] and [`CheckpointError::Model`] for the checkpoint of another body.
+    pub fn go_on_from(
+        &mut self,
+        checkpoint: Checkpoint,
+        body: &mut dyn Body,
+        identity: &Identity,
+    ) -> Result<Stage, CheckpointError> {
+        let Checkpoint { kept, grown, .. } = checkpoint;
+        let (width, here) = (self.curve.columns.len(), body.configuration().rest.len());
+        if kept.particles == here && kept.body != checksum(body, identity) {
+            let file = identity.file.clone();
+            return Err(CheckpointError::Surface(file.unwrap_or_else(|| "the mid-surface".into())));
+        }
+        let fits = kept.turns.len() == self.probes.len()
+            && grown.rows.iter().all(|row| row.len() == width)
+            && grown.shapes.iter().chain(kept.latest.as_deref()).all(|shape| shape.positions.len() == here)
+            && body.set_state(&kept.state).is_ok();
+        if !fits {
+            return Err(CheckpointError::Model { particles: kept.particles, here });
+        }
+        for (probe, turns) in self.probes.iter_mut().zip(kept.turns) {
+            probe.turns = turns.into_owned();
+        }
+        if let Some(checkpoints) = &mut self.checkpoints {
+            checkpoints.go_on(kept.rows, [grown.rows.len(), grown.shapes.len()]);
+        }
+        (self.curve.rows, self.shapes) = (grown.rows, grown.shapes);
+        self.latest = kept.latest.map(Cow::into_owned);
+        self.record = kept.record.into_owned();
+        if let Some(frames) = &mut self.frames {
+            (frames.offered, frames.taken) = (kept.offered, self.record.frames);
+        }
+        Ok(kept.stage.into_owned())
+    }
+
+    /// Tells how it goes without time; `Break` if it is to end.
+    pub fn tell(&mut self, done: f64, steps: u64, level: f64, internal: f64) -> ControlFlow<()> {
+        self.progress.update(&ProgressReport { done, steps, level, internal, ..ProgressReport::default() })
+    }
+
+    /// How a run ends whose balance was not found.
+    pub fn unbalanced(&self, points: u64, level: f64, cause: EquilibriumError) -> Ended {
+        let unit = if points > 0 { self.force_unit.clone() } else { None };
+        Ended::Diverged(Failure::Balance { points, level, cause, unit })
+    }
+
+    /// Warns of loads whose stiffness is not symmetric, where stability is told from the symmetric part.
+    pub fn warn_of_skew_loads(&mut self, share: f64) {
+        if share > 0.0 {
+            let message = format!(
+                "the loads have no potential: entries of up to {share:.2} of the largest in their stiffness are skew \
+                 (pressure over free edges, couples about moving edges) and left out of the tangent; equilibria are \
+                 exact, but critical levels and negative pivots are those of the symmetric part, and flutter is not \
+                 looked for: check with [analysis.explicit.transient]"
+            );
+            self.record.warn(Doubt::NoPotential, message);
+        }
+    }
+}
