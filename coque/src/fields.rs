@@ -144,7 +144,7 @@ impl<'a> Frames<'a> {
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
         };
         let every = scene.output.fields.map_or(1, |fields| fields.every).max(1);
-        let homogeneous = scene.section.homogeneous();
+        let homogeneous = scene.shell().section.homogeneous();
         let units = scene.units;
         Self { sink, every, state, along, driven, homogeneous, units, offered: 0, taken: 0, failure: None }
     }

@@ -63,7 +63,7 @@ impl Stability {
 /// What the summary says of states whose stability was not looked at, if there are any.
 pub(crate) fn left_out(scene: &Scene, levels: &[LevelSummary]) -> Option<String> {
     let Analysis::Explicit(explicit) = &scene.analysis else { return None };
-    if explicit.quasi_static.is_none() || matches!(scene.formulation, Chosen::StrongForm(_)) {
+    if explicit.quasi_static.is_none() || matches!(scene.shell().formulation, Chosen::StrongForm(_)) {
         return Some("stability of the states: it was not looked at".into());
     }
     let without = levels.iter().filter(|level| level.negative_pivots.is_none()).count();

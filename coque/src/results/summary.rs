@@ -173,13 +173,16 @@ impl Model {
     fn lists(&self) -> (Vec<String>, Vec<String>) {
         let scene = &self.scene;
         let mut modelled = vec![
-            format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
-            format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
+            format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
+            format!(
+                "strains: Green-Lagrange membrane, {} curvature, shear",
+                scene.shell().formulation.curvature()
+            ),
         ];
         modelled.extend(self.surface.as_ref().map(|surface| surface.line.clone()));
         let mut left_out: Vec<String> =
             ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
-        match &scene.section {
+        match &scene.shell().section {
             Section::Homogeneous(section) => modelled.push(match section.gauss_points {
                 None => "isotropic elasticity, integrated through the thickness in closed form".into(),
                 Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
@@ -206,7 +209,7 @@ impl Model {
         if scene.output.fields.is_some_and(|fields| fields.stresses) {
             if scene.analysis.gives_modes() {
                 left_out.push("stresses of modes, which have a shape but no size".into());
-            } else if !scene.section.homogeneous() {
+            } else if !scene.shell().section.homogeneous() {
                 left_out.push("stresses of the plies: the fields hold resultants".into());
             }
         }

@@ -345,7 +345,7 @@ impl Model {
             title: scene.title.clone(),
             replaced: Vec::new(),
             analysis: scene.analysis.word().into(),
-            method: scene.formulation.describe(),
+            method: scene.shell().formulation.describe(),
             particles: described.particles,
             points: described.points,
             dof: described.freedoms,
