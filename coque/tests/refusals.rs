@@ -94,6 +94,88 @@ fn broken_scenes() {
     insta::assert_snapshot!(all);
 }
 
+/// The ring with its shell as the body `strip`.
+fn named() -> String {
+    ["geometry.plate", "material.elastic", "section.homogeneous"]
+        .into_iter()
+        .fold(text("ring.toml"), |text, key| {
+            text.replace(&format!("[{key}]"), &format!("[bodies.strip.shell.{key}]"))
+        })
+}
+
+#[test]
+fn broken_bodies() {
+    let whole = named();
+    assert_eq!(refused(Scene::parse(&whole, "ring.toml")), "not refused");
+    let cases = [
+        ("negative thickness", "thickness = 1.0", "thickness = -1.0"),
+        ("misspelt key", "young = 1200.0", "yuong = 1200.0"),
+        ("misspelt key of the body", "[bodies.strip.shell.section.", "[bodies.strip.shell.sections."),
+        ("missing key", "density = 1.0\n", ""),
+        ("missing table", "[bodies.strip.shell.section.homogeneous]\nthickness = 1.0\n", ""),
+        ("one particle", "particles = [50, 5]", "particles = [50, 1]"),
+        ("even row has no centre", "particles = [50, 5]", "particles = [50, 4]"),
+        (
+            "section of another material",
+            "[bodies.strip.shell.section.homogeneous]\nthickness = 1.0",
+            "[bodies.strip.shell.section.layered]\naxis = [1, 0, 0]\nplies = [{ thickness = 1.0, angle = 0.0 }]",
+        ),
+        (
+            "unknown formulation",
+            "thickness = 1.0",
+            "thickness = 1.0\n[bodies.strip.shell.formulation.galerkin]",
+        ),
+        (
+            "no such order",
+            "thickness = 1.0",
+            "thickness = 1.0\n[bodies.strip.shell.formulation.nodal]\norder = 4",
+        ),
+        (
+            "too few particles for the order",
+            "particles = [50, 5]\n",
+            "particles = [50, 2]\n[bodies.strip.shell.formulation.nodal]\norder = 3\nsmoothing = 1.4\n",
+        ),
+        ("both forms", "[bodies.strip.shell.section.homogeneous]", "[section.homogeneous]"),
+        (
+            "no body",
+            &whole[..],
+            "title = \"nothing\"\nunits = { length = \"m\", force = \"N\", time = \"s\" }\nanalysis.modal.modes = 1",
+        ),
+        ("no kind", "[bodies.strip.shell.section.homogeneous]", "[bodies.shell.section.homogeneous]"),
+        (
+            "unknown kind",
+            "[bodies.strip.shell.section.homogeneous]",
+            "[bodies.strip.beam.section.homogeneous]",
+        ),
+        (
+            "two kinds",
+            "[bodies.strip.shell.section.homogeneous]\n",
+            "[bodies.strip.solid]\n[bodies.strip.shell.section.homogeneous]\n",
+        ),
+        (
+            "two bodies",
+            "[analysis",
+            "[bodies.plate.shell]\ngeometry.plate = { lengths = [1.0, 1.0], particles = [3, 3] }\nmaterial.elastic = { young = 1.0, poisson = 0.0, density = 1.0 }\nsection.homogeneous = { thickness = 0.1 }\n[analysis",
+        ),
+        ("a name with a dot", "[bodies.strip.", "[bodies.\"a.strip\"."),
+        ("set of no body", "on = \"u1\"", "on = \"stripe.u1\""),
+        (
+            "region of no body",
+            "[output]",
+            "[sets]\ntip = { of = \"stripe\", nearest = [10.0, 0.5, 0.0] }\n[output]",
+        ),
+    ];
+    let mut all = String::new();
+    for (name, from, to) in cases {
+        assert!(whole.contains(from), "the ring no longer says {from}");
+        let broken = whole.replace(from, to);
+        let message = refused(Scene::parse(&broken, "ring.toml"));
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", message.trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}
+
 #[test]
 fn broken_overrides() {
     let abyss = "a.".repeat(50_000) + "a";

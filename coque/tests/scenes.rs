@@ -5,8 +5,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::Scene;
 use coque::scene::{Analysis, Formulation, Geometry, LoadKind};
+use coque::{Scene, Silent};
 
 fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
@@ -27,6 +27,44 @@ fn ring() -> String {
 fn set(pairs: &[(&str, &str)]) -> Result<Scene, coque::SceneError> {
     let pairs: Vec<_> = pairs.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     Scene::with_overrides(&ring(), "ring.toml", &pairs)
+}
+
+/// A scene whose shell stands at the top, with the body and its sets named.
+fn in_the_long_form(text: &str) -> String {
+    let mut scene: toml::Table = text.parse().unwrap();
+    let keys = ["geometry", "orientation", "material", "section", "formulation", "velocity"];
+    let shell = keys.into_iter().filter_map(|key| scene.remove_entry(key)).collect::<toml::Table>();
+    for list in ["supports", "loads", "curve"] {
+        for item in scene.get_mut(list).and_then(|list| list.as_array_mut()).into_iter().flatten() {
+            let on = format!("shell.{}", item["on"].as_str().unwrap());
+            item["on"] = on.into();
+        }
+    }
+    let one = |name: &str, of: toml::Table| toml::Table::from_iter([(name.into(), of.into())]);
+    scene.extend(one("bodies", one("shell", one("shell", shell))));
+    scene.to_string()
+}
+
+/// All that a scene says, exactly.
+fn said(scene: Scene) -> String {
+    let Scene { title, units, bodies, sets, supports, loads, analysis, curve, output, source: _ } = scene;
+    format!("{:?}", (title, units, bodies, sets, supports, loads, analysis, curve, output))
+}
+
+#[test]
+fn both_forms_say_the_same() {
+    for path in scenes() {
+        let (text, name) = (fs::read_to_string(&path).unwrap(), path.to_string_lossy());
+        let long = in_the_long_form(&text);
+        let [short, long] = [&text, &long].map(|text| Scene::parse(text, &name).unwrap());
+        assert_eq!(short.body_name(), "shell");
+        assert_eq!(said(short), said(long), "{name}");
+    }
+    let text = fs::read_to_string(scenes()[0].with_file_name("patch-test.toml")).unwrap();
+    let run = |text: &str| Scene::parse(text, "patch-test.toml").unwrap().build(1).unwrap().run(&mut Silent);
+    let (short, long) = (run(&text), run(&in_the_long_form(&text)));
+    assert_eq!(short.curve, long.curve);
+    assert_eq!(short.shapes, long.shapes);
 }
 
 #[test]
@@ -53,7 +91,7 @@ fn overrides_replace_values_in_tables_and_lists() {
         ("title", "coarse"),
     ])
     .unwrap();
-    assert_eq!(scene.geometry.particles(), Some([25, 3]));
+    assert_eq!(scene.shell().geometry.particles(), Some([25, 3]));
     assert_eq!(scene.title, "coarse");
     assert_eq!(scene.supports[1].symmetry.unwrap().normal, [0.0, 2.0, 0.0]);
     match scene.loads[0].kinds()[..] {
@@ -66,13 +104,13 @@ fn overrides_replace_values_in_tables_and_lists() {
 fn naming_another_alternative_drops_the_first() {
     let scene =
         set(&[("formulation.nodal.order", "3"), ("formulation.nodal.kernel", "wendland-c2")]).unwrap();
-    match scene.formulation {
+    match &scene.shell().formulation {
         Formulation::Nodal(nodal) => assert_eq!((nodal.order, nodal.smoothing_length()), (3, 1.5)),
         other => panic!("{other:?}"),
     }
     let cylinder = "{ radius = 50.0, angles = [0.0, 10.0], length = 1.0, particles = [9, 3] }";
     let scene = set(&[("geometry.cylinder", cylinder)]).unwrap();
-    assert!(matches!(scene.geometry, Geometry::Cylinder(_)));
+    assert!(matches!(scene.shell().geometry, Geometry::Cylinder(_)));
 }
 
 #[test]

@@ -228,7 +228,7 @@ fn rough_cost(work: &Work) -> f64 {
     let Work::Particles { model, .. } = work else { return 100.0_f64.powf(1.5) };
     let particles = model.shell.len() as f64;
     // A wide stencil takes about five times as long as a cell of four particles.
-    let stencil = match &model.scene.formulation {
+    let stencil = match &model.scene.shell().formulation {
         Formulation::StressPoint(options) if options.support == Reach::Cell => 1.0,
         _ => 5.0,
     };

@@ -51,25 +51,25 @@ impl Scene {
         let Some(available) = memory.available.filter(|&available| memory.needed > available) else {
             return Ok(memory);
         };
-        let geometry = &self.geometry;
+        let geometry = &self.shell().geometry;
         let key = match geometry {
             Geometry::Mesh(_) => "file",
-            _ if geometry.scattered().is_some() => "scattered.spacing",
+            _ if geometry.placing().scattered.is_some() => "scattered.spacing",
             _ => "particles",
         };
         let value = format!("{particles:.0} particles, which need about {}", amount(memory.needed));
         let bound = format!("few enough for the {} of memory that are free", amount(available));
         let repair = "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)";
-        Err(self.source.value(&format!("geometry.{}.{key}", geometry.word()), value, &bound, repair))
+        Err(self.body_scope().value(&format!("geometry.{}.{key}", geometry.word()), value, &bound, repair))
     }
 
     /// Particles that the geometry asks for; none before a mesh is read.
     pub(crate) fn particles_asked(&self) -> Option<f64> {
-        if let Some([n1, n2]) = self.geometry.particles() {
+        if let Some([n1, n2]) = self.shell().geometry.particles() {
             return Some(n1 as f64 * n2 as f64);
         }
-        let spacing = self.geometry.scattered()?.spacing;
-        let area = match &self.geometry {
+        let spacing = self.shell().geometry.placing().scattered?.spacing;
+        let area = match &self.shell().geometry {
             Geometry::Plate(plate) => plate.lengths[0] * plate.lengths[1],
             Geometry::Cylinder(c) => c.radius * (c.angles[1] - c.angles[0]).to_radians() * c.length,
             Geometry::Sphere(s) => {
@@ -85,12 +85,12 @@ impl Scene {
 
     /// Greatest memory of such a run \[bytes\].
     fn memory(&self, particles: f64) -> f64 {
-        let (each, factor) = match &self.formulation {
+        let (each, factor) = match &self.shell().formulation {
             Formulation::StressPoint(f) if f.support == Reach::Cell => (CELLS, FACTOR),
             _ => (CELLS + KERNEL, KERNEL_FACTOR),
         };
-        let geometry = &self.geometry;
-        let lattice = geometry.particles().is_some() && geometry.disorder().is_none();
+        let placing = self.shell().geometry.placing();
+        let lattice = placing.particles.is_some() && placing.disorder.is_none();
         let each = if lattice { each } else { each + DISORDER };
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,

@@ -55,11 +55,11 @@ impl Sets {
     /// Particles of the set that the scene names at `path`.
     pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
-            if scene.geometry.mesh().is_some() {
+            if scene.shell().geometry.mesh().is_some() {
                 return imported::no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
             }
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
-            let (bound, repair) = match scene.geometry.particles() {
+            let (bound, repair) = match scene.shell().geometry.particles() {
                 Some(counts) => (
                     format!("but there is no middle one among {} particles along {direction}", counts[i]),
                     format!("use an odd number of particles along {direction}"),

@@ -1,7 +1,8 @@
 //! Bounds on single numbers and vectors of a scene, each with its repair.
 
-use crate::scene::error::SceneError;
-use crate::scene::source::Source;
+use super::error::SceneError;
+use super::scope::Scope;
+use super::source::suggest;
 
 type Checked = Result<(), SceneError>;
 
@@ -10,7 +11,7 @@ type Checked = Result<(), SceneError>;
 const LEAST: f64 = 1e-60;
 const GREATEST: f64 = 1e60;
 
-impl Source {
+impl Scope<'_> {
     /// Positive, and of a size that arithmetic can hold.
     pub(crate) fn positive(&self, path: &str, x: f64) -> Checked {
         if x > 0.0 {
@@ -82,7 +83,7 @@ impl Source {
         if known.contains(&word) {
             return Ok(());
         }
-        let repair = crate::scene::source::suggest(word, known);
+        let repair = suggest(word, known);
         let bound = format!("one of {}", known.join(", "));
         Err(SceneError::UnknownWord(self.fault(path, word, &bound, &repair)))
     }
@@ -101,7 +102,7 @@ impl Source {
         // Several alternatives: underline the second one.
         let place = given.get(1).map_or(path.to_string(), |word| format!("{path}.{word}"));
         let mut fault = self.fault(&place, &value, &bound, &repair);
-        fault.key = path.into();
+        fault.key = self.path(path);
         Err(SceneError::Choice(fault))
     }
 }

@@ -2,9 +2,9 @@
 
 use serde_json::Value;
 
+use super::conditions::{Load, Support};
+use super::schema::schema;
 use crate::bodies::sets::BUILT_IN;
-use crate::scene::schema::schema;
-use crate::scene::{Load, Support};
 
 /// Things of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-use crate::scene::error::{Fault, SceneError};
-use crate::scene::source::Source;
+use super::error::{Fault, SceneError};
+use super::source::Source;
 
 /// Tables that hold one of several alternatives: naming another one drops the first.
 const ALTERNATIVES: [&str; 5] = ["geometry", "material", "section", "formulation", "analysis"];

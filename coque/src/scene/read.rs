@@ -4,11 +4,10 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::DeTable;
 
-use super::Scene;
-use crate::scene::error::SceneError;
-use crate::scene::overrides;
-use crate::scene::source::Source;
-use crate::scene::tables;
+use super::error::SceneError;
+use super::problem::Scene;
+use super::source::Source;
+use super::{forms, overrides, tables};
 
 impl Scene {
     /// Reads and checks a scene; `origin` names the text in errors.
@@ -40,9 +39,11 @@ impl Scene {
         overrides::apply(table.get_mut(), &whole, text.len(), replaced, &source)?;
         source.index(table.get_ref())?;
         tables::refuse_lists(table.get_ref(), &source)?;
+        forms::lengthen(&mut table, &source)?;
         let mut scene =
             Self::deserialize(toml::de::Deserializer::from(table)).map_err(|e| source.refusal(&e))?;
         scene.source = source;
+        scene.drop_body_names();
         scene.check()?;
         Ok(scene)
     }

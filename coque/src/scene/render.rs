@@ -6,8 +6,8 @@ use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
 };
 
+use super::error::SceneError;
 use crate::plain::{plain_text, same_length};
-use crate::scene::error::SceneError;
 
 /// How to draw.
 #[derive(Clone, Copy, Debug)]

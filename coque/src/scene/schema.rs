@@ -3,7 +3,8 @@
 use schemars::schema_for;
 use serde_json::{Map, Value, json};
 
-use crate::scene::{Load, Scene, Support};
+use super::conditions::{Load, Support};
+use super::problem::Scene;
 
 /// The schema of a scene, as JSON.
 ///
@@ -12,6 +13,7 @@ use crate::scene::{Load, Scene, Support};
 pub fn schema() -> Value {
     let mut schema = Value::from(schema_for!(Scene));
     plain(&mut schema);
+    short_form(&mut schema);
     if let Some(types) = schema["$defs"].as_object_mut() {
         exactly_one(types, "Support", &Support::WORDS);
         exactly_one(types, "Load", &Load::WORDS);
@@ -69,6 +71,15 @@ fn one_of_two(map: &mut Map<String, Value>) {
             map.entry(key).or_insert(value);
         });
     }
+}
+
+/// A lone shell may stand at the top, in place of `bodies`.
+fn short_form(schema: &mut Value) {
+    let shell = schema["$defs"]["ShellScene"].clone();
+    if let (Some(top), Some(keys)) = (schema["properties"].as_object_mut(), shell["properties"].as_object()) {
+        top.extend(keys.clone());
+    }
+    schema["oneOf"] = json!([{ "required": shell["required"] }, { "required": ["bodies"] }]);
 }
 
 /// A table must give exactly one of these keys.

@@ -7,8 +7,12 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::scene::error::{Fault, Place, SceneError};
-use crate::scene::nearest::nearest;
+use super::error::{Fault, Place, SceneError};
+use super::nearest::nearest;
+use super::shell::ShellScene;
+
+/// Table of the bodies, in the long form of a scene.
+pub(super) const BODIES: &str = "bodies";
 
 /// Where a key and its value stand.
 #[derive(Clone, Debug)]
@@ -74,6 +78,11 @@ impl Source {
         }
     }
 
+    /// Whether something stands at a path.
+    pub(crate) fn has(&self, path: &str) -> bool {
+        self.entries.contains_key(path)
+    }
+
     /// Name of the text.
     pub(crate) fn origin(&self) -> &str {
         &self.origin
@@ -128,7 +137,10 @@ impl Source {
         let parent = key.rsplit_once('.').map_or("", |(parent, _)| parent).to_string();
         let mut quoted = message.split('`').skip(1).step_by(2);
         let word = quoted.next().unwrap_or_default().to_string();
-        let known: Vec<&str> = quoted.collect();
+        let mut known: Vec<&str> = quoted.collect();
+        if known.contains(&BODIES) {
+            known.extend(ShellScene::WORDS);
+        }
         let fault = |key: String, value: String, bound: String, repair: String| {
             Box::new(Fault { key, value, bound, repair, place: place.clone() })
         };
@@ -151,7 +163,10 @@ impl Source {
             SceneError::Missing(fault(path, "nothing".into(), "given: it has no default".into(), repair))
         } else if message.starts_with("wanted exactly 1 element") {
             let bound = "exactly one table".to_string();
-            let repair = "keep one of the alternatives, such as [material.elastic]".to_string();
+            let repair = match key.starts_with(BODIES) && key.matches('.').count() == 1 {
+                true => format!("a body is of one kind, as in [{key}.shell]"),
+                false => "keep one of the alternatives, such as [material.elastic]".to_string(),
+            };
             SceneError::Choice(fault(key, "none or several tables".into(), bound, repair))
         } else if let Some((found, expected)) = mismatch(message) {
             let repair = format!("write {expected} here");

@@ -5,9 +5,9 @@ use std::sync::LazyLock;
 use serde_json::Value;
 use toml::de::{DeTable, DeValue};
 
-use crate::scene::error::SceneError;
-use crate::scene::schema::schema;
-use crate::scene::source::Source;
+use super::error::SceneError;
+use super::schema::schema;
+use super::source::Source;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(schema);
 

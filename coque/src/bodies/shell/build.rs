@@ -90,7 +90,7 @@ impl Scene {
             section: builder.section()?,
             strain: builder.strain()?,
             material_axis: builder.material_axis(),
-            density: self.material.density(),
+            density: self.shell().material.density(),
             formulation: builder.formulation(),
             supports,
             loads,
@@ -108,7 +108,7 @@ impl Scene {
     }
 
     fn turn(&self) -> Rotation3<f64> {
-        self.orientation.map_or_else(Rotation3::identity, |turn| {
+        self.shell().orientation.map_or_else(Rotation3::identity, |turn| {
             // libm: the same bits on every machine.
             let (sin, cos) = libm::sincos(turn.degrees.to_radians());
             let k = Vec3::from(turn.axis).normalize().cross_matrix();
@@ -294,21 +294,24 @@ impl Builder<'_> {
 
     /// Puts a refusal of the shell where the scene causes it.
     fn refusal(&self, error: &ShellError) -> SceneError {
-        let reach = match &self.scene.formulation {
+        let reach = match &self.scene.shell().formulation {
             scene::Formulation::StressPoint(_) => "formulation.stress-point.support",
             scene::Formulation::Nodal(_) => "formulation.nodal.smoothing",
             scene::Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
         };
         let moved = self.scene.supports.iter().position(|s| s.moved.is_some()).unwrap_or(0);
+        let of_body = |path: &str| self.scene.body_scope().path(path);
         let path = match error {
             ShellError::Space(
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
-            ) => reach.to_string(),
-            ShellError::Space(SpaceError::AxisNormal { .. }) => "section.layered.axis".into(),
+            ) => of_body(reach),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
             ShellError::Space(_) | ShellError::Area { .. } => {
-                format!("geometry.{}", self.scene.geometry.word())
+                of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
             }
-            ShellError::Density(_) => format!("material.{}.density", self.scene.material.word()),
+            ShellError::Density(_) => {
+                of_body(&format!("material.{}.density", self.scene.shell().material.word()))
+            }
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
             }

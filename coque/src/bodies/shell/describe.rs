@@ -17,7 +17,7 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
     let dof = shell.freedoms();
     Description {
         kind: "shell",
-        method: scene.formulation.describe(),
+        method: scene.shell().formulation.describe(),
         particles: shell.len(),
         points: shell.reference().operator.points.len(),
         dof,
@@ -25,8 +25,8 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
         bytes_per_particle: shell.bytes_per_particle(),
         modelled,
         left_out,
-        homogeneous: scene.section.homogeneous(),
-        tangent: match &scene.formulation {
+        homogeneous: scene.shell().section.homogeneous(),
+        tangent: match &scene.shell().formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {
                 TangentCost::Steps(STEPS[0] + STEPS[1] * (dof as f64).sqrt())
@@ -40,13 +40,13 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
 /// Lines of what is modelled, and of what is not.
 fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
-        format!("one director a particle, finite rotations, {}", scene.formulation.describe()),
-        format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.formulation.curvature()),
+        format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
+        format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell().formulation.curvature()),
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
     let mut left_out: Vec<String> =
         ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
-    match &scene.section {
+    match &scene.shell().section {
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
@@ -71,7 +71,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<Strin
     if scene.output.fields.is_some_and(|fields| fields.stresses) {
         if scene.analysis.gives_modes() {
             left_out.push("stresses of modes, which have a shape but no size".into());
-        } else if !scene.section.homogeneous() {
+        } else if !scene.shell().section.homogeneous() {
             left_out.push("stresses of the plies: the fields hold resultants".into());
         }
     }

@@ -41,7 +41,7 @@ pub(crate) struct Imported {
 impl Imported {
     /// Reads the file of a scene, if it names one.
     pub(crate) fn read(scene: &Scene) -> Result<Option<Self>, SceneError> {
-        let Some(Mesh { file, scale, flip }) = scene.geometry.mesh() else { return Ok(None) };
+        let Some(Mesh { file, scale, flip }) = scene.shell().geometry.mesh() else { return Ok(None) };
         let refuse = |error: &MeshError| refuse(scene, error);
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
         let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
@@ -138,7 +138,7 @@ fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
     let repair = std::mem::take(&mut said.repair);
     let value = said.to_string();
     let value = value.trim_end_matches([';', ' ']);
-    SceneError::Mesh(scene.source.fault("geometry.mesh.file", value, "a sound surface", &repair))
+    SceneError::Mesh(scene.body_scope().fault("geometry.mesh.file", value, "a sound surface", &repair))
 }
 
 /// Points without faces have neither cells nor an edge: what needs them is refused.
@@ -146,12 +146,12 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
     if !surface.faces.is_empty() {
         return Ok(());
     }
-    let plain = matches!(&scene.formulation, Formulation::Nodal(f) if !f.divergence_consistent());
+    let plain = matches!(&scene.shell().formulation, Formulation::Nodal(f) if !f.divergence_consistent());
     if !plain {
         let value = format!("{} has points without faces", surface.file);
         let repair = "set formulation.nodal.consistent = false, or bring a mesh with faces";
         let bound = "a surface with faces: cells and edges are found from them";
-        return Err(SceneError::Mesh(scene.source.fault("geometry.mesh.file", &value, bound, repair)));
+        return Err(SceneError::Mesh(scene.body_scope().fault("geometry.mesh.file", &value, bound, repair)));
     }
     if let Some(i) = scene.loads.iter().position(|load| load.pressure.is_some()) {
         let bound = "but pressure acts on faces, and the file has points only";
@@ -163,17 +163,17 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
         );
         return Err(SceneError::Set(fault));
     }
-    let own = scene.section.thickness();
+    let own = scene.shell().section.thickness();
     let other = |t: &&f64| (**t / own - 1.0).abs() > SAME_THICKNESS;
     if let Some(thickness) = surface.thicknesses.iter().find(other) {
         let bound =
             format!("{thickness} as in {}: one thickness for the whole shell is modelled", surface.file);
         let repair = "make them equal, or take the column out of the file";
-        let path = match &scene.section {
+        let path = match &scene.shell().section {
             Section::Homogeneous(_) => "section.homogeneous.thickness",
             Section::Layered(_) => "section.layered.plies",
         };
-        return Err(scene.source.value(path, own, &bound, repair));
+        return Err(scene.body_scope().value(path, own, &bound, repair));
     }
     Ok(())
 }

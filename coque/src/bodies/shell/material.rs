@@ -12,9 +12,8 @@ use crate::scene::{self, MaterialSection};
 
 impl Builder<'_> {
     pub(crate) fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let refuse =
-            |path: &'static str| move |e: MaterialError| self.scene.model_error(path, &e.to_string());
-        Ok(match self.scene.material_section()? {
+        let refuse = |path: &'static str| move |e: MaterialError| self.scene.body_error(path, &e.to_string());
+        Ok(match self.scene.shell().material_section(&self.scene.body_scope())? {
             MaterialSection::Homogeneous(elastic, section) => {
                 let material =
                     Isotropic::new(elastic.young, elastic.poisson).map_err(refuse("material.elastic"))?;
@@ -42,23 +41,24 @@ impl Builder<'_> {
     }
 
     pub(crate) fn material_axis(&self) -> Option<Vec3> {
-        match &self.scene.section {
+        match &self.scene.shell().section {
             scene::Section::Homogeneous(_) => None,
             scene::Section::Layered(section) => Some(self.turned(section.axis)),
         }
     }
 
     pub(crate) fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
-        let name = self.scene.formulation.curvature();
-        let path = format!("formulation.{}.curvature", self.scene.formulation.word());
+        let name = self.scene.shell().formulation.curvature();
+        let path = format!("formulation.{}.curvature", self.scene.shell().formulation.word());
         shell_kinematics::strain_measure(name)
-            .ok_or_else(|| self.scene.model_error(&path, &format!("no strain measure is called {name}")))
+            .ok_or_else(|| self.scene.body_error(&path, &format!("no strain measure is called {name}")))
     }
 
     pub(crate) fn formulation(&self) -> Formulation {
         // The scene has been checked: an unknown kernel cannot come this far.
-        let kernel = self.scene.formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
-        match &self.scene.formulation {
+        let kernel =
+            self.scene.shell().formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
+        match &self.scene.shell().formulation {
             scene::Formulation::StressPoint(f) => Formulation::StressPoint(match f.support {
                 scene::Reach::Cell => Reach::Cell,
                 scene::Reach::Wide(reach) => Reach::Kernel(kernel, reach),

@@ -3,15 +3,14 @@
 use sph_core::{Cloud, EndWeights, Patch, SpaceError};
 
 use crate::scene::error::SceneError;
-use crate::scene::{Formulation, Geometry, Scene};
+use crate::scene::{Formulation, Geometry, Placing, Scene};
 
 impl Scene {
     /// Cubic end weights where gradients are cubic, on uniform lattices; other clouds have areas of their own.
     pub(crate) fn end_weights(&self) -> EndWeights {
-        let geometry = &self.geometry;
-        let uniform =
-            geometry.scattered().is_none() && geometry.disorder().is_none() && geometry.grading().is_none();
-        match &self.formulation {
+        let Placing { disorder, grading, scattered, .. } = self.shell().geometry.placing();
+        let uniform = scattered.is_none() && disorder.is_none() && grading.is_none();
+        match &self.shell().formulation {
             Formulation::Nodal(f) if f.order == 3 && uniform => EndWeights::Gregory,
             _ => EndWeights::Trapezoid,
         }
@@ -20,7 +19,7 @@ impl Scene {
     /// The particles, not turned yet.
     pub(crate) fn place(&self, weights: EndWeights) -> Result<Cloud, SceneError> {
         let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
-        let patch: Box<dyn Patch> = match &self.geometry {
+        let patch: Box<dyn Patch> = match &self.shell().geometry {
             Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
             Geometry::Cylinder(c) => {
                 Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
@@ -34,17 +33,17 @@ impl Scene {
                 Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
             }
             Geometry::Mesh(_) => {
-                return Err(self.model_error("geometry.mesh", "a mesh has no rows of particles"));
+                return Err(self.body_error("geometry.mesh", "a mesh has no rows of particles"));
             }
         };
-        let geometry = &self.geometry;
-        let (cloud, key) = match geometry.scattered() {
+        let geometry = &self.shell().geometry;
+        let (cloud, key) = match geometry.placing().scattered {
             Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing, s.seed), "scattered.spacing"),
             // The checks leave one of the two; a lattice of nothing is refused below.
             None => self.lattice(&*patch, geometry.particles().unwrap_or_default(), weights),
         };
-        let path = format!("geometry.{}.{key}", self.geometry.word());
-        cloud.map_err(|e| self.model_error(&path, &e.to_string()))
+        let path = format!("geometry.{}.{key}", geometry.word());
+        cloud.map_err(|e| self.body_error(&path, &e.to_string()))
     }
 
     /// A lattice as the scene asks for it, and the key to blame.
@@ -54,7 +53,7 @@ impl Scene {
         counts: [usize; 2],
         weights: EndWeights,
     ) -> (Result<Cloud, SpaceError>, &'static str) {
-        let (disorder, grading) = (self.geometry.disorder(), self.geometry.grading());
+        let Placing { disorder, grading, .. } = self.shell().geometry.placing();
         if disorder.is_none() && grading.is_none() {
             return (sph_core::lattice(patch, counts, weights), "particles");
         }
@@ -68,5 +67,10 @@ impl Scene {
     pub(crate) fn model_error(&self, path: &str, message: &str) -> SceneError {
         let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
         SceneError::Model(self.source.fault(path, value, "", repair))
+    }
+
+    /// The same for a key of the body.
+    pub(crate) fn body_error(&self, path: &str, message: &str) -> SceneError {
+        self.model_error(&self.body_scope().path(path), message)
     }
 }

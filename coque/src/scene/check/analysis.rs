@@ -1,10 +1,12 @@
 //! Checks of the analysis that need no particles.
 
 use crate::bodies::probe::always;
+use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::error::SceneError;
-use crate::scene::{
-    Analysis, ArcLength, Buckling, Damping, Explicit, Formulation, Levels, Linear, Modal, Scene, Static, Stop,
-};
+use crate::scene::levels::Levels;
+use crate::scene::problem::Scene;
+use crate::scene::shell::formulation::Formulation;
+use crate::scene::statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
 
 type Checked = Result<(), SceneError>;
 
@@ -40,7 +42,7 @@ impl Scene {
     }
 
     fn check_explicit(&self, explicit: &Explicit) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         let at = |key: &str| format!("analysis.explicit.{key}");
         let repair = "0.8 is usual; at 1 the step is at the limit of stability";
         s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
@@ -57,13 +59,18 @@ impl Scene {
             s.positive(&at("hold"), path.hold)?;
             s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
             s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
-            if let Formulation::StrongForm(_) = self.formulation
+            if let Formulation::StrongForm(_) = self.shell().formulation
                 && path.stability == Some(true)
             {
                 let repair =
                     "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
                 let bound = "one with an energy, and so a tangent, to look at stability";
-                let fault = s.fault("formulation.strong-form", "a formulation without energy", bound, repair);
+                let fault = self.body_scope().fault(
+                    "formulation.strong-form",
+                    "a formulation without energy",
+                    bound,
+                    repair,
+                );
                 return Err(SceneError::Choice(fault));
             }
             if let Damping::Ratio(ratio) = path.damping {
@@ -85,7 +92,7 @@ impl Scene {
     }
 
     fn check_levels(&self, at: &str, levels: &Levels) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         match levels {
             Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
             Levels::Equal(count) => {
@@ -114,7 +121,7 @@ impl Scene {
     }
 
     fn check_arc_length(&self, path: &ArcLength) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         let at = |key: &str| format!("analysis.arc-length.{key}");
         let known = ["until", "stop"];
         let mut given = Vec::new();
@@ -136,27 +143,27 @@ impl Scene {
     }
 
     fn check_newton(&self, at: &str, tolerance: f64, iterations: usize) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         s.between(&format!("{at}.tolerance"), tolerance, [0.0, 1.0], "leave it out for the usual 1e-9")?;
         let repair = "leave it out for the usual number";
         s.within(&format!("{at}.iterations"), iterations as f64, [1.0, MOST_ITERATIONS], repair)
     }
 
     fn check_modes(&self, at: &str, modes: usize) -> Checked {
-        self.source.within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
+        self.scope().within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
     }
 
     fn check_tangent(&self) -> Checked {
-        let Formulation::StrongForm(_) = self.formulation else { return Ok(()) };
+        let Formulation::StrongForm(_) = self.shell().formulation else { return Ok(()) };
         let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.run_name());
         let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
         let path = "formulation.strong-form";
-        Err(SceneError::Choice(self.source.fault(path, "a formulation without energy", &bound, repair)))
+        Err(SceneError::Choice(self.body_scope().fault(path, "a formulation without energy", &bound, repair)))
     }
 
     /// One load level drives the analysis: loads, or one prescribed motion alone.
     fn check_driver(&self) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         let what = self.analysis.run_name();
         let mut moved = (0..self.supports.len())
             .filter_map(|i| self.supports[i].moved.map(|m| (format!("supports[{i}].moved"), m.by)));

@@ -1,8 +1,9 @@
 //! Checks of supports and loads that need no particles.
 
 use crate::bodies::sets::EDGES;
+use crate::scene::conditions::{Amplitude, Axis, Held, Load, LoadKind, Support, SupportKind};
 use crate::scene::error::SceneError;
-use crate::scene::{Amplitude, Axis, Held, Load, LoadKind, Scene, Support, SupportKind};
+use crate::scene::problem::Scene;
 use sph_core::Vec3;
 
 /// Directions this close to the span of others are the same but for rounding or a slip.
@@ -12,7 +13,7 @@ type Checked = Result<(), SceneError>;
 
 impl Scene {
     pub(in crate::scene) fn check_support(&self, at: &str, support: &Support) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         self.check_set_name(&format!("{at}.on"), &support.on)?;
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
@@ -41,7 +42,7 @@ impl Scene {
     }
 
     fn check_held(&self, at: &str, held: &Held) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         let Held { displacement, director } = held;
         if displacement.is_empty() && director.is_empty() {
             let repair =
@@ -98,11 +99,11 @@ impl Scene {
         let path = if amplitude.is_none() { format!("{at}.moved") } else { path };
         let repair = "a transient run has no load level: add amplitude = { ramp = time } beside `moved`";
         let bound = "one with a course in time that starts at zero";
-        Err(SceneError::Choice(self.source.fault(&path, "a prescribed motion", bound, repair)))
+        Err(SceneError::Choice(self.scope().fault(&path, "a prescribed motion", bound, repair)))
     }
 
     pub(in crate::scene) fn check_load(&self, at: &str, load: &Load) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         self.check_set_name(&format!("{at}.on"), &load.on)?;
         let kinds = load.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
@@ -134,11 +135,11 @@ impl Scene {
 
     fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
         // Whether a set of a mesh is an edge is known when its file has been read.
-        if fit.contains(&on) || (fit == EDGES && self.geometry.mesh().is_some()) {
+        if fit.contains(&on) || (fit == EDGES && self.shell().geometry.mesh().is_some()) {
             return Ok(());
         }
         let repair = format!("use one of {}", fit.join(", "));
-        Err(SceneError::Set(self.source.fault(
+        Err(SceneError::Set(self.scope().fault(
             &format!("{at}.on"),
             &format!("\"{on}\""),
             &format!("but {why}"),
@@ -147,7 +148,7 @@ impl Scene {
     }
 
     fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         if !self.analysis.transient() {
             let what = self.analysis.run_name();
             let repair = format!("remove it: in {what} the load level takes its place");

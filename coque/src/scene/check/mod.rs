@@ -2,15 +2,16 @@
 
 mod analysis;
 mod conditions;
-mod geometry;
-mod material;
+mod shell;
 
 use std::collections::BTreeSet;
 
 use crate::bodies::probe::always;
 use crate::bodies::sets::BUILT_IN;
+use crate::scene::analysis::Analysis;
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, Formulation, Reach, Region, Scene};
+use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::region::Region;
 
 type Checked = Result<(), SceneError>;
 
@@ -18,9 +19,7 @@ impl Scene {
     /// Refuses the first thing that is out of bounds.
     pub(crate) fn check(&self) -> Checked {
         self.check_units()?;
-        self.check_geometry()?;
-        self.check_material()?;
-        self.check_formulation()?;
+        self.check_bodies()?;
         self.check_sets()?;
         for (i, support) in self.supports.iter().enumerate() {
             self.check_support(&format!("supports[{i}]"), support)?;
@@ -38,52 +37,38 @@ impl Scene {
         }
         let bound = "consistent: all three with a unit, or all three \"-\"";
         let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
-        Err(self.source.value("units", "a mixture of units and \"-\"", bound, repair))
+        Err(self.scope().value("units", "a mixture of units and \"-\"", bound, repair))
     }
 
-    fn check_formulation(&self) -> Checked {
-        let s = &self.source;
-        let at = |key: &str| format!("formulation.{}.{key}", self.formulation.word());
-        // Below the least a stencil cannot hold its neighbours; beyond the greatest it smears every curvature.
-        let smoothing = [0.6, 3.0];
-        let repair = "in units of the particle spacing; 1.2 to 1.5 is usual";
-        match &self.formulation {
-            Formulation::StressPoint(f) => match f.support {
-                Reach::Cell if f.kernel.is_some() => {
-                    let repair = "remove `kernel`, or give `support` as a number such as 1.4";
-                    let fault =
-                        s.fault(&at("kernel"), "a kernel", "no kernel with support = \"cell\"", repair);
-                    return Err(SceneError::Choice(fault));
-                }
-                Reach::Cell => {}
-                Reach::Wide(reach) => s.within(
-                    &at("support"),
-                    reach,
-                    [1.2, 3.0],
-                    "in units of the distance to the fourth nearest particle; 1.4 is usual, or \"cell\"",
-                )?,
-            },
-            Formulation::Nodal(f) => {
-                s.within(&at("order"), f.order as f64, [1.0, 3.0], "orders 1, 2 and 3 exist")?;
-                s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
-            }
-            Formulation::StrongForm(f) => {
-                s.within(&at("smoothing"), f.smoothing, smoothing, repair)?;
-                s.not_negative(&at("viscosity"), f.viscosity)?;
-            }
+    fn check_bodies(&self) -> Checked {
+        let s = &self.scope();
+        let mut names = self.bodies.keys();
+        let Some(name) = names.next() else {
+            let repair =
+                "add [geometry], [material] and [section] for a lone shell, or [bodies.NAME.shell] with them";
+            return Err(SceneError::Choice(s.fault("bodies", "no body", "one body", repair)));
+        };
+        if let Some(second) = names.next() {
+            let (path, value) = (format!("bodies.{second}"), format!("a body beside `{name}`"));
+            let repair = "keep one of them; nothing couples several bodies yet";
+            return Err(SceneError::Choice(s.fault(&path, &value, "the only body", repair)));
         }
-        let measures = shell_kinematics::strain_measures().map(|m| m.name());
-        s.word(&at("curvature"), self.formulation.curvature(), &measures)?;
-        if let Some(kernel) = self.formulation.kernel() {
-            s.word(&at("kernel"), kernel, &sph_core::kernels().map(|k| k.name()))?;
+        let plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
+        if name.is_empty() || !name.chars().all(plain) {
+            let repair = "it names sets and files: use letters, digits, _ and -";
+            return Err(s.value(&format!("bodies.{name}"), format!("\"{name}\""), "a plain word", repair));
         }
-        Ok(())
+        let s = &self.body_scope();
+        self.bodies.values().try_for_each(|BodyScene::Shell(shell)| shell.check(s))
     }
 
     fn check_sets(&self) -> Checked {
-        let s = &self.source;
-        for (name, Region { nearest, inside, plane }) in &self.sets {
+        let s = &self.scope();
+        for (name, Region { of, nearest, inside, plane }) in &self.sets {
             let at = format!("sets.{name}");
+            if let Some(of) = of {
+                s.word(&format!("{at}.of"), of, &Vec::from_iter(self.bodies.keys().map(String::as_str)))?;
+            }
             if BUILT_IN.contains(&name.as_str()) {
                 let fault = s.fault(
                     &at,
@@ -121,7 +106,7 @@ impl Scene {
 
     /// Refuses a name that is no set; those of a mesh are known when its file has been read.
     pub(in crate::scene) fn check_set_name(&self, path: &str, name: &str) -> Checked {
-        if self.geometry.mesh().is_some() {
+        if self.shell().geometry.mesh().is_some() {
             return Ok(());
         }
         let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
@@ -129,7 +114,7 @@ impl Scene {
             return Ok(());
         }
         let repair = crate::scene::source::suggest(name, &known);
-        Err(SceneError::Set(self.source.fault(path, &format!("\"{name}\""), "which is no set", &repair)))
+        Err(SceneError::Set(self.scope().fault(path, &format!("\"{name}\""), "which is no set", &repair)))
     }
 
     fn check_checkpoints(&self) -> Checked {
@@ -139,13 +124,13 @@ impl Scene {
             let what = self.analysis.run_name();
             let bound = format!("left out in {what}, which cannot go on from its middle");
             let repair = "remove it, or use [analysis.explicit] or [analysis.static]";
-            return Err(self.source.value(path, every, &bound, repair));
+            return Err(self.scope().value(path, every, &bound, repair));
         }
-        self.source.positive(path, every)
+        self.scope().positive(path, every)
     }
 
     fn check_curve(&self) -> Checked {
-        let s = &self.source;
+        let s = &self.scope();
         let mut names: BTreeSet<&str> = always(&self.analysis).iter().copied().collect();
         for (i, probe) in self.curve.iter().enumerate() {
             let at = |key: &str| format!("curve[{i}].{key}");

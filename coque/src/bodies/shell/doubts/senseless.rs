@@ -86,7 +86,7 @@ pub(super) fn far_nearest(look: &Look<'_>) -> Option<String> {
 pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
     let t = look.thickness;
     let beam = look.scene.is_some_and(
-        |scene| matches!(&scene.material, Material::Elastic(material) if material.poisson == 0.0),
+        |scene| matches!(&scene.shell().material, Material::Elastic(material) if material.poisson == 0.0),
     );
     let extents = look.extents();
     let (width, name) = if beam { (extents[1], "length") } else { (extents[0], "width") };

@@ -1,17 +1,18 @@
 //! Checks of the shape and of the places of its particles.
 
 use crate::scene::error::SceneError;
-use crate::scene::{Geometry, Scene};
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+use crate::scene::shell::geometry::{Geometry, Placing};
 
 type Checked = Result<(), SceneError>;
 
 /// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
 const MOST_PARTICLES: usize = 10_000_000;
 
-impl Scene {
-    pub(in crate::scene) fn check_geometry(&self) -> Checked {
+impl ShellScene {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
         let at = |key: &str| format!("geometry.{}.{key}", self.geometry.word());
-        let s = &self.source;
         match &self.geometry {
             Geometry::Plate(plate) => {
                 s.positive(&at("lengths[0]"), plate.lengths[0])?;
@@ -41,7 +42,7 @@ impl Scene {
             Geometry::Mesh(mesh) => s.positive(&at("scale"), mesh.scale)?,
         }
         if self.geometry.mesh().is_none() {
-            self.check_places()?;
+            self.check_places(s)?;
         }
         if let Some(turn) = self.orientation {
             s.direction("orientation.axis", turn.axis)?;
@@ -51,25 +52,24 @@ impl Scene {
     }
 
     /// Where particles stand: a lattice with its options, or scattered.
-    fn check_places(&self) -> Checked {
-        let (s, geometry) = (&self.source, &self.geometry);
-        let at = |key: &str| format!("geometry.{}.{key}", geometry.word());
+    fn check_places(&self, s: &Scope<'_>) -> Checked {
+        let path = format!("geometry.{}", self.geometry.word());
+        let at = |key: &str| format!("{path}.{key}");
+        let Placing { particles, disorder, grading, scattered } = self.geometry.placing();
         let mut given = Vec::new();
-        given.extend(geometry.particles().map(|_| "particles"));
-        given.extend(geometry.scattered().map(|_| "scattered"));
-        let path = format!("geometry.{}", geometry.word());
+        given.extend(particles.map(|_| "particles"));
+        given.extend(scattered.map(|_| "scattered"));
         s.exactly_one(&path, "way to place particles", &given, &["particles", "scattered"])?;
-        if let Some(scattered) = geometry.scattered() {
+        if let Some(scattered) = scattered {
             s.positive(&at("scattered.spacing"), scattered.spacing)?;
-            let of_lattice =
-                [("disorder", geometry.disorder().is_some()), ("grading", geometry.grading().is_some())];
+            let of_lattice = [("disorder", disorder.is_some()), ("grading", grading.is_some())];
             if let Some((key, _)) = of_lattice.into_iter().find(|(_, given)| *given) {
                 let repair = format!("remove `{key}`, or give `particles = [n, m]` in place of `scattered`");
                 let fault = s.fault(&at(key), key, "none with `scattered` particles", &repair);
                 return Err(SceneError::Choice(fault));
             }
         }
-        if let Some([n1, n2]) = geometry.particles() {
+        if let Some([n1, n2]) = particles {
             for (i, n) in [n1, n2].into_iter().enumerate() {
                 if n < 2 {
                     let repair = "particles lie on both edges: at least two";
@@ -81,11 +81,11 @@ impl Scene {
                 return Err(s.value(&at("particles"), format!("[{n1}, {n2}]"), &bound, "use fewer"));
             }
         }
-        if let Some(disorder) = geometry.disorder() {
+        if let Some(disorder) = disorder {
             let repair = "beyond half a spacing neighbours would change places";
             s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
         }
-        for (i, ratio) in geometry.grading().into_iter().flatten().enumerate() {
+        for (i, ratio) in grading.into_iter().flatten().enumerate() {
             let repair = "it is the last spacing over the first: 1 is uniform, 10 and 0.1 are strong";
             s.within(&at(&format!("grading[{i}]")), ratio, [0.001, 1000.0], repair)?;
         }

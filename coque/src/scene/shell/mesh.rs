@@ -10,9 +10,13 @@ pub struct Mesh {
     /// The file, relative to the folder of the scene: `.msh`, `.inp`, `.stl`, `.obj`, `.vtu` or `.csv`.
     pub file: String,
     /// Factor on all lengths of the file, such as 0.001 from mm to m.
-    #[serde(default = "super::one")]
+    #[serde(default = "unscaled")]
     pub scale: f64,
     /// Whether to turn the normals to the other side.
     #[serde(default)]
     pub flip: bool,
+}
+
+fn unscaled() -> f64 {
+    1.0
 }

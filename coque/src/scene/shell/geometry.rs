@@ -1,4 +1,4 @@
-//! Shapes of the mid-surface, disorder, orientation, and regions that pick particles.
+//! Shapes of the mid-surface, how particles are placed on them, orientation.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -129,41 +129,6 @@ pub struct Orientation {
     pub degrees: f64,
 }
 
-/// Picks particles; exactly one of the three is given, in the un-turned frame.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Region {
-    /// The one particle nearest to this point \[L\].
-    pub nearest: Option<[f64; 3]>,
-    /// All particles in a box, its faces included.
-    #[serde(rename = "box")]
-    pub inside: Option<Box3>,
-    /// All particles on a plane.
-    pub plane: Option<OnPlane>,
-}
-
-/// Axis-parallel box.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Box3 {
-    /// Least coordinates \[L\].
-    pub min: [f64; 3],
-    /// Greatest coordinates \[L\].
-    pub max: [f64; 3],
-}
-
-/// Plane.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OnPlane {
-    /// A point of the plane \[L\].
-    pub point: [f64; 3],
-    /// Its normal; the length does not matter.
-    pub normal: [f64; 3],
-    /// Greatest distance from the plane \[L\]; a thousandth of the spacing without.
-    pub within: Option<f64>,
-}
-
 impl Geometry {
     /// Key of the shape in a scene.
     pub fn word(&self) -> &'static str {
@@ -184,47 +149,34 @@ impl Geometry {
         }
     }
 
+    /// How its particles are placed; of those from a file, nothing is said.
+    pub fn placing(&self) -> Placing {
+        match self {
+            &Self::Plate(Plate { particles, disorder, grading, scattered, .. })
+            | &Self::Cylinder(Cylinder { particles, disorder, grading, scattered, .. })
+            | &Self::Sphere(Sphere { particles, disorder, grading, scattered, .. })
+            | &Self::Twisted(Twisted { particles, disorder, grading, scattered, .. }) => {
+                Placing { particles, disorder, grading, scattered }
+            }
+            Self::Mesh(_) => Placing::default(),
+        }
+    }
+
     /// Particles along u and v; none where they are scattered or from a file.
     pub fn particles(&self) -> Option<[usize; 2]> {
-        match self {
-            Self::Plate(s) => s.particles,
-            Self::Cylinder(s) => s.particles,
-            Self::Sphere(s) => s.particles,
-            Self::Twisted(s) => s.particles,
-            Self::Mesh(_) => None,
-        }
+        self.placing().particles
     }
+}
 
+/// How particles are placed on a shape: the keys that all shapes share.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Placing {
+    /// Particles of a lattice along u and v.
+    pub particles: Option<[usize; 2]>,
     /// Disorder of the lattice.
-    pub fn disorder(&self) -> Option<Disorder> {
-        match self {
-            Self::Plate(s) => s.disorder,
-            Self::Cylinder(s) => s.disorder,
-            Self::Sphere(s) => s.disorder,
-            Self::Twisted(s) => s.disorder,
-            Self::Mesh(_) => None,
-        }
-    }
-
+    pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v.
-    pub fn grading(&self) -> Option<[f64; 2]> {
-        match self {
-            Self::Plate(s) => s.grading,
-            Self::Cylinder(s) => s.grading,
-            Self::Sphere(s) => s.grading,
-            Self::Twisted(s) => s.grading,
-            Self::Mesh(_) => None,
-        }
-    }
-
-    /// How particles are scattered; none on a lattice or from a file.
-    pub fn scattered(&self) -> Option<Scattered> {
-        match self {
-            Self::Plate(s) => s.scattered,
-            Self::Cylinder(s) => s.scattered,
-            Self::Sphere(s) => s.scattered,
-            Self::Twisted(s) => s.scattered,
-            Self::Mesh(_) => None,
-        }
-    }
+    pub grading: Option<[f64; 2]>,
+    /// How particles are scattered in place of a lattice.
+    pub scattered: Option<Scattered>,
 }

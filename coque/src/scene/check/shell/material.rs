@@ -1,22 +1,24 @@
 //! Checks of material and section, and whether they go together.
 
 use crate::scene::error::SceneError;
-use crate::scene::{Elastic, Geometry, Layered, Material, MaterialSection, Orthotropic, Scene, Section};
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+use crate::scene::shell::geometry::Geometry;
+use crate::scene::shell::material::{Elastic, Layered, Material, MaterialSection, Orthotropic, Section};
 
 type Checked = Result<(), SceneError>;
 
-impl Scene {
-    pub(in crate::scene) fn check_material(&self) -> Checked {
+impl ShellScene {
+    pub(super) fn check_material(&self, s: &Scope<'_>) -> Checked {
         match &self.material {
-            Material::Elastic(elastic) => self.check_elastic(elastic)?,
-            Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic)?,
+            Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
+            Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
         }
-        self.check_section()?;
-        self.material_section().map(drop)
+        self.check_section(s)?;
+        self.material_section(s).map(drop)
     }
 
-    fn check_elastic(&self, elastic: &Elastic) -> Checked {
-        let s = &self.source;
+    fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Checked {
         s.positive("material.elastic.young", elastic.young)?;
         s.positive("material.elastic.density", elastic.density)?;
         let repair =
@@ -24,8 +26,7 @@ impl Scene {
         s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)
     }
 
-    fn check_orthotropic(&self, material: &Orthotropic) -> Checked {
-        let s = &self.source;
+    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Checked {
         let at = |key: &str| format!("material.orthotropic.{key}");
         for (key, value) in [
             ("young_along", material.young_along),
@@ -42,8 +43,7 @@ impl Scene {
         s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
     }
 
-    fn check_section(&self) -> Checked {
-        let s = &self.source;
+    fn check_section(&self, s: &Scope<'_>) -> Checked {
         let total = self.section.thickness();
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
@@ -55,7 +55,7 @@ impl Scene {
                 ("section.homogeneous.thickness", total.to_string())
             }
             Section::Layered(section) => {
-                self.check_layered(section)?;
+                self.check_layered(section, s)?;
                 ("section.layered.plies", format!("{total} thick altogether"))
             }
         };
@@ -74,8 +74,7 @@ impl Scene {
         Ok(())
     }
 
-    fn check_layered(&self, section: &Layered) -> Checked {
-        let s = &self.source;
+    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Checked {
         s.direction("section.layered.axis", section.axis)?;
         if section.plies.is_empty() {
             let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";
@@ -95,7 +94,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError::Choice`] for an orthotropic homogeneous section and an isotropic layered one.
-    pub(crate) fn material_section(&self) -> Result<MaterialSection<'_>, SceneError> {
+    pub(crate) fn material_section(&self, s: &Scope<'_>) -> Result<MaterialSection<'_>, SceneError> {
         let thickness = self.section.thickness();
         let (path, value, bound, repair) = match (&self.material, &self.section) {
             (Material::Elastic(material), Section::Homogeneous(section)) => {
@@ -121,6 +120,6 @@ impl Scene {
                 ),
             ),
         };
-        Err(SceneError::Choice(self.source.fault(path, value, bound, &repair)))
+        Err(SceneError::Choice(s.fault(path, value, bound, &repair)))
     }
 }

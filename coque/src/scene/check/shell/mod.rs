@@ -1,0 +1,18 @@
+//! The checks of a shell, its keys relative to where it stands in the scene.
+
+mod formulation;
+mod geometry;
+mod material;
+
+use crate::scene::error::SceneError;
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+
+impl ShellScene {
+    /// Refuses the first thing that is out of bounds.
+    pub(super) fn check(&self, s: &Scope<'_>) -> Result<(), SceneError> {
+        self.check_geometry(s)?;
+        self.check_material(s)?;
+        formulation::check_formulation(&self.formulation, s)
+    }
+}

@@ -1,0 +1,45 @@
+//! Further results: a plot, frames of fields, checkpoints.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Further results.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Columns of the plot `curve.svg`.
+    pub plot: Option<Plot>,
+    /// Frames for ParaView, in the folder `fields`.
+    pub fields: Option<Fields>,
+    /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
+    pub checkpoint_every: Option<f64>,
+}
+
+/// Which frames are written, and what stands in them beside the motion of the particles.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fields {
+    /// Every N-th settled level, record in time, converged point or mode; the first always.
+    #[serde(default = "each")]
+    pub every: u64,
+    /// The shell with its thickness as well, in files of its own.
+    #[serde(default)]
+    pub extruded: bool,
+    /// Strains, resultants and, of homogeneous sections, surface stresses at the sampling points.
+    #[serde(default)]
+    pub stresses: bool,
+}
+
+/// Which column is drawn over which.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plot {
+    /// Column along the horizontal axis.
+    pub x: String,
+    /// Column along the vertical axis.
+    pub y: String,
+}
+
+fn each() -> u64 {
+    1
+}

@@ -1,0 +1,121 @@
+//! The scene as a whole.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::analysis::Analysis;
+use super::conditions::{Load, Support};
+use super::curve::Probe;
+use super::output::Output;
+use super::region::Region;
+use super::scope::Scope;
+use super::shell::ShellScene;
+use super::source::{BODIES, Source};
+use super::units::Units;
+
+/// A problem: bodies, conditions, analysis, and what to record.
+///
+/// A `Scene` in hand has passed every check that needs no particles; [`Scene::build`] makes the others.
+/// Dimensions are in the scene's own units.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Scene {
+    /// One line that names the problem.
+    pub title: String,
+    /// The one consistent set of units.
+    pub units: Units,
+    /// Bodies by name, each of one kind: `[bodies.NAME.KIND]`. A lone shell may stand at the top of the scene without them.
+    #[serde(default)]
+    pub bodies: BTreeMap<String, BodyScene>,
+    /// Particle sets by name, beside the built-in ones.
+    #[serde(default)]
+    pub sets: BTreeMap<String, Region>,
+    /// Supports and prescribed motions.
+    #[serde(default)]
+    pub supports: Vec<Support>,
+    /// Loads.
+    #[serde(default)]
+    pub loads: Vec<Load>,
+    /// How to find answers.
+    pub analysis: Analysis,
+    /// Columns of the curve.
+    #[serde(default)]
+    pub curve: Vec<Probe>,
+    /// Further results.
+    #[serde(default)]
+    pub output: Output,
+    /// The text the scene was read from.
+    #[serde(skip, default = "Source::none")]
+    pub source: Source,
+}
+
+/// A body, of exactly one kind.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum BodyScene {
+    /// A thin shell, one layer of particles on its mid-surface.
+    Shell(ShellScene),
+}
+
+impl BodyScene {
+    /// Key of the kind in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Shell(_) => "shell",
+        }
+    }
+}
+
+impl Scene {
+    /// The one body, by name: the checks leave no scene without.
+    ///
+    /// # Panics
+    /// If `bodies` has been emptied since.
+    fn body(&self) -> (&String, &BodyScene) {
+        self.bodies.first_key_value().expect("a checked scene has a body")
+    }
+
+    /// Name of the body; `shell` where the scene does not give one.
+    pub fn body_name(&self) -> &str {
+        self.body().0
+    }
+
+    /// The shell.
+    pub fn shell(&self) -> &ShellScene {
+        let BodyScene::Shell(shell) = self.body().1;
+        shell
+    }
+
+    /// The shell, to change it; [`Scene::build`] checks it anew.
+    pub fn shell_mut(&mut self) -> &mut ShellScene {
+        let body = self.bodies.values_mut().next();
+        let BodyScene::Shell(shell) = body.expect("a checked scene has a body");
+        shell
+    }
+
+    /// Takes the name of the one body off the sets that are named with it: `strip.u1` becomes `u1`.
+    pub(super) fn drop_body_names(&mut self) {
+        let Some(body) = self.bodies.keys().next().filter(|_| self.source.has(BODIES)) else { return };
+        let supports = self.supports.iter_mut().map(|support| &mut support.on);
+        let loads = self.loads.iter_mut().map(|load| &mut load.on);
+        let columns = self.curve.iter_mut().map(|column| &mut column.on);
+        for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {
+            if let Some(set) = on.strip_prefix(body).and_then(|rest| rest.strip_prefix('.')) {
+                *on = set.into();
+            }
+        }
+    }
+
+    /// Where the keys of the scene stand.
+    pub(crate) fn scope(&self) -> Scope<'_> {
+        self.source.scope("")
+    }
+
+    /// Where the keys of the body stand.
+    pub(crate) fn body_scope(&self) -> Scope<'_> {
+        let (name, body) = self.body();
+        self.source.body(name, body.word())
+    }
+}

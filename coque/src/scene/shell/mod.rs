@@ -1,0 +1,36 @@
+//! The shell of a scene.
+
+pub(crate) mod formulation;
+pub(crate) mod geometry;
+pub(crate) mod material;
+pub(crate) mod mesh;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use formulation::Formulation;
+use geometry::{Geometry, Orientation};
+use material::{Material, Section};
+
+/// A thin shell: its mid-surface, what it is made of, and the particle method.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShellScene {
+    /// Shape of the mid-surface and its particles.
+    pub geometry: Geometry,
+    /// Rotation of geometry, conditions and probes together.
+    pub orientation: Option<Orientation>,
+    /// What the shell is made of.
+    pub material: Material,
+    /// How the material fills the thickness.
+    pub section: Section,
+    /// The particle method.
+    #[serde(default)]
+    pub formulation: Formulation,
+}
+
+impl ShellScene {
+    /// Keys of a shell: at the top of a scene they mean a lone shell.
+    pub(crate) const WORDS: [&'static str; 5] =
+        ["geometry", "orientation", "material", "section", "formulation"];
+}
