@@ -23,8 +23,8 @@ fn frames(c: &mut Criterion) {
     group.sample_size(10);
     for threads in [1, 2] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-        let model = Scene::parse(SCENE, "plate").and_then(|scene| scene.build(threads));
-        let mut shell = model.expect("a sound scene").shell;
+        let shell = Scene::parse(SCENE, "plate").and_then(|scene| scene.build_shell(threads));
+        let mut shell = shell.expect("a sound scene");
         let mut clock = Clock::start(&mut shell, 1.0, 0.8, 0.0).expect("a stable step");
         group.bench_function(format!("200 steps, {threads} threads"), |b| {
             let mut steps = || {

@@ -41,7 +41,10 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
 fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
         format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
-        format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell().formulation.curvature()),
+        format!(
+            "strains: Green-Lagrange membrane, {} curvature, shear",
+            scene.shell().formulation.curvature()
+        ),
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
     let mut left_out: Vec<String> =
