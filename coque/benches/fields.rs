@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, State, Time, Units};
+use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, ShellFields, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 
@@ -39,13 +39,11 @@ fn frames(c: &mut Criterion) {
             [("motion", false, false), ("stresses", true, false), ("stresses, extruded", true, true)]
         {
             let frame = Frame {
-                shell: &shell,
+                body: &ShellFields { shell: &shell, driven: None, homogeneous: true, linear: None },
                 state: State::Moving,
                 along: 0.0,
                 level: 1.0,
-                driven: None,
-                homogeneous: true,
-                linear: None,
+                time: 0.0,
                 units: Units { length: Length::None, force: Force::None, time: Time::None },
             };
             let wanted = Fields { every: 1, stresses, extruded };
@@ -53,7 +51,7 @@ fn frames(c: &mut Criterion) {
                 pool.install(|| {
                     b.iter(|| {
                         // Always frame zero: the disk is not filled.
-                        let files = FieldFiles::create(&folder, &wanted);
+                        let files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted);
                         files.and_then(|mut files| files.frame(&frame)).expect("room on the disk");
                     });
                 });

@@ -2,32 +2,30 @@
 //!
 //! A run offers a [`Frame`] wherever it has something to show: a settled level, a record in time, a point of a path, a
 //! mode. Every N-th goes to a [`FieldSink`]; [`FieldFiles`] is the one that writes. Without a sink nothing is
-//! evaluated, and no file is touched by [`crate::Model::run`].
+//! evaluated, and no file is touched by [`crate::Model::run`]. What a frame shows is a [`FieldSource`], which writes
+//! through [`mesh_io::FieldWriter`] into whatever the sink hands it.
 //!
 //! | where is | look in |
 //! |---|---|
 //! | which frame goes to the sink | `fields.rs` |
-//! | what stands in a frame | `fields/content.rs` |
+//! | what a shell shows | `fields/content.rs` |
 //! | stresses at the faces, von Mises | `fields/stress.rs` |
-//! | the file format | `fields/vtu.rs` |
-//! | frames read back, for pictures | `fields/read.rs` |
-//! | whole files only, the list of frames | `fields/files.rs`, `whole.rs` |
+//! | the files of a body | `fields/files.rs` |
+//! | the file format, the list of frames, frames read back | the crate `mesh-io` |
 
 mod content;
 mod files;
-mod read;
 mod stress;
-mod vtu;
 
+use std::io;
 use std::ops::ControlFlow;
 
-use sph_core::Vec3;
-use sph_shell::{PointResult, Shell};
+use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
+use sph_shell::Shell;
 
+pub use content::{LinearForces, ShellFields};
 pub use files::FieldFiles;
-pub use read::{Array, ReadError, Sheet, listed};
 
-use crate::run::Failure;
 use crate::scene::{Analysis, Scene};
 use crate::units::Units;
 
@@ -40,21 +38,35 @@ pub trait FieldSink: Send {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError>;
 }
 
-/// A frame that a sink could not take.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("cannot write {path}: {reason}; make room or choose another folder, then run again")]
-pub struct FieldError {
-    /// The file.
-    pub path: String,
-    /// What the system said.
-    pub reason: String,
+/// A body in a state that is worth showing.
+pub trait FieldSource: Sync {
+    /// Works out what is to be written of the state; of stresses only if they are asked for.
+    fn evaluate(&self, state: State, units: Units, stresses: bool) -> Box<dyn Evaluated + '_>;
 }
 
-/// A state of the shell that is worth showing.
+/// The fields of a body, ready to be written.
+pub trait Evaluated: Sync {
+    /// Writes geometry and fields of a part.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()>;
+}
+
+/// What of a body is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Its particles, and the cells between them: of a shell the mid-surface.
+    Surface,
+    /// A shell with its thickness.
+    Extruded,
+}
+
+/// A state that is worth showing.
 #[derive(Clone, Copy)]
 pub struct Frame<'a> {
-    /// The shell in this state; its forces are those of the state, but for a linear answer and a mode.
-    pub shell: &'a Shell,
+    /// The body in this state.
+    pub body: &'a dyn FieldSource,
     /// What kind of state it is.
     pub state: State,
     /// What a film of the frames runs along, ascending: time \[T\] of a transient run, load level of a quasi-static
@@ -62,35 +74,49 @@ pub struct Frame<'a> {
     pub along: f64,
     /// Load level; frequency \[1/T\] of a mode of vibration.
     pub level: f64,
-    /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
-    /// holds it.
-    pub driven: Option<u32>,
-    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
-    pub homogeneous: bool,
-    /// The forces of a linear answer.
-    pub linear: Option<&'a LinearForces>,
+    /// Time \[T\]; zero where there is none.
+    pub time: f64,
     /// Units of the scene, for the names of fields.
     pub units: Units,
 }
 
-impl Frame<'_> {
-    /// Whether there are forces to show: stresses and reactions.
-    pub fn has_forces(&self) -> bool {
-        match self.state {
-            State::Moving | State::Balance => true,
-            State::Linear => self.linear.is_some(),
-            State::Mode => false,
-        }
+impl<'a> Frame<'a> {
+    /// Works out what the frame shows, once for all its parts.
+    pub fn evaluate(&self, stresses: bool) -> FrameFields<'a> {
+        let fields = self.body.evaluate(self.state, self.units, stresses);
+        FrameFields { along: self.along, level: self.level, fields }
+    }
+
+    /// The frame in memory: its surface, as [`FieldFiles`] writes it.
+    ///
+    /// # Errors
+    /// [`FieldError`] for a body that writes its fields out of their order; none is known.
+    pub fn sheet(&self, stresses: bool) -> Result<Sheet, FieldError> {
+        let mut sheet = Sheet::default();
+        let written = self.evaluate(stresses).write(Part::Surface, &mut sheet);
+        written.map_err(|error| FieldError { path: "the frame".into(), reason: error.to_string() })?;
+        Ok(sheet)
     }
 }
 
-/// What a linear answer holds beside its motion: all of it grows with the load, none of it is that of the moved shell.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LinearForces {
-    /// Strains and resultants of every sampling point, with its direction at rest.
-    pub points: Vec<PointResult>,
-    /// Reactions of all particles \[F\].
-    pub reactions: Vec<Vec3>,
+/// What a frame shows, ready to be written.
+pub struct FrameFields<'a> {
+    along: f64,
+    level: f64,
+    fields: Box<dyn Evaluated + 'a>,
+}
+
+impl FrameFields<'_> {
+    /// Writes a part, with the place of the frame in front of it.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
+        for (name, value) in [("TimeValue", self.along), ("level", self.level)] {
+            to.numbers(At::Frame, name, "-", &[], Values::Double(&rows(1, |_| [value])))?;
+        }
+        self.fields.write(part, to)
+    }
 }
 
 /// Kinds of states.
@@ -101,7 +127,7 @@ pub enum State {
     /// An equilibrium found without time.
     Balance,
     /// A linear answer: displacements are its own, directors turned by its rotations, forces those of
-    /// [`Frame::linear`].
+    /// [`ShellFields::linear`].
     Linear,
     /// A mode, scaled for the eye: displacements show its shape, stresses and reactions have no size.
     Mode,
@@ -121,7 +147,7 @@ pub(crate) struct Frames<'a> {
     /// Frames that the sink took.
     pub(crate) taken: u64,
     /// Why the sink took no more.
-    pub(crate) failure: Option<Failure>,
+    pub(crate) failure: Option<FieldError>,
 }
 
 /// What orders the frames.
@@ -177,10 +203,11 @@ impl<'a> Frames<'a> {
                 Along::Number(first) => (first + number) as f64,
             };
             let Self { state, driven, homogeneous, units, .. } = *self;
-            let frame = Frame { shell, state, along, level, driven, homogeneous, linear, units };
+            let body = &ShellFields { shell, driven, homogeneous, linear };
+            let frame = Frame { body, state, along, level, time, units };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,
-                Err(error) => self.failure = Some(Failure::Fields(error)),
+                Err(error) => self.failure = Some(error),
             }
         }
         if self.failure.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::curve::Curve;
-use crate::whole::write_whole;
+use mesh_io::write_whole;
 
 /// A file that holds a curve and grows with it.
 ///

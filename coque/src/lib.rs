@@ -129,7 +129,6 @@ mod estimate;
 mod fields;
 mod growing;
 mod imported;
-mod input;
 mod linear;
 mod march;
 mod matter;
@@ -156,8 +155,6 @@ mod summary;
 mod tables;
 mod units;
 mod warning;
-mod whole;
-mod xml;
 
 pub use build::Model;
 pub use catalogue::{CatalogueEntry, catalogue};
@@ -167,11 +164,14 @@ pub use doubts::doubts;
 pub use error::{Fault, Place, SceneError};
 pub use estimate::Estimate;
 pub use fields::{
-    Array, FieldError, FieldFiles, FieldSink, Frame, LinearForces, ReadError, Sheet, State, listed,
+    Evaluated, FieldFiles, FieldSink, FieldSource, Frame, FrameFields, LinearForces, Part, ShellFields, State,
 };
 pub use growing::GrowingCurve;
-pub use input::read_text;
 pub use memory::Memory;
+pub use mesh_io::{
+    Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
+    read_text, rows, write_whole,
+};
 pub use picture::{FieldNotThere, Picture, picture_svg};
 pub use plain::plain_text;
 pub use plot::{PlotError, plot_svg};
@@ -183,4 +183,3 @@ pub use source::Source;
 pub use summary::{CountSummary, CriticalSummary, Energies, LevelSummary, Modelled, Summary};
 pub use units::{Force, Length, Quantity, Time, Units};
 pub use warning::{Doubt, Warning};
-pub use whole::{Whole, write_whole};

@@ -7,9 +7,9 @@ mod paint;
 
 use std::collections::BTreeMap;
 
-use crate::fields::Sheet;
 pub use field::FieldNotThere;
 use field::{Values, values};
+use mesh_io::Sheet;
 use paint::{Camera, Canvas, colour};
 
 /// What to draw, and from where.
@@ -130,7 +130,7 @@ fn outline(cells: &[Vec<usize>]) -> Vec<(usize, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fields::Array;
+    use mesh_io::Array;
 
     /// Two squares side by side, lifted by 1; a field of 2 and 6 on them.
     fn sheet() -> Sheet {

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 
 use crate::curve::Curve;
 use crate::plain::plain_text;
-use crate::whole::write_whole;
+use mesh_io::write_whole;
 
 /// Why a plot could not be made.
 #[derive(Debug, thiserror::Error)]

@@ -14,7 +14,9 @@ use crate::build::Model;
 use crate::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Place};
 use crate::curve::Curve;
 use crate::doubts::doubts_of_shapes;
-use crate::fields::{FieldError, FieldSink, Frames};
+use mesh_io::FieldError;
+
+use crate::fields::{FieldSink, Frames};
 use crate::linear::linear;
 use crate::march::march;
 use crate::modes::{buckling, modal};
@@ -320,7 +322,7 @@ impl Model {
         if let Some(shown) = found.frames.take() {
             frames = shown.taken;
             if let Some(failure) = shown.failure {
-                found.ended = Ended::Diverged(failure);
+                found.ended = Ended::Diverged(Failure::Fields(failure));
             }
         }
         // Modes and linear answers are drawn larger than they are.

@@ -1,7 +1,7 @@
 //! Which numbers colour the cells: a field by its name, a component of it, the length of a vector.
 
-use crate::fields::{Array, Sheet};
 use crate::source::suggest;
+use mesh_io::{Array, Sheet};
 
 /// A field that a frame does not hold.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
