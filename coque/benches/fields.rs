@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, State, Time, Units};
+use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, Shown, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 
@@ -38,22 +38,15 @@ fn frames(c: &mut Criterion) {
         for (name, stresses, extruded) in
             [("motion", false, false), ("stresses", true, false), ("stresses, extruded", true, true)]
         {
-            let frame = Frame {
-                shell: &shell,
-                state: State::Moving,
-                along: 0.0,
-                level: 1.0,
-                driven: None,
-                homogeneous: true,
-                linear: None,
-                units: Units { length: Length::None, force: Force::None, time: Time::None },
-            };
+            let units = Units { length: Length::None, force: Force::None, time: Time::None };
+            let shown = Shown { state: State::Moving, units, stresses, driven: None, forces: None };
+            let frame = Frame { body: &shell, shown, along: 0.0, level: 1.0, time: 0.0 };
             let wanted = Fields { every: 1, stresses, extruded };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {
                         // Always frame zero: the disk is not filled.
-                        let files = FieldFiles::create(&folder, &wanted);
+                        let files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted);
                         files.and_then(|mut files| files.frame(&frame)).expect("room on the disk");
                     });
                 });

@@ -121,29 +121,28 @@
 mod analyses;
 mod bodies;
 mod fields;
-mod input;
 pub mod mesh;
-mod picture;
 mod plain;
 mod results;
 mod run;
 pub mod scene;
 mod warning;
-mod whole;
-mod xml;
 
 pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::doubts::doubts;
 pub use bodies::{
-    Balanced, Body, Configuration, Description, Marched, Memory, Mismatch, Model, PrescribedPoint, Probe,
-    Ready, Shape, StateArray, TangentCost, Task,
+    Balanced, Body, Configuration, Description, Evaluated, Marched, Memory, Mismatch, Model, Part,
+    PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
 };
-pub use fields::{Array, FieldError, FieldFiles, FieldSink, Frame, ReadError, Sheet, State, listed};
-pub use input::read_text;
-pub use picture::{FieldNotThere, Picture, picture_svg};
+pub use fields::{FieldFiles, FieldSink, Frame, FrameFields};
+pub use mesh_io::{
+    Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
+    read_text, rows, write_whole,
+};
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
+pub use results::picture::{FieldNotThere, Picture, picture_svg};
 pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,
@@ -160,4 +159,3 @@ pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
 pub use warning::{Doubt, Warning};
-pub use whole::{Whole, write_whole};

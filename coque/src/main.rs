@@ -239,8 +239,8 @@ fn fields(task: &Task, out: &Path, from: Option<&Checkpoint>) -> Result<Option<F
     let Some(wanted) = &task.output.fields else { return Ok(None) };
     let folder = out.join("fields");
     let files = match from {
-        None => FieldFiles::create(&folder, wanted),
-        Some(checkpoint) => FieldFiles::go_on(&folder, wanted, checkpoint.frames()),
+        None => FieldFiles::create(&folder, FieldFiles::LONE, wanted),
+        Some(checkpoint) => FieldFiles::go_on(&folder, FieldFiles::LONE, wanted, checkpoint.frames()),
     };
     files.map(Some)
 }

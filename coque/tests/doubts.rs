@@ -117,9 +117,9 @@ fn the_figure_of_uneven_cells_bounds_what_they_cost() {
         .replace("particles = [21, 21], disorder = { fraction = 0.25,", "scattered = { spacing = 0.61,");
     let stiffness = |cloud: &str| {
         let replaced = [("section.homogeneous.thickness", "0.01"), ("geometry.sphere", cloud)];
-        let model = scene("hemisphere.toml", &replaced).unwrap().build(1).unwrap();
-        let figure = model.shell.chord_loss().locking;
-        let outcome = model.run(&mut coque::Silent);
+        let scene = scene("hemisphere.toml", &replaced).unwrap();
+        let figure = scene.build_shell(1).unwrap().chord_loss().locking;
+        let outcome = scene.build(1).unwrap().run(&mut coque::Silent);
         (figure, 1.0 / outcome.curve.column("internal").unwrap()[0])
     };
     let even = JITTERED.replace(", disorder = { fraction = 0.25, seed = 1 }", "");

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use common::fields::{EVERYTHING, HINGE, Read, folder, listed, names, run, scene};
-use coque::{Ended, FieldError, FieldFiles, FieldSink, Frame, Scene, State};
+use coque::{Ended, FieldError, FieldFiles, FieldSink, Frame, Scene, Shown, State};
 use sph_core::{Cell, Cloud, Vec3};
 
 /// Uniform tension F on a sheet b wide: every cell carries N = F/b along x, the faces σ = F/(bt), whatever its frame.
@@ -16,7 +16,7 @@ use sph_core::{Cell, Cloud, Vec3};
 fn a_frame_of_the_patch_test_reads_back() {
     let folder = folder("patch");
     let scene = scene("patch-test.toml", &[]);
-    let outcome = run(&scene, &mut FieldFiles::create(&folder, &EVERYTHING).unwrap());
+    let outcome = run(&scene, &mut FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap());
     assert_eq!((outcome.ended, outcome.summary.record.frames), (Ended::Done, 2));
     let frames = listed(&folder.join("shell.pvd"));
     assert_eq!(frames.iter().map(|frame| frame.0).collect::<Vec<_>>(), [0.0, 1.0]);
@@ -81,21 +81,11 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         threads: 1,
     })
     .unwrap();
-    let frame = Frame {
-        shell: &shell,
-        state: State::Balance,
-        along: 0.0,
-        level: 0.0,
-        driven: None,
-        homogeneous: true,
-        linear: None,
-        units: coque::Units {
-            length: coque::Length::Metre,
-            force: coque::Force::Newton,
-            time: coque::Time::Second,
-        },
-    };
-    FieldFiles::create(&folder, &EVERYTHING).unwrap().frame(&frame).unwrap();
+    let units =
+        coque::Units { length: coque::Length::Metre, force: coque::Force::Newton, time: coque::Time::Second };
+    let shown = Shown { state: State::Balance, units, stresses: false, driven: None, forces: None };
+    let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0 };
+    FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap().frame(&frame).unwrap();
     let flat = Read::new(&folder.join("shell-0000.vtu"));
     assert_eq!(flat.get("types"), [9.0, 5.0, 5.0]);
     assert_eq!(flat.get("offsets"), [4.0, 7.0, 10.0]);
@@ -120,7 +110,7 @@ struct Noted(Vec<(State, f64, f64)>);
 
 impl FieldSink for Noted {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        self.0.push((frame.state, frame.along, frame.level));
+        self.0.push((frame.shown.state, frame.along, frame.level));
         Ok(())
     }
 }
@@ -166,7 +156,10 @@ fn a_mode_shows_its_shape_and_claims_no_stress() {
         ("output.fields", "{ stresses = true }"),
     ];
     let scene = scene("panel.toml", &replaced);
-    let outcome = run(&scene, &mut FieldFiles::create(&folder, &scene.output.fields.unwrap()).unwrap());
+    let outcome = run(
+        &scene,
+        &mut FieldFiles::create(&folder, FieldFiles::LONE, &scene.output.fields.unwrap()).unwrap(),
+    );
     assert!(outcome.summary.body.left_out.iter().any(|line| line.contains("stresses of modes")));
     for (frame, shape) in listed(&folder.join("shell.pvd")).iter().zip(&outcome.shapes) {
         let read = Read::new(&frame.1);
@@ -188,7 +181,7 @@ fn nodal_stresses_stand_at_the_particles() {
     let folder = folder("nodal");
     let replaced = [HINGE, ("formulation", "{ nodal = {} }"), ("analysis.static.levels", "1")];
     let scene = scene("patch-test.toml", &replaced);
-    let outcome = run(&scene, &mut FieldFiles::create(&folder, &EVERYTHING).unwrap());
+    let outcome = run(&scene, &mut FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap());
     assert_eq!(outcome.ended, Ended::Done);
     let read = Read::new(&folder.join("shell-0001.vtu"));
     assert_eq!(read.place("moment"), Some("PointData"));
@@ -203,7 +196,7 @@ fn reactions_are_those_of_the_curve() {
     let folder = folder("reactions");
     let replaced = [("geometry.cylinder.particles", "[7, 7]"), ("analysis.static.levels", "3")];
     let scene = scene("panel.toml", &replaced);
-    let outcome = run(&scene, &mut FieldFiles::create(&folder, &EVERYTHING).unwrap());
+    let outcome = run(&scene, &mut FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap());
     let loads = outcome.curve.column("P").unwrap();
     for ((_, path), load) in listed(&folder.join("shell.pvd")).iter().zip(loads) {
         let read = Read::new(path);

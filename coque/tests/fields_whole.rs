@@ -51,7 +51,7 @@ fn a_run_that_ends_early_leaves_whole_frames_and_a_list_of_them() {
     for most in [1, 3] {
         let folder = folder("early");
         let wanted = Fields { extruded: false, ..EVERYTHING };
-        let files = FieldFiles::create(&folder, &wanted).unwrap();
+        let files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted).unwrap();
         let mut sink = Looking { files, folder: folder.clone(), taken: 0, most };
         let outcome = run(&scene, &mut sink);
         let Ended::Diverged(Failure::Fields(error)) = &outcome.ended else { panic!("{:?}", outcome.ended) };
@@ -109,7 +109,7 @@ fn any_number_of_threads_writes_the_same_files() {
     let scene = scene("panel.toml", &replaced);
     let written = [1, 2].map(|threads| {
         let folder = folder(&format!("threads-{threads}"));
-        let mut files = FieldFiles::create(&folder, &EVERYTHING).unwrap();
+        let mut files = FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap();
         let options =
             RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut files), from: None };
         assert_eq!(scene.build(threads).unwrap().run_with(options).unwrap().ended, Ended::Done);
@@ -123,11 +123,11 @@ fn any_number_of_threads_writes_the_same_files() {
 fn a_second_run_leaves_nothing_of_the_first() {
     let folder = folder("again");
     let scene = scene("patch-test.toml", &[HINGE, ("analysis.static.levels", "5")]);
-    run(&scene, &mut FieldFiles::create(&folder, &EVERYTHING).unwrap());
+    run(&scene, &mut FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap());
     fs::write(folder.join("shell-0001.vtu.part"), "half").unwrap();
     fs::write(folder.join("shell-notes.vtu"), "mine").unwrap();
     let wanted = Fields { every: 5, extruded: false, stresses: false };
-    let mut files = FieldFiles::create(&folder, &wanted).unwrap();
+    let mut files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted).unwrap();
     assert_eq!(names(&folder), ["shell-notes.vtu"]);
     run(&self::scene("patch-test.toml", &[HINGE, ("analysis.static.levels", "1")]), &mut files);
     assert_eq!(names(&folder), ["shell-0000.vtu", "shell-0001.vtu", "shell-notes.vtu", "shell.pvd"]);

@@ -27,7 +27,7 @@ fn run(name: &str, origin: &Path, replaced: &[(&str, &str)]) -> (Outcome, Vec<Pa
     let text = fs::read_to_string(origin).unwrap();
     let scene = Scene::with_overrides(&text, &origin.to_string_lossy(), &pairs).unwrap();
     let folder = folder(name);
-    let mut files = FieldFiles::create(&folder, &scene.output.fields.unwrap()).unwrap();
+    let mut files = FieldFiles::create(&folder, FieldFiles::LONE, &scene.output.fields.unwrap()).unwrap();
     let options =
         RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut files), from: None };
     let outcome = scene.build(1).unwrap().run_with(options).unwrap();

@@ -2,13 +2,16 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-mod common;
+#[path = "../../mesh-io/tests/common/mod.rs"]
+mod meshes;
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
-use common::meshes::{PLATES, plate, square_with_a_hole};
+use coque::mesh::report;
 use coque::{Outcome, Rendering, Scene, SceneError, Silent, render};
+use meshes::{PLATES, folder, plate, square_with_a_hole};
 use sph_core::{EndWeights, Plate, lattice};
 
 /// A cantilever of 2 × 2 m under a tip force, from a file or from the native lattice.
@@ -26,7 +29,7 @@ const CONDITIONS: &str = "supports = [{ on = \"fixed\", clamped = {} }]\n\
 
 fn scene(text: &str) -> Result<Scene, SceneError> {
     // Relative, as cargo runs tests in the folder of the package: messages are the same on every machine.
-    Scene::parse(text, "tests/meshes/scene.toml")
+    Scene::parse(text, "../mesh-io/tests/meshes/scene.toml")
 }
 
 fn run(text: &str) -> Outcome {
@@ -35,6 +38,22 @@ fn run(text: &str) -> Outcome {
 
 fn deflection(outcome: &Outcome) -> f64 {
     *outcome.curve.column("w").unwrap().last().unwrap()
+}
+
+#[test]
+fn the_command_reports_a_mesh() {
+    let coque = |file: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
+        command.args(["mesh", file]).current_dir(folder()).output().unwrap()
+    };
+    let mut surface = plate("plate-41.msh");
+    surface.file = "plate-41.msh".into();
+    let shown = coque("plate-41.msh");
+    assert!(shown.status.success());
+    assert_eq!(String::from_utf8(shown.stdout).unwrap(), report(&surface).unwrap());
+    let refused = coque("plate.step");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8(refused.stderr).unwrap().contains("the ending \"step\" is none of .msh"));
 }
 
 #[test]

@@ -56,8 +56,10 @@ fn interrupted(name: &str, replaced: &[(&str, &str)]) -> PathBuf {
     let replaced = pairs(replaced);
     let scene = Scene::with_overrides(&text, "ring.toml", &replaced).unwrap();
     let mut checkpoints = Checkpoints::new(&folder, Origin::new(&text, "ring.toml".into(), replaced, 1), 0.0);
-    let mut files =
-        scene.output.fields.map(|wanted| FieldFiles::create(&folder.join("fields"), &wanted).unwrap());
+    let mut files = scene
+        .output
+        .fields
+        .map(|wanted| FieldFiles::create(&folder.join("fields"), FieldFiles::LONE, &wanted).unwrap());
     let options = RunOptions {
         progress: &mut StopAfter(4),
         checkpoints: Some(&mut checkpoints),

@@ -68,8 +68,10 @@ fn sit(
     let mut checkpoints = Checkpoints::new(folder, origin, 3600.0);
     let place = folder.join("fields");
     let mut files = scene.output.fields.map(|wanted| match &from {
-        None => FieldFiles::create(&place, &wanted).unwrap(),
-        Some(checkpoint) => FieldFiles::go_on(&place, &wanted, checkpoint.frames()).unwrap(),
+        None => FieldFiles::create(&place, FieldFiles::LONE, &wanted).unwrap(),
+        Some(checkpoint) => {
+            FieldFiles::go_on(&place, FieldFiles::LONE, &wanted, checkpoint.frames()).unwrap()
+        }
     });
     let fields = files.as_mut().map(|files| files as &mut dyn FieldSink);
     let options = RunOptions { progress, checkpoints: Some(&mut checkpoints), fields, from };

@@ -54,6 +54,10 @@ impl IntegratedSection {
 }
 
 impl Section for IntegratedSection {
+    fn homogeneous(&self) -> bool {
+        true
+    }
+
     fn resultants(&self, strains: &Strains) -> Resultants {
         let mut out = Resultants::default();
         let (c, nu) = (self.material.plane_stress(), self.material.poisson);

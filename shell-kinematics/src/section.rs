@@ -55,6 +55,11 @@ pub trait Section: Any + Send + Sync {
 
     /// Stiffness scales.
     fn scales(&self) -> SectionScales;
+
+    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
+    fn homogeneous(&self) -> bool {
+        false
+    }
 }
 
 /// The tangent of a section whose resultants are linear in the strains: its columns are its answers to unit strains.
@@ -205,6 +210,10 @@ pub(crate) fn plane_stress(c: f64, nu: f64, s: &[Pack; 3]) -> [Pack; 3] {
 }
 
 impl Section for IsotropicSection {
+    fn homogeneous(&self) -> bool {
+        true
+    }
+
     #[inline(always)]
     fn resultants(&self, strains: &Strains) -> Resultants {
         Resultants {

@@ -220,6 +220,11 @@ impl Shell {
         self.strain
     }
 
+    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
+    pub fn homogeneous(&self) -> bool {
+        self.section.homogeneous()
+    }
+
     /// Thickness \[L\].
     pub fn thickness(&self) -> f64 {
         self.section.scales().thickness

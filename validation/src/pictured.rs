@@ -1,6 +1,6 @@
 //! One picture a case: the deformed shape of its finest run with the default formulation, coloured by stress.
 
-use coque::{FieldError, FieldSink, Frame, Model, Picture, ReadError, Scene, Sheet, State, picture_svg};
+use coque::{FieldError, FieldSink, Frame, Model, Picture, Scene, Sheet, State, picture_svg};
 
 use crate::case::{Case, Problem, Variant};
 use crate::cases::dial::CELL;
@@ -32,7 +32,6 @@ pub fn chosen(case: &Case, sizes: &[usize]) -> Option<usize> {
 #[derive(Default)]
 pub struct Kept {
     sheet: Option<Sheet>,
-    failure: Option<ReadError>,
 }
 
 impl FieldSink for Kept {
@@ -40,21 +39,15 @@ impl FieldSink for Kept {
         if frame.state == State::Mode && self.sheet.is_some() {
             return Ok(());
         }
-        match Sheet::of(frame, true) {
-            Ok(sheet) => self.sheet = Some(sheet),
-            Err(error) => self.failure = Some(error),
-        }
+        self.sheet = Some(frame.sheet(true)?);
         Ok(())
     }
 }
 
 impl Kept {
-    /// What a picture is made from, or why there is none.
-    pub fn pictured(self, run: String, mirror: Vec<usize>) -> Result<Option<Pictured>, String> {
-        match self.failure {
-            Some(error) => Err(error.to_string()),
-            None => Ok(self.sheet.map(|sheet| Pictured { run, sheet, mirror })),
-        }
+    /// What a picture is made from; none of a run that had nothing to show.
+    pub fn pictured(self, run: String, mirror: Vec<usize>) -> Option<Pictured> {
+        self.sheet.map(|sheet| Pictured { run, sheet, mirror })
     }
 }
 
@@ -133,7 +126,7 @@ mod tests {
             from: None,
         };
         model.run_with(options).unwrap();
-        kept.pictured("5×5".into(), planes).unwrap().unwrap()
+        kept.pictured("5×5".into(), planes).unwrap()
     }
 
     #[test]

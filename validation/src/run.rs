@@ -215,7 +215,7 @@ fn run_pictured(model: Model, run: String) -> Result<Left, String> {
     let options =
         RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
     let outcome = model.run_with(options).map_err(|error| error.to_string())?;
-    Ok((Outcome::from(outcome), kept.pictured(run, planes)?))
+    Ok((Outcome::from(outcome), kept.pictured(run, planes)))
 }
 
 fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {

@@ -77,7 +77,7 @@ impl Model {
             probes: std::mem::take(&mut self.probes),
             driven: self.driven,
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
-            frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.description.homogeneous)),
+            frames: sink.map(|sink| Frames::new(sink, &self.task, driven)),
             progress,
             checkpoints,
         }
@@ -106,7 +106,7 @@ impl Model {
         if let Some(frames) = run.frames.take() {
             run.record.frames = frames.taken;
             if let Some(failure) = frames.failure {
-                ended = Ended::Diverged(failure);
+                ended = Ended::Diverged(Failure::Fields(failure));
             }
         }
         let Run { curve, mut shapes, latest, mut record, .. } = run;

@@ -7,6 +7,7 @@ use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
+use super::shown::{Evaluated, Shown};
 use crate::scene::Measured;
 
 /// Particles that move, whatever they are made of.
@@ -22,8 +23,8 @@ pub trait Body: Send {
     /// Forces are those of the last evaluation.
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64;
 
-    /// TEMP
-    fn as_shell(&self) -> Option<&sph_shell::Shell>;
+    /// Works out what its fields show, for whoever writes them.
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a>;
 
     /// All that changes while it moves, as named arrays: what a checkpoint keeps.
     fn state(&self) -> Vec<StateArray<'_>>;
@@ -158,9 +159,6 @@ pub struct Description {
     pub modelled: Vec<String>,
     /// What is not, one line each.
     pub left_out: Vec<String>,
-    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
-    #[serde(skip)]
-    pub homogeneous: bool,
     /// Steps in time that a look at the tangent costs.
     #[serde(skip)]
     pub tangent: TangentCost,

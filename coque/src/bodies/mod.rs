@@ -5,6 +5,7 @@
 //! | what a body must offer | `body.rs` |
 //! | a body with its task, ready to run | `model.rs` |
 //! | columns of the curve | `probe.rs` |
+//! | what fields show of it | `shown.rs` |
 //! | shells | `shell/` |
 
 pub(crate) mod body;
@@ -13,6 +14,7 @@ pub(crate) mod model;
 pub(crate) mod probe;
 pub(crate) mod sets;
 pub(crate) mod shell;
+mod shown;
 
 pub use body::{
     Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
@@ -22,3 +24,4 @@ pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;
+pub use shown::{Evaluated, Part, Shown, State};

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Curve, Picture, Sheet, listed, picture_svg, plot_svg, read_text, write_whole};
+use coque::{Curve, Picture, ReadError, Sheet, listed, picture_svg, plot_svg, read_text, write_whole};
 
 use super::say::{Refused, say};
 
@@ -89,13 +89,13 @@ fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
     let list = plot.folder.join("fields/shell.pvd");
-    let frames = listed(&list).map_err(|e| format!("{e}\n"))?;
+    let frames = listed(&list).map_err(unread)?;
     let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
     let Some((along, path)) = frames.get(number) else {
         let count = frames.len();
         return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
     };
-    let sheet = Sheet::read(path).map_err(|e| format!("{e}\n"))?;
+    let sheet = Sheet::read(path).map_err(unread)?;
     let title = format!("{}, frame {number} at {along}", name(&plot.folder));
     let wanted = Picture {
         field: plot.field.as_deref(),
@@ -109,6 +109,10 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     let written = write_whole(&out, |to| to.write_all(svg.as_bytes()));
     written.map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
     Ok(out)
+}
+
+fn unread(error: ReadError) -> String {
+    format!("{error}; run the scene again with [output.fields]\n")
 }
 
 /// The last part of a folder's path.

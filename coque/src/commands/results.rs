@@ -70,7 +70,7 @@ impl ResultFolder {
         }
         let fields = self.path.join(FIELDS);
         if fields.is_dir() {
-            FieldFiles::clear(&fields).map_err(|error| format!("{error}\n"))?;
+            FieldFiles::clear(&fields, FieldFiles::LONE).map_err(|error| format!("{error}\n"))?;
             // What else is there keeps it.
             let _ = fs::remove_dir(&fields);
         }

@@ -4,8 +4,9 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use mesh_io::write_whole;
+
 use crate::results::curve::Curve;
-use crate::whole::write_whole;
 
 /// A file that holds a curve and grows with it.
 ///

@@ -2,4 +2,5 @@
 
 pub(crate) mod curve;
 pub(crate) mod growing;
+pub(crate) mod picture;
 pub(crate) mod plot;

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use plotters::prelude::*;
 
+use mesh_io::write_whole;
+
 use crate::plain::plain_text;
 use crate::results::curve::Curve;
-use crate::whole::write_whole;
 
 /// Why a plot could not be made.
 #[derive(Debug, thiserror::Error)]

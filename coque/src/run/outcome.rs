@@ -4,11 +4,12 @@ use std::fmt;
 
 use explicit_dynamics::MarchError;
 use implicit_statics::EquilibriumError;
+use mesh_io::FieldError;
 use sph_core::Cell;
 
 use super::summary::Summary;
 use crate::bodies::Shape;
-use crate::fields::FieldError;
+
 use crate::results::curve::Curve;
 
 /// What a run leaves behind.

@@ -1,10 +1,9 @@
-//! What several test files use: scenes of the repository with values replaced, their runs, frames read back, surfaces.
+//! What several test files use: scenes of the repository with values replaced, their runs, frames read back.
 
 #![allow(dead_code)] // each test binary uses its own part
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 pub mod fields;
-pub mod meshes;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -151,7 +151,7 @@ pub fn stir(shell: &mut Shell) {
 fn run(model: Model, row: &Row, watch: &mut Stopwatch) -> Result<(), String> {
     let folder = Scratch::new()?;
     let output = model.scene.output.clone();
-    let files = output.fields.map(|wanted| FieldFiles::create(&folder.0, &wanted));
+    let files = output.fields.map(|wanted| FieldFiles::create(&folder.0, FieldFiles::LONE, &wanted));
     let mut files = files.transpose().map_err(|error| error.to_string())?;
     let mut checkpoints = output.checkpoint_every.map(|every| {
         let origin = Origin::new(SCENE, row.name.into(), row.set.clone(), row.threads);

@@ -6,7 +6,9 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, PointResult, Shell, StaticShell};
 
+use super::fields::fields;
 use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
+use crate::bodies::{Evaluated, Shown};
 use crate::scene::Measured;
 
 impl Body for Shell {
@@ -25,8 +27,8 @@ impl Body for Shell {
         }
     }
 
-    fn as_shell(&self) -> Option<&Shell> {
-        Some(self)
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields(self, shown)
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -61,8 +63,8 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
         self.shell().read(of, particle, along)
     }
 
-    fn as_shell(&self) -> Option<&Shell> {
-        Some(self.shell())
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields(self.shell(), shown)
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -104,7 +106,7 @@ impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
 
 /// The forces of a linear answer: all of them grow with the load, none is that of the moved shell.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LinearForces {
+pub(crate) struct LinearForces {
     /// Strains and resultants of every sampling point.
     pub points: Vec<PointResult>,
     /// Reactions of all particles \[F\].

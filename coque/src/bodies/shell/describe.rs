@@ -25,7 +25,6 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
         bytes_per_particle: shell.bytes_per_particle(),
         modelled,
         left_out,
-        homogeneous: scene.shell().section.homogeneous(),
         tangent: match &scene.shell().formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {

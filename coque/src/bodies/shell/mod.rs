@@ -4,9 +4,9 @@ mod body;
 pub(crate) mod build;
 mod describe;
 pub(crate) mod doubts;
+mod fields;
 pub(crate) mod imported;
 mod material;
 mod places;
 mod rigid;
-
-pub(crate) use body::LinearForces;
+mod stress;

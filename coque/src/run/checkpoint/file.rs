@@ -4,8 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use crate::input::{read_bytes, read_text};
-use crate::whole::{under_way, write_whole};
+use mesh_io::{read_bytes, read_text, under_way, write_whole};
 
 use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::file::CheckpointError;
 use crate::bodies::Shape;
-use crate::input::read_bytes;
+use mesh_io::read_bytes;
 
 /// Greatest length that is read \[bytes\]: ten million particles with all their shapes.
 const LONGEST: u64 = 1 << 34;

@@ -1,0 +1,226 @@
+//! What a shell shows of a state: the sheet of particles with its fields, and the same sheet with its thickness.
+//!
+//! What a state consists of is written to the last bit, what follows from it in single precision.
+
+use std::io;
+
+use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
+use sph_core::{Cell, Vec3};
+use sph_shell::{Formulation, PointResult, Shell};
+
+use super::body::LinearForces;
+use super::stress::{face, von_mises};
+use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::scene::units::Quantity;
+
+const XYZ: &[&str] = &[];
+const PLANE: &[&str] = &["11", "22", "12"];
+const DOUBLED: &[&str] = &["11", "22", "2x12"];
+const ACROSS: &[&str] = &["1", "2"];
+
+/// What the fields of a shell show of its present state.
+pub(crate) fn fields<'a>(shell: &'a Shell, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    let linear = shown.forces.and_then(|row| LinearForces::of(shell).with_numbers(row));
+    // Where nothing is in balance and nothing moves there are no forces to show: neither stresses nor reactions.
+    let forces = match shown.state {
+        State::Moving | State::Balance => true,
+        State::Linear => linear.is_some(),
+        State::Mode => false,
+    };
+    let (linear, reactions) =
+        linear.map_or((None, None), |found| (Some(found.points), Some(found.reactions)));
+    let results = (shown.stresses && forces).then(|| {
+        linear.unwrap_or_else(|| {
+            let mut results = vec![PointResult::default(); shell.reference().operator.points.len()];
+            shell.point_results(&mut results);
+            results
+        })
+    });
+    Box::new(Content { shell, shown: *shown, forces, results, reactions })
+}
+
+/// What is written of one frame.
+struct Content<'a> {
+    shell: &'a Shell,
+    shown: Shown<'a>,
+    /// Whether there are forces to show.
+    forces: bool,
+    /// Strains and resultants at the sampling points; none if they are not asked for, or have no size.
+    results: Option<Vec<PointResult>>,
+    /// Reactions of a linear answer \[F\].
+    reactions: Option<Vec<Vec3>>,
+}
+
+impl Evaluated for Content<'_> {
+    fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
+        match part {
+            Part::Surface => self.surface(to),
+            Part::Extruded => self.extruded(to),
+        }
+    }
+}
+
+impl Content<'_> {
+    /// The mid-surface: particles as points, cells between them.
+    fn surface(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let shell = self.shell;
+        let cell = |number: usize| {
+            let Cell { corners: [a, b, c, d], count } = self.cell(number);
+            let kind = match count {
+                1 => Kind::Vertex,
+                3 => Kind::Triangle,
+                _ => Kind::Quadrangle,
+            };
+            (kind, [a, b, c, d, 0, 0, 0, 0])
+        };
+        let points = rows(shell.len(), |a| xyz(shell.position(a)));
+        to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
+        self.particles(to)?;
+        self.stresses(to)
+    }
+
+    /// The body: a layer of hexahedra and wedges between the faces, half the thickness along the directors; lines where
+    /// there are points only.
+    fn extruded(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let shell = self.shell;
+        let count = shell.len();
+        let half = 0.5 * shell.thickness();
+        // The lower face looks at the upper one: bodies of positive volume, as VTK measures wedges too.
+        let cell = |number: usize| {
+            let cell = self.cell(number);
+            let (kind, own) = match cell.count {
+                1 => (Kind::Line, 1),
+                3 => (Kind::Wedge, 3),
+                _ => (Kind::Hexahedron, 4),
+            };
+            let mut corners = [0; 8];
+            for (i, &a) in cell.particles().iter().enumerate() {
+                (corners[i], corners[own + i]) = (a, a + count as u32);
+            }
+            (kind, corners)
+        };
+        // The lower face first, then the upper one.
+        let at = |i: usize| if i < count { (i, -half) } else { (i - count, half) };
+        let place = |(a, height): (usize, f64)| shell.position(a) + shell.director(a) * height;
+        let points = rows(2 * count, |i| xyz(place(at(i))));
+        to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
+        let frames = &shell.reference().cloud.frames;
+        let moved =
+            |(a, height): (usize, f64)| shell.displacement(a) + (shell.director(a) - frames[a].n) * height;
+        let moved = rows(2 * count, |i| xyz(moved(at(i))));
+        self.put(to, At::Points, "displacement", self.motion(), XYZ, Values::Double(&moved))?;
+        match self.place() {
+            At::Points => self.faces(to, 2 * count, |i| at(i).0),
+            _ => self.faces(to, self.cells(), |i| i),
+        }
+    }
+
+    /// Number of cells; where the cloud has none each particle is one, with itself as its only corner.
+    fn cells(&self) -> usize {
+        let shell = self.shell;
+        match shell.reference().cloud.cells.len() {
+            0 => shell.len(),
+            cells => cells,
+        }
+    }
+
+    fn cell(&self, number: usize) -> Cell {
+        let cells = &self.shell.reference().cloud.cells;
+        if cells.is_empty() { Cell { corners: [number as u32; 4], count: 1 } } else { cells[number] }
+    }
+
+    fn particles(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let (shell, driven, linear) = (self.shell, self.shown.driven, self.reactions.as_ref());
+        let mut put = |name: &str, quantity: Quantity, vector: &dyn Fn(usize) -> Vec3| {
+            let vectors = rows(shell.len(), |a| xyz(vector(a)));
+            self.put(to, At::Points, name, quantity, XYZ, Values::Double(&vectors))
+        };
+        put("displacement", self.motion(), &|a| shell.displacement(a))?;
+        if self.shown.state == State::Moving {
+            put("velocity", Quantity::Speed, &|a| shell.velocity(a))?;
+        }
+        put("director", Quantity::Ratio, &|a| shell.director(a))?;
+        if self.forces {
+            // Where nothing is held the same difference of forces is what accelerates: no reaction.
+            let bears = |a: usize| shell.is_held(a) || driven == Some(a as u32);
+            let force = |a: usize| linear.map_or_else(|| shell.reaction(a), |reactions| reactions[a]);
+            put("reaction", Quantity::Force, &|a| if bears(a) { force(a) } else { Vec3::zeros() })?;
+        }
+        let thickness = rows(shell.len(), |_| [shell.thickness()]);
+        self.put(to, At::Points, "thickness", Quantity::Length, &[], Values::Double(&thickness))
+    }
+
+    fn put(
+        &self,
+        to: &mut dyn FieldWriter,
+        at: At,
+        name: &str,
+        quantity: Quantity,
+        components: &[&str],
+        values: Values<'_>,
+    ) -> io::Result<()> {
+        to.numbers(at, name, &self.shown.units.symbol(quantity), components, values)
+    }
+
+    /// What displacements are; those of a mode have no size.
+    fn motion(&self) -> Quantity {
+        if self.shown.state == State::Mode { Quantity::Ratio } else { Quantity::Length }
+    }
+
+    /// Where strains are sampled: at the cells or at the particles.
+    fn place(&self) -> At {
+        match self.shell.formulation() {
+            Formulation::StressPoint(_) => At::Cells,
+            _ => At::Points,
+        }
+    }
+
+    fn stresses(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let Some(count) = self.results.as_ref().map(|results| results.len()) else { return Ok(()) };
+        self.derived(to, "t1", Quantity::Ratio, XYZ, |r| r.t1)?;
+        self.derived(to, "membrane_strain", Quantity::Ratio, DOUBLED, |r| r.membrane)?;
+        self.derived(to, "curvature", Quantity::Curvature, DOUBLED, |r| r.curvature)?;
+        self.derived(to, "shear_strain", Quantity::Ratio, ACROSS, |r| r.shear)?;
+        self.derived(to, "membrane_force", Quantity::ForcePerLength, PLANE, |r| r.force)?;
+        self.derived(to, "moment", Quantity::MomentPerLength, PLANE, |r| r.moment)?;
+        self.derived(to, "shear_force", Quantity::ForcePerLength, ACROSS, |r| r.shear_force)?;
+        if self.shell.homogeneous() {
+            let thickness = self.shell.thickness();
+            for (name, side) in [("stress_top", 1.0), ("stress_bottom", -1.0)] {
+                self.derived(to, name, Quantity::Stress, PLANE, |r| face(r, thickness, side))?;
+            }
+        }
+        self.faces(to, count, |i| i)
+    }
+
+    /// A row for each sampling point, in single precision: what is derived from the motion is looked at, not computed
+    /// with, and half the bytes are half the cost.
+    fn derived<const N: usize>(
+        &self,
+        to: &mut dyn FieldWriter,
+        name: &str,
+        quantity: Quantity,
+        components: &[&str],
+        row: impl Fn(&PointResult) -> [f64; N],
+    ) -> io::Result<()> {
+        let Some(results) = &self.results else { return Ok(()) };
+        let all = rows(results.len(), |i| row(&results[i]).map(|value| value as f32));
+        self.put(to, self.place(), name, quantity, components, Values::Single(&all))
+    }
+
+    /// The von Mises stresses of both faces of a homogeneous section: so many rows, each of the sampling point that `of`
+    /// gives for its number.
+    fn faces(&self, to: &mut dyn FieldWriter, count: usize, of: impl Fn(usize) -> usize) -> io::Result<()> {
+        let Some(results) = self.results.as_ref().filter(|_| self.shell.homogeneous()) else { return Ok(()) };
+        let thickness = self.shell.thickness();
+        for (name, side) in [("von_mises_top", 1.0), ("von_mises_bottom", -1.0)] {
+            let all = rows(count, |i| [von_mises(face(&results[of(i)], thickness, side)) as f32]);
+            self.put(to, self.place(), name, Quantity::Stress, &[], Values::Single(&all))?;
+        }
+        Ok(())
+    }
+}
+
+fn xyz(v: Vec3) -> [f64; 3] {
+    v.into()
+}

@@ -1,0 +1,60 @@
+//! What fields show of a body: which state it is in, and which part of it is written.
+
+use std::io;
+
+use mesh_io::FieldWriter;
+
+use crate::scene::units::Units;
+
+/// Kinds of states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// On the way in time.
+    Moving,
+    /// An equilibrium found without time.
+    Balance,
+    /// A linear answer: displacements are its own, directors turned by its rotations, forces those of [`Shown::forces`].
+    Linear,
+    /// A mode, scaled for the eye: displacements show its shape, stresses and reactions have no size.
+    Mode,
+}
+
+/// What is asked of the fields of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// What kind of state it is in.
+    pub state: State,
+    /// Units of the scene, for the names of fields.
+    pub units: Units,
+    /// Whether stresses are wanted.
+    pub stresses: bool,
+    /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
+    /// holds it.
+    pub driven: Option<u32>,
+    /// The forces of a linear answer, as [`crate::Balanced::forces`] orders them.
+    pub forces: Option<&'a [f64]>,
+}
+
+/// What of a body is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Its particles, and the cells between them: of a shell the mid-surface.
+    Surface,
+    /// A shell with its thickness.
+    Extruded,
+}
+
+/// The fields of a body, ready to be written; any function that writes them is.
+pub trait Evaluated: Sync {
+    /// Writes geometry and fields of a part.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()>;
+}
+
+impl<F: Fn(Part, &mut dyn FieldWriter) -> io::Result<()> + Sync> Evaluated for F {
+    fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
+        self(part, to)
+    }
+}

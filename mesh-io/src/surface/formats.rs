@@ -1,0 +1,116 @@
+//! Formats of surfaces: each file of this folder reads one, and takes what stands there as it is. Which gives what is told
+//! in the table of the crate.
+
+mod abaqus;
+mod csv;
+mod gmsh;
+mod keyword;
+mod obj;
+mod stl;
+mod vtu;
+mod words;
+
+use std::path::Path;
+
+use super::{MeshError, Surface};
+use crate::input::read_bytes;
+
+/// Longest file that is read \[bytes\]: ten million nodes and their faces as text.
+const LONGEST: u64 = 1 << 32;
+
+/// A format that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Gmsh `.msh`, ASCII.
+    Gmsh,
+    /// Abaqus `.inp`.
+    Abaqus,
+    /// STL, ASCII or binary.
+    Stl,
+    /// Wavefront OBJ.
+    Obj,
+    /// VTK unstructured grid in XML.
+    Vtu,
+    /// Points in CSV.
+    Csv,
+}
+
+impl Format {
+    /// Every format.
+    pub const ALL: [Format; 6] = [Self::Gmsh, Self::Abaqus, Self::Stl, Self::Obj, Self::Vtu, Self::Csv];
+
+    /// Ending of its files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Gmsh => "msh",
+            Self::Abaqus => "inp",
+            Self::Stl => "stl",
+            Self::Obj => "obj",
+            Self::Vtu => "vtu",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gmsh => "Gmsh",
+            Self::Abaqus => "Abaqus input",
+            Self::Stl => "STL",
+            Self::Obj => "Wavefront OBJ",
+            Self::Vtu => "VTK unstructured grid",
+            Self::Csv => "points in CSV",
+        }
+    }
+
+    /// The format of a file, by its ending.
+    ///
+    /// # Errors
+    /// [`MeshError`] for an ending that is not in the list.
+    pub fn of(file: &Path) -> Result<Self, MeshError> {
+        let ending = file.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase();
+        Self::ALL.into_iter().find(|format| format.ending() == ending).ok_or_else(|| {
+            let known = Self::ALL.map(|format| format!(".{}", format.ending())).join(", ");
+            let what = format!("the ending \"{ending}\" is none of {known}");
+            let repair = "convert it: meshio convert FILE surface.vtu --ascii, or write .msh from Gmsh";
+            MeshError::whole(what, repair).named(&file.display().to_string())
+        })
+    }
+}
+
+/// Reads a surface from a file.
+///
+/// # Errors
+/// [`MeshError`] for a file that cannot be read, is not of its format, or holds no sound surface.
+pub fn read(file: &Path) -> Result<Surface, MeshError> {
+    let name = file.display().to_string();
+    let format = Format::of(file)?;
+    let bytes = read_bytes(file, LONGEST).map_err(|error| {
+        // Of the system the kind alone: its words differ from one to the other.
+        let what = match error.raw_os_error() {
+            Some(_) => format!("cannot be read: {}", error.kind()),
+            None => format!("cannot be read: {error}"),
+        };
+        MeshError::whole(what, "check the path and the permissions").named(&name)
+    })?;
+    parse(&name, format, &bytes)
+}
+
+/// Reads a surface from the content of a file; `name` is for messages.
+///
+/// # Errors
+/// [`MeshError`] for content that is not of the format, or holds no sound surface.
+pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshError> {
+    // Names in files come in all encodings; numbers do not.
+    let text = || String::from_utf8_lossy(bytes);
+    let raw = match format {
+        Format::Gmsh => gmsh::parse(&text()),
+        Format::Abaqus => abaqus::parse(&text()),
+        Format::Stl => stl::parse(bytes),
+        Format::Obj => obj::parse(&text()),
+        Format::Vtu => vtu::parse(&text()),
+        Format::Csv => csv::parse(&text()),
+    };
+    let surface = raw.and_then(|raw| Surface::new(raw, format)).map_err(|error| error.named(name))?;
+    Ok(Surface { file: name.into(), checksum: crc32fast::hash(bytes), ..surface })
+}
