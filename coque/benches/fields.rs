@@ -40,12 +40,12 @@ fn frames(c: &mut Criterion) {
         {
             let units = Units { length: Length::None, force: Force::None, time: Time::None };
             let shown = Shown { state: State::Moving, units, stresses, driven: None, forces: None };
-            let frame = Frame { body: &shell, shown, along: 0.0, level: 1.0, time: 0.0 };
             let wanted = Fields { every: 1, stresses, extruded };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {
                         // Always frame zero: the disk is not filled.
+                        let frame = Frame { body: &shell, shown, along: 0.0, level: 1.0, time: 0.0 };
                         let files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted);
                         files.and_then(|mut files| files.frame(&frame)).expect("room on the disk");
                     });
