@@ -55,7 +55,7 @@ fn increment(size: usize, amplitude: f64) -> Vec<f64> {
 
 fn forces(model: &mut Model) -> Vec<f64> {
     let mut out = vec![0.0; model.unknowns()];
-    model.internal(&mut out);
+    model.internal(0.0, &mut out);
     out
 }
 

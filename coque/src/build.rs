@@ -312,7 +312,8 @@ impl Builder<'_> {
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 format!("supports[{moved}].moved")
             }
-            &ShellError::OutOfPlane { support, .. } => {
+            &(ShellError::OutOfPlane { support, .. }
+            | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |(_, s): &(usize, &scene::Support)| {
                     s.moved.is_none() || !self.scene.analysis.driven_by_load()
                 };

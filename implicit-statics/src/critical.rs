@@ -209,7 +209,10 @@ pub fn switch_branch<E: Equilibrium + ?Sized>(
     newton.advance(system, &increment.motion);
     let constraint = Constraint::Functional { weights: &weights, target: amplitude };
     match newton.correct(system, point.level, &mut increment, &constraint) {
-        Ok(converged) => Ok(Start { level: converged.level, heading: Some(increment) }),
+        Ok(converged) => {
+            system.accept();
+            Ok(Start { level: converged.level, heading: Some(increment) })
+        }
         Err(error) => {
             newton.go_back(system, &point.state);
             Err(error)

@@ -1,14 +1,14 @@
 //! What a discrete system must offer to be solved without time.
 
-use crate::OutOfBounds;
+use crate::bounds::OutOfBounds;
 
-/// A system whose equilibria `internal(q) = external(q, λ)` are sought.
+/// A system whose equilibria `internal(q, λ) = external(q, λ)` are sought.
 ///
-/// Unknowns are the free freedoms only: held ones are eliminated by the system. A state may live on a
-/// manifold (directors on spheres): increments are taken in the tangent space of the present state and
-/// [`Equilibrium::update`] moves along it.
+/// Unknowns are the free degrees of freedom only: held ones are eliminated by the system, and stand where the level
+/// puts them. A state may live on a manifold (directors on spheres): increments are taken in the tangent space of the
+/// present state and [`Equilibrium::update`] moves along it.
 pub trait Equilibrium {
-    /// Number of free freedoms.
+    /// Number of free degrees of freedom.
     fn unknowns(&self) -> usize;
 
     /// Positions `(row, column)` of the tangent's entries, lower triangle with the whole diagonal, each once.
@@ -16,18 +16,44 @@ pub trait Equilibrium {
     /// Known beforehand and the same for every state; the tangent's values come in this order.
     fn pattern(&self) -> Vec<(usize, usize)>;
 
-    /// `out = ∂U/∂q` at the present state \[F, F L\].
-    fn internal(&mut self, out: &mut [f64]);
+    /// `out = ∂U/∂q` at the present unknowns \[F, F L\], held values at level λ.
+    fn internal(&mut self, level: f64, out: &mut [f64]);
 
-    /// `out = external(q, λ)`, the loads at level λ.
+    /// `out = external(q, λ)`, the loads at level λ, held values there too.
     fn external(&mut self, level: f64, out: &mut [f64]);
 
-    /// `out = ∂external/∂λ` at the present state.
+    /// `out = ∂(external − internal)/∂λ` at fixed unknowns: the loads, and the pull of held values that move.
     fn load_rate(&mut self, level: f64, out: &mut [f64]);
 
-    /// Values of the symmetric tangent `∂(internal − external)/∂q` in the order of the pattern; the part of a
-    /// follower load that is not symmetric is symmetrised: critical points are then those of the symmetric part.
+    /// Values of the symmetric tangent `∂(internal − external)/∂q` in the order of the pattern, held values at level λ;
+    /// the part of a follower load that is not symmetric is symmetrised: critical points are then those of the symmetric
+    /// part.
     fn tangent(&mut self, level: f64, values: &mut [f64]);
+
+    /// Whether held values depend on the level. Load steps are then predicted by [`Equilibrium::load_rate`], so that
+    /// the rest of the system goes along instead of being torn.
+    fn held_values_move(&self) -> bool {
+        false
+    }
+
+    /// Takes note of a converged state that is kept: a history is committed here. Called again for the same state, it
+    /// must change nothing.
+    fn accept(&mut self) {}
+
+    /// `out[i] = Σⱼ |K_ij|` over the unknowns, a bound of the spectrum for `relax`. The default assembles the
+    /// tangent; a model may do without.
+    fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        let pattern = self.pattern();
+        let mut values = vec![0.0; pattern.len()];
+        self.tangent(level, &mut values);
+        out.fill(0.0);
+        for (&(row, column), value) in pattern.iter().zip(&values) {
+            out[row] += value.abs();
+            if row != column {
+                out[column] += value.abs();
+            }
+        }
+    }
 
     /// The tangent of the present, unstressed configuration with the stresses that a motion would bring: what
     /// [`crate::Prebuckling::Stress`] differentiates. False, and nothing done, where the system does not offer it.
@@ -38,7 +64,7 @@ pub trait Equilibrium {
     /// Moves the state by an increment in its present tangent space.
     fn update(&mut self, increment: &[f64]);
 
-    /// A copy of the state, to come back to.
+    /// A copy of the state with its history, to come back to.
     fn save(&self) -> Vec<f64>;
 
     /// Comes back to a saved state.

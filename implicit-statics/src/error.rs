@@ -1,20 +1,6 @@
 //! What can go wrong on the way to an equilibrium, with the repair.
 
-use crate::Equilibrium;
-
-/// A state outside the range of its model.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{what} of {place} is {value:.3e}, must be {bound}")]
-pub struct OutOfBounds {
-    /// Where.
-    pub place: String,
-    /// The quantity.
-    pub what: &'static str,
-    /// What it is.
-    pub value: f64,
-    /// What it must be.
-    pub bound: &'static str,
-}
+use crate::{Equilibrium, bounds::OutOfBounds};
 
 /// Why a balance was not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

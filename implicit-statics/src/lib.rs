@@ -25,7 +25,7 @@
 //! impl Equilibrium for Softening {
 //!     fn unknowns(&self) -> usize { 1 }
 //!     fn pattern(&self) -> Vec<(usize, usize)> { vec![(0, 0)] }
-//!     fn internal(&mut self, out: &mut [f64]) { out[0] = self.0 - self.0.powi(3); }
+//!     fn internal(&mut self, _: f64, out: &mut [f64]) { out[0] = self.0 - self.0.powi(3); }
 //!     fn external(&mut self, level: f64, out: &mut [f64]) { out[0] = level; }
 //!     fn load_rate(&mut self, _: f64, out: &mut [f64]) { out[0] = 1.0; }
 //!     fn tangent(&mut self, _: f64, values: &mut [f64]) { values[0] = 1.0 - 3.0 * self.0.powi(2); }
@@ -147,6 +147,7 @@
 //! | levels of either sign; a load that stretches is told so | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
+mod bounds;
 mod branch;
 mod buckling;
 mod critical;
@@ -164,11 +165,12 @@ mod solver;
 mod stepper;
 mod vectors;
 
+pub use bounds::OutOfBounds;
 pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::Equilibrium;
-pub use error::{EquilibriumError, OutOfBounds};
+pub use error::EquilibriumError;
 pub use geometric::Prebuckling;
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};

@@ -127,6 +127,8 @@ impl Newton {
     }
 
     /// Finds equilibrium at a load level from the present state. After a failure the state is as before.
+    ///
+    /// Held values that move are put there at once, which is right for small changes only: [`crate::follow`] predicts.
     pub fn at_level<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
@@ -136,7 +138,10 @@ impl Newton {
         let mut increment = Increment { motion: vec![0.0; system.unknowns()], level: 0.0 };
         let outcome = self.correct(system, level, &mut increment, &Constraint::Level);
         match &outcome {
-            Ok(_) => self.accept(&increment),
+            Ok(_) => {
+                self.accept(&increment);
+                system.accept();
+            }
             Err(_) => self.go_back(system, &saved),
         }
         outcome
@@ -372,7 +377,7 @@ impl Newton {
         system: &mut E,
         level: f64,
     ) -> Result<f64, EquilibriumError> {
-        system.internal(&mut self.internal);
+        system.internal(level, &mut self.internal);
         system.external(level, &mut self.external);
         for i in 0..self.residual.len() {
             self.residual[i] = self.external[i] - self.internal[i];

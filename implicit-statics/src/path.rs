@@ -282,6 +282,7 @@ pub(crate) fn march<E: Equilibrium + ?Sized>(
         let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(converged.level, increment);
+        system.accept();
         path.restart = Start { level: stepper.level, heading: stepper.last.clone() };
         let point = Point { step, converged, size: size_made, restarts, unstable };
         let stop = observer(&point, stepper.last.as_ref(), system);

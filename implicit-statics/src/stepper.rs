@@ -107,6 +107,10 @@ impl<'a> Stepper<'a> {
                 increment.level = predicted;
                 let level = self.level + increment.level;
                 let before = self.newton.tangent(system, self.level)?;
+                if system.held_values_move() {
+                    let response = self.newton.response(system, self.level)?.0;
+                    self.predict(system, &mut increment, predicted, &response)?;
+                }
                 let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
                 if converged.inertia.negative != before.negative {
                     self.newton.same_side(system, level, &increment)?;

@@ -187,8 +187,8 @@ impl<E: Equilibrium> Equilibrium for Scaled<E> {
     fn pattern(&self) -> Pattern {
         self.0.pattern()
     }
-    fn internal(&mut self, out: &mut [f64]) {
-        self.0.internal(out);
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.0.internal(self.1 * level, out);
     }
     fn external(&mut self, level: f64, out: &mut [f64]) {
         self.0.external(self.1 * level, out);
@@ -258,7 +258,7 @@ impl Equilibrium for Springs {
     fn pattern(&self) -> Pattern {
         (0..self.unknowns()).map(|i| (i, i)).collect()
     }
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, _: f64, out: &mut [f64]) {
         out.fill(0.0);
     }
     fn external(&mut self, level: f64, out: &mut [f64]) {

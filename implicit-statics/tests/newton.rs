@@ -107,7 +107,7 @@ fn check_tangent<E: Equilibrium>(system: &mut E, level: f64) {
     let saved = system.save();
     let residual = |system: &mut E| {
         let (mut a, mut b) = (vec![0.0; n], vec![0.0; n]);
-        system.internal(&mut a);
+        system.internal(0.0, &mut a);
         system.external(level, &mut b);
         a.iter().zip(&b).map(|(a, b)| a - b).collect::<Vec<f64>>()
     };

@@ -1,4 +1,4 @@
-//! The free freedoms of a shell as unknowns: translations that no support holds, turns of directors.
+//! The free degrees of freedom of a shell as unknowns: translations that no support holds, turns of directors.
 //!
 //! A turn counts as the length of its arc at a fixed radius, a power of two near the spacing: all unknowns are lengths and
 //! all their forces are forces, so that no norm and no pivot depends on the units of a scene.

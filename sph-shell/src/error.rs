@@ -51,6 +51,18 @@ pub enum ShellError {
         /// `D·ν`.
         along: f64,
     },
+    /// A director that one support turns and another holds or turns as well.
+    #[error(
+        "support {rotated} turns the director of particle {particle}, which support {other} holds or turns as well; remove one of them, or let support {other} hold displacements only"
+    )]
+    HeldDirector {
+        /// The particle.
+        particle: u32,
+        /// Number of the support that turns it in [`crate::Parts`].
+        rotated: usize,
+        /// Number of the other.
+        other: usize,
+    },
     /// Two motions with different amplitudes on one particle.
     #[error("particle {0} is moved by two supports with different amplitudes; give it one")]
     TwoMotions(u32),

@@ -216,6 +216,7 @@ mod packs;
 mod pair_control;
 mod particle;
 mod point;
+mod prescribed;
 mod pressure;
 mod reference;
 mod results;
@@ -234,6 +235,7 @@ pub use formulation::{Formulation, FormulationRow, Reach, formulations};
 pub use load_shares::LoadShare;
 pub use loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use membrane_arcs::ChordLoss;
+pub use prescribed::{Motion, Rotation};
 pub use pressure::Pressure;
 pub use reference::Reference;
 pub use results::PointResult;
@@ -241,5 +243,5 @@ pub use shell::{Parts, Shell, Supported};
 pub use statics::StaticShell;
 pub use strong_form::density_rate;
 pub use supports::{
-    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Motion, Moved, Support, SymmetryPlane,
+    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, SymmetryPlane,
 };

@@ -91,9 +91,9 @@ impl Update<'_> {
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
         let number = self.constraint_of[a] as usize;
-        let mut pushed = false;
+        let (mut pushed, mut turned) = (false, false);
         if number > 0 {
-            (new, pushed) = self.hold(&self.constraints[number - 1], new);
+            (new, pushed, turned) = self.hold(&self.constraints[number - 1], row, new);
         }
         let mut mean = [0.0; 6];
         for k in 0..6 {
@@ -114,6 +114,13 @@ impl Update<'_> {
                 work.external += kick * lack * mean[k];
             }
         }
+        if turned && kick > 0.0 {
+            for k in 3..6 {
+                let across = f[k] - along * row[k];
+                let lack = inertia * (new[k] - old[k]) / kick - across + inertia * damping * mean[k];
+                work.external += kick * lack * mean[k];
+            }
+        }
         if DRIFT {
             let (place, carried) = drifted(row, &new, self.step.drift());
             *rate = carried;
@@ -124,18 +131,19 @@ impl Update<'_> {
         }
     }
 
-    /// Takes out what a support holds and puts in what it prescribes; true if it prescribes a motion.
+    /// Takes out what a support holds and puts in what it prescribes; whether it prescribes a motion, and a rotation.
     #[inline(always)]
-    fn hold(&self, constraint: &Constraint, new: Row) -> (Row, bool) {
+    fn hold(&self, constraint: &Constraint, row: &Row, new: Row) -> (Row, bool, bool) {
         let mut v = constraint.free_translation([new[0], new[1], new[2]]);
-        let motion = constraint.velocity(self.step.from, self.step.to);
+        let motion = constraint.velocity(self.step);
         if let Some(motion) = motion {
             for k in 0..3 {
                 v[k] += motion[k];
             }
         }
-        let w = constraint.free_rotation([new[3], new[4], new[5]]);
-        ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some())
+        let rotation = constraint.director_rate([row[3], row[4], row[5]], self.step);
+        let w = rotation.unwrap_or_else(|| constraint.free_rotation([new[3], new[4], new[5]]));
+        ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some(), rotation.is_some())
     }
 }
 

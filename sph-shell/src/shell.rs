@@ -240,7 +240,7 @@ impl Shell {
         self.state.is_empty()
     }
 
-    /// DofMap that no support holds: three translations and two rotations a particle, less what is held.
+    /// Degrees of freedom that no support holds: three translations and two rotations a particle, less what is held.
     pub fn freedoms(&self) -> usize {
         let held: usize = self.constraints.iter().map(Constraint::held_freedoms).sum();
         5 * self.len() - held
@@ -280,6 +280,14 @@ impl Shell {
         let f = self.internal_force(particle);
         let e = self.external_force(particle);
         Vec3::new(f[0] - e[0], f[1] - e[1], f[2] - e[2])
+    }
+
+    /// The moment that the supports of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
+    /// last forces evaluated.
+    pub fn reaction_moment(&self, particle: usize) -> Vec3 {
+        let f = self.internal_force(particle);
+        let e = self.external_force(particle);
+        self.director(particle).cross(&Vec3::new(f[3] - e[3], f[4] - e[4], f[5] - e[5]))
     }
 
     /// Evaluates the internal forces of the present state, and the internal energy if asked for.

@@ -1,4 +1,4 @@
-//! The shell without time: the same discrete energy as a system of `implicit-statics`.
+//! The shell without time: the same discrete energy as a system of `implicit-statics`, held sets moved by level.
 
 use std::ops::DerefMut;
 
@@ -10,9 +10,10 @@ use crate::Shell;
 use crate::bounds::Unsound;
 use crate::dofs::{Basis, DofMap};
 use crate::loads::Block;
+use crate::point::Row;
 use crate::stiffness::BlockPattern;
 
-/// A shell with what Newton's method needs: numbered freedoms and the blocks of its tangent.
+/// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
 ///
 /// Built only when a static analysis asks for it. Its shell is its own, or lent (`&mut Shell`) for a look at the tangent
 /// of a state.
@@ -21,21 +22,26 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) freedoms: DofMap,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
+    /// Particles with a prescribed displacement or rotation.
+    moved: Vec<u32>,
 }
 
 impl StaticShell {
-    /// Numbers the free freedoms of a shell.
+    /// Numbers the free degrees of freedom of a shell. What its supports move goes with the level.
     pub fn new(shell: Shell) -> Self {
-        Self::lent(Box::new(shell))
+        let moved = (0..shell.len()).filter(|&a| shell.constraint(a).is_some_and(|c| c.told().is_some()));
+        let moved = moved.map(|a| a as u32).collect();
+        Self { moved, ..Self::lent(Box::new(shell)) }
     }
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is.
+    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
+    /// of prescribed values too.
     pub fn lent(shell: S) -> Self {
         let (freedoms, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
-        Self { shell, freedoms, pattern, blocks }
+        Self { shell, freedoms, pattern, blocks, moved: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -45,6 +51,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
     pub fn evaluate(&mut self, level: f64) {
+        self.put(level);
         self.shell.evaluate_internal(true);
         self.external_at(level);
     }
@@ -108,6 +115,54 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         }
     }
 
+    /// Puts prescribed values where a level has them.
+    fn put(&mut self, level: f64) {
+        let shell = &mut *self.shell;
+        for &a in &self.moved {
+            let number = shell.constraint_of[a as usize] as usize - 1;
+            if let Some(told) = shell.constraints[number].told() {
+                told.put(level, &mut shell.state[a as usize]);
+            }
+        }
+    }
+
+    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
+    fn prescribed_rates(&self) -> Vec<Row> {
+        let mut rates = vec![[0.0; 6]; self.shell.len()];
+        for &a in &self.moved {
+            if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
+                rates[a as usize] = told.rate(&self.shell.director(a as usize));
+            }
+        }
+        rates
+    }
+
+    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
+    fn level_rates(&mut self, level: f64) -> Vec<Row> {
+        self.put(level);
+        self.external_at(1.0);
+        let rates = self.prescribed_rates();
+        let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
+        self.shell.load_stiffness(level, &mut |a, b, block| {
+            for (value, row) in rows[a as usize].iter_mut().zip(block) {
+                *value += product(row, &rates[b as usize]);
+            }
+        });
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        for a in 0..rows.len() {
+            for number in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
+                for i in 0..6 {
+                    rows[a][i] -= product(&block[i], &rates[b]);
+                    if a != b {
+                        rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
+                    }
+                }
+            }
+        }
+        rows
+    }
+
     fn external_at(&mut self, level: f64) {
         self.shell.evaluate_external(Instant { time: 0.0, level });
     }
@@ -133,22 +188,33 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         out
     }
 
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
         self.shell.evaluate_internal(false);
         self.project(|a| self.shell.internal_force(a), out);
     }
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
         self.external_at(level);
         self.project(|a| self.shell.external_force(a), out);
     }
 
-    fn load_rate(&mut self, _: f64, out: &mut [f64]) {
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         // Loads are proportional to the level.
-        self.external(1.0, out);
+        if self.moved.is_empty() {
+            return self.external(1.0, out);
+        }
+        let rows = self.level_rates(level);
+        self.project(|a| rows[a], out);
+    }
+
+    fn held_values_move(&self) -> bool {
+        !self.moved.is_empty()
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.put(level);
         self.shell.evaluate_internal(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
@@ -159,6 +225,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
         let rest = self.save();
         self.update(motion);
+        self.put(level);
         self.shell.evaluate_internal(false);
         let stressed = self.shell.state.to_vec();
         let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
@@ -244,4 +311,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         });
     }
+}
+
+fn product(a: &Row, b: &Row) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

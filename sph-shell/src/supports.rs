@@ -1,8 +1,9 @@
-//! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion; and what they leave free.
+//! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
 
-use explicit_dynamics::{Amplitude, Instant};
+use explicit_dynamics::{Amplitude, Step};
 use sph_core::{Cloud, Vec3};
 
+use crate::prescribed::{Motion, Rotation, Told};
 use crate::{ShellError, Supported};
 
 /// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
@@ -17,6 +18,8 @@ pub struct Holds {
     pub director: DirectorHold,
     /// A motion along one of the held directions.
     pub motion: Option<Motion>,
+    /// A rotation of the director, which must then be held fixed by nothing else.
+    pub rotation: Option<Rotation>,
 }
 
 /// What is asked of a director.
@@ -31,22 +34,13 @@ pub enum DirectorHold {
     Fixed,
 }
 
-/// A prescribed displacement.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Motion {
-    /// Displacement at load level one and amplitude one \[L\].
-    pub displacement: Vec3,
-    /// Its course in time.
-    pub amplitude: Amplitude,
-}
-
 /// A condition on particles of an edge, a row or a point.
 pub trait Support: Send + Sync {
     /// What it asks of each particle.
     fn holds(&self) -> Holds;
 }
 
-/// All five freedoms held: `x` and `d` stay where they are.
+/// All five degrees of freedom held: `x` and `d` stay where they are.
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped;
 
@@ -91,9 +85,20 @@ pub struct Moved {
     pub amplitude: Amplitude,
 }
 
+/// The director turns about an axis by a prescribed angle; the position is free.
+#[derive(Clone, Debug)]
+pub struct Rotated {
+    /// Axis (any length).
+    pub axis: Vec3,
+    /// Angle at load level one \[rad\].
+    pub by: f64,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
 impl Support for Clamped {
     fn holds(&self) -> Holds {
-        Holds { translations: axes(), director: DirectorHold::Fixed, motion: None }
+        Holds { translations: axes(), director: DirectorHold::Fixed, ..Holds::default() }
     }
 }
 
@@ -106,7 +111,7 @@ impl Support for Hinged {
 impl Support for SymmetryPlane {
     fn holds(&self) -> Holds {
         let normal = self.normal.normalize();
-        Holds { translations: vec![normal], director: DirectorHold::InPlane(normal), motion: None }
+        Holds { translations: vec![normal], director: DirectorHold::InPlane(normal), ..Holds::default() }
     }
 }
 
@@ -123,7 +128,7 @@ impl Support for Held {
         Holds {
             translations: self.displacement.iter().map(Vec3::normalize).collect(),
             director,
-            motion: None,
+            ..Holds::default()
         }
     }
 }
@@ -132,7 +137,15 @@ impl Support for Moved {
     fn holds(&self) -> Holds {
         let direction = self.direction.normalize();
         let motion = Motion { displacement: direction * self.by, amplitude: self.amplitude.clone() };
-        Holds { translations: vec![direction], director: DirectorHold::Free, motion: Some(motion) }
+        Holds { translations: vec![direction], motion: Some(motion), ..Holds::default() }
+    }
+}
+
+impl Support for Rotated {
+    fn holds(&self) -> Holds {
+        let (axis, angle) = (self.axis.normalize(), self.by);
+        let rotation = Rotation { axis, angle, amplitude: self.amplitude.clone() };
+        Holds { director: DirectorHold::Fixed, rotation: Some(rotation), ..Holds::default() }
     }
 }
 
@@ -146,7 +159,7 @@ pub(crate) fn constraints(
     supports: &[Supported],
 ) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
     let count = cloud.len();
-    let mut asked: Vec<Vec<Holds>> = vec![Vec::new(); count];
+    let mut asked: Vec<Vec<(usize, Holds)>> = vec![Vec::new(); count];
     for (support, supported) in supports.iter().enumerate() {
         if supported.particles.is_empty() {
             return Err(ShellError::EmptySet("a support"));
@@ -165,13 +178,14 @@ pub(crate) fn constraints(
                     return Err(ShellError::OutOfPlane { support, particle, along });
                 }
             }
-            list.push(holds);
+            list.push((support, holds));
         }
     }
     let mut number = vec![0; count];
     let mut constraints = Vec::new();
     for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
-        constraints.push(Constraint::join(particle as u32, list)?);
+        let rest = (cloud.positions[particle], cloud.frames[particle].n);
+        constraints.push(Constraint::join(particle as u32, rest, list)?);
         number[particle] = constraints.len() as u32;
     }
     Ok((number, constraints))
@@ -184,14 +198,24 @@ pub(crate) struct Constraint {
     held: [Vec3; 3],
     count: usize,
     pub(crate) director: DirectorHold,
-    pub(crate) motion: Option<Motion>,
+    motion: Option<Motion>,
+    rotation: Option<Rotation>,
+    /// Position and director at rest.
+    rest: (Vec3, Vec3),
 }
 
 impl Constraint {
-    /// Joins what several supports ask of particle `particle`.
-    pub(crate) fn join(particle: u32, asked: &[Holds]) -> Result<Self, ShellError> {
-        let mut out = Self { held: [Vec3::zeros(); 3], count: 0, director: DirectorHold::Free, motion: None };
-        for hold in asked {
+    /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
+    fn join(particle: u32, rest: (Vec3, Vec3), asked: &[(usize, Holds)]) -> Result<Self, ShellError> {
+        let mut out = Self {
+            held: [Vec3::zeros(); 3],
+            count: 0,
+            director: DirectorHold::Free,
+            motion: None,
+            rotation: rotation(particle, asked)?,
+            rest,
+        };
+        for (_, hold) in asked {
             for direction in &hold.translations {
                 out.hold(direction);
             }
@@ -209,7 +233,7 @@ impl Constraint {
         }
         if let Some(motion) = &out.motion {
             // A held direction of another support must not oppose the motion.
-            for hold in asked.iter().filter(|h| h.motion.is_none()) {
+            for (_, hold) in asked.iter().filter(|(_, hold)| hold.motion.is_none()) {
                 for direction in &hold.translations {
                     let along = motion.displacement.dot(direction);
                     if along.abs() > 1e-9 * motion.displacement.norm() {
@@ -259,13 +283,42 @@ impl Constraint {
         }
     }
 
-    /// Mean velocity of the prescribed motion between two instants \[L/T\].
-    pub(crate) fn velocity(&self, from: Instant, to: Instant) -> Option<[f64; 3]> {
-        let motion = self.motion.as_ref()?;
-        let place = |at: Instant| at.level * motion.amplitude.value(at.time);
-        let rate = (place(to) - place(from)) / (to.time - from.time);
-        Some((motion.displacement * rate).into())
+    /// Mean velocity of the prescribed motion over a step \[L/T\].
+    pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
+        Some(self.motion.as_ref()?.velocity(step.from, step.to))
     }
+
+    /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].
+    #[inline]
+    pub(crate) fn director_rate(&self, d: [f64; 3], step: &Step) -> Option<[f64; 3]> {
+        let rotation = self.rotation.as_ref()?;
+        Some(rotation.rate(&self.rest.1, &d.into(), step.from, step.to))
+    }
+
+    /// What is prescribed by level, if anything is.
+    pub(crate) fn told(&self) -> Option<Told<'_>> {
+        let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
+        let held = &self.held[..self.count];
+        (motion.is_some() || rotation.is_some()).then_some(Told { rest: self.rest, motion, rotation, held })
+    }
+}
+
+/// The prescribed rotation of a director, which no other support may contradict: it may keep the director in a plane
+/// square to the axis.
+fn rotation(particle: u32, asked: &[(usize, Holds)]) -> Result<Option<Rotation>, ShellError> {
+    let rotating = |(number, hold): &(usize, Holds)| Some((*number, hold.rotation.clone()?));
+    let Some((rotated, rotation)) = asked.iter().find_map(rotating) else { return Ok(None) };
+    for (other, hold) in asked.iter().filter(|(number, _)| *number != rotated) {
+        let agrees = match hold.director {
+            DirectorHold::Free => true,
+            DirectorHold::InPlane(normal) => normal.cross(&rotation.axis).norm() < 1e-9,
+            DirectorHold::Fixed => false,
+        };
+        if !agrees {
+            return Err(ShellError::HeldDirector { particle, rotated, other: *other });
+        }
+    }
+    Ok(Some(rotation))
 }
 
 fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
@@ -280,7 +333,7 @@ fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
 }
 
 impl Constraint {
-    /// DofMap held, of three translations and two rotations.
+    /// Degrees of freedom held, of three translations and two rotations.
     pub(crate) fn held_freedoms(&self) -> usize {
         let rotations = match self.director {
             DirectorHold::Free => 0,

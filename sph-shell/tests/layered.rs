@@ -82,7 +82,7 @@ fn force_is_the_derivative_of_the_energy() {
         let mut system = StaticShell::new(body);
         let n = system.unknowns();
         let mut force = vec![0.0; n];
-        system.internal(&mut force);
+        system.internal(0.0, &mut force);
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];
         system.tangent(0.0, &mut values);

@@ -85,7 +85,7 @@ fn force_and_tangent_are_the_derivatives_of_the_energy() {
         let n = system.unknowns();
         let pattern = system.pattern();
         let (mut force, mut values) = (vec![0.0; n], vec![0.0; pattern.len()]);
-        system.internal(&mut force);
+        system.internal(0.0, &mut force);
         system.tangent(0.0, &mut values);
         let mut dice = RandomNumbers(4);
         let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();

@@ -85,7 +85,7 @@ fn forces_along_the_unknowns_are_the_first_derivative() {
     let n = system.unknowns();
     assert_eq!(n, 5 * 30);
     let mut force = vec![0.0; n];
-    system.internal(&mut force);
+    system.internal(0.0, &mut force);
     let mut dice = RandomNumbers(8);
     let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
     let home = system.save();

@@ -265,7 +265,7 @@ impl Equilibrium for Model {
         self.assembly.pattern()
     }
 
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, _level: f64, out: &mut [f64]) {
         out.fill(0.0);
         for (nodes, geometry) in &self.elements {
             let forces = element::forces(geometry, &self.corners(nodes), &self.section.stiffness);

@@ -51,7 +51,7 @@ impl<P: Potential> Equilibrium for Flat<P> {
         (0..self.q.len()).flat_map(|i| (0..=i).map(move |j| (i, j))).collect()
     }
 
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, _level: f64, out: &mut [f64]) {
         self.potential.gradient(&self.q, out);
     }
 

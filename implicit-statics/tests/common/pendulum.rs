@@ -56,7 +56,7 @@ impl Equilibrium for Pendulum {
         pattern
     }
 
-    fn internal(&mut self, out: &mut [f64]) {
+    fn internal(&mut self, _level: f64, out: &mut [f64]) {
         for i in 0..self.frames.len() {
             for a in 0..2 {
                 out[2 * i + a] = -self.neighbours(i).dot(&self.frames[i][a]);
