@@ -198,50 +198,29 @@
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
 //! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (fused.rs) |
 
-mod bounds;
-mod cell_control;
-mod couple;
-mod dispatch;
-mod dofs;
+mod conditions;
+mod control;
 mod error;
 mod formulation;
-mod fused;
-mod load_shares;
-mod load_stiffness;
-mod loads;
-mod march;
-mod membrane_arcs;
-mod motion;
-mod packs;
-mod pair_control;
-mod particle;
-mod point;
-mod prescribed;
-mod pressure;
+mod points;
 mod reference;
-mod results;
-mod shear;
 mod shell;
-mod spectrum;
+mod state;
 mod statics;
-mod stiffness;
-mod strong_form;
-mod supports;
-mod sweep;
+mod time;
 
-pub use couple::{CoupleAxis, EdgeCouple};
-pub use error::ShellError;
-pub use formulation::{Formulation, FormulationRow, Reach, formulations};
-pub use load_shares::LoadShare;
-pub use loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
-pub use membrane_arcs::ChordLoss;
-pub use prescribed::{Motion, Rotation};
-pub use pressure::Pressure;
-pub use reference::Reference;
-pub use results::PointResult;
-pub use shell::{Parts, Shell, Supported};
-pub use statics::StaticShell;
-pub use strong_form::density_rate;
-pub use supports::{
-    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, SymmetryPlane,
+pub use conditions::couple::{CoupleAxis, EdgeCouple};
+pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
+pub use conditions::prescribed::{Motion, Rotation};
+pub use conditions::pressure::Pressure;
+pub use conditions::shares::LoadShare;
+pub use conditions::supports::{
+    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
+pub use control::arcs::ChordLoss;
+pub use error::ShellError;
+pub use formulation::{Formulation, Reach};
+pub use points::results::PointResult;
+pub use reference::Reference;
+pub use shell::{Parts, Shell};
+pub use statics::static_shell::StaticShell;

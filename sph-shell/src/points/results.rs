@@ -3,8 +3,8 @@
 use shell_kinematics::{LANES, Pack};
 use sph_core::Vec3;
 
-use crate::Shell;
-use crate::point::{interpolate, point_strains};
+use crate::points::point::PointState;
+use crate::shell::Shell;
 
 /// Strains and resultants of one sampling point.
 ///
@@ -30,7 +30,7 @@ pub struct PointResult {
 }
 
 impl Shell {
-    /// Whether a support holds any freedom of a particle.
+    /// Whether a support holds any degree of freedom of a particle.
     pub fn is_held(&self, particle: usize) -> bool {
         self.constraint(particle).is_some()
     }
@@ -39,18 +39,9 @@ impl Shell {
     /// the reference's `operator.points`: the cells of the cloud, or for nodal sampling and the strong form the
     /// particles. Surplus entries and surplus points are left alone. Nothing is allocated and no state is changed.
     pub fn point_results(&self, out: &mut [PointResult]) {
-        let packs = &self.packs;
-        for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
-            let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, raw) = interpolate::<true>(pack, entries, &self.state);
-            let mut measures = p.measures();
-            if let Some(cell) = self.cells.get(index) {
-                measures.curvature = cell.state(&p, &measures.curvature, raw).arc(measures.curvature);
-            }
-            if let Some(arcs) = self.arcs.get(index) {
-                arcs.adjust(&mut measures, &pack.reference);
-            }
-            let strains = point_strains(pack, self.shear.get(index), self.strain, &measures);
+        for (index, points) in self.points.packs.order.iter().enumerate() {
+            let PointState { placement: p, strains, .. } =
+                self.points.point(index).strained::<true, _>(self.strain, &self.state);
             let stress = self.section.resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

@@ -9,6 +9,12 @@
 use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::SamplingOperator;
 
+/// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
+pub(crate) type Row = [f64; 6];
+
+/// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
+pub(crate) const PARTICLE_CHUNK: usize = 512;
+
 /// Points are sorted by the size of their stencil inside blocks of this many, so that packs waste few lanes.
 const BLOCK: usize = 64;
 
@@ -62,7 +68,7 @@ impl PointPack {
 }
 
 impl Packs {
-    /// Lays out an operator; reference measures are filled in by the caller, who owns the sweep.
+    /// Lays out an operator; reference measures are filled in by the caller, who knows the pipeline.
     pub fn new(operator: &SamplingOperator) -> Self {
         let count = operator.points.len();
         let mut order: Vec<u32> = (0..count as u32).collect();
@@ -113,7 +119,7 @@ impl Packs {
         self.order.push(lane_points);
     }
 
-    /// Transposes: which slots belong to each particle.
+    /// The transpose: which slots belong to each particle.
     fn find_slots(&mut self, operator: &SamplingOperator) {
         let mut owned: Vec<(u32, u32)> = Vec::with_capacity(operator.particles.len());
         let mut point = 0;

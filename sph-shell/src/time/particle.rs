@@ -3,9 +3,8 @@
 use explicit_dynamics::{Step, Work};
 use shell_kinematics::parallel_transport;
 
-use crate::packs::Packs;
-use crate::point::Row;
-use crate::supports::Constraint;
+use crate::conditions::supports::Constraint;
+use crate::points::packs::{Packs, Row};
 
 /// Slots of forces; a ring that holds only the slots in use is addressed through its mask.
 #[derive(Clone, Copy)]

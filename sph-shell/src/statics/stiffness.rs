@@ -4,20 +4,17 @@
 //! placement, and the two hourglass patterns of a cell), carried to its particles by the stencil; the pair control
 //! is a constant matrix. Directors live on spheres: their blocks lose `(d·∂U/∂d) I` on the tangent plane.
 
-use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Pack, Placement, Strains, congruence};
+use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruence};
 
-use crate::Shell;
-use crate::cell_control::{CellPack, CellState, ScaleTangent};
-use crate::loads::Block;
-use crate::packs::{Entry, PointPack};
-use crate::point::{Row, interpolate, point_strains};
+use crate::conditions::loads::Block;
+use crate::control::cells::{CellState, PointTangent, ScaleTangent, VECTORS};
+use crate::points::packs::Row;
+use crate::points::point::{Point, PointState, sign};
+use crate::points::scheme::Scheme;
+use crate::shell::Shell;
 
-/// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d; those made of positions.
-const VECTORS: usize = 7;
+/// Those of a point's vectors that are made of positions.
 const OF_POSITIONS: [bool; VECTORS] = [true, true, false, false, false, true, false];
-
-/// Second derivatives over the components of all vectors of a point.
-pub(crate) type PointTangent = [[Pack; 3 * VECTORS]; 3 * VECTORS];
 
 /// Which pairs of particles (row not below column) share a block, row by row.
 #[derive(Clone, Debug)]
@@ -37,9 +34,9 @@ impl BlockPattern {
             }
         }
         shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
-        if let Some(pairs) = &shell.pairs {
+        if let Scheme::Wide { control, .. } = &shell.points.scheme {
             for (a, row) in rows.iter_mut().enumerate() {
-                row.extend(pairs.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
+                row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
             }
         }
         let mut pattern = Self { offsets: vec![0], columns: Vec::new() };
@@ -70,20 +67,20 @@ impl Shell {
         blocks: &mut [Block],
     ) {
         blocks.fill([[0.0; 6]; 6]);
-        for (index, pack) in self.packs.points.iter().enumerate() {
-            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let tangent = self.point_tangent(index, pack, entries, stressed);
+        for index in 0..self.points.packs.points.len() {
+            let point = self.points.point(index);
+            let tangent = self.point_tangent(&point, stressed);
             for lane in 0..LANES {
-                if pack.weight.lanes()[lane] == 0.0 {
+                if point.pack.weight.lanes()[lane] == 0.0 {
                     continue;
                 }
-                let shares = self.shares(index, pack, entries, lane);
+                let shares = shares(&point, lane);
                 scatter(&tangent, lane, &shares, pattern, blocks);
             }
         }
-        if let Some(pairs) = &self.pairs {
+        if let Scheme::Wide { control, .. } = &self.points.scheme {
             for a in 0..self.len() {
-                for (b, [xx, xd, dx, dd]) in pairs.blocks_of(a) {
+                for (b, [xx, xd, dx, dd]) in control.blocks_of(a) {
                     let Some(block) = (b as usize <= a).then(|| pattern.find(a as u32, b)).flatten() else {
                         continue;
                     };
@@ -98,61 +95,34 @@ impl Shell {
         }
     }
 
-    /// Strains of four points in a state, and their cells' control there.
-    fn strains_in(
-        &self,
-        index: usize,
-        pack: &PointPack,
-        entries: &[Entry],
-        state: &[Row],
-    ) -> (Placement, Measures, Strains, Option<(&CellPack, CellState)>) {
-        let (p, raw) = interpolate::<true>(pack, entries, state);
-        let mut now = p.measures();
-        let control = self.cells.get(index).map(|cell| (cell, cell.state(&p, &now.curvature, raw)));
-        if let Some((_, state)) = &control {
-            now.curvature = state.arc(now.curvature);
-        }
-        if let Some(arcs) = self.arcs.get(index) {
-            arcs.adjust(&mut now, &pack.reference);
-        }
-        let strains = point_strains(pack, self.shear.get(index), self.strain, &now);
-        (p, now, strains, control)
-    }
-
     /// Second derivatives of four points over their vectors, weights included.
     ///
     /// With stresses of another state, resultants and what the control pulls are taken from there, all else from here.
-    fn point_tangent(
-        &self,
-        index: usize,
-        pack: &PointPack,
-        entries: &[Entry],
-        stressed: Option<&[Row]>,
-    ) -> PointTangent {
-        let (p, now, strains, mut control) = self.strains_in(index, pack, entries, &self.state);
+    fn point_tangent(&self, point: &Point<'_>, stressed: Option<&[Row]>) -> PointTangent {
+        let pack = point.pack;
+        let PointState { placement: p, measures: now, strains, mut control } =
+            point.strained::<true, _>(self.strain, &self.state);
         let mut stress = self.section.resultants(&strains);
         if let Some(state) = stressed {
-            let (_, _, strains, pulled) = self.strains_in(index, pack, entries, state);
-            stress = self.section.resultants(&strains);
-            if let (Some((_, here)), Some((_, there))) = (&mut control, &pulled) {
+            let there = point.strained::<true, _>(self.strain, state);
+            stress = self.section.resultants(&there.strains);
+            if let (Some((_, here)), Some((_, there))) = (&mut control, &there.control) {
                 here.pull_as(there);
             }
         }
-        let arcs = self.arcs.get(index);
         let mut gradient = self.strain.gradient(&now, &pack.reference);
-        let shear = self.shear.get(index);
-        if let Some(shear) = shear {
+        if let Some(shear) = point.shear {
             shear.adjust_gradient(&mut gradient);
         }
         let mut over = congruence(&gradient, &self.section.tangent(&strains));
-        if let Some(shear) = shear {
+        if let Some(shear) = point.shear {
             shear.transpose(&mut stress);
         }
         for (row, add) in over.iter_mut().zip(self.strain.second_gradient(&stress)) {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
         let mut forces = self.strain.transpose(&now, &pack.reference, &stress);
-        if let Some(arcs) = arcs {
+        if let Some(arcs) = point.arcs {
             arcs.tangent(&mut over, &mut forces);
         }
         let scale =
@@ -169,34 +139,27 @@ impl Shell {
         }
         out
     }
+}
 
-    /// How each particle of a point enters its vectors: `[G₁, G₂, φ, G₁, G₂, γ, γ]`.
-    fn shares(
-        &self,
-        index: usize,
-        pack: &PointPack,
-        entries: &[Entry],
-        lane: usize,
-    ) -> Vec<(u32, [f64; VECTORS])> {
-        let cell = self.cells.get(index);
-        let number = |h: f64, phi: f64, g1: f64, g2: f64| {
-            let gamma = cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
-            [g1, g2, phi, g1, g2, gamma, gamma]
-        };
-        let mut base = (1.0, 0.0, 0.0);
-        let mut shares = Vec::with_capacity(entries.len() + 1);
-        for (k, entry) in entries.iter().enumerate() {
-            let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
-            base = (base.0 - phi, base.1 - g1, base.2 - g2);
-            let h = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
-            // Filled-up places repeat the base with zero: a triangle has no fourth particle and no pattern.
-            if entry.particles[lane] != pack.base[lane] {
-                shares.push((entry.particles[lane], number(h, phi, g1, g2)));
-            }
+/// How each particle of a point enters its vectors: `[G₁, G₂, φ, G₁, G₂, γ, γ]`.
+fn shares(point: &Point<'_>, lane: usize) -> Vec<(u32, [f64; VECTORS])> {
+    let number = |h: f64, phi: f64, g1: f64, g2: f64| {
+        let gamma = point.cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
+        [g1, g2, phi, g1, g2, gamma, gamma]
+    };
+    let own = point.pack.base[lane];
+    let mut base = (1.0, 0.0, 0.0);
+    let mut shares = Vec::with_capacity(point.entries.len() + 1);
+    for (k, entry) in point.entries.iter().enumerate() {
+        let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
+        base = (base.0 - phi, base.1 - g1, base.2 - g2);
+        // Filled-up places repeat the base with zero: a triangle has no fourth particle and no pattern.
+        if entry.particles[lane] != own {
+            shares.push((entry.particles[lane], number(sign(k), phi, g1, g2)));
         }
-        shares.push((pack.base[lane], number(1.0, base.0, base.1, base.2)));
-        shares
     }
+    shares.push((own, number(1.0, base.0, base.1, base.2)));
+    shares
 }
 
 /// Turns second derivatives and forces over measures with the curvature k̂ = c k into those with k, and finds the

@@ -3,8 +3,8 @@
 use explicit_dynamics::{Amplitude, Step};
 use sph_core::{Cloud, Vec3};
 
-use crate::prescribed::{Motion, Rotation, Told};
-use crate::{ShellError, Supported};
+use crate::conditions::prescribed::{Motion, Rotation, Told};
+use crate::error::ShellError;
 
 /// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
 const OUT_OF_PLANE: f64 = 1e-6;
@@ -38,6 +38,14 @@ pub enum DirectorHold {
 pub trait Support: Send + Sync {
     /// What it asks of each particle.
     fn holds(&self) -> Holds;
+}
+
+/// A support and the particles it acts on.
+pub struct Supported {
+    /// Particles.
+    pub particles: Vec<u32>,
+    /// What is asked of them.
+    pub support: Box<dyn Support>,
 }
 
 /// All five degrees of freedom held: `x` and `d` stay where they are.

@@ -3,8 +3,9 @@
 use shell_kinematics::LANES;
 use sph_core::Vec3;
 
-use crate::point::interpolate;
-use crate::{Formulation, Reach, Shell};
+use crate::formulation::{Formulation, Reach};
+use crate::points::point::Point;
+use crate::shell::Shell;
 
 /// Least and greatest principal stretch of the mid-surface.
 ///
@@ -31,10 +32,9 @@ impl Shell {
     /// `J = (x,1 × x,2)·d` is the area over that of the reference where the director is normal; not positive, the surface
     /// is folded through itself or its director lies in it.
     pub(crate) fn first_unsound(&self) -> Option<Unsound> {
-        let packs = &self.packs;
-        for (index, pack) in packs.points.iter().enumerate() {
-            let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, _) = interpolate::<false>(pack, entries, &self.state);
+        let packs = &self.points.packs;
+        for (index, points) in packs.order.iter().enumerate() {
+            let (p, _) = Point::new(packs, index).place::<false>(&self.state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());
             for lane in 0..LANES {
@@ -58,12 +58,7 @@ impl Shell {
                 } else {
                     ("the greatest stretch", most.sqrt(), "below 10")
                 };
-                return Some(Unsound {
-                    place: self.name_point(packs.order[index][lane] as usize),
-                    what,
-                    value,
-                    bound,
-                });
+                return Some(Unsound { place: self.name_point(points[lane] as usize), what, value, bound });
             }
         }
         None

@@ -4,7 +4,8 @@ use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::{Reference, ShellError};
+use crate::error::ShellError;
+use crate::reference::Reference;
 
 /// What a load sees of the shell.
 pub struct Body<'a> {

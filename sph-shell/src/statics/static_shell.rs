@@ -6,12 +6,12 @@ use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds};
 use shell_kinematics::parallel_transport;
 
-use crate::Shell;
-use crate::bounds::Unsound;
-use crate::dofs::{Basis, DofMap};
-use crate::loads::Block;
-use crate::point::Row;
-use crate::stiffness::BlockPattern;
+use crate::conditions::loads::Block;
+use crate::points::bounds::Unsound;
+use crate::points::packs::Row;
+use crate::shell::Shell;
+use crate::statics::dofs::{Basis, DofMap};
+use crate::statics::stiffness::BlockPattern;
 
 /// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
 ///

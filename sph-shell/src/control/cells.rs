@@ -46,8 +46,6 @@
 use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, SectionScales};
 use sph_core::{SamplingOperator, Vec3};
 
-use crate::stiffness::PointTangent;
-
 /// Share β_x of the full stiffness of the position hourglass, for shells thin and thick against the spacing \[–\].
 const POSITION_SHARE: [f64; 2] = [0.1, 0.5];
 /// Share β_d of the director hourglass \[–\]. One would be the fully integrated value and costs 0.3 % on a plate, 1.3 %
@@ -103,6 +101,12 @@ pub(crate) struct ScaleTangent {
     /// First derivative over the scale, w M:k.
     pub released: Pack,
 }
+
+/// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d.
+pub(crate) const VECTORS: usize = 7;
+
+/// Second derivatives over the components of all vectors of a point.
+pub(crate) type PointTangent = [[Pack; 3 * VECTORS]; 3 * VECTORS];
 
 /// What the control adds: forces on the patterns, to be spread by ±¼.
 pub(crate) struct PatternForces {

@@ -11,12 +11,11 @@
 //! energy behind it. It is kept because the paper describes it; the report prints what it costs in accuracy.
 
 use shell_kinematics::LANES;
-use sph_core::Vec3;
 
-use crate::Reference;
-use crate::packs::Packs;
-use crate::point::{PointLaw, Row, interpolate, measure_forces};
-use crate::shear::ShearPack;
+use crate::control::shear::ShearPack;
+use crate::points::packs::{Packs, Row};
+use crate::points::point::{Point, PointLaw};
+use crate::reference::Reference;
 
 /// Resultants of one particle: `n1, n2, q, m1, m2`.
 type PointRow = [[f64; 3]; 5];
@@ -35,7 +34,7 @@ pub(crate) struct StrongForm {
 
 impl StrongForm {
     pub fn new(reference: &Reference, viscosity: f64, surface_density: f64) -> Self {
-        // Sampling points are particles here, with frames of their own where a material axis turned them.
+        // Sampling points are particles here, with frames of their own where a material axis rotated them.
         let points = &reference.operator.points;
         let mut across = Vec::with_capacity(reference.operator.particles.len());
         for (a, point) in points.iter().enumerate() {
@@ -63,13 +62,12 @@ impl StrongForm {
         forces: &mut [Row],
     ) -> f64 {
         let mut energy = 0.0;
-        for (index, (pack, points)) in packs.points.iter().zip(&packs.order).enumerate() {
-            let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, _) = interpolate::<false>(pack, entries, state);
-            let (on_measures, density) =
-                measure_forces::<true, _, _>(pack, shear.get(index), law, &p.measures());
-            let f = p.transpose(&on_measures);
-            energy += (density * pack.weight).sum();
+        for (index, points) in packs.order.iter().enumerate() {
+            let point = Point { shear: shear.get(index), ..Point::new(packs, index) };
+            let now = point.strained::<false, _>(law.strain, state);
+            let found = point.forces::<true, _, _>(law, &now);
+            let f = found.on_vectors;
+            energy += (found.density * point.pack.weight).sum();
             for lane in 0..LANES {
                 self.resultants[points[lane] as usize] = [f.n1, f.n2, f.q, f.m1, f.m2].map(|v| v.lane(lane));
             }
@@ -130,19 +128,4 @@ impl StrongForm {
             * self.surface_density
             * (-reference.sound_speed * approach + 2.0 * approach * approach)
     }
-}
-
-/// Rate of density by eq. 3 of \[lin2013\], `ρ̇_a = −ρ_a Σ_b (v_b − v_a)·∇Φ_ab` \[M/(L³T)\].
-///
-/// In the total Lagrangian form the density of eq. 4 is that of the reference, so this rate is a result, not
-/// an unknown; it is offered for observers.
-pub fn density_rate(reference: &Reference, density: f64, velocities: &[Vec3], particle: usize) -> f64 {
-    let frame = &reference.operator.points[particle].frame;
-    let stencil = reference.operator.stencil(particle);
-    let mut divergence = 0.0;
-    for (k, &b) in stencil.particles.iter().enumerate() {
-        let gradient = frame.t1 * stencil.g1[k] + frame.t2 * stencil.g2[k];
-        divergence += (velocities[b as usize] - velocities[particle]).dot(&gradient);
-    }
-    -density * divergence
 }

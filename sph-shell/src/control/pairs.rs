@@ -16,10 +16,9 @@ use rayon::prelude::*;
 use shell_kinematics::SectionScales;
 use sph_core::{CubicSpline, Kernel, SamplingOperator, Vec3};
 
-use crate::point::Row;
-use crate::reference::{mean_cell_areas, pair_gradients};
-use crate::shell::PARTICLE_CHUNK;
-use crate::{Reference, ShellError};
+use crate::error::ShellError;
+use crate::points::packs::{PARTICLE_CHUNK, Row};
+use crate::reference::{Reference, mean_cell_areas, pair_gradients};
 
 /// One row block: which particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d` (each times the unit matrix).
 #[derive(Clone, Copy, Debug)]

@@ -6,9 +6,10 @@
 
 use explicit_dynamics::Instant;
 
-use crate::loads::{Block, Body};
-use crate::stiffness::BlockPattern;
-use crate::{Shell, StaticShell};
+use crate::conditions::loads::{Block, Body};
+use crate::shell::Shell;
+use crate::statics::static_shell::StaticShell;
+use crate::statics::stiffness::BlockPattern;
 
 /// The largest entry of the skew part that counts as rounding, in units of the largest derivative.
 const ROUNDING: f64 = 1e-9;

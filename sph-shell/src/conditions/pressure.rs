@@ -2,8 +2,9 @@
 
 use sph_core::Vec3;
 
-use crate::loads::{Block, place_block};
-use crate::{Body, Load, Reference, ShellError};
+use crate::conditions::loads::{Block, Body, Load, place_block};
+use crate::error::ShellError;
+use crate::reference::Reference;
 
 /// Pressure along the normal of the cells; positive pushes along the normal.
 ///

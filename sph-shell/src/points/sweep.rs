@@ -1,16 +1,14 @@
-//! The sweep over all sampling points: halves for threads, one copy for the default strain and section.
+//! The sweep over all sampling points: forces into slots, halves for threads, one copy for the default strain and section.
 
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{IsotropicSection, LANES, Pack, Pack3, Section, StrainMeasure, StretchCorrected};
 
-use crate::cell_control::CellPack;
-use crate::dispatch::widest;
-use crate::membrane_arcs::ArcPack;
-use crate::packs::Packs;
-use crate::point::{PointLaw, Row, sweep_pack};
-use crate::shear::ShearPack;
+use crate::points::dispatch::widest;
+use crate::points::packs::Row;
+use crate::points::point::{Point, PointForces, PointLaw, sign};
+use crate::points::scheme::{Points, Scheme};
 
 /// Packs under which a sweep is not split further between threads.
 const PACK_CHUNK: usize = 64;
@@ -18,10 +16,7 @@ const PACK_CHUNK: usize = 64;
 /// One evaluation of all points.
 #[derive(Clone, Copy)]
 pub(crate) struct Sweep<'a> {
-    pub packs: &'a Packs,
-    pub cells: &'a [CellPack],
-    pub shear: &'a [ShearPack],
-    pub arcs: &'a [ArcPack],
+    pub points: &'a Points,
     pub law: PointLaw<'a>,
     pub state: &'a [Row],
     pub energy: bool,
@@ -33,7 +28,7 @@ impl Sweep<'_> {
         let count = energies.len();
         if split && count >= 2 * PACK_CHUNK {
             let half = count / 2;
-            let points = &self.packs.points;
+            let points = &self.points.packs.points;
             let cut = points[first + half].first_slot(first + half) - points[first].first_slot(first);
             let (left_slots, right_slots) = slots.split_at_mut(cut);
             let (left, right) = energies.split_at_mut(half);
@@ -64,20 +59,10 @@ impl Sweep<'_> {
         mask: usize,
     ) {
         for index in packs {
-            let pack = &self.packs.points[index];
-            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let first = pack.first_slot(index) & mask;
-            let own = &mut ring[first..first + pack.slot_count()];
-            sweep_pack::<true, false, M, S>(
-                pack,
-                entries,
-                self.shear(index),
-                self.arcs.get(index),
-                self.cells.get(index),
-                law,
-                self.state,
-                own,
-            );
+            let point = self.points.point(index);
+            let first = point.pack.first_slot(index) & mask;
+            let own = &mut ring[first..first + point.pack.slot_count()];
+            sweep_pack::<true, false, M, S>(&point, law, self.state, own);
         }
     }
 
@@ -89,12 +74,6 @@ impl Sweep<'_> {
         Some(PointLaw { strain, section })
     }
 
-    /// Shear constants of a pack, unless the cloud is a lattice of parallelograms.
-    #[inline(always)]
-    fn shear(&self, index: usize) -> Option<&ShearPack> {
-        self.shear.get(index)
-    }
-
     #[inline(always)]
     fn range<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
         &self,
@@ -104,20 +83,9 @@ impl Sweep<'_> {
         energies: &mut [f64],
     ) {
         for (i, energy) in energies.iter_mut().enumerate() {
-            let pack = &self.packs.points[first + i];
-            let entries = &self.packs.entries[pack.first as usize..][..pack.width as usize];
-            let (own, rest) = slots.split_at_mut(pack.slot_count());
-            let cell = if CELL { self.cells.get(first + i) } else { None };
-            let found = sweep_pack::<CELL, ENERGY, M, S>(
-                pack,
-                entries,
-                self.shear(first + i),
-                self.arcs.get(first + i),
-                cell,
-                law,
-                self.state,
-                own,
-            );
+            let point = self.points.point(first + i);
+            let (own, rest) = slots.split_at_mut(point.pack.slot_count());
+            let found = sweep_pack::<CELL, ENERGY, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
             }
@@ -140,23 +108,75 @@ impl pulp::NullaryFnOnce for Leaf<'_, '_> {
     #[inline(always)]
     fn call(self) {
         let Self { sweep, first, slots, energies } = self;
-        match (sweep.default_pair(), sweep.cells.is_empty(), sweep.energy) {
-            (Some(law), false, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
-            (_, false, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
-            (_, false, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
-            (_, true, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
-            (_, true, true) => sweep.range::<false, true, _, _>(sweep.law, first, slots, energies),
+        let cells = matches!(sweep.points.scheme, Scheme::Cells { .. });
+        match (sweep.default_pair(), cells, sweep.energy) {
+            (Some(law), true, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
+            (_, true, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
+            (_, true, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
+            (_, false, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
+            (_, false, true) => sweep.range::<false, true, _, _>(sweep.law, first, slots, energies),
         }
     }
+}
+
+#[inline(always)]
+fn store(slots: &mut [Row], force: [Pack3; 2]) {
+    let [f, t] = [force[0].0.map(Pack::lanes), force[1].0.map(Pack::lanes)];
+    for (lane, slot) in slots.iter_mut().enumerate().take(LANES) {
+        *slot = [f[0][lane], f[1][lane], f[2][lane], t[0][lane], t[1][lane], t[2][lane]];
+    }
+}
+
+/// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
+#[inline(always)]
+fn sweep_pack<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    point: &Point<'_>,
+    law: PointLaw<'_, M, S>,
+    state: &[Row],
+    slots: &mut [Row],
+) -> f64 {
+    let now = point.strained::<CELL, M>(law.strain, state);
+    let PointForces { on_vectors: mut f, density, released } = point.forces::<ENERGY, M, S>(law, &now);
+    let w = point.pack.weight;
+    f.n1 = f.n1 * w;
+    f.n2 = f.n2 * w;
+    f.q = f.q * w;
+    f.m1 = f.m1 * w;
+    f.m2 = f.m2 * w;
+    let mut energy = density * w;
+    let mut pattern = [Pack3::ZERO; 2];
+    if let Some((cell, state)) = &now.control {
+        let (forces, more) = cell.add(&now.placement, state, released, &mut f);
+        pattern = [forces.position, forces.director];
+        energy += more;
+    }
+    // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
+    let (mut base_x, mut base_d) = (Pack3::ZERO, f.q);
+    for (k, entry) in point.entries.iter().enumerate() {
+        let mut on_x = f.n1 * entry.g1 + f.n2 * entry.g2;
+        let mut on_d = f.q * entry.phi + f.m1 * entry.g1 + f.m2 * entry.g2;
+        if CELL {
+            let h = Pack::splat(sign(k));
+            on_x += pattern[0] * h;
+            on_d += pattern[1] * h;
+        }
+        base_x = base_x - on_x;
+        base_d = base_d - on_d;
+        let first = (k + 1) * LANES;
+        store(&mut slots[first..first + LANES], [on_x, on_d]);
+    }
+    store(&mut slots[..LANES], [base_x, base_d]);
+    if ENERGY { energy.sum() } else { 0.0 }
 }
 
 #[cfg(test)]
 mod tests {
     use shell_kinematics::Isotropic;
-    use sph_core::{Cylinder, EndWeights, cell_operator, lattice};
+    use sph_core::{Cylinder, EndWeights, lattice};
 
     use super::*;
-    use crate::point::interpolate;
+    use crate::formulation::{Formulation, Reach};
+    use crate::reference::Reference;
 
     /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
     #[test]
@@ -164,32 +184,10 @@ mod tests {
         let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
         let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
-        let operator = cell_operator(&cloud).unwrap();
-        let mut packs = Packs::new(&operator);
-        let mut cells: Vec<CellPack> = packs
-            .points
-            .iter()
-            .zip(&packs.order)
-            .map(|(pack, points)| {
-                CellPack::new(&operator, points, pack.weight, &cloud.positions, &section.scales())
-            })
-            .collect();
-        let second = operator.second_moments(&cloud.positions);
-        let third = operator.uneven_third_moments(&cloud.positions);
-        let shear = ShearPack::all(&operator, &packs.order, &second, &third, 0.1);
-        let mut state: Vec<Row> = cloud
-            .positions
-            .iter()
-            .zip(&cloud.frames)
-            .map(|(x, f)| [x.x, x.y, x.z, f.n.x, f.n.y, f.n.z])
-            .collect();
-        for (pack, cell) in packs.points.iter_mut().zip(&mut cells) {
-            let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-            let (p, raw) = interpolate::<true>(pack, entries, &state);
-            pack.reference = p.measures();
-            pack.reference.curvature = cell.rest(&p, &pack.reference.curvature, raw);
-        }
-        let (arcs, _) = ArcPack::all(&operator, &packs, &second, &third, 0.1);
+        let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
+        let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
+        let (points, _) = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
+        let mut state = reference.rest();
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {
                 *value += 0.01 * ((7 * i + 3 * k) as f64).sin();
@@ -197,18 +195,10 @@ mod tests {
         }
         let law =
             PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
-        let sweep = Sweep {
-            packs: &packs,
-            cells: &cells,
-            shear: &shear,
-            arcs: &arcs,
-            law,
-            state: &state,
-            energy: false,
-        };
-        let count = packs.points.len();
+        let sweep = Sweep { points: &points, law, state: &state, energy: false };
+        let count = points.packs.points.len();
         let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
-            let mut slots = vec![[0.0; 6]; packs.slot_count()];
+            let mut slots = vec![[0.0; 6]; points.packs.slot_count()];
             how(&mut slots, &mut vec![0.0; count]);
             slots.into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>()
         };

@@ -3,8 +3,9 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::loads::{Block, check_set, place_block};
-use crate::{Body, Load, Reference, ShellError};
+use crate::conditions::loads::{Block, Body, Load, check_set, place_block};
+use crate::error::ShellError;
+use crate::reference::Reference;
 
 /// The axis of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
