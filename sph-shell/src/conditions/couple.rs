@@ -75,9 +75,9 @@ impl Load for EdgeCouple {
             if self.axis == CoupleAxis::Edge {
                 let row = &body.state[particle as usize];
                 let director = Vec3::new(row[3], row[4], row[5]);
-                let turned =
+                let across =
                     (Matrix3::identity() - axis * axis.transpose()) / self.along(i, body.state).norm();
-                let change = director.cross_matrix() * turned * moment;
+                let change = director.cross_matrix() * across * moment;
                 let [from, to] = self.ends(i).map(|k| self.edge[k].0);
                 put(particle, from, &place_block(3, 0, &change));
                 put(particle, to, &place_block(3, 0, &-change));

@@ -1,4 +1,4 @@
-//! How much of each load falls on freedoms that can move.
+//! How much of each load falls on degrees of freedom that can move.
 
 use sph_core::Vec3;
 
@@ -8,7 +8,7 @@ use crate::shell::Shell;
 /// Where a load acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadShare {
-    /// The part that acts on freedoms no support holds, of `Σ|f|` or of `Σ|τ|`, whichever is more \[–\]; none for a load of size
+    /// The part that acts on degrees of freedom that no support holds, of `Σ|f|` or of `Σ|τ|`, whichever is more \[–\]; none for a load of size
     /// zero.
     pub free: Option<f64>,
     /// The one particle on which all of it acts, if there is but one.

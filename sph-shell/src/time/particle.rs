@@ -90,9 +90,9 @@ impl Update<'_> {
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
         let number = self.constraint_of[a] as usize;
-        let (mut pushed, mut turned) = (false, false);
+        let (mut pushed, mut rotated) = (false, false);
         if number > 0 {
-            (new, pushed, turned) = self.hold(&self.constraints[number - 1], row, new);
+            (new, pushed, rotated) = self.hold(&self.constraints[number - 1], row, new);
         }
         let mut mean = [0.0; 6];
         for k in 0..6 {
@@ -113,7 +113,7 @@ impl Update<'_> {
                 work.external += kick * lack * mean[k];
             }
         }
-        if turned && kick > 0.0 {
+        if rotated && kick > 0.0 {
             for k in 3..6 {
                 let across = f[k] - along * row[k];
                 let lack = inertia * (new[k] - old[k]) / kick - across + inertia * damping * mean[k];

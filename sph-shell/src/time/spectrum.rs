@@ -77,8 +77,8 @@ impl MassScaled for Shell {
     fn displaced(&self) -> f64 {
         let cloud = &self.reference.cloud;
         let square = |a: usize| {
-            let (u, turned) = (self.displacement(a), self.director(a) - cloud.frames[a].n);
-            self.reference.masses[a] * u.norm_squared() + self.reference.inertias[a] * turned.norm_squared()
+            let (u, rotation) = (self.displacement(a), self.director(a) - cloud.frames[a].n);
+            self.reference.masses[a] * u.norm_squared() + self.reference.inertias[a] * rotation.norm_squared()
         };
         (0..self.len()).map(square).sum::<f64>().sqrt()
     }

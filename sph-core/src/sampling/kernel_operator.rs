@@ -1,8 +1,13 @@
 //! Stress-point operator with a corrected kernel: one sampling point per cell, particles within a chosen reach.
 
-use crate::cell_stencil::cell_point;
-use crate::correction::{Correction, LinearlyExact, Neighbourhood};
-use crate::{CellList, Cloud, Kernel, SamplingOperator, SpaceError, Stencil, Vec3};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::kernel::Kernel;
+use crate::neighbours::CellList;
+use crate::sampling::cell_stencil::cell_point;
+use crate::sampling::correction::{Correction, LinearlyExact, Neighbourhood};
+use crate::sampling::operator::{SamplingOperator, Stencil};
+use crate::surface::cloud::Cloud;
 
 /// Factor by which a support grows while its particles do not determine the shape numbers.
 pub(crate) const GROWTH: f64 = 1.1;

@@ -2,7 +2,7 @@
 
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
-use crate::SpaceError;
+use crate::error::SpaceError;
 
 /// Counter-clockwise Delaunay triangles of `points`, sorted; they cover the convex hull.
 ///

@@ -1,6 +1,8 @@
 //! Sampling operators: values and gradients at points from particles, and their transposes.
 
-use crate::{Frame, SpaceError, Vec3};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::surface::frame::Frame;
 
 /// Projection of a unit vector on the surface below which it has no direction there.
 const SHORTEST_PROJECTION: f64 = 1e-6;
@@ -54,17 +56,6 @@ pub struct Stencil<'a> {
     pub g2: &'a [f64],
 }
 
-/// The entries of an operator sorted by particle, for gathering without races.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Transposed {
-    /// First item of each particle in `entries` and `points`, and the end.
-    pub offsets: Vec<u32>,
-    /// Index of the entry in the operator's arrays, ascending for each particle.
-    pub entries: Vec<u32>,
-    /// Sampling point of the entry.
-    pub points: Vec<u32>,
-}
-
 impl SamplingOperator {
     /// Operator without points on a cloud of `particle_count` particles.
     pub(crate) fn empty(particle_count: usize) -> SamplingOperator {
@@ -94,7 +85,7 @@ impl SamplingOperator {
         self.offsets.push(self.particles.len() as u32);
     }
 
-    /// Turns the frame of every point about its normal until `t1` is the projection of `axis` on the surface, and the
+    /// Rotates the frame of every point about its normal until `t1` is the projection of `axis` on the surface, and the
     /// gradient numbers with it. Gradients stay the same vectors of space; material axes need a direction that means
     /// something throughout the cloud, which the frames that operators come with do not.
     ///
@@ -175,29 +166,6 @@ impl SamplingOperator {
             }
         }
         nodal
-    }
-
-    /// The entries sorted by particle; points ascend within a particle.
-    pub fn transposed(&self) -> Transposed {
-        let mut offsets = vec![0u32; self.particle_count + 1];
-        for &b in &self.particles {
-            offsets[b as usize + 1] += 1;
-        }
-        for b in 0..self.particle_count {
-            offsets[b + 1] += offsets[b];
-        }
-        let mut next = offsets.clone();
-        let mut entries = vec![0; self.particles.len()];
-        let mut points = vec![0; self.particles.len()];
-        for p in 0..self.points.len() {
-            for entry in self.entries(p) {
-                let slot = &mut next[self.particles[entry] as usize];
-                entries[*slot as usize] = entry as u32;
-                points[*slot as usize] = p as u32;
-                *slot += 1;
-            }
-        }
-        Transposed { offsets, entries, points }
     }
 
     /// Second moments of the gradient numbers about each point `[L]`, which the shear correction needs:

@@ -4,9 +4,13 @@ use std::f64::consts::TAU;
 
 use libm::{cos, sin, sqrt};
 
+use crate::Vec3;
+use crate::error::SpaceError;
 use crate::random::SplitMix;
-use crate::surface_mesh::{INTERVALS, area, cells_on, mean_lengths};
-use crate::{Cloud, Patch, Sides, SpaceError, Vec3};
+use crate::surface::cloud::Cloud;
+use crate::surface::patch::Patch;
+use crate::surface::sides::Sides;
+use crate::surface::surface_mesh::{INTERVALS, area, cells_on, mean_lengths};
 
 /// Least distance between particles, in spacings: with it there is about one particle per spacing squared.
 const LEAST_DISTANCE: f64 = 0.8;

@@ -1,8 +1,12 @@
 //! Nodal operator: sampling at the particles themselves, gradients by least squares through the particle.
 
-use crate::correction::{Correction, Shape, ThroughParticle};
-use crate::kernel_operator::{GROWTH, GROWTH_STEPS, RIM, Search};
-use crate::{CellList, Cloud, Kernel, SamplingOperator, SamplingPoint, SpaceError, Stencil};
+use crate::error::SpaceError;
+use crate::kernel::Kernel;
+use crate::neighbours::CellList;
+use crate::sampling::correction::{Correction, Shape, ThroughParticle};
+use crate::sampling::kernel_operator::{GROWTH, GROWTH_STEPS, RIM, Search};
+use crate::sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
+use crate::surface::cloud::Cloud;
 
 /// Sampling points at the particles, gradients exact on polynomials of `order` 1, 2 or 3 in the tangent plane.
 ///

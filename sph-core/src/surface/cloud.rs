@@ -2,8 +2,14 @@
 
 use nalgebra::Rotation3;
 
-use crate::boundary::boundary;
-use crate::{Cell, CellList, Frame, Lattice, Sides, SpaceError, Vec3};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::neighbours::CellList;
+use crate::surface::boundary::boundary;
+use crate::surface::cell::Cell;
+use crate::surface::frame::Frame;
+use crate::surface::numbering::Lattice;
+use crate::surface::sides::Sides;
 
 /// Distance, in units of the spacing, below which two particles count as one: far below any sensible disorder,
 /// far above rounding.
@@ -137,7 +143,7 @@ impl Cloud {
         }
     }
 
-    /// Refuses cells with a corner that is too sharp, or turned against the normal of one of their particles.
+    /// Refuses cells with a corner that is too sharp, or that faces against the normal of one of their particles.
     fn check_cells(&self) -> Result<(), SpaceError> {
         for (c, cell) in self.cells.iter().enumerate() {
             let corners = cell.particles();
@@ -220,7 +226,7 @@ impl Cloud {
         used
     }
 
-    /// The cloud turned by `rotation` about the origin and then moved by `shift` `[L]`.
+    /// The cloud rotated by `rotation` about the origin and then moved by `shift` `[L]`.
     pub fn transformed(&self, rotation: &Rotation3<f64>, shift: &Vec3) -> Cloud {
         Cloud {
             positions: self.positions.iter().map(|x| rotation * x + shift).collect(),

@@ -1,10 +1,15 @@
 //! Disordered lattices: particles moved at random inside the surface, the same for the same seed everywhere.
 
-use crate::boundary::boundary;
-use crate::lattice::{check_lattice_cells, parameter, step};
+use crate::Vec3;
+use crate::error::SpaceError;
 use crate::random::SplitMix;
-use crate::surface_mesh::cells_on;
-use crate::{Cloud, Frame, Lattice, Patch, SpaceError, Vec3};
+use crate::surface::boundary::boundary;
+use crate::surface::cloud::Cloud;
+use crate::surface::frame::Frame;
+use crate::surface::lattice::{check_lattice_cells, parameter, step};
+use crate::surface::numbering::Lattice;
+use crate::surface::patch::Patch;
+use crate::surface::surface_mesh::cells_on;
 
 /// Greatest disorder, in spacings, that leaves every cell of a square lattice convex: beyond it the diagonal through two
 /// neighbours of a particle can pass on its other side.

@@ -34,7 +34,7 @@ impl Frame {
         Frame { t1, t2: n.cross(&t1), n }
     }
 
-    /// The frame turned by `rotation`.
+    /// The frame rotated by `rotation`.
     pub fn rotated(&self, rotation: &Rotation3<f64>) -> Frame {
         Frame { t1: rotation * self.t1, t2: rotation * self.t2, n: rotation * self.n }
     }

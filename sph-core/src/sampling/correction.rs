@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::{Kernel, SpaceError};
+use crate::error::SpaceError;
+use crate::kernel::Kernel;
 
 /// Largest condition number (in the 1-norm) of a moment matrix that is accepted: half the digits of `f64`.
 const CONDITION_BOUND: f64 = 1e7;
@@ -192,7 +193,7 @@ fn reproduce<const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::CubicSpline;
+    use crate::kernel::CubicSpline;
     use approx::assert_abs_diff_eq;
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;

@@ -57,7 +57,7 @@ pub struct Sphere {
 
 /// Strip twisted about the x axis: `X = (u, v cos α, v sin α)` with `α = twist · u / length`, v from −width/2 to width/2.
 ///
-/// At the root `u = 0` the width runs along +y and the normal is +z; at the tip both are turned by `twist`. This is a
+/// At the root `u = 0` the width runs along +y and the normal is +z; at the tip both are rotated by `twist`. This is a
 /// part of the helicoid, and the warped strip of the obstacle course \[macneal1985\].
 #[derive(Clone, Copy, Debug)]
 pub struct Twisted {
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tip_of_the_strip_is_turned() {
+    fn the_tip_of_the_strip_is_rotated() {
         let strip = Twisted { length: 12.0, width: 2.0, twist: std::f64::consts::FRAC_PI_2 };
         assert_eq!(strip.position(0.0, 1.0), Vec3::y());
         assert_eq!(strip.normal(0.0, 0.0), Vec3::z());

@@ -2,7 +2,8 @@
 
 use nalgebra::Complex;
 
-use crate::{SamplingOperator, SamplingPoint, Vec3};
+use crate::Vec3;
+use crate::sampling::operator::{SamplingOperator, SamplingPoint};
 
 /// Times the moments are averaged over neighbours before they are taken off. One leaves a ninth of the variance of random
 /// moments in the mean, four a thirtieth; a study is kept in docs/uneven-cells.md.
@@ -31,9 +32,9 @@ impl SamplingOperator {
                 for &(q, turn) in &neighbours[offsets[p]..offsets[p + 1]] {
                     let w = self.points[q as usize].weight;
                     let twice = turn * turn;
-                    let turned = [twice * twice, twice, Complex::new(1.0, 0.0), twice.conj()];
+                    let rotated = [twice * twice, twice, Complex::new(1.0, 0.0), twice.conj()];
                     for (k, value) in sum.iter_mut().enumerate() {
-                        *value += mean[q as usize][k] * turned[k] * w;
+                        *value += mean[q as usize][k] * rotated[k] * w;
                     }
                     weight += w;
                 }
@@ -82,11 +83,11 @@ impl SamplingOperator {
     }
 }
 
-/// `e^{iθ}` of the first tangent of `from`, turned with its normal the shorter way to that of `to`, in the frame of `to`.
+/// `e^{iθ}` of the first tangent of `from`, rotated with its normal the shorter way to that of `to`, in the frame of `to`.
 fn carried(from: &SamplingPoint, to: &SamplingPoint) -> Complex<f64> {
     let (t, sum) = (from.frame.t1, from.frame.n + to.frame.n);
-    let turned = t - sum * (to.frame.n.dot(&t) / (1.0 + from.frame.n.dot(&to.frame.n)));
-    let z = Complex::new(turned.dot(&to.frame.t1), turned.dot(&to.frame.t2));
+    let rotated = t - sum * (to.frame.n.dot(&t) / (1.0 + from.frame.n.dot(&to.frame.n)));
+    let z = Complex::new(rotated.dot(&to.frame.t1), rotated.dot(&to.frame.t2));
     // Opposite normals have no shorter way; cells that share a particle never stand so.
     if z.norm() > 0.5 { z / z.norm() } else { Complex::new(1.0, 0.0) }
 }
@@ -106,7 +107,10 @@ fn components([a, b, c, d]: &Moments) -> [[f64; 4]; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cylinder, EndWeights, Plate, cell_operator, jittered_lattice, lattice};
+    use crate::sampling::cell_stencil::cell_operator;
+    use crate::surface::jitter::jittered_lattice;
+    use crate::surface::lattice::{EndWeights, lattice};
+    use crate::surface::patch::{Cylinder, Plate};
 
     #[test]
     fn a_developed_lattice_is_even() {
@@ -123,15 +127,15 @@ mod tests {
         let patch = Plate { lengths: [1.0, 1.0] };
         let cloud = jittered_lattice(&patch, [6, 5], 0.3, 7).unwrap();
         let operator = cell_operator(&cloud).unwrap();
-        let mut turned = operator.clone();
-        turned.align(&Vec3::new(0.6, 0.8, 0.0)).unwrap();
+        let mut rotated = operator.clone();
+        rotated.align(&Vec3::new(0.6, 0.8, 0.0)).unwrap();
         let plain = {
             let mut plain = operator.clone();
             plain.align(&Vec3::x()).unwrap();
             plain.uneven_third_moments(&cloud.positions)
         };
         let (c, s) = (0.6, 0.8);
-        for (t, u) in turned.uneven_third_moments(&cloud.positions).iter().zip(&plain) {
+        for (t, u) in rotated.uneven_third_moments(&cloud.positions).iter().zip(&plain) {
             // T'111 from all components of T along (c, s): g' = c G1 + s G2, ξ' = c ξ + s η.
             let cube = |a: usize| {
                 c * c * c * u[a][0]

@@ -1,8 +1,9 @@
 //! Divergence consistency: the smallest change of the gradients after which a constant flux sums to the edge normals.
 
-use crate::cloud::check_length;
-use crate::correction::monomials;
-use crate::{Cloud, SamplingOperator, SpaceError};
+use crate::error::SpaceError;
+use crate::sampling::correction::monomials;
+use crate::sampling::operator::SamplingOperator;
+use crate::surface::cloud::{Cloud, check_length};
 
 /// Entries change in proportion to their kernel weight, but no less than this part of the greatest one.
 const SMALLEST_WEIGHT: f64 = 1e-4;
@@ -109,8 +110,8 @@ impl Conditions {
             let mut plane = Vec::new();
             for &b in &operator.particles[entries.clone()] {
                 let (own, arm) = (&cloud.frames[b as usize], cloud.positions[b as usize] - point.position);
-                let turned = |t: crate::Vec3| [point.weight * t.dot(&own.t1), point.weight * t.dot(&own.t2)];
-                conditions.tangents.push([turned(point.frame.t1), turned(point.frame.t2)]);
+                let along = |t: crate::Vec3| [point.weight * t.dot(&own.t1), point.weight * t.dot(&own.t2)];
+                conditions.tangents.push([along(point.frame.t1), along(point.frame.t2)]);
                 plane.push([arm.dot(&point.frame.t1), arm.dot(&point.frame.t2)]);
             }
             let order = if orders.len() == 1 { orders[0] } else { orders[p] };
@@ -212,7 +213,7 @@ impl Conditions {
         let mut multipliers = vec![0.0; self.unknowns];
         let goal = (TOLERANCE * dot(target, target).sqrt()).max(least);
         if shift == 0.0 {
-            return Ok((multipliers, 0)); // triangles only: there is no freedom
+            return Ok((multipliers, 0)); // triangles only: nothing can be changed
         }
         let scaled = |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
         let mut residual = target.to_vec();

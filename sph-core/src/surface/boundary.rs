@@ -1,6 +1,8 @@
 //! Edges of a quadrangulation: which lie on the boundary, and whether the cells fit together.
 
-use crate::{Cell, SpaceError, Vec3};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::surface::cell::Cell;
 
 /// Outward normals and lengths that the boundary gives to each particle.
 pub(crate) struct Boundary {
@@ -86,7 +88,7 @@ fn one_sided(cells: usize, inner: &[Bond]) -> Option<Bond> {
     None
 }
 
-/// Shares each boundary edge between its two ends: a particle gets half the edge, turned outward in its own tangent
+/// Shares each boundary edge between its two ends: a particle gets half the edge, rotated outward in its own tangent
 /// plane, `r_a = Σ_edges ½ (X_end − X_start) × n_a`. For a closed flat outline `Σ r_a = 0`.
 pub(crate) fn boundary(positions: &[Vec3], normals: &[Vec3], cells: &[Cell]) -> Result<Boundary, SpaceError> {
     let mut shared =

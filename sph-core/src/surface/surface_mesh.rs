@@ -1,8 +1,12 @@
 //! Cells between particles scattered over a patch: triangulated, flipped on the surface, paired.
 
-use crate::flips::flip_to_delaunay;
-use crate::triangulate::delaunay;
-use crate::{Cell, Patch, SpaceError, Vec3, pair_triangles};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::surface::cell::Cell;
+use crate::surface::flips::flip_to_delaunay;
+use crate::surface::pairing::pair_triangles;
+use crate::surface::patch::Patch;
+use crate::surface::triangulate::delaunay;
 
 /// Intervals of a parameter direction in rules that integrate over a patch: smooth patches to about 1e-4.
 pub(crate) const INTERVALS: usize = 32;
@@ -60,7 +64,7 @@ fn midpoints(patch: &dyn Patch) -> impl Iterator<Item = (f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cylinder, Plate};
+    use crate::surface::patch::{Cylinder, Plate};
 
     #[test]
     fn lengths_and_area_are_those_of_the_surface() {

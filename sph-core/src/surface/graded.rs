@@ -2,7 +2,9 @@
 
 use libm::{expm1, log};
 
-use crate::{Patch, SpaceError, Vec3};
+use crate::Vec3;
+use crate::error::SpaceError;
+use crate::surface::patch::Patch;
 
 /// Greatest ratio of last to first spacing that is accepted, and the inverse of the least.
 const GREATEST_RATIO: f64 = 1e3;
@@ -75,7 +77,9 @@ impl Patch for Graded<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cylinder, Parametric, Plate, Side, jittered_lattice};
+    use crate::surface::jitter::jittered_lattice;
+    use crate::surface::patch::{Cylinder, Parametric, Plate};
+    use crate::surface::sides::Side;
     use approx::assert_relative_eq;
 
     #[test]

@@ -2,8 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::cloud::check_area;
-use crate::{Cell, Cloud, Frame, SamplingOperator, SamplingPoint, SpaceError, Stencil};
+use crate::error::SpaceError;
+use crate::sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
+use crate::surface::cell::Cell;
+use crate::surface::cloud::{Cloud, check_area};
+use crate::surface::frame::Frame;
 
 /// One sampling point per cell whose stencil is the cell's three or four particles, in corner order.
 ///
