@@ -1,8 +1,12 @@
 //! A section integrated through the thickness by Gauss points: the seam for materials without closed form.
 
-use crate::section::{SHEAR_CORRECTION, linear_tangent, plane_stress};
+use crate::pack::Pack;
+use crate::section::{
+    Isotropic, IsotropicSection, MaterialError, SHEAR_CORRECTION, Section, SectionScales, linear_tangent,
+    plane_stress,
+};
+use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
-use crate::{Isotropic, IsotropicSection, MaterialError, Pack, Resultants, Section, SectionScales, Strains};
 
 /// Gauss–Legendre abscissae and weights on (−1, 1) for 2 to 5 points.
 const GAUSS: [&[(f64, f64)]; 4] = [

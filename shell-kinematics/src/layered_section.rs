@@ -1,4 +1,4 @@
-//! Layered sections: orthotropic plies in plane stress, each turned in its plane, by classical lamination.
+//! Layered sections: orthotropic plies in plane stress, each rotated in its plane, by classical lamination.
 //!
 //! A ply's plane-stress stiffness in its own axes is `Q11 = E_L/(1−ν²E_T/E_L)`, `Q22 = Q11 E_T/E_L`,
 //! `Q12 = ν Q22`, `Q66 = G_LT`. Turned by θ it is, with the invariants of \[tsai1968\],
@@ -12,9 +12,10 @@
 //!
 //! and the strain `e + ζκ` gives `N = Ae + Bκ`, `M = Be + Dκ` with `A, B, D = Σ ∫ Q̄ (1, ζ, ζ²) dζ`.
 
-use crate::section::{SHEAR_CORRECTION, linear_tangent};
+use crate::pack::Pack;
+use crate::section::{MaterialError, SHEAR_CORRECTION, Section, SectionScales, linear_tangent};
+use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
-use crate::{MaterialError, Pack, Resultants, Section, SectionScales, Strains};
 
 /// Symmetric 3×3 matrix over the components 11, 22, 12 (the last as engineering shear).
 type Matrix3 = [[f64; 3]; 3];
@@ -87,8 +88,8 @@ impl Orthotropic {
         }
     }
 
-    /// Plane-stress stiffness and transverse shear stiffness of a ply turned by `angle` \[rad\].
-    fn turned(&self, angle: f64) -> (Matrix3, [[f64; 2]; 2]) {
+    /// Plane-stress stiffness and transverse shear stiffness of a ply rotated by `angle` \[rad\].
+    fn rotated(&self, angle: f64) -> (Matrix3, [[f64; 2]; 2]) {
         let [q11, q22, q12, q66] = self.plane_stress();
         let (s2, c2) = libm::sincos(2.0 * angle);
         let (s4, c4) = libm::sincos(4.0 * angle);
@@ -161,7 +162,7 @@ impl LayeredSection {
         let mut shear = [[0.0; 2]; 2];
         let mut bottom = -0.5 * thickness;
         for ply in plies {
-            let (plane, across) = ply.material.turned(ply.angle);
+            let (plane, across) = ply.material.rotated(ply.angle);
             let (t, middle) = (ply.thickness, bottom + 0.5 * ply.thickness);
             // ∫1, ∫ζ, ∫ζ² over the ply, about its own middle: no difference of nearly equal cubes.
             let moments = [t, t * middle, t * (middle * middle + t * t / 12.0)];

@@ -45,8 +45,7 @@
 //!
 //! The shell of \[lin2013\] is the body `x + ζ d`, `−t/2 ≤ ζ ≤ t/2`, with a straight director of constant length (eqs.
 //! 5–6; the geometrically exact shell of \[simo1989\]). Its natural basis 𝔽 has the columns `x,₁ + ζd,₁`, `x,₂ + ζd,₂`,
-//! `d` (eq. 7, [`natural_basis`]), its Green–Lagrange tensor the covariant components `½(a_i·a_j − A_i·A_j)`
-//! ([`covariant_green_lagrange`], in the local frame [`local_green_lagrange`]). The solver uses what is left of that to
+//! `d` (eq. 7), its Green–Lagrange tensor the covariant components `½(a_i·a_j − A_i·A_j)`. The solver uses what is left of that to
 //! first order in ζ, `𝔼 = E_m + ζE_f` and the shear, on the products
 //!
 //! ```text
@@ -66,7 +65,7 @@
 //!
 //! k without a zero is the current total, k12 the sum of both mixed products, as is 2κ12 ([`Strains::curvature`]).
 //! [`GreenLagrange`] mixes stretch into curvature: a strip of thickness t rolled to the curvature k carries
-//! `EIk(1 − (kt)²/6)` and shrinks to `λ² = 1 − (kt)²/6`, which moves the tip of the closed ring of t/L = 0.1 by 7.7 %
+//! `EIk(1 − (kt)²/6)` and shrinks to `λ² = 1 − (kt)²/6`, which moves the tip of the closed ring of t/L = 0.1 by 7.34 %
 //! of L whatever the particles do. [`StretchCorrected`] divides `x,α·d,β` by the stretch, to first order: the exact
 //! circle under an end couple is an exact solution. It assumes small membrane strain.
 //!
@@ -83,7 +82,7 @@
 //!
 //! Here ζ runs through the thickness, 5/6 is Reissner's factor of the homogeneous section. Plies are orthotropic in
 //! plane stress ([`Orthotropic`]: `Q11 = E_L/(1−ν²E_T/E_L)`, `Q22 = Q11 E_T/E_L`, `Q12 = ν Q22`, `Q66 = G_LT`, ν =
-//! ν_LT) and turned by the invariants of \[tsai1968\]. Bending in the scales of a laminate is `D − BA⁻¹B`, the
+//! ν_LT) and rotated by the invariants of \[tsai1968\]. Bending in the scales of a laminate is `D − BA⁻¹B`, the
 //! stiffness where the membrane follows free of force, as a mean over directions; the membrane scale is that of the
 //! stiffest ply in its stiffest direction, so that no wave is faster.
 //!
@@ -108,17 +107,15 @@
 //!
 //! # Finite rotations
 //!
-//! With Ξ the matrix of θ×,
+//! The march needs [`parallel_transport`] alone: a director without drilling moves along the great circle of its rate and
+//! carries the rate with it, `d ← d cos θ + ḋ Δt sin θ/θ`, `ḋ ← ḋ cos θ − d |ḋ| sin θ`, `θ = |ḋ|Δt`. The tests hold it against
+//! eqs. 10 and 11 of \[lin2013\], after \[simo1989\] (the paper prints θ × θ where the dyadic product is meant): with Ξ the matrix
+//! of θ×,
 //!
 //! ```text
-//! R(θ) = I + sinθ/θ Ξ + (1−cosθ)/θ² Ξ²                     rodrigues, eq. 11
-//! 𝕎(θ) = sinθ/θ I + (1−cosθ)/θ² Ξ + (θ−sinθ)/θ³ θ⊗θ        tangent_map, eq. 10;  ω = 𝕎(θ) θ̇
+//! R(θ) = I + sinθ/θ Ξ + (1−cosθ)/θ² Ξ²                     eq. 11
+//! 𝕎(θ) = sinθ/θ I + (1−cosθ)/θ² Ξ + (θ−sinθ)/θ³ θ⊗θ        eq. 10;  ω = 𝕎(θ) θ̇
 //! ```
-//!
-//! [`rodrigues`] and [`tangent_map`] are eqs. 11 and 10 of \[lin2013\], after \[simo1989\] (the paper prints θ × θ
-//! where the dyadic product is meant). The march itself needs only [`parallel_transport`]: a director without drilling
-//! moves along the great circle of its rate and carries the rate with it, `d ← d cos θ + ḋ Δt sin θ/θ`,
-//! `ḋ ← ḋ cos θ − d |ḋ| sin θ`, `θ = |ḋ|Δt`.
 //!
 //! # What holds, and the test that says so
 //!
@@ -133,10 +130,9 @@
 //! | R is the exponential, 𝕎 gives the angular velocity | `rodrigues_is_the_exponential`, `tangent_map_gives_the_angular_velocity` |
 //! | transport is the paper's update, the rate is carried | `parallel_transport_is_the_papers_update` |
 //! | isotropic, integrated and layered sections of one material agree | `sections_of_one_isotropic_material_agree`, `isotropic_plies_are_the_isotropic_section` (tests/layered.rs) |
-//! | laminates: positive definite, turned plies a turned stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `turned_plies_are_a_turned_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
+//! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
-mod frame;
 mod integrated_section;
 mod layered_section;
 mod pack;
@@ -144,16 +140,15 @@ mod placement;
 mod rotation;
 mod section;
 mod strain;
+mod strains;
 mod tangent;
 
-pub use frame::{covariant_green_lagrange, local_green_lagrange, natural_basis};
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
 pub use pack::{LANES, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
-pub use rotation::{parallel_transport, rodrigues, tangent_map};
-pub use section::{
-    Isotropic, IsotropicSection, MaterialError, Resultants, Section, SectionScales, linear_tangent,
-};
-pub use strain::{GreenLagrange, StrainMeasure, Strains, StretchCorrected, strain_measure, strain_measures};
+pub use rotation::parallel_transport;
+pub use section::{Isotropic, IsotropicSection, MaterialError, Section, SectionScales, linear_tangent};
+pub use strain::{GreenLagrange, StrainMeasure, StretchCorrected, strain_measure, strain_measures};
+pub use strains::{Resultants, Strains};
 pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};

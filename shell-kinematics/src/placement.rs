@@ -1,6 +1,6 @@
 //! The five vectors of a point, their scalar products, and the transpose of those products.
 
-use crate::{Pack, Pack3};
+use crate::pack::{Pack, Pack3};
 
 /// The first-order neighbourhood of a point of the shell.
 ///

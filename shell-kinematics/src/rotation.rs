@@ -1,39 +1,4 @@
-//! Finite rotations: Rodrigues' formula, its tangent map 𝕎, and parallel transport of a director.
-
-use nalgebra::{Matrix3, Vector3};
-
-/// `sin θ/θ`, `(1−cos θ)/θ²`, `(θ−sin θ)/θ³`, by series where the quotients lose digits.
-fn coefficients(theta_squared: f64) -> (f64, f64, f64) {
-    let t2 = theta_squared;
-    // Four terms: the first one left out is θ⁸/9! ≈ 3e-14 of the result at θ = 0.25.
-    if t2 < 0.0625 {
-        let a = 1.0 - t2 / 6.0 * (1.0 - t2 / 20.0 * (1.0 - t2 / 42.0 * (1.0 - t2 / 72.0)));
-        let b = 0.5 - t2 / 24.0 * (1.0 - t2 / 30.0 * (1.0 - t2 / 56.0 * (1.0 - t2 / 90.0)));
-        let c = 1.0 / 6.0 - t2 / 120.0 * (1.0 - t2 / 42.0 * (1.0 - t2 / 72.0 * (1.0 - t2 / 110.0)));
-        (a, b, c)
-    } else {
-        let theta = t2.sqrt();
-        let (sin, cos) = libm::sincos(theta);
-        (sin / theta, (1.0 - cos) / t2, (theta - sin) / (t2 * theta))
-    }
-}
-
-/// Rotation tensor of the rotation vector `θ`: `R = I + sinθ/θ Ξ + (1−cosθ)/θ² Ξ²` (eq. 11 of \[lin2013\]).
-pub fn rodrigues(theta: &Vector3<f64>) -> Matrix3<f64> {
-    let (a, b, _) = coefficients(theta.norm_squared());
-    let xi = theta.cross_matrix();
-    Matrix3::identity() + xi * a + xi * xi * b
-}
-
-/// Tangent map `𝕎(θ) = sinθ/θ I + (1−cosθ)/θ² Ξ + (θ−sinθ)/θ³ θ⊗θ` (eq. 10 of \[lin2013\]).
-///
-/// The paper prints `θ × θ` in the last term, which is zero; the dyadic product is meant (Simo and
-/// Fox, \[simo1989\]). `𝕎` carries the rate of the rotation vector to the spatial angular velocity:
-/// `ω = 𝕎(θ) θ̇`.
-pub fn tangent_map(theta: &Vector3<f64>) -> Matrix3<f64> {
-    let (a, b, c) = coefficients(theta.norm_squared());
-    Matrix3::identity() * a + theta.cross_matrix() * b + theta * theta.transpose() * c
-}
+//! Finite rotations: parallel transport of a director along a great circle.
 
 /// Moves a unit director along the great circle of its rate and carries the rate with it.
 ///

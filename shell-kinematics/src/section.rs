@@ -2,31 +2,9 @@
 
 use std::any::Any;
 
+use crate::pack::Pack;
+use crate::strains::{Resultants, Strains};
 use crate::tangent::{Matrix8, ZERO8};
-use crate::{Pack, Strains};
-
-/// Stress resultants, conjugate to [`Strains`] per reference area.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Resultants {
-    /// Membrane forces `N11, N22, N12` \[F/L\].
-    pub membrane: [Pack; 3],
-    /// Moments `M11, M22, M12` \[F\].
-    pub moment: [Pack; 3],
-    /// Transverse shear forces `Q1, Q2` \[F/L\].
-    pub shear: [Pack; 2],
-}
-
-impl Resultants {
-    /// `N·e + M·κ + Q·γ` \[F/L\].
-    #[inline(always)]
-    pub fn work(&self, strains: &Strains) -> Pack {
-        let mut work = Pack::ZERO;
-        for i in 0..3 {
-            work += self.membrane[i] * strains.membrane[i] + self.moment[i] * strains.curvature[i];
-        }
-        work + self.shear[0] * strains.shear[0] + self.shear[1] * strains.shear[1]
-    }
-}
 
 /// Stiffness scales by which zero-energy control and estimates are sized.
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,8 @@
 //!
 //! Components are ordered membrane 11, 22, 12; curvature 11, 22, 12; shear 1, 2. Vectors are ordered x,1 x,2 d d,1 d,2.
 
-use crate::{MeasureForces, Pack, Pack3, Placement};
+use crate::pack::{Pack, Pack3};
+use crate::placement::{MeasureForces, Placement};
 
 /// A matrix over strains or measures.
 pub type Matrix8 = [[Pack; 8]; 8];

@@ -1,4 +1,4 @@
-//! Layered sections: against the isotropic closed form, turned axes, coupling, and sums by hand.
+//! Layered sections: against the isotropic closed form, rotated axes, coupling, and sums by hand.
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
@@ -99,16 +99,16 @@ proptest! {
         prop_assert!(values.min() > 0.0, "{values}");
     }
 
-    /// Turning every ply turns the stiffness as a tensor: the energy of turned strains is the same.
+    /// Rotating every ply rotates the stiffness as a tensor: the energy of rotated strains is the same.
     #[test]
-    fn turned_plies_are_a_turned_stiffness(
+    fn rotated_plies_have_a_rotated_stiffness(
         plies in laminate(),
         turn in -4.0..4.0_f64,
         strain in prop::array::uniform8(-1.0..1.0_f64),
     ) {
-        let turned: Vec<_> = plies.iter().map(|&(m, t, angle)| (m, t, angle + turn)).collect();
+        let rotated_plies: Vec<_> = plies.iter().map(|&(m, t, angle)| (m, t, angle + turn)).collect();
         let (s, c) = turn.sin_cos();
-        // Components of a strain in axes turned back by `turn`.
+        // Components of a strain in axes rotated back by `turn`.
         let tensor = |e: &[f64]| {
             [
                 c * c * e[0] + s * s * e[1] - s * c * e[2],
@@ -123,7 +123,7 @@ proptest! {
             let s = SMatrix::<f64, 8, 1>::from_row_slice(s);
             (s.transpose() * stiffness(section) * s)[0]
         };
-        let (before, after) = (energy(&stack(&plies), &strain), energy(&stack(&turned), &rotated));
+        let (before, after) = (energy(&stack(&plies), &strain), energy(&stack(&rotated_plies), &rotated));
         prop_assert!((after / before - 1.0).abs() < 1e-11, "{before} {after}");
     }
 
@@ -152,7 +152,7 @@ proptest! {
 #[test]
 fn a_quarter_turn_swaps_the_axes() {
     let plies = [(roof(), 0.3, 0.2), (roof(), 0.5, -0.4)];
-    let [straight, turned] =
+    let [straight, rotated] =
         [0.0, FRAC_PI_2].map(|by| stiffness(&stack(&plies.map(|(m, t, a)| (m, t, a + by)))));
     // 1 becomes 2, 2 becomes −1: entries with one index 12, or of the shears 1 and 2, change sign.
     let to = [1, 0, 2, 4, 3, 5, 7, 6];
@@ -160,7 +160,7 @@ fn a_quarter_turn_swaps_the_axes() {
     for i in 0..8 {
         for j in 0..8 {
             let expected = sign[i] * sign[j] * straight[(i, j)];
-            assert!((turned[(to[i], to[j])] - expected).abs() < 1e-12 * straight.max(), "{i} {j}");
+            assert!((rotated[(to[i], to[j])] - expected).abs() < 1e-12 * straight.max(), "{i} {j}");
         }
     }
     assert!((straight[(0, 0)] / straight[(1, 1)] - 1.0).abs() > 0.1);

@@ -8,9 +8,12 @@ use proptest::test_runner::RngSeed;
 use shell_kinematics::{
     GreenLagrange, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Measures,
     Orthotropic, Pack, Pack3, Placement, Ply, Resultants, Section, StrainMeasure, Strains, StretchCorrected,
-    congruence, local_green_lagrange, parallel_transport, rodrigues, strain_measure, strain_measures,
-    tangent_map,
+    congruence, parallel_transport, strain_measure, strain_measures,
 };
+
+mod paper;
+
+use paper::{local_green_lagrange, rodrigues, tangent_map};
 
 type Vectors = [Vector3<f64>; 5];
 

@@ -10,7 +10,6 @@ fn main() -> Result<(), SpaceError> {
     let cloud = timed("jittered lattice", || jittered_lattice(&dome, [row, row], 0.25, 1))?;
     println!("{} particles", cloud.len());
     timed("cell operator", || cell_operator(&cloud))?;
-    timed("transposed list", || Ok(cell_operator(&cloud)?.transposed()))?;
     timed("kernel operator, reach 1.8", || kernel_operator(&cloud, &CubicSpline, 1.8))?;
     for order in 1..=3 {
         timed(&format!("nodal operator, order {order}"), || {

@@ -28,7 +28,7 @@
 //!
 //! The third is the transpose of the first two under the weights: `Σ_b F_b f_b = Σ_p w_p (q f + n₁ f,₁ + n₂ f,₂)` for
 //! any field f and any q, n₁, n₂. Forces built with it are the derivative of an energy sampled with the others. Frames
-//! belong to the reference surface; [`SamplingOperator::align`] turns them until t₁ follows a material axis, and leaves
+//! belong to the reference surface; [`SamplingOperator::align`] rotates them until t₁ follows a material axis, and leaves
 //! the gradients as vectors of space what they are.
 //!
 //! # Kernels
@@ -121,7 +121,7 @@
 //! | nodal gradients exact up to the order they report | `nodal_gradients_are_exact_up_to_the_order_they_report` |
 //! | `gather` is the transpose | `gather_is_the_transpose_of_value_and_gradient` |
 //! | rigid motion leaves φ and G | `rigid_motion_leaves_the_numbers` |
-//! | turned frames: the same gradients in space | `aligned_frames_keep_gradients_in_space` |
+//! | rotated frames: the same gradients in space | `aligned_frames_keep_gradients_in_space` |
 //! | cells: a constant flux sums to the edge normals | `cells_sum_a_constant_flux_to_the_edge_normals` |
 //! | kernels and nodal stencils do once changed, rows kept | `kernel_stencils_become_consistent_on_flat_clouds`, `nodal_stencils_become_consistent_on_flat_clouds` (tests/consistency.rs) |
 //! | on four corners the consistent kernel *is* the cell operator | `the_consistent_operator_on_the_corners_of_a_cell_is_the_cell_operator` |
@@ -130,52 +130,35 @@
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
-mod boundary;
-mod cell;
-mod cell_stencil;
-mod cloud;
-mod consistent;
-mod correction;
 mod error;
-mod flips;
-mod frame;
-mod graded;
-mod jitter;
 mod kernel;
-mod kernel_operator;
-mod lattice;
-mod matching;
 mod neighbours;
-mod nodal_operator;
-mod pairing;
-mod patch;
-mod poisson;
 mod random;
 mod sampling;
-mod sides;
-mod surface_mesh;
-mod triangulate;
-mod unevenness;
+mod surface;
 
-pub use cell::{Cell, CellGeometry};
-pub use cell_stencil::cell_operator;
-pub use cloud::Cloud;
-pub use consistent::{ConsistencyReport, make_divergence_consistent};
-pub use correction::{Correction, LinearlyExact, Neighbourhood, Shape, ThroughParticle, corrections};
 pub use error::SpaceError;
-pub use frame::Frame;
-pub use graded::Graded;
-pub use jitter::jittered_lattice;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
-pub use kernel_operator::kernel_operator;
-pub use lattice::{EndWeights, Lattice, lattice};
 pub use neighbours::CellList;
-pub use nodal_operator::nodal_operator;
-pub use pairing::pair_triangles;
-pub use patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
-pub use poisson::poisson_cloud;
-pub use sampling::{SamplingOperator, SamplingPoint, Stencil, Transposed};
-pub use sides::{Side, Sides};
+pub use sampling::cell_stencil::cell_operator;
+pub use sampling::consistent::{ConsistencyReport, make_divergence_consistent};
+pub use sampling::correction::{
+    Correction, LinearlyExact, Neighbourhood, Shape, ThroughParticle, corrections,
+};
+pub use sampling::kernel_operator::kernel_operator;
+pub use sampling::nodal_operator::nodal_operator;
+pub use sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
+pub use surface::cell::{Cell, CellGeometry};
+pub use surface::cloud::Cloud;
+pub use surface::frame::Frame;
+pub use surface::graded::Graded;
+pub use surface::jitter::jittered_lattice;
+pub use surface::lattice::{EndWeights, lattice};
+pub use surface::numbering::Lattice;
+pub use surface::pairing::pair_triangles;
+pub use surface::patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
+pub use surface::poisson::poisson_cloud;
+pub use surface::sides::{Side, Sides};
 
 /// A point or vector of space; positions are in `[L]`.
 pub type Vec3 = nalgebra::Vector3<f64>;

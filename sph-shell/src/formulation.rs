@@ -38,32 +38,6 @@ pub enum Formulation {
     },
 }
 
-/// A line of the list shown to users.
-pub struct FormulationRow {
-    /// Name in scenes.
-    pub name: &'static str,
-    /// One line for people.
-    pub describe: &'static str,
-}
-
-/// Every formulation, in the order shown to users.
-pub fn formulations() -> [FormulationRow; 3] {
-    [
-        FormulationRow {
-            name: "stress-point",
-            describe: "one strain sample per cell; support \"cell\" (default, four particles) or a kernel's reach",
-        },
-        FormulationRow {
-            name: "nodal",
-            describe: "strains sampled at the particles, order 1, 2 or 3; the classical particle method as an energy",
-        },
-        FormulationRow {
-            name: "strong-form",
-            describe: "the equations of Lin et al. 2013 to the letter; kept with its measured error",
-        },
-    ]
-}
-
 impl Formulation {
     /// Name in scenes and reports, with the dial's position.
     pub fn method(&self) -> String {

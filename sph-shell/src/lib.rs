@@ -1,20 +1,22 @@
 //! A thin shell carried by one layer of SPH particles: the model.
 //!
 //! After \[lin2013\]; shells over meshless fields go back to \[krysl1996\]. Particles hold a position x and a unit
-//! director d. Strains are sampled at points whose stencils come from `sph-core`, turned into resultants by
+//! director d. Strains are sampled at points whose stencils come from `sph-core`, made into resultants by
 //! `shell-kinematics`, and carried back to the particles by the transposed stencils, so that forces are the exact
 //! derivative of an energy. `explicit-dynamics` marches the result, `implicit-statics` balances it.
 //!
 //! | where is | look in |
 //! |---|---|
-//! | the point loop (strain → stress → force) | `point.rs`, [`Shell::internal_force`] |
-//! | the step of one particle (kick, hold, drift) | `particle.rs` |
-//! | the whole step in one sweep | `fused.rs` |
-//! | strains and resultants, to be read | `results.rs`, [`Shell::point_results`] |
-//! | the tangent, of the energy and of the loads | `stiffness.rs`, `load_stiffness.rs`, [`StaticShell`] |
-//! | zero-energy control | `cell_control.rs`, `pair_control.rs` |
-//! | what a clamp does | `supports.rs` |
-//! | the paper's eqs. 3, 4, 8, 9 to the letter | `strong_form.rs` |
+//! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
+//! | the sweep over all points, into slots | `points/sweep.rs` |
+//! | what each formulation does beside its strains | `points/scheme.rs` |
+//! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
+//! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
+//! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
+//! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
+//! | the step of one particle (kick, hold, drift) | `time/particle.rs` |
+//! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
+//! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
 //!
@@ -141,7 +143,7 @@
 //! ```
 //!
 //! k_s takes A in the place of w. e and g are linear in (x, d): a constant matrix, assembled once. The full formula
-//! opens `pair_control.rs`.
+//! opens `control/pairs.rs`.
 //!
 //! # The strong form
 //!
@@ -151,7 +153,6 @@
 //! ```text
 //! m_a ẍ_a = A_a Σ_b [(P_a + P_b)·g_ab − ρ₀² t Π_ab g_ab],   P = n¹⊗T₁ + n²⊗T₂        eq. 4;  eq. 9 likewise with moments and q
 //! Π = (μ/ρ₀)(−c̄ϑ + 2ϑ²) for approaching particles, else 0
-//! ρ̇_a = −ρ_a Σ_b (v_b − v_a)·g_ab                                                     eq. 3, density_rate
 //! ```
 //!
 //! g_ab is the corrected gradient of a towards b, ϑ < 0 the rate of their distance, c̄ the sound speed, ρ₀ the density;
@@ -184,7 +185,7 @@
 //! |---|---|
 //! | force is the derivative of the energy, every formulation and strain | `force_is_the_derivative_of_the_energy` (tests/energy.rs) |
 //! | internal forces and moments cancel; rigid motion is free of force and energy | `forces_and_moments_cancel`, `finite_rigid_motion_is_free_of_force_and_energy` |
-//! | a turned shell has turned forces | `turned_clouds_give_turned_forces` |
+//! | a rotated shell has rotated forces | `rotated_clouds_give_rotated_forces` |
 //! | patch tests: constant membrane force and constant moment are in balance, and are read exactly | `constant_membrane_force_is_balanced`, `constant_moment_is_balanced` (tests/patch.rs), `a_constant_stretch_is_read_exactly`, `a_constant_bending_is_read_exactly` (tests/results.rs) |
 //! | a free shell has six zero modes and no more; no negative stiffness | `free_shells_have_exactly_six_zero_modes`, `laminated_free_shells_have_exactly_six_zero_modes` (tests/modes.rs) |
 //! | tangent and forces along the unknowns are derivatives of the energy | `the_tangent_is_the_second_derivative_of_the_energy`, `forces_along_the_unknowns_are_the_first_derivative` (tests/statics.rs) |
@@ -193,55 +194,34 @@
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
 //! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
-//! | a cell turned inside out, crushed or torn is named, at rest and in time | tests/bounds.rs |
+//! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
-//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (fused.rs) |
+//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march.rs) |
 
-mod bounds;
-mod cell_control;
-mod couple;
-mod dispatch;
-mod dofs;
+mod conditions;
+mod control;
 mod error;
 mod formulation;
-mod fused;
-mod load_shares;
-mod load_stiffness;
-mod loads;
-mod march;
-mod membrane_arcs;
-mod motion;
-mod packs;
-mod pair_control;
-mod particle;
-mod point;
-mod prescribed;
-mod pressure;
+mod points;
 mod reference;
-mod results;
-mod shear;
 mod shell;
-mod spectrum;
+mod state;
 mod statics;
-mod stiffness;
-mod strong_form;
-mod supports;
-mod sweep;
+mod time;
 
-pub use couple::{CoupleAxis, EdgeCouple};
-pub use error::ShellError;
-pub use formulation::{Formulation, FormulationRow, Reach, formulations};
-pub use load_shares::LoadShare;
-pub use loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
-pub use membrane_arcs::ChordLoss;
-pub use prescribed::{Motion, Rotation};
-pub use pressure::Pressure;
-pub use reference::Reference;
-pub use results::PointResult;
-pub use shell::{Parts, Shell, Supported};
-pub use statics::StaticShell;
-pub use strong_form::density_rate;
-pub use supports::{
-    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, SymmetryPlane,
+pub use conditions::couple::{CoupleAxis, EdgeCouple};
+pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
+pub use conditions::prescribed::{Motion, Rotation};
+pub use conditions::pressure::Pressure;
+pub use conditions::shares::LoadShare;
+pub use conditions::supports::{
+    Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
+pub use control::arcs::ChordLoss;
+pub use error::ShellError;
+pub use formulation::{Formulation, Reach};
+pub use points::results::PointResult;
+pub use reference::Reference;
+pub use shell::{Parts, Shell};
+pub use statics::static_shell::StaticShell;

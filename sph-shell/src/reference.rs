@@ -6,7 +6,8 @@ use sph_core::{
     nodal_operator,
 };
 
-use crate::{Formulation, Reach, ShellError};
+use crate::error::ShellError;
+use crate::formulation::{Formulation, Reach};
 
 /// What never changes during a run.
 #[derive(Clone, Debug)]
@@ -62,6 +63,12 @@ impl Reference {
             masses.iter().zip(&cell_areas).map(|(m, cell)| m * (t * t).max(*cell) / 12.0).collect();
         let sound_speed = (section.membrane / (density * t)).sqrt();
         Ok(Self { cloud, operator, masses, inertias, sound_speed })
+    }
+
+    /// Rows `[x, d]` of all particles at rest.
+    pub(crate) fn rest(&self) -> Vec<[f64; 6]> {
+        let rows = self.cloud.positions.iter().zip(&self.cloud.frames);
+        rows.map(|(x, f)| [x.x, x.y, x.z, f.n.x, f.n.y, f.n.z]).collect()
     }
 }
 

@@ -117,26 +117,26 @@ fn finite_rigid_motion_is_free_of_force_and_energy() {
 }
 
 #[test]
-fn turned_clouds_give_turned_forces() {
+fn rotated_clouds_give_rotated_forces() {
     let rotation = Rotation3::from_scaled_axis(Vec3::new(0.3, 2.0, -1.0));
     each_case(|name, cloud, formulation| {
-        let turned_cloud = cloud.transformed(&rotation, &Vec3::new(10.0, 20.0, -5.0));
+        let rotated_cloud = cloud.transformed(&rotation, &Vec3::new(10.0, 20.0, -5.0));
         let mut body = free_shell(cloud, formulation, common::THICKNESS);
-        let mut turned = free_shell(turned_cloud, formulation, common::THICKNESS);
+        let mut rotated = free_shell(rotated_cloud, formulation, common::THICKNESS);
         shake(&mut body, 0.1, 21);
         for a in 0..body.len() {
             let moved = rotation * body.position(a) + Vec3::new(10.0, 20.0, -5.0);
-            turned.set_state(a, moved, rotation * body.director(a));
+            rotated.set_state(a, moved, rotation * body.director(a));
         }
-        let (f, g) = (forces(&mut body), forces(&mut turned));
+        let (f, g) = (forces(&mut body), forces(&mut rotated));
         let scale = greatest(&f);
         // Cells are closed forms. Consistent gradients come out of an iteration, and where the conditions
         // contradict each other (a curved lattice: chords against arcs) round-off is amplified: 2e-7 seen.
         let bound = if matches!(formulation, Formulation::StressPoint(Reach::Cell)) { 1e-12 } else { 1e-6 };
         let worst = f.iter().zip(&g).fold(0.0_f64, |worst, (f, g)| {
-            let turned_f = rotation * Vec3::new(f[0], f[1], f[2]);
-            let turned_t = rotation * Vec3::new(f[3], f[4], f[5]);
-            (0..3).fold(worst, |w, i| w.max((turned_f[i] - g[i]).abs()).max((turned_t[i] - g[3 + i]).abs()))
+            let rotated_f = rotation * Vec3::new(f[0], f[1], f[2]);
+            let rotated_t = rotation * Vec3::new(f[3], f[4], f[5]);
+            (0..3).fold(worst, |w, i| w.max((rotated_f[i] - g[i]).abs()).max((rotated_t[i] - g[3 + i]).abs()))
         });
         println!("{name}: {:.1e}", worst / scale);
         assert!(worst < bound * scale, "{name}: {:.1e}", worst / scale);

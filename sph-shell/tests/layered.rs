@@ -133,14 +133,14 @@ fn forces_and_moments_cancel() {
 }
 
 #[test]
-fn turned_clouds_with_turned_axes_give_turned_forces() {
+fn rotated_clouds_with_rotated_axes_give_rotated_forces() {
     let rotation = Rotation3::from_scaled_axis(Vec3::new(0.3, 2.0, -1.0));
     for (name, cloud) in clouds() {
-        let mut turned = laminated(cloud.transformed(&rotation, &Vec3::zeros()), CELL, rotation * AXIS);
+        let mut rotated = laminated(cloud.transformed(&rotation, &Vec3::zeros()), CELL, rotation * AXIS);
         let mut body = laminated(cloud, CELL, AXIS);
         shake(&mut body, 0.1, 21);
         for a in 0..body.len() {
-            turned.set_state(a, rotation * body.position(a), rotation * body.director(a));
+            rotated.set_state(a, rotation * body.position(a), rotation * body.director(a));
         }
         let f: Vec<[f64; 6]> = forces(&mut body)
             .iter()
@@ -149,14 +149,14 @@ fn turned_clouds_with_turned_axes_give_turned_forces() {
                 [x.x, x.y, x.z, d.x, d.y, d.z]
             })
             .collect();
-        let error = worst(&f, &forces(&mut turned)) / greatest(&f);
+        let error = worst(&f, &forces(&mut rotated)) / greatest(&f);
         assert!(error < 1e-12, "{name}: {error:.1e}");
     }
 }
 
 #[test]
 fn plies_count_from_the_axis() {
-    // The axis turned by an angle about the normal, or every ply turned by it.
+    // The axis rotated by an angle about the normal, or every ply rotated by it.
     let build = |axis, turn| {
         let section = Box::new(unsymmetric(turn));
         let cloud = disordered_flat([6, 5], [2.0, 1.5]);
@@ -168,8 +168,8 @@ fn plies_count_from_the_axis() {
     let (sin, cos) = FRAC_PI_3.sin_cos();
     let (axis, plies) = (build(Vec3::new(cos, sin, 0.0), 0.0), build(Vec3::x(), FRAC_PI_3));
     assert!(worst(&axis, &plies) < 1e-12 * greatest(&axis));
-    let unturned = build(Vec3::x(), 0.0);
-    assert!(worst(&axis, &unturned) > 1e-3 * greatest(&axis));
+    let unrotated = build(Vec3::x(), 0.0);
+    assert!(worst(&axis, &unrotated) > 1e-3 * greatest(&axis));
 }
 
 #[test]

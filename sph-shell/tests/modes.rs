@@ -30,7 +30,7 @@ fn spectrum(shell: &mut Shell) -> Vec<f64> {
     }
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
     let mut values: Vec<f64> = SymmetricEigen::new(symmetric).eigenvalues.iter().copied().collect();
-    // Each director has one direction, its length, that is no freedom and comes out as zero.
+    // Each director has one direction, its length, that is no degree of freedom and comes out as zero.
     values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
     values.split_off(n / 6)
 }
@@ -137,6 +137,6 @@ fn the_strong_form_has_soft_patterns() {
     let values = spectrum(&mut strong);
     let mut sound = free_shell(flat([7, 7], [1.0, 1.0]), Formulation::StressPoint(Reach::Cell), 0.01);
     let reference = spectrum(&mut sound);
-    // Study 1 §2.5: lowest value of the literal form 1.24 against 13.5, in frequency; squared here.
+    // The lowest frequency of the literal form is 1.24 against 13.5; squared here.
     assert!(values[6] < 0.2 * reference[6], "{} against {}", values[6], reference[6]);
 }

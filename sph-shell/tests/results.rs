@@ -23,7 +23,7 @@ fn clouds() -> [(&'static str, Cloud); 2] {
 }
 
 /// A tensor `s11, s22, s12` of the axes in the frame of a point; with `engineering` its last number is 2 s12.
-fn turned(s: [f64; 3], t1: &Vec3, engineering: bool) -> [f64; 3] {
+fn rotated(s: [f64; 3], t1: &Vec3, engineering: bool) -> [f64; 3] {
     let (cos, sin) = (t1.x, t1.y);
     let factor = if engineering { 2.0 } else { 1.0 };
     let s12 = s[2] / factor;
@@ -61,7 +61,7 @@ fn a_constant_stretch_is_read_exactly() {
             for (point, result) in frames.iter().zip(results(&body)) {
                 let what = format!("{name}, {cloud_name}");
                 let t1 = point.frame.t1;
-                let (e, n) = (turned(e, &t1, true), turned(n, &t1, false));
+                let (e, n) = (rotated(e, &t1, true), rotated(n, &t1, false));
                 // Gradients are exact on linear fields to 1e-10 and better.
                 close(&result.membrane, &e, 1e-9, &what);
                 close(&result.force, &n, 1e-9 * c, &what);
@@ -93,7 +93,7 @@ fn a_constant_bending_is_read_exactly() {
             let frames = body.reference().operator.points.clone();
             for (point, result) in frames.iter().zip(results(&body)) {
                 let what = format!("{name}, {cloud_name}");
-                let (k, m) = (turned(k, &point.frame.t1, true), turned(m, &point.frame.t1, false));
+                let (k, m) = (rotated(k, &point.frame.t1, true), rotated(m, &point.frame.t1, false));
                 // Second order: slopes of 2e-6 leave 1e-12 in strains, 1e-12 of a unit in curvatures.
                 close(&result.curvature, &k, 1e-5 * eps, &what);
                 close(&result.moment, &m, 1e-5 * eps * d, &what);

@@ -141,7 +141,7 @@ fn directions_that_are_held_are_no_unknowns() {
     let all = |displacement, director| {
         vec![Supported { particles: (0..30).collect(), support: Box::new(Held { displacement, director }) }]
     };
-    // Five freedoms a particle; two directions that are not square to each other hold a plane.
+    // Five degrees of freedom a particle; two directions that are not square to each other hold a plane.
     let skew = vec![Vec3::new(3.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0)];
     for (supports, left) in [
         (all(vec![], Some(Vec3::x())), 4),

@@ -8,7 +8,7 @@ use common::{curved, flat, free_shell, shake};
 use explicit_dynamics::{Clock, Dynamics, LinearisedDynamics};
 use nalgebra::{DMatrix, Rotation3};
 use sph_core::{CubicSpline, Vec3};
-use sph_shell::{Formulation, Shell, density_rate};
+use sph_shell::{Formulation, Reference, Shell};
 
 const LITERAL: Formulation = Formulation::StrongForm { smoothing: 1.2, viscosity: 0.0, kernel: &CubicSpline };
 
@@ -119,6 +119,18 @@ fn the_viscosity_opposes_approach_only() {
     };
     assert!(push(0.1) > 0.0, "approach is resisted");
     assert_eq!(push(-0.1), 0.0, "parting is free");
+}
+
+/// Eq. 3 of \[lin2013\], `ρ̇_a = −ρ_a Σ_b (v_b − v_a)·∇Φ_ab` \[M/(L³T)\]. In the total Lagrangian form the density of eq. 4 is that
+/// of the reference, so no march needs it.
+fn density_rate(reference: &Reference, density: f64, velocities: &[Vec3], particle: usize) -> f64 {
+    let frame = &reference.operator.points[particle].frame;
+    let stencil = reference.operator.stencil(particle);
+    let divergence = stencil.particles.iter().enumerate().map(|(k, &b)| {
+        let gradient = frame.t1 * stencil.g1[k] + frame.t2 * stencil.g2[k];
+        (velocities[b as usize] - velocities[particle]).dot(&gradient)
+    });
+    -density * divergence.sum::<f64>()
 }
 
 #[test]

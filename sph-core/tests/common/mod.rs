@@ -10,7 +10,7 @@ pub fn flat_clouds() -> Vec<(&'static str, Cloud)> {
     let lattice = lattice(&plate, [11, 9], EndWeights::Trapezoid).unwrap();
     let jittered = jittered_lattice(&plate, [11, 9], 0.25, 7).unwrap();
     let rotation = Rotation3::from_euler_angles(0.4, -0.7, 1.1);
-    let turned = jittered_lattice(&plate, [10, 9], 0.25, 3)
+    let rotated = jittered_lattice(&plate, [10, 9], 0.25, 3)
         .unwrap()
         .transformed(&rotation, &Vec3::new(1.0, -2.0, 0.5));
     let mixed = Cloud::from_cells(jittered.positions.clone(), None, mixed_cells(&jittered)).unwrap();
@@ -18,16 +18,16 @@ pub fn flat_clouds() -> Vec<(&'static str, Cloud)> {
     vec![
         ("lattice", lattice),
         ("jittered", jittered),
-        ("turned", turned),
+        ("rotated", rotated),
         ("mixed", mixed),
         ("strongly jittered", jittered_lattice(&plate, [11, 9], 0.4, 2).unwrap()),
         ("graded", jittered_lattice(&graded, [9, 8], 0.0, 0).unwrap()),
-        ("poisson", with_turned_frames(poisson_cloud(&plate, 0.19, 4).unwrap(), 5)),
+        ("poisson", with_rotated_frames(poisson_cloud(&plate, 0.19, 4).unwrap(), 5)),
     ]
 }
 
-/// `cloud` with every frame turned about its normal by an angle of its own.
-pub fn with_turned_frames(mut cloud: Cloud, seed: u64) -> Cloud {
+/// `cloud` with every frame rotated about its normal by an angle of its own.
+pub fn with_rotated_frames(mut cloud: Cloud, seed: u64) -> Cloud {
     for (a, frame) in cloud.frames.iter_mut().enumerate() {
         // The golden angle leaves no two neighbours alike.
         let angle = 2.399_963 * (a as f64 + seed as f64);
@@ -64,7 +64,7 @@ pub fn curved_clouds() -> Vec<(&'static str, Cloud)> {
         ("dome", jittered_lattice(&dome, [11, 11], 0.25, 1).unwrap()),
         ("wave", jittered_lattice(&wave, [13, 8], 0.2, 5).unwrap()),
         ("strip", jittered_lattice(&strip, [15, 7], 0.2, 2).unwrap()),
-        ("scattered roof", with_turned_frames(poisson_cloud(&roof, 0.28, 1).unwrap(), 1)),
+        ("scattered roof", with_rotated_frames(poisson_cloud(&roof, 0.28, 1).unwrap(), 1)),
     ]
 }
 

@@ -95,7 +95,7 @@ pub fn parts(cloud: Cloud, formulation: Formulation, thickness: f64) -> Parts {
 /// An axis with a projection on every cloud of the tests.
 pub const AXIS: Vec3 = Vec3::new(0.4, 1.0, 0.1);
 
-/// Three unlike plies without any symmetry, 0.2 thick, all turned by `turn`.
+/// Three unlike plies without any symmetry, 0.2 thick, all rotated by `turn`.
 pub fn unsymmetric(turn: f64) -> LayeredSection {
     let fibre = Orthotropic::new(3300.0, 600.0, 0.25, 660.0, 400.0).unwrap();
     let ply = |thickness, angle| Ply { material: fibre, thickness, angle: angle + turn };

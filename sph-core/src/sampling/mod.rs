@@ -1,0 +1,9 @@
+//! Sampling operators: stencils, their corrections, divergence consistency, and what is uneven between neighbours.
+
+pub(crate) mod cell_stencil;
+pub(crate) mod consistent;
+pub(crate) mod correction;
+pub(crate) mod kernel_operator;
+pub(crate) mod nodal_operator;
+pub(crate) mod operator;
+pub(crate) mod unevenness;

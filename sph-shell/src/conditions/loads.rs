@@ -1,0 +1,131 @@
+//! Loads: the trait with its stiffness, dead forces on particles, and gravity.
+
+use explicit_dynamics::{Amplitude, Instant};
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+use crate::error::ShellError;
+use crate::reference::Reference;
+
+/// What a load sees of the shell.
+pub struct Body<'a> {
+    /// The reference configuration.
+    pub reference: &'a Reference,
+    /// Position and director of every particle, `[x, y, z, d_x, d_y, d_z]`.
+    pub state: &'a [[f64; 6]],
+}
+
+/// Derivatives between the rows `[x, d]` of two particles.
+pub type Block = [[f64; 6]; 6];
+
+/// The block that is `change` from its first row and column (0 of a force or position, 3 of a couple or director) on, else zero.
+pub fn place_block(row: usize, column: usize, change: &Matrix3<f64>) -> Block {
+    let mut block = [[0.0; 6]; 6];
+    for i in 0..3 {
+        for j in 0..3 {
+            block[row + i][column + j] = change[(i, j)];
+        }
+    }
+    block
+}
+
+/// A load: adds forces on positions \[F\] and couples on directors \[F L\].
+///
+/// `couple` entries are conjugate to the change of the director: their work is `τ·δd`.
+pub trait Load: Send + Sync {
+    /// Adds `scale` times the load to the rows `[f, τ]` of the particles it touches.
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]);
+
+    /// Hands every block `∂[f, τ]_a/∂[x, d]_b` of what [`Load::add`] adds to `put(a, b, block)` \[F/L, F, F L\].
+    ///
+    /// A dead load has none. A load that follows the shell hands over the same pairs (a, b) in any state; a pair that
+    /// comes twice is summed. There is no default: without these derivatives critical loads are wrong.
+    fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block));
+
+    /// Refuses sets and numbers that make no sense on this shell.
+    ///
+    /// # Errors
+    /// [`ShellError`] naming the fault.
+    fn check(&self, reference: &Reference) -> Result<(), ShellError>;
+}
+
+/// A load and its course in time.
+pub struct AppliedLoad {
+    /// The load.
+    pub load: Box<dyn Load>,
+    /// Its factor, multiplied by the load level.
+    pub amplitude: Amplitude,
+}
+
+impl AppliedLoad {
+    pub(crate) fn scale(&self, at: Instant) -> f64 {
+        at.level * self.amplitude.value(at.time)
+    }
+}
+
+/// A dead force shared by particles in given parts (a point force has one part).
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Particles and their shares; the shares are normalised to one.
+    pub shares: Vec<(u32, f64)>,
+    /// The whole force \[F\].
+    pub total: Vec3,
+}
+
+/// Weight: acceleration times mass on every particle.
+#[derive(Clone, Copy, Debug)]
+pub struct Gravity {
+    /// Acceleration \[L/T²\].
+    pub acceleration: Vec3,
+}
+
+impl Load for Force {
+    fn add(&self, scale: f64, _: &Body<'_>, forces: &mut [[f64; 6]]) {
+        let whole: f64 = self.shares.iter().map(|s| s.1).sum();
+        for &(particle, share) in &self.shares {
+            let factor = scale * share / whole;
+            for i in 0..3 {
+                forces[particle as usize][i] += factor * self.total[i];
+            }
+        }
+    }
+
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
+    fn check(&self, reference: &Reference) -> Result<(), ShellError> {
+        check_set("a force", self.shares.iter().map(|s| s.0), reference)
+    }
+}
+
+impl Load for Gravity {
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
+        for (row, mass) in forces.iter_mut().zip(&body.reference.masses) {
+            for i in 0..3 {
+                row[i] += scale * mass * self.acceleration[i];
+            }
+        }
+    }
+
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
+    fn check(&self, _: &Reference) -> Result<(), ShellError> {
+        Ok(())
+    }
+}
+
+/// Refuses empty sets and numbers beyond the cloud.
+pub(crate) fn check_set(
+    what: &'static str,
+    particles: impl IntoIterator<Item = u32>,
+    reference: &Reference,
+) -> Result<(), ShellError> {
+    let count = reference.cloud.len();
+    let mut any = false;
+    for particle in particles {
+        any = true;
+        if particle as usize >= count {
+            return Err(ShellError::NoSuchParticle { what, particle, count });
+        }
+    }
+    if any { Ok(()) } else { Err(ShellError::EmptySet(what)) }
+}

@@ -1,0 +1,8 @@
+//! Supports, prescribed motions and loads.
+
+pub(crate) mod couple;
+pub(crate) mod loads;
+pub(crate) mod prescribed;
+pub(crate) mod pressure;
+pub(crate) mod shares;
+pub(crate) mod supports;

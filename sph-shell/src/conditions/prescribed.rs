@@ -1,0 +1,99 @@
+//! What supports prescribe: displacements and rotations of directors, by load level and time.
+
+use explicit_dynamics::{Amplitude, Instant};
+use sph_core::Vec3;
+
+use crate::points::packs::Row;
+
+/// A prescribed displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Displacement at load level one and amplitude one \[L\].
+    pub displacement: Vec3,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+/// A prescribed rotation of a director: `d = R(axis, angle) D`, D its direction at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rotation {
+    /// Axis, a unit vector.
+    pub axis: Vec3,
+    /// Angle at load level one and amplitude one \[rad\].
+    pub angle: f64,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+impl Motion {
+    /// Displacement at an instant \[L\].
+    pub(crate) fn at(&self, at: Instant) -> Vec3 {
+        self.displacement * (at.level * self.amplitude.value(at.time))
+    }
+
+    /// Mean velocity between two instants \[L/T\].
+    pub(crate) fn velocity(&self, from: Instant, to: Instant) -> [f64; 3] {
+        let place = |at: Instant| at.level * self.amplitude.value(at.time);
+        let rate = (place(to) - place(from)) / (to.time - from.time);
+        (self.displacement * rate).into()
+    }
+}
+
+impl Rotation {
+    /// The director at an instant, by Rodrigues' formula, from its direction at rest.
+    pub(crate) fn at(&self, rest: &Vec3, at: Instant) -> Vec3 {
+        let (sin, cos) = libm::sincos(self.angle * at.level * self.amplitude.value(at.time));
+        let k = &self.axis;
+        rest * cos + k.cross(rest) * sin + k * (k.dot(rest) * (1.0 - cos))
+    }
+
+    /// Rate that carries the director `d` along a great circle to where it stands at `to`, in the time from `from` \[1/T\].
+    pub(crate) fn rate(&self, rest: &Vec3, d: &Vec3, from: Instant, to: Instant) -> [f64; 3] {
+        let target = self.at(rest, to);
+        let cos = d.dot(&target);
+        let across = target - d * cos;
+        let sin = across.norm();
+        if sin == 0.0 {
+            return [0.0; 3];
+        }
+        (across * (libm::atan2(sin, cos) / (sin * (to.time - from.time)))).into()
+    }
+}
+
+/// What one particle is told, without time: its share of a load level.
+pub(crate) struct Told<'a> {
+    /// Position and director at rest.
+    pub rest: (Vec3, Vec3),
+    pub motion: Option<&'a Motion>,
+    pub rotation: Option<&'a Rotation>,
+    /// Orthonormal directions in which the position is held.
+    pub held: &'a [Vec3],
+}
+
+impl Told<'_> {
+    /// Puts the held components where a level has them.
+    pub fn put(&self, level: f64, row: &mut Row) {
+        let at = Instant { time: 0.0, level };
+        if let Some(motion) = self.motion {
+            let rest = self.rest.0 + motion.at(at);
+            for n in self.held {
+                let missing = n.dot(&(rest - Vec3::new(row[0], row[1], row[2])));
+                (0..3).for_each(|k| row[k] += missing * n[k]);
+            }
+        }
+        if let Some(rotation) = self.rotation {
+            let d = rotation.at(&self.rest.1, at);
+            row[3..].copy_from_slice(d.as_slice());
+        }
+    }
+
+    /// Derivative of `[x, d]` with respect to the level, at the director `d`.
+    pub fn rate(&self, d: &Vec3) -> Row {
+        let unit = Instant { time: 0.0, level: 1.0 };
+        let u = self.motion.map_or(Vec3::zeros(), |motion| motion.at(unit));
+        let w = self.rotation.map_or(Vec3::zeros(), |rotation| {
+            rotation.axis.cross(d) * (rotation.angle * rotation.amplitude.value(0.0))
+        });
+        [u.x, u.y, u.z, w.x, w.y, w.z]
+    }
+}

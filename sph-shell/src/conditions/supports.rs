@@ -1,0 +1,373 @@
+//! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
+
+use explicit_dynamics::{Amplitude, Step};
+use sph_core::{Cloud, Vec3};
+
+use crate::conditions::prescribed::{Motion, Rotation, Told};
+use crate::error::ShellError;
+
+/// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
+const OUT_OF_PLANE: f64 = 1e-6;
+
+/// What a support asks of a particle.
+#[derive(Clone, Debug, Default)]
+pub struct Holds {
+    /// Directions along which the particle may not move.
+    pub translations: Vec<Vec3>,
+    /// What is asked of the director.
+    pub director: DirectorHold,
+    /// A motion along one of the held directions.
+    pub motion: Option<Motion>,
+    /// A rotation of the director, which must then be held fixed by nothing else.
+    pub rotation: Option<Rotation>,
+}
+
+/// What is asked of a director.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DirectorHold {
+    /// Nothing.
+    #[default]
+    Free,
+    /// `d·ν = 0` for the unit normal ν of a plane.
+    InPlane(Vec3),
+    /// No rotation at all.
+    Fixed,
+}
+
+/// A condition on particles of an edge, a row or a point.
+pub trait Support: Send + Sync {
+    /// What it asks of each particle.
+    fn holds(&self) -> Holds;
+}
+
+/// A support and the particles it acts on.
+pub struct Supported {
+    /// Particles.
+    pub particles: Vec<u32>,
+    /// What is asked of them.
+    pub support: Box<dyn Support>,
+}
+
+/// All five degrees of freedom held: `x` and `d` stay where they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Clamped;
+
+/// The position is held, the director free (a soft hinge).
+#[derive(Clone, Copy, Debug)]
+pub struct Hinged;
+
+/// `u·ν = 0` and `d·ν = 0`, directly on the particles of the plane, without ghosts.
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetryPlane {
+    /// Normal ν of the plane (any length).
+    pub normal: Vec3,
+}
+
+/// Displacements across an axis are held, those along it and the director are free.
+#[derive(Clone, Copy, Debug)]
+pub struct Diaphragm {
+    /// The axis (any length).
+    pub axis: Vec3,
+}
+
+/// Displacements along some directions and one turn of the director are held; the rest is free.
+///
+/// The general support, of which the clamp, the hinge, the symmetry plane and the diaphragm are special cases with
+/// names of their own (but for the clamped director, which keeps both turns).
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// Directions of no displacement (any length, linearly independent).
+    pub displacement: Vec<Vec3>,
+    /// Normal (any length) of the plane in which the director stays.
+    pub director: Option<Vec3>,
+}
+
+/// Displacement along a direction is prescribed; the rest is free.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// Direction (any length).
+    pub direction: Vec3,
+    /// Displacement at load level one \[L\].
+    pub by: f64,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+/// The director turns about an axis by a prescribed angle; the position is free.
+#[derive(Clone, Debug)]
+pub struct Rotated {
+    /// Axis (any length).
+    pub axis: Vec3,
+    /// Angle at load level one \[rad\].
+    pub by: f64,
+    /// Its course in time.
+    pub amplitude: Amplitude,
+}
+
+impl Support for Clamped {
+    fn holds(&self) -> Holds {
+        Holds { translations: axes(), director: DirectorHold::Fixed, ..Holds::default() }
+    }
+}
+
+impl Support for Hinged {
+    fn holds(&self) -> Holds {
+        Holds { translations: axes(), ..Holds::default() }
+    }
+}
+
+impl Support for SymmetryPlane {
+    fn holds(&self) -> Holds {
+        let normal = self.normal.normalize();
+        Holds { translations: vec![normal], director: DirectorHold::InPlane(normal), ..Holds::default() }
+    }
+}
+
+impl Support for Diaphragm {
+    fn holds(&self) -> Holds {
+        let frame = sph_core::Frame::from_normal(self.axis.normalize());
+        Holds { translations: vec![frame.t1, frame.t2], ..Holds::default() }
+    }
+}
+
+impl Support for Held {
+    fn holds(&self) -> Holds {
+        let director = self.director.map_or(DirectorHold::Free, |n| DirectorHold::InPlane(n.normalize()));
+        Holds {
+            translations: self.displacement.iter().map(Vec3::normalize).collect(),
+            director,
+            ..Holds::default()
+        }
+    }
+}
+
+impl Support for Moved {
+    fn holds(&self) -> Holds {
+        let direction = self.direction.normalize();
+        let motion = Motion { displacement: direction * self.by, amplitude: self.amplitude.clone() };
+        Holds { translations: vec![direction], motion: Some(motion), ..Holds::default() }
+    }
+}
+
+impl Support for Rotated {
+    fn holds(&self) -> Holds {
+        let (axis, angle) = (self.axis.normalize(), self.by);
+        let rotation = Rotation { axis, angle, amplitude: self.amplitude.clone() };
+        Holds { director: DirectorHold::Fixed, rotation: Some(rotation), ..Holds::default() }
+    }
+}
+
+fn axes() -> Vec<Vec3> {
+    vec![Vec3::x(), Vec3::y(), Vec3::z()]
+}
+
+/// Joins all supports of each particle: the number of its entry, one up and zero for a free one, and the entries.
+pub(crate) fn constraints(
+    cloud: &Cloud,
+    supports: &[Supported],
+) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+    let count = cloud.len();
+    let mut asked: Vec<Vec<(usize, Holds)>> = vec![Vec::new(); count];
+    for (support, supported) in supports.iter().enumerate() {
+        if supported.particles.is_empty() {
+            return Err(ShellError::EmptySet("a support"));
+        }
+        for &particle in &supported.particles {
+            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
+                what: "a support",
+                particle,
+                count,
+            })?;
+            let holds = supported.support.holds();
+            if let DirectorHold::InPlane(normal) = holds.director {
+                // The turn that is left free runs along ν × d.
+                let along = normal.dot(&cloud.frames[particle as usize].n);
+                if along.abs() > OUT_OF_PLANE {
+                    return Err(ShellError::OutOfPlane { support, particle, along });
+                }
+            }
+            list.push((support, holds));
+        }
+    }
+    let mut number = vec![0; count];
+    let mut constraints = Vec::new();
+    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
+        let rest = (cloud.positions[particle], cloud.frames[particle].n);
+        constraints.push(Constraint::join(particle as u32, rest, list)?);
+        number[particle] = constraints.len() as u32;
+    }
+    Ok((number, constraints))
+}
+
+/// All that the supports of one particle ask of it, ready for the step.
+#[derive(Clone, Debug)]
+pub(crate) struct Constraint {
+    /// Orthonormal held directions, three slots, `count` in use.
+    held: [Vec3; 3],
+    count: usize,
+    pub(crate) director: DirectorHold,
+    motion: Option<Motion>,
+    rotation: Option<Rotation>,
+    /// Position and director at rest.
+    rest: (Vec3, Vec3),
+}
+
+impl Constraint {
+    /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
+    fn join(particle: u32, rest: (Vec3, Vec3), asked: &[(usize, Holds)]) -> Result<Self, ShellError> {
+        let mut out = Self {
+            held: [Vec3::zeros(); 3],
+            count: 0,
+            director: DirectorHold::Free,
+            motion: None,
+            rotation: rotation(particle, asked)?,
+            rest,
+        };
+        for (_, hold) in asked {
+            for direction in &hold.translations {
+                out.hold(direction);
+            }
+            out.director = join_directors(out.director, hold.director);
+            if let Some(motion) = &hold.motion {
+                out.motion = Some(match out.motion.take() {
+                    None => motion.clone(),
+                    Some(old) if old.amplitude == motion.amplitude => Motion {
+                        displacement: old.displacement + motion.displacement,
+                        amplitude: old.amplitude,
+                    },
+                    Some(_) => return Err(ShellError::TwoMotions(particle)),
+                });
+            }
+        }
+        if let Some(motion) = &out.motion {
+            // A held direction of another support must not oppose the motion.
+            for (_, hold) in asked.iter().filter(|(_, hold)| hold.motion.is_none()) {
+                for direction in &hold.translations {
+                    let along = motion.displacement.dot(direction);
+                    if along.abs() > 1e-9 * motion.displacement.norm() {
+                        return Err(ShellError::Contradiction { particle, wanted: along, held: 0.0 });
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    fn hold(&mut self, direction: &Vec3) {
+        let mut rest = *direction;
+        for known in &self.held[..self.count] {
+            rest -= known * known.dot(&rest);
+        }
+        // Directions closer than this to the span of the others add nothing but round-off.
+        if self.count < 3 && rest.norm() > 1e-9 {
+            self.held[self.count] = rest.normalize();
+            self.count += 1;
+        }
+    }
+
+    /// Takes the held part out of a translational vector.
+    #[inline]
+    pub(crate) fn free_translation(&self, v: [f64; 3]) -> [f64; 3] {
+        let mut v = v;
+        for n in &self.held[..self.count] {
+            let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
+            for i in 0..3 {
+                v[i] -= along * n[i];
+            }
+        }
+        v
+    }
+
+    /// Takes the held part out of a vector tangent to the director's sphere.
+    #[inline]
+    pub(crate) fn free_rotation(&self, v: [f64; 3]) -> [f64; 3] {
+        match self.director {
+            DirectorHold::Free => v,
+            DirectorHold::Fixed => [0.0; 3],
+            DirectorHold::InPlane(n) => {
+                let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
+                [v[0] - along * n.x, v[1] - along * n.y, v[2] - along * n.z]
+            }
+        }
+    }
+
+    /// Mean velocity of the prescribed motion over a step \[L/T\].
+    pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
+        Some(self.motion.as_ref()?.velocity(step.from, step.to))
+    }
+
+    /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].
+    #[inline]
+    pub(crate) fn director_rate(&self, d: [f64; 3], step: &Step) -> Option<[f64; 3]> {
+        let rotation = self.rotation.as_ref()?;
+        Some(rotation.rate(&self.rest.1, &d.into(), step.from, step.to))
+    }
+
+    /// What is prescribed by level, if anything is.
+    pub(crate) fn told(&self) -> Option<Told<'_>> {
+        let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
+        let held = &self.held[..self.count];
+        (motion.is_some() || rotation.is_some()).then_some(Told { rest: self.rest, motion, rotation, held })
+    }
+}
+
+/// The prescribed rotation of a director, which no other support may contradict: it may keep the director in a plane
+/// square to the axis.
+fn rotation(particle: u32, asked: &[(usize, Holds)]) -> Result<Option<Rotation>, ShellError> {
+    let rotating = |(number, hold): &(usize, Holds)| Some((*number, hold.rotation.clone()?));
+    let Some((rotated, rotation)) = asked.iter().find_map(rotating) else { return Ok(None) };
+    for (other, hold) in asked.iter().filter(|(number, _)| *number != rotated) {
+        let agrees = match hold.director {
+            DirectorHold::Free => true,
+            DirectorHold::InPlane(normal) => normal.cross(&rotation.axis).norm() < 1e-9,
+            DirectorHold::Fixed => false,
+        };
+        if !agrees {
+            return Err(ShellError::HeldDirector { particle, rotated, other: *other });
+        }
+    }
+    Ok(Some(rotation))
+}
+
+fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
+    match (a, b) {
+        (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
+        (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) if m.cross(&n).norm() < 1e-9 => {
+            DirectorHold::InPlane(m)
+        }
+        // Two planes leave only their common line.
+        _ => DirectorHold::Fixed,
+    }
+}
+
+impl Constraint {
+    /// Degrees of freedom held, of three translations and two rotations.
+    pub(crate) fn held_freedoms(&self) -> usize {
+        let rotations = match self.director {
+            DirectorHold::Free => 0,
+            DirectorHold::InPlane(_) => 1,
+            DirectorHold::Fixed => 2,
+        };
+        self.count + rotations
+    }
+}
+
+impl Constraint {
+    /// Number of held translations.
+    pub(crate) fn held_translations(&self) -> usize {
+        self.count
+    }
+
+    /// Orthonormal directions in which the particle may move.
+    pub(crate) fn free_directions(&self) -> Vec<Vec3> {
+        let mut basis: Vec<Vec3> = self.held[..self.count].to_vec();
+        for axis in axes() {
+            let rest = basis.iter().fold(axis, |rest, known| rest - known * known.dot(&rest));
+            // At least one axis of three is this far from the span of one or two directions.
+            if rest.norm() > 0.5 && basis.len() < 3 {
+                basis.push(rest.normalize());
+            }
+        }
+        basis.split_off(self.count)
+    }
+}

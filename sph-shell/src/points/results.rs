@@ -1,0 +1,63 @@
+//! What can be read at the sampling points: strains, resultants, the directions they refer to.
+
+use shell_kinematics::{LANES, Pack};
+use sph_core::Vec3;
+
+use crate::points::point::PointState;
+use crate::shell::Shell;
+
+/// Strains and resultants of one sampling point.
+///
+/// Components refer to the orthonormal frame of the point in the reference configuration; forces and moments are per
+/// reference length and conjugate to the strains: `N·e + M·κ + Q·γ` is the work per reference area, for a linear
+/// section twice the stored energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PointResult {
+    /// Membrane strains `e11, e22, 2e12` \[–\].
+    pub membrane: [f64; 3],
+    /// Changes of curvature `κ11, κ22, 2κ12` \[1/L\].
+    pub curvature: [f64; 3],
+    /// Transverse shear strains `γ1, γ2` \[–\].
+    pub shear: [f64; 2],
+    /// Membrane forces `N11, N22, N12` \[F/L\].
+    pub force: [f64; 3],
+    /// Moments `M11, M22, M12` \[F\].
+    pub moment: [f64; 3],
+    /// Transverse shear forces `Q1, Q2` \[F/L\].
+    pub shear_force: [f64; 2],
+    /// Where the first direction of the frame points now (unit vector): `x,1/|x,1|`.
+    pub t1: [f64; 3],
+}
+
+impl Shell {
+    /// Whether a support holds any degree of freedom of a particle.
+    pub fn is_held(&self, particle: usize) -> bool {
+        self.constraint(particle).is_some()
+    }
+
+    /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of
+    /// the reference's `operator.points`: the cells of the cloud, or for nodal sampling and the strong form the
+    /// particles. Surplus entries and surplus points are left alone. Nothing is allocated and no state is changed.
+    pub fn point_results(&self, out: &mut [PointResult]) {
+        for (index, points) in self.points.packs.order.iter().enumerate() {
+            let PointState { placement: p, strains, .. } =
+                self.points.point(index).strained::<true, _>(self.strain, &self.state);
+            let stress = self.section.resultants(&strains);
+            for (lane, &point) in points.iter().enumerate().take(LANES) {
+                // Filling lanes repeat the last point: the same numbers once more.
+                let Some(result) = out.get_mut(point as usize) else { continue };
+                let three = |values: &[Pack; 3]| values.map(|v| v.lanes()[lane]);
+                let two = |values: &[Pack; 2]| values.map(|v| v.lanes()[lane]);
+                *result = PointResult {
+                    membrane: three(&strains.membrane),
+                    curvature: three(&strains.curvature),
+                    shear: two(&strains.shear),
+                    force: three(&stress.membrane),
+                    moment: three(&stress.moment),
+                    shear_force: two(&stress.shear),
+                    t1: Vec3::from(p.x1.lane(lane)).normalize().into(),
+                };
+            }
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! The free degrees of freedom of a shell as unknowns: translations that no support holds, turns of directors.
+//!
+//! A turn counts as the length of its arc at a fixed radius, a power of two near the spacing: all unknowns are lengths and
+//! all their forces are forces, so that no norm and no pivot depends on the units of a scene.
+
+use sph_core::{Frame, Vec3};
+
+use crate::conditions::supports::DirectorHold;
+use crate::points::packs::Row;
+use crate::shell::Shell;
+
+/// Where the unknowns of each particle start, and how many are translations.
+#[derive(Clone, Debug)]
+pub(crate) struct DofMap {
+    /// First unknown of each particle, and the end.
+    pub offsets: Vec<u32>,
+    /// Arc of a turn by one radian \[L\].
+    pub arc: f64,
+    translations: Vec<u8>,
+}
+
+/// The directions of one particle's unknowns in `[x, d]`, up to three translations and two turns.
+pub(crate) struct Basis {
+    /// Unit vectors; those from number `translations` on turn the director.
+    pub directions: [Vec3; 5],
+    /// What a unit of each unknown moves along its direction: 1 for translations, `1/arc` for turns.
+    pub rates: [f64; 5],
+    pub translations: usize,
+    pub count: usize,
+}
+
+impl DofMap {
+    pub fn new(shell: &Shell) -> Self {
+        let mut offsets = vec![0];
+        let mut translations = Vec::with_capacity(shell.len());
+        for a in 0..shell.len() {
+            let basis = shell.basis(a, 1.0);
+            translations.push(basis.translations as u8);
+            offsets.push(offsets[a] + basis.count as u32);
+        }
+        // A power of two: scaling by it leaves every digit.
+        let arc = libm::exp2(libm::round(libm::log2(shell.reference.cloud.spacing())));
+        Self { offsets, arc, translations }
+    }
+
+    pub fn count(&self) -> usize {
+        self.offsets[self.translations.len()] as usize
+    }
+
+    /// Unknowns of a particle.
+    pub fn of(&self, particle: usize) -> std::ops::Range<usize> {
+        self.offsets[particle] as usize..self.offsets[particle + 1] as usize
+    }
+
+    /// Particle of an unknown, its place among the particle's unknowns, and whether it is a translation.
+    pub fn find(&self, unknown: usize) -> (usize, usize, bool) {
+        let particle = self.offsets.partition_point(|&first| first as usize <= unknown) - 1;
+        let place = unknown - self.offsets[particle] as usize;
+        (particle, place, place < self.translations[particle] as usize)
+    }
+}
+
+impl Basis {
+    /// The first unknowns are translations.
+    fn move_first(&mut self, translations: usize) {
+        self.translations = translations;
+        self.rates[..translations].fill(1.0);
+    }
+
+    /// Components of a row `[x, d]` along the unknowns.
+    pub fn project(&self, row: &Row, out: &mut [f64]) {
+        for (i, value) in out.iter_mut().enumerate() {
+            let part = if i < self.translations { &row[..3] } else { &row[3..] };
+            *value = self.directions[i].dot(&Vec3::new(part[0], part[1], part[2])) * self.rates[i];
+        }
+    }
+
+    /// Displacement and turn of the director for components along the unknowns.
+    pub fn expand(&self, components: &[f64]) -> (Vec3, Vec3) {
+        let (mut u, mut v) = (Vec3::zeros(), Vec3::zeros());
+        for (i, &c) in components.iter().enumerate() {
+            *(if i < self.translations { &mut u } else { &mut v }) +=
+                self.directions[i] * (c * self.rates[i]);
+        }
+        (u, v)
+    }
+}
+
+impl Shell {
+    /// Directions of a particle's unknowns at the present state, turns counted as arcs of a radius.
+    pub(crate) fn basis(&self, particle: usize, arc: f64) -> Basis {
+        let d = self.director(particle);
+        let frame = Frame::from_normal(d);
+        let mut basis =
+            Basis { directions: [Vec3::zeros(); 5], rates: [1.0 / arc; 5], translations: 0, count: 0 };
+        let mut push = |direction: Vec3| {
+            basis.directions[basis.count] = direction;
+            basis.count += 1;
+        };
+        let Some(constraint) = self.constraint(particle) else {
+            for direction in [Vec3::x(), Vec3::y(), Vec3::z(), frame.t1, frame.t2] {
+                push(direction);
+            }
+            basis.move_first(3);
+            return basis;
+        };
+        for direction in constraint.free_directions() {
+            push(direction);
+        }
+        let translations = 3 - constraint.held_translations();
+        match constraint.director {
+            DirectorHold::Free => {
+                push(frame.t1);
+                push(frame.t2);
+            }
+            // The director turns within the plane of its normal.
+            DirectorHold::InPlane(normal) => push(normal.cross(&d).normalize()),
+            DirectorHold::Fixed => {}
+        }
+        basis.move_first(translations);
+        basis
+    }
+}

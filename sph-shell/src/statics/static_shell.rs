@@ -1,0 +1,323 @@
+//! The shell without time: the same discrete energy as a system of `implicit-statics`, held sets moved by level.
+
+use std::ops::DerefMut;
+
+use explicit_dynamics::Instant;
+use implicit_statics::{Equilibrium, OutOfBounds};
+use shell_kinematics::parallel_transport;
+
+use crate::conditions::loads::Block;
+use crate::points::bounds::Unsound;
+use crate::points::packs::Row;
+use crate::shell::Shell;
+use crate::statics::dofs::{Basis, DofMap};
+use crate::statics::stiffness::BlockPattern;
+
+/// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
+///
+/// Built only when a static analysis asks for it. Its shell is its own, or lent (`&mut Shell`) for a look at the tangent
+/// of a state.
+pub struct StaticShell<S = Box<Shell>> {
+    pub(crate) shell: S,
+    pub(crate) freedoms: DofMap,
+    pub(crate) pattern: BlockPattern,
+    blocks: Vec<Block>,
+    /// Particles with a prescribed displacement or rotation.
+    moved: Vec<u32>,
+}
+
+impl StaticShell {
+    /// Numbers the free degrees of freedom of a shell. What its supports move goes with the level.
+    pub fn new(shell: Shell) -> Self {
+        let moved = (0..shell.len()).filter(|&a| shell.constraint(a).is_some_and(|c| c.told().is_some()));
+        let moved = moved.map(|a| a as u32).collect();
+        Self { moved, ..Self::lent(Box::new(shell)) }
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
+    /// of prescribed values too.
+    pub fn lent(shell: S) -> Self {
+        let (freedoms, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
+        let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
+        Self { shell, freedoms, pattern, blocks, moved: Vec::new() }
+    }
+
+    /// The shell in its present state; its forces are those last evaluated.
+    pub fn shell(&self) -> &Shell {
+        &self.shell
+    }
+
+    /// The same, to put it into another state; whatever is evaluated is that of the state before.
+    pub fn shell_mut(&mut self) -> &mut Shell {
+        &mut self.shell
+    }
+
+    /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
+    pub fn evaluate(&mut self, level: f64) {
+        self.put(level);
+        self.shell.evaluate_internal(true);
+        self.external_at(level);
+    }
+
+    /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
+    /// control prescribes. The mean over the particles.
+    pub fn functional(&self, particles: &[u32], direction: sph_core::Vec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.freedoms.count()];
+        let share = direction.normalize() / particles.len() as f64;
+        let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
+        for &a in particles {
+            self.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
+        }
+        weights
+    }
+
+    pub(crate) fn basis(&self, particle: usize) -> Basis {
+        self.shell.basis(particle, self.freedoms.arc)
+    }
+
+    /// Turns rows `[f, τ]` of all particles into components along the unknowns.
+    fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
+        for a in 0..self.shell.len() {
+            self.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+        }
+    }
+
+    /// Turns the lower triangle of blocks into entries between unknowns, in the order of the pattern; `radial` is taken
+    /// from the turns of a particle on the diagonal.
+    pub(crate) fn project_blocks(
+        &self,
+        blocks: &[Block],
+        radial: impl Fn(usize) -> f64,
+        mut visit: impl FnMut(f64),
+    ) {
+        for a in 0..self.shell.len() {
+            let row_basis = self.basis(a);
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                let column_basis = self.basis(b);
+                let along = if a == b { radial(a) } else { 0.0 };
+                for row in 0..row_basis.count {
+                    let left = if row < row_basis.translations { 0 } else { 3 };
+                    for column in 0..if a == b { row + 1 } else { column_basis.count } {
+                        let top = if column < column_basis.translations { 0 } else { 3 };
+                        let mut value = 0.0;
+                        for i in 0..3 {
+                            for j in 0..3 {
+                                value += row_basis.directions[row][i]
+                                    * blocks[block][left + i][top + j]
+                                    * column_basis.directions[column][j];
+                            }
+                        }
+                        if a == b && row == column && left == 3 {
+                            value -= along;
+                        }
+                        visit(value * row_basis.rates[row] * column_basis.rates[column]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts prescribed values where a level has them.
+    fn put(&mut self, level: f64) {
+        let shell = &mut *self.shell;
+        for &a in &self.moved {
+            let number = shell.constraint_of[a as usize] as usize - 1;
+            if let Some(told) = shell.constraints[number].told() {
+                told.put(level, &mut shell.state[a as usize]);
+            }
+        }
+    }
+
+    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
+    fn prescribed_rates(&self) -> Vec<Row> {
+        let mut rates = vec![[0.0; 6]; self.shell.len()];
+        for &a in &self.moved {
+            if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
+                rates[a as usize] = told.rate(&self.shell.director(a as usize));
+            }
+        }
+        rates
+    }
+
+    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
+    fn level_rates(&mut self, level: f64) -> Vec<Row> {
+        self.put(level);
+        self.external_at(1.0);
+        let rates = self.prescribed_rates();
+        let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
+        self.shell.load_stiffness(level, &mut |a, b, block| {
+            for (value, row) in rows[a as usize].iter_mut().zip(block) {
+                *value += product(row, &rates[b as usize]);
+            }
+        });
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        for a in 0..rows.len() {
+            for number in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
+                for i in 0..6 {
+                    rows[a][i] -= product(&block[i], &rates[b]);
+                    if a != b {
+                        rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    fn external_at(&mut self, level: f64) {
+        self.shell.evaluate_external(Instant { time: 0.0, level });
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
+    fn unknowns(&self) -> usize {
+        self.freedoms.count()
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        let mut out = Vec::new();
+        for a in 0..self.shell.len() {
+            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+                let b = self.pattern.columns[block] as usize;
+                for row in self.freedoms.of(a) {
+                    out.extend(
+                        self.freedoms.of(b).filter(|&column| column <= row).map(|column| (row, column)),
+                    );
+                }
+            }
+        }
+        out
+    }
+
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
+        self.shell.evaluate_internal(false);
+        self.project(|a| self.shell.internal_force(a), out);
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
+        self.external_at(level);
+        self.project(|a| self.shell.external_force(a), out);
+    }
+
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        // Loads are proportional to the level.
+        if self.moved.is_empty() {
+            return self.external(1.0, out);
+        }
+        let rows = self.level_rates(level);
+        self.project(|a| rows[a], out);
+    }
+
+    fn held_values_move(&self) -> bool {
+        !self.moved.is_empty()
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.put(level);
+        self.shell.evaluate_internal(false);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        self.assemble(|a| self.radial(a, self.shell.internal_force(a)), values);
+    }
+
+    fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
+        let rest = self.save();
+        self.update(motion);
+        self.put(level);
+        self.shell.evaluate_internal(false);
+        let stressed = self.shell.state.to_vec();
+        let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
+        self.restore(&rest);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        // Without stress here, the force along the director is that of the stresses alone up to their square.
+        self.assemble(|a| self.radial(a, internal[a]), values);
+        true
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        for a in 0..self.shell.len() {
+            let (u, v) = self.basis(a).expand(&increment[self.freedoms.of(a)]);
+            let row = &mut self.shell.state[a];
+            let (d, _) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
+            *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+        }
+    }
+
+    fn save(&self) -> Vec<f64> {
+        self.shell.state.iter().flatten().copied().collect()
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        for (row, from) in self.shell.state.iter_mut().zip(saved.chunks_exact(6)) {
+            row.copy_from_slice(from);
+        }
+    }
+
+    fn energy(&mut self) -> f64 {
+        self.shell.evaluate_internal(true);
+        self.shell.internal_energy
+    }
+
+    /// Turning directors carry the rotary inertia `ρ t A_a t²/12` of the shell itself: the one scaled up in
+    /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
+    /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
+    fn masses(&self) -> Vec<f64> {
+        let turning = self.shell.thickness().powi(2) / 12.0 / self.freedoms.arc.powi(2);
+        (0..self.unknowns())
+            .map(|unknown| {
+                let (particle, _, moves) = self.freedoms.find(unknown);
+                let reference = &self.shell.reference;
+                let mass = reference.masses[particle];
+                if moves { mass } else { mass * turning }
+            })
+            .collect()
+    }
+
+    fn name_unknown(&self, unknown: usize) -> String {
+        let (particle, place, moves) = self.freedoms.find(unknown);
+        let direction = self.basis(particle).directions[place];
+        let x = self.shell.reference.cloud.positions[particle];
+        let what = if moves { "moving" } else { "its director turning" };
+        format!(
+            "particle {particle} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
+            x.x, x.y, x.z, direction.x, direction.y, direction.z
+        )
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
+        self.shell.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
+    fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
+        let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);
+        (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
+    }
+
+    /// Entries between the unknowns from the blocks.
+    fn assemble(&self, radial: impl Fn(usize) -> f64, values: &mut [f64]) {
+        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
+        let mut next = values.iter_mut();
+        self.project_blocks(&self.blocks, radial, |value| {
+            if let Some(slot) = next.next() {
+                *slot = value;
+            }
+        });
+    }
+}
+
+fn product(a: &Row, b: &Row) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -1,0 +1,155 @@
+//! One particle's step: gather forces, kick, hold what is held, book the work, drift.
+
+use explicit_dynamics::{Step, Work};
+use shell_kinematics::parallel_transport;
+
+use crate::conditions::supports::Constraint;
+use crate::points::packs::{Packs, Row};
+
+/// Slots of forces; a ring that holds only the slots in use is addressed through its mask.
+#[derive(Clone, Copy)]
+pub(crate) struct Slots<'a> {
+    pub rows: &'a [Row],
+    pub mask: usize,
+}
+
+/// What the update of a particle reads.
+#[derive(Clone, Copy)]
+pub(crate) struct Update<'a> {
+    pub packs: &'a Packs,
+    /// Internal forces found particle by particle; empty if there are none.
+    pub direct: &'a [Row],
+    /// External forces; empty without loads.
+    pub external: &'a [Row],
+    pub masses: &'a [f64],
+    pub inertias: &'a [f64],
+    pub constraint_of: &'a [u32],
+    pub constraints: &'a [Constraint],
+    pub step: &'a Step,
+    pub decay: Decay,
+}
+
+/// What damping leaves of a velocity: `1 − ½cκ` before the kick, `1/(1 + ½cκ)` after it.
+#[derive(Clone, Copy)]
+pub(crate) struct Decay {
+    before: f64,
+    after: f64,
+}
+
+impl Decay {
+    pub fn of(step: &Step) -> Self {
+        let half = 0.5 * step.damping * step.kick;
+        Self { before: 1.0 - half, after: 1.0 / (1.0 + half) }
+    }
+}
+
+impl Update<'_> {
+    /// Sum of the slots of particle `a`, in ascending order.
+    #[inline(always)]
+    fn internal(&self, a: usize, slots: Slots<'_>) -> Row {
+        let mut sum = if self.direct.is_empty() { [0.0; 6] } else { self.direct[a] };
+        if !slots.rows.is_empty() {
+            for &slot in self.packs.slots_of(a) {
+                let row = &slots.rows[slot as usize & slots.mask];
+                for i in 0..6 {
+                    sum[i] += row[i];
+                }
+            }
+        }
+        sum
+    }
+
+    /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` of particle `a`, and with `DRIFT` its new row.
+    ///
+    /// Kinetic energy and external work are added to `work`; what damping takes is `2cκ` times the former.
+    #[inline(always)]
+    pub fn particle<const DRIFT: bool, const LOADED: bool>(
+        &self,
+        a: usize,
+        row: &Row,
+        rate: &mut Row,
+        slots: Slots<'_>,
+        work: &mut Work,
+    ) -> Row {
+        let Step { kick, damping, .. } = *self.step;
+        let Decay { before, after } = self.decay;
+        let internal = self.internal(a, slots);
+        let external = if LOADED { self.external[a] } else { [0.0; 6] };
+        let (m, inertia) = (self.masses[a], self.inertias[a]);
+        let (to_v, to_w) = (kick / m, kick / inertia);
+        let mut f = [0.0; 6];
+        for k in 0..6 {
+            f[k] = external[k] - internal[k];
+        }
+        // The director feels the part of its force across itself.
+        let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
+        let old = *rate;
+        let mut new = [0.0; 6];
+        for k in 0..3 {
+            new[k] = (old[k] * before + to_v * f[k]) * after;
+            new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
+        }
+        let number = self.constraint_of[a] as usize;
+        let (mut pushed, mut rotated) = (false, false);
+        if number > 0 {
+            (new, pushed, rotated) = self.hold(&self.constraints[number - 1], row, new);
+        }
+        let mut mean = [0.0; 6];
+        for k in 0..6 {
+            mean[k] = 0.5 * (old[k] + new[k]);
+        }
+        let square = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
+        let turning = mean[3] * mean[3] + mean[4] * mean[4] + mean[5] * mean[5];
+        work.kinetic += 0.5 * (m * square + inertia * turning);
+        if LOADED {
+            for k in 0..6 {
+                work.external += kick * external[k] * mean[k];
+            }
+        }
+        if pushed && kick > 0.0 {
+            // The support's force is what the particle's balance lacks; it works on the prescribed motion.
+            for k in 0..3 {
+                let lack = m * (new[k] - old[k]) / kick - f[k] + m * damping * mean[k];
+                work.external += kick * lack * mean[k];
+            }
+        }
+        if rotated && kick > 0.0 {
+            for k in 3..6 {
+                let across = f[k] - along * row[k];
+                let lack = inertia * (new[k] - old[k]) / kick - across + inertia * damping * mean[k];
+                work.external += kick * lack * mean[k];
+            }
+        }
+        if DRIFT {
+            let (place, carried) = drifted(row, &new, self.step.drift());
+            *rate = carried;
+            place
+        } else {
+            *rate = new;
+            *row
+        }
+    }
+
+    /// Takes out what a support holds and puts in what it prescribes; whether it prescribes a motion, and a rotation.
+    #[inline(always)]
+    fn hold(&self, constraint: &Constraint, row: &Row, new: Row) -> (Row, bool, bool) {
+        let mut v = constraint.free_translation([new[0], new[1], new[2]]);
+        let motion = constraint.velocity(self.step);
+        if let Some(motion) = motion {
+            for k in 0..3 {
+                v[k] += motion[k];
+            }
+        }
+        let rotation = constraint.director_rate([row[3], row[4], row[5]], self.step);
+        let w = rotation.unwrap_or_else(|| constraint.free_rotation([new[3], new[4], new[5]]));
+        ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some(), rotation.is_some())
+    }
+}
+
+/// Row and rate after `dt`: the position moves along its velocity, the director along its great circle.
+#[inline(always)]
+pub(crate) fn drifted(row: &Row, rate: &Row, dt: f64) -> (Row, Row) {
+    let (d, w) = parallel_transport([row[3], row[4], row[5]], [rate[3], rate[4], rate[5]], dt);
+    let place = [row[0] + dt * rate[0], row[1] + dt * rate[1], row[2] + dt * rate[2], d[0], d[1], d[2]];
+    (place, [rate[0], rate[1], rate[2], w[0], w[1], w[2]])
+}

@@ -1,0 +1,112 @@
+//! The shell in mass-scaled coordinates: its tangent applied to a vector, by differences of the internal force; what is
+//! out of balance, and how fast and how far it moves.
+
+use explicit_dynamics::{LinearisedDynamics, MassScaled};
+
+use crate::points::packs::Row;
+use crate::shell::Shell;
+
+/// Greatest perturbation, in spacings for positions and in radians for directors: central differences of
+/// a cubic force lose 1e-10 to truncation and about as much to round-off.
+const PERTURBATION: f64 = 1e-5;
+
+impl LinearisedDynamics for Shell {
+    fn unknowns(&self) -> usize {
+        6 * self.len()
+    }
+
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+        let spacing = self.reference.cloud.spacing();
+        let direction: Vec<Row> = (0..self.len()).map(|a| self.unscaled(a, v)).collect();
+        let greatest = direction.iter().fold(0.0_f64, |g, row| {
+            let x = row[..3].iter().fold(0.0_f64, |m, u| m.max(u.abs())) / spacing;
+            let d = row[3..].iter().fold(0.0_f64, |m, u| m.max(u.abs()));
+            g.max(x).max(d)
+        });
+        if greatest == 0.0 {
+            out.fill(0.0);
+            return;
+        }
+        let eps = PERTURBATION / greatest;
+        let home = self.state.clone();
+        let mut forces = [vec![[0.0; 6]; home.len()], vec![[0.0; 6]; home.len()]];
+        for (sign, force) in [1.0, -1.0].into_iter().zip(&mut forces) {
+            for (row, (old, u)) in self.state.iter_mut().zip(home.iter().zip(&direction)) {
+                for k in 0..6 {
+                    row[k] = old[k] + sign * eps * u[k];
+                }
+                let scale = 1.0 / (row[3] * row[3] + row[4] * row[4] + row[5] * row[5]).sqrt();
+                for value in &mut row[3..] {
+                    *value *= scale;
+                }
+            }
+            self.evaluate_internal(false);
+            for (a, row) in force.iter_mut().enumerate() {
+                *row = self.internal_force(a);
+            }
+        }
+        self.state = home;
+        let [plus, minus] = forces;
+        for a in 0..self.len() {
+            let mut f = [0.0; 6];
+            for k in 0..6 {
+                f[k] = (plus[a][k] - minus[a][k]) / (2.0 * eps);
+            }
+            out[6 * a..6 * a + 6].copy_from_slice(&self.free_part(a, f));
+        }
+    }
+}
+
+impl MassScaled for Shell {
+    fn out_of_balance(&self, out: &mut [f64]) {
+        for (a, out) in out.chunks_exact_mut(6).enumerate() {
+            let (internal, external) = (self.internal_force(a), self.external_force(a));
+            out.copy_from_slice(&self.free_part(a, std::array::from_fn(|k| external[k] - internal[k])));
+        }
+    }
+
+    fn rates(&self, out: &mut [f64]) {
+        for (a, (rate, out)) in self.rates.iter().zip(out.chunks_exact_mut(6)).enumerate() {
+            let [x, d] = self.mass_scale(a);
+            for (k, value) in out.iter_mut().enumerate() {
+                *value = rate[k] / if k < 3 { x } else { d };
+            }
+        }
+    }
+
+    fn displaced(&self) -> f64 {
+        let cloud = &self.reference.cloud;
+        let square = |a: usize| {
+            let (u, rotation) = (self.displacement(a), self.director(a) - cloud.frames[a].n);
+            self.reference.masses[a] * u.norm_squared() + self.reference.inertias[a] * rotation.norm_squared()
+        };
+        (0..self.len()).map(square).sum::<f64>().sqrt()
+    }
+}
+
+impl Shell {
+    fn mass_scale(&self, a: usize) -> [f64; 2] {
+        [1.0 / self.reference.masses[a].sqrt(), 1.0 / self.reference.inertias[a].sqrt()]
+    }
+
+    /// `M^{-½} v` of particle `a`, without what supports and the unit length of the director forbid.
+    fn unscaled(&self, a: usize, v: &[f64]) -> Row {
+        let row: Row = std::array::from_fn(|k| v[6 * a + k]);
+        self.free_part(a, row)
+    }
+
+    fn free_part(&self, a: usize, mut f: Row) -> Row {
+        let row = &self.state[a];
+        let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
+        for k in 3..6 {
+            f[k] -= along * row[k];
+        }
+        if let Some(constraint) = self.constraint(a) {
+            let v = constraint.free_translation([f[0], f[1], f[2]]);
+            let w = constraint.free_rotation([f[3], f[4], f[5]]);
+            f = [v[0], v[1], v[2], w[0], w[1], w[2]];
+        }
+        let [x, d] = self.mass_scale(a);
+        std::array::from_fn(|k| f[k] * if k < 3 { x } else { d })
+    }
+}
