@@ -113,6 +113,8 @@
 //! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/standing.rs) |
 //! | ramps start and end at rest | `smooth_starts_and_ends_without_velocity_or_acceleration` (src/amplitude.rs) |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod amplitude;
 mod clock;
 mod damping;

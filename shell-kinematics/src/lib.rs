@@ -136,6 +136,8 @@
 //! | laminates: positive definite, turned plies a turned stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `turned_plies_are_a_turned_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod frame;
 mod integrated_section;
 mod layered_section;

@@ -99,24 +99,20 @@
 //! | cases and their runs can be told apart | `cases_and_their_runs_can_be_told_apart` (src/cases/mod.rs) |
 //! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/measure.rs) |
 
-pub mod answers;
-pub mod case;
 pub mod cases;
-pub mod measure;
-pub mod measured;
-pub mod option_cost;
-pub mod outcome;
-pub mod pictured;
-pub mod record;
+pub mod judge;
 pub mod report;
-pub mod run;
-pub mod survival;
-pub mod table;
+pub mod tables;
 
 mod error;
+mod figures;
+mod format;
+mod methods;
+mod metric_names;
+mod support;
 
-pub use case::{Case, Run, Runs, Variant};
 pub use error::JudgeError;
-pub use outcome::{Outcome, Solver};
-pub use record::{Found, Metric, Record, Verdict};
-pub use run::{CaseResult, Selection, judge};
+pub use judge::{
+    Case, CaseResult, Found, Metric, Outcome, Record, Run, Runs, Selection, Solver, Variant, Verdict,
+    exit_code, judge,
+};

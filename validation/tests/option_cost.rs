@@ -10,8 +10,8 @@ use coque::Silent;
 use explicit_dynamics::{Observer, Record, Transient};
 use sph_shell::Shell;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
-use validation::option_cost::{
-    BARE, CLAMPED, Extent, Row, model, shell_without_scene, sit, stir, table_rows,
+use validation::cases::option_cost::{
+    BARE, CLAMPED, Extent, Row, measure_row, model, shell_without_scene, stir, table_rows,
 };
 
 #[global_allocator]
@@ -129,9 +129,9 @@ fn an_option_holds_its_own_arrays_and_no_other() {
 #[test]
 fn no_step_of_a_bare_scene_allocates() {
     let _alone = alone();
-    let sitting = sit(&row(12, BARE), 12, 200).unwrap();
+    let measurement = measure_row(&row(12, BARE), 12, 200).unwrap();
     // The test harness may allocate on its own thread now and then; a step that did would count 200.
-    let counted = sitting.allocations.unwrap();
+    let counted = measurement.allocations.unwrap();
     assert!(counted < 20, "{counted} allocations in 200 steps");
 }
 
@@ -139,8 +139,8 @@ fn no_step_of_a_bare_scene_allocates() {
 fn a_row_in_each_step_is_seen_by_the_allocator() {
     // The counterpart of the test above: what is named is paid for, and counted.
     let _alone = alone();
-    let sitting = sit(&row(12, "energy balance at every step"), 12, 200).unwrap();
-    assert!(sitting.allocations.unwrap() >= 200);
+    let measurement = measure_row(&row(12, "energy balance at every step"), 12, 200).unwrap();
+    assert!(measurement.allocations.unwrap() >= 200);
 }
 
 #[test]

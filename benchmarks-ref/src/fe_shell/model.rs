@@ -2,10 +2,11 @@
 
 use super::assembly::Assembly;
 use super::director::Director;
-use super::element::{self, Forces, Stresses, Tangent};
+use super::element::{self, Forces, Stresses};
 use super::geometry::{Corners, Geometry};
 use super::load::{Load, shares};
 use super::mesh::Mesh;
+use super::rows::Tangent;
 use super::section::Section;
 use super::support::{Frame, Support, frame};
 use implicit_statics::Equilibrium;
