@@ -62,7 +62,7 @@ enum Task {
 
     /// Lay out a new benchmark: a scene, a case file, and the line that lists it
     ///
-    /// Writes scenes/NAME.toml and validation/src/cases/NAME.rs (with underscores) from templates that explain
+    /// Writes scenes/NAME.toml and validation/src/cases/shell/NAME.rs (with underscores) from templates that explain
     /// each entry, and prints what is left to do by hand.
     /// NAME is kebab-case, such as pinched-cylinder; an existing name is refused.
     NewCase(new_case::Options),

@@ -18,9 +18,9 @@ mod plate_frequencies;
 pub mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
-mod rotated;
 mod scordelis_lo;
 mod thin_ring;
+mod turned;
 mod twisted_beam;
 
 use crate::Case;
@@ -48,7 +48,7 @@ pub fn all() -> Vec<Case> {
         open_cylinder::case(),
         pinched_cylinder_large::case(),
         point_load_smoothness::case(),
-        rotated::case(),
+        turned::case(),
         patch_test::case(),
     ]
 }
