@@ -100,6 +100,8 @@
 //! | elements: patch tests on distorted meshes | `a_homogeneous_stretch_of_any_size_is_in_balance_on_a_distorted_mesh`, `constant_curvatures_are_in_balance_on_a_distorted_mesh` |
 //! | elements: published problems | `the_linear_obstacle_course`, `the_panel_snaps_through`, `point_forces_on_doubly_curved_shells` and others (tests/fe_shell_cases.rs) |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 pub mod catalogue;
 pub mod curve;
 pub mod elastica;

@@ -116,6 +116,8 @@
 //! | a system behind `dyn Dynamics` marches to the same bits; one without a measure of rest is refused | `a_system_without_a_type_marches_to_the_same_bits`, `a_system_that_does_not_say_when_it_rests_is_refused` (tests/any_system.rs) |
 //! | ramps start and end at rest | `smooth_starts_and_ends_without_velocity_or_acceleration` (src/amplitude.rs) |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod amplitude;
 mod clock;
 mod damping;

@@ -147,6 +147,8 @@
 //! | levels of either sign; a load that stretches is told so | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod bounds;
 mod branch;
 mod buckling;

@@ -133,6 +133,8 @@
 //! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod integrated_section;
 mod layered_section;
 mod pack;

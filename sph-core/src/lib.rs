@@ -130,6 +130,8 @@
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod error;
 mod kernel;
 mod neighbours;

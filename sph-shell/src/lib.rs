@@ -199,6 +199,8 @@
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
 //! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march.rs) |
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod conditions;
 mod control;
 mod error;

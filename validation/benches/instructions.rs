@@ -6,7 +6,7 @@
 
 use std::process::Command;
 
-use validation::option_cost::{BARE, Extent, Row, sit, table_rows};
+use validation::cases::option_cost::{BARE, Extent, Row, measure_row, table_rows};
 
 /// Few enough particles for valgrind.
 const SIDE: usize = 20;
@@ -25,7 +25,7 @@ fn main() {
         && child == "--child"
     {
         let row = &rows()[which.parse::<usize>().expect("a number")];
-        sit(row, SIDE, steps.parse().expect("a number")).expect("a sound scene");
+        measure_row(row, SIDE, steps.parse().expect("a number")).expect("a sound scene");
         return;
     }
     let mut bare = None;

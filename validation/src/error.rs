@@ -57,6 +57,14 @@ pub enum JudgeError {
         /// Its grid.
         grid: String,
     },
+    /// A run is asked for that the case does not have.
+    #[error("the case has no variant {method} {grid}: correct the name where it is asked for")]
+    NoVariant {
+        /// The method that was asked for.
+        method: String,
+        /// The grid that was asked for.
+        grid: String,
+    },
     /// A reference is missing or does not cover the range.
     #[error(transparent)]
     Reference(#[from] ReferenceError),

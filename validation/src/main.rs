@@ -7,8 +7,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
-use validation::option_cost::what_each_option_costs;
-use validation::{JudgeError, Record, Selection, cases, judge, report, run, table};
+use validation::cases::{self, option_cost};
+use validation::{Case, JudgeError, Record, Selection, exit_code, judge, report, tables};
 
 /// Counts what is allocated, for the memory that each option costs.
 #[global_allocator]
@@ -64,7 +64,7 @@ Exit codes: 0 every tolerance kept, 1 a tolerance missed, 2 not judged (unknown 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     if cli.list {
-        for case in if cli.hard { cases::hard() } else { cases::all() } {
+        for case in cli.all() {
             let quick = case.variants.iter().filter(|variant| variant.quick).count();
             println!("{:<22} {} ({} runs, {quick} quick)", case.name, case.title, case.variants.len());
         }
@@ -79,6 +79,13 @@ fn main() -> ExitCode {
     }
 }
 
+impl Cli {
+    /// The usual cases, or the hard ones.
+    fn all(&self) -> Vec<Case> {
+        if self.hard { cases::hard() } else { cases::usual() }
+    }
+}
+
 fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let selection = Selection {
@@ -87,10 +94,10 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         names: cli.cases.clone(),
         jobs: cli.jobs.unwrap_or_else(cores),
     };
-    let results = judge(&selection, &|line| eprintln!("{line}"))?;
-    print!("{}", table::table(&results));
-    if let Some(costs) = what_each_option_costs(&results) {
-        println!("\n{}", table::numbers(&costs));
+    let results = judge(cli.all(), &selection, &|line| eprintln!("{line}"))?;
+    print!("{}", tables::table(&results));
+    if let Some(result) = results.iter().find(|result| result.case.name == option_cost::NAME) {
+        println!("\n{}", tables::numbers(&option_cost::table(&result.runs)?));
     }
     if let Some(file) = &cli.json {
         let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
@@ -103,7 +110,7 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         .and_then(|()| fs::write(&page, html))
         .map_err(|error| write_error(&page, &error))?;
     println!("report: {}", page.display());
-    Ok(run::exit_code(&results))
+    Ok(exit_code(&results))
 }
 
 fn write_error(path: &std::path::Path, error: &impl ToString) -> JudgeError {

@@ -6,12 +6,12 @@ use std::alloc::System;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use coque::Silent;
+use coque::{Body, Silent};
 use explicit_dynamics::{Observer, Record, Transient};
 use sph_shell::Shell;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
-use validation::option_cost::{
-    BARE, CLAMPED, Extent, Row, model, shell_without_scene, sit, stir, table_rows,
+use validation::cases::option_cost::{
+    BARE, CLAMPED, Extent, Row, measure_row, model, shell_without_scene, stir, table_rows,
 };
 
 #[global_allocator]
@@ -52,16 +52,16 @@ fn a_bare_scene_marches_the_bits_of_the_layers_below() {
     let times = format!("{{ duration = {duration:e}, record_every = {duration:e} }}");
     bare.set.push(("analysis.explicit.transient".into(), times));
     let mut through_coque = model(&bare).unwrap();
-    stir(&mut through_coque.shell);
-    let outcome = through_coque.run(&mut Silent);
     let mut shell = shell_without_scene(9).unwrap();
     stir(&mut shell);
+    through_coque.body.body_mut().set_state(&Body::state(&shell)).unwrap();
+    let outcome = through_coque.run(&mut Silent);
     let run = Transient { duration, record_every: duration, damping: 0.0, safety: 0.8 };
     let clock = run.march(&mut shell, &mut Blind).unwrap();
     assert!(clock.steps > 30, "{} steps", clock.steps);
-    assert_eq!(outcome.summary.steps, clock.steps);
+    assert_eq!(outcome.summary.record.steps, clock.steps);
     // The last record drifts on by one step after the shape is kept: what is compared is the curve's last row of energies.
-    let energies = outcome.summary.energies;
+    let energies = outcome.summary.record.energies;
     let last = clock.last_good().unwrap().energy;
     assert_eq!(energies.kinetic.to_bits(), last.kinetic.to_bits());
     assert_eq!(energies.internal.to_bits(), last.internal.to_bits());
@@ -82,7 +82,7 @@ fn a_bare_scene_holds_no_array_beyond_the_shell() {
         drop(shell);
         let start = held();
         let model = model(&bare).unwrap();
-        assert_eq!(model.shell.bytes_per_particle(), bytes);
+        assert_eq!(model.description.bytes_per_particle, bytes);
         held() - start - of_shell
     };
     // 3200 particles more: the smallest array there could be, of one byte each, would show.
@@ -94,7 +94,7 @@ fn a_bare_scene_holds_no_array_beyond_the_shell() {
 fn an_option_holds_its_own_arrays_and_no_other() {
     let _alone = alone();
     let rows = all(12);
-    let bytes = |row: &Row| model(row).unwrap().shell.bytes_per_particle();
+    let bytes = |row: &Row| model(row).unwrap().description.bytes_per_particle;
     let bare = bytes(&row(12, BARE));
     for (name, more) in [
         // One row of external forces, six numbers of eight bytes, whatever the load.
@@ -129,9 +129,9 @@ fn an_option_holds_its_own_arrays_and_no_other() {
 #[test]
 fn no_step_of_a_bare_scene_allocates() {
     let _alone = alone();
-    let sitting = sit(&row(12, BARE), 12, 200).unwrap();
+    let measurement = measure_row(&row(12, BARE), 12, 200).unwrap();
     // The test harness may allocate on its own thread now and then; a step that did would count 200.
-    let counted = sitting.allocations.unwrap();
+    let counted = measurement.allocations.unwrap();
     assert!(counted < 20, "{counted} allocations in 200 steps");
 }
 
@@ -139,8 +139,8 @@ fn no_step_of_a_bare_scene_allocates() {
 fn a_row_in_each_step_is_seen_by_the_allocator() {
     // The counterpart of the test above: what is named is paid for, and counted.
     let _alone = alone();
-    let sitting = sit(&row(12, "energy balance at every step"), 12, 200).unwrap();
-    assert!(sitting.allocations.unwrap() >= 200);
+    let measurement = measure_row(&row(12, "energy balance at every step"), 12, 200).unwrap();
+    assert!(measurement.allocations.unwrap() >= 200);
 }
 
 #[test]

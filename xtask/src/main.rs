@@ -45,11 +45,12 @@ enum Task {
     /// `test`, then the full validation with its report in target/ci-report
     Ci,
 
-    /// Check what the compiler cannot: layers between crates, conventions in sources, citations
+    /// Check what the compiler cannot: layers between crates, circles of modules, conventions in sources, citations
     ///
     /// Layers: leaves use no crate of ours, a model uses no model, only `validation` reads benchmarks-ref.
-    /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, leftovers (todo, dbg, ignored
-    /// tests) or paths of one machine; input and output only in coque, validation and xtask.
+    /// Circles: in every folder of a crate the modules use each other without one.
+    /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, ignored tests, numbers of issues or
+    /// paths of one machine; files and streams only in mesh-io, coque, validation and xtask.
     /// Citations: every key in square brackets has its entry in references.bib.
     Tidy,
 
@@ -61,7 +62,7 @@ enum Task {
 
     /// Lay out a new benchmark: a scene, a case file, and the line that lists it
     ///
-    /// Writes scenes/NAME.toml and validation/src/cases/NAME.rs (with underscores) from templates that explain
+    /// Writes scenes/NAME.toml and validation/src/cases/shell/NAME.rs (with underscores) from templates that explain
     /// each entry, and prints what is left to do by hand.
     /// NAME is kebab-case, such as pinched-cylinder; an existing name is refused.
     NewCase(new_case::Options),

@@ -55,8 +55,8 @@ impl Name {
             "left to do:\n\
              1. describe the problem in scenes/{{name}}.toml and look at it: coque run scenes/{{name}}.toml\n\
              2. put the reference into benchmarks-ref/data and its line into benchmarks-ref/src/catalogue.rs\n\
-             3. state metric and tolerance with its reason in validation/src/cases/{{snake}}.rs\n\
-             4. add to validation/src/cases/mod.rs:  mod {{snake}};  and to its list of cases:  {{snake}}::case(),\n\
+             3. state metric and tolerance with its reason in validation/src/cases/shell/{{snake}}.rs\n\
+             4. add to validation/src/cases/shell/mod.rs:  mod {{snake}};  and to its list of cases:  {{snake}}::case(),\n\
              5. judge it: cargo xtask validate --case {{name}}",
         )
     }
@@ -66,7 +66,7 @@ impl Name {
 fn lay_out(name: &Name, root: &Path) -> Result<Vec<PathBuf>, String> {
     let files = [
         (PathBuf::from(format!("scenes/{}.toml", name.kebab)), SCENE),
-        (PathBuf::from(format!("validation/src/cases/{}.rs", name.snake)), CASE),
+        (PathBuf::from(format!("validation/src/cases/shell/{}.rs", name.snake)), CASE),
     ];
     if let Some((path, _)) = files.iter().find(|(path, _)| root.join(path).exists()) {
         return Err(format!("{} exists already; choose another name, or edit that file", path.display()));
@@ -107,7 +107,10 @@ mod tests {
         let second = lay_out(&name, &root);
         fs::remove_dir_all(&root).unwrap();
 
-        assert_eq!(written, [Path::new("scenes/made-up.toml"), Path::new("validation/src/cases/made_up.rs")]);
+        assert_eq!(
+            written,
+            [Path::new("scenes/made-up.toml"), Path::new("validation/src/cases/shell/made_up.rs")]
+        );
         for text in &texts {
             assert!(text.contains("made-up") && !text.contains("{{"), "{text}");
         }

@@ -1,4 +1,4 @@
-//! Numbering of the free freedoms, the tangent's pattern, and where each element adds to it.
+//! Numbering of the free degrees of freedom, the tangent's pattern, and where each element adds to it.
 
 use super::support::Frame;
 
@@ -25,7 +25,7 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// Numbers the freedoms that the frames leave, node by node, and finds the pattern.
+    /// Numbers the degrees of freedom that the frames leave, node by node, and finds the pattern.
     pub fn new(frames: &[Frame], elements: impl Iterator<Item = [usize; 4]>) -> Self {
         let mut owners = Vec::new();
         let numbers: Vec<[Option<usize>; FREEDOMS]> = frames

@@ -5,15 +5,12 @@ use super::geometry::{
 };
 use super::membrane::Ties;
 use super::point::{self, Measures};
-use super::rows::{self, Rows};
+use super::rows::{self, Rows, Tangent};
 use super::section::Stiffness;
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 
 /// Forces: the four positions' three components each, then the four directors'.
 pub type Forces = SVector<f64, 24>;
-
-/// Second derivatives of the energy in the order of [`Forces`], directors taken as free vectors.
-pub type Tangent = SMatrix<f64, 24, 24>;
 
 /// The motion as the strains see it: vectors along the edges.
 struct Motion {

@@ -1,6 +1,6 @@
 //! An implicit finite-element shell: the cross-check of the particle shell, written without its mechanics.
 //!
-//! Four nodes with five freedoms each: a position x and a unit director d that moves along great circles. Both are
+//! Four nodes with five degrees of freedom each: a position x and a unit director d that moves along great circles. Both are
 //! bilinear over the element, the mid-surface and the director field carry resultants (degenerated solid). Strains are
 //! covariant differences to the reference configuration, measured along edges:
 //!

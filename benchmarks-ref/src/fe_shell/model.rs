@@ -2,10 +2,11 @@
 
 use super::assembly::Assembly;
 use super::director::Director;
-use super::element::{self, Forces, Stresses, Tangent};
+use super::element::{self, Forces, Stresses};
 use super::geometry::{Corners, Geometry};
 use super::load::{Load, shares};
 use super::mesh::Mesh;
+use super::rows::Tangent;
 use super::section::Section;
 use super::support::{Frame, Support, frame};
 use implicit_statics::Equilibrium;
@@ -181,7 +182,7 @@ impl Model {
         }
     }
 
-    /// Adds a force and a force on the director to the freedoms of a node.
+    /// Adds a force and a force on the director to the degrees of freedom of a node.
     fn add(&self, node: usize, force: &Vector3<f64>, on_director: &Vector3<f64>, out: &mut [f64]) {
         let tangents = self.directors[node].axes();
         for freedom in 0..5 {
@@ -202,7 +203,7 @@ impl Model {
         }
     }
 
-    /// The element's tangent by its twenty freedoms: the lower triangle.
+    /// The element's tangent by its twenty degrees of freedom: the lower triangle.
     ///
     /// Directors move on spheres: the second derivative along a great circle is −d, hence −(f_d·d) on the diagonal.
     fn project(&self, nodes: &[usize; 4], forces: &Forces, tangent: &Tangent) -> [[f64; 20]; 20] {

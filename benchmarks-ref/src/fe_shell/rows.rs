@@ -1,13 +1,15 @@
 //! Derivatives of a point's measures by the nodal vectors, and their product with a point's tangent.
 
-use super::element::Tangent;
 use super::geometry::{EDGES, mid_lines};
 use super::membrane::Spread;
 use super::point::Curvature;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 /// Columns: the components of the four positions, then of the four directors.
 const COLUMNS: usize = 24;
+
+/// Second derivatives of an element's energy by these components, directors taken as free vectors.
+pub type Tangent = SMatrix<f64, COLUMNS, COLUMNS>;
 
 /// Derivatives of the tied membrane strains by the positions' components.
 pub type TieRows = [[f64; 12]; 5];

@@ -53,7 +53,7 @@ impl Support {
     }
 }
 
-/// The freedoms of one node: three displacements along `axes`, the first `held` of which are zero, then the director's.
+/// The degrees of freedom of one node: three displacements along `axes`, the first `held` of which are zero, then the director's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// Orthonormal directions of displacement.

@@ -1,26 +1,14 @@
 //! The page: one file, no scripts, drawings inline.
 
-use super::Figure;
-use crate::answers::{overview, side_by_side};
-use crate::cases::dial;
-use crate::option_cost::what_each_option_costs;
-use crate::pictured::Pictured;
-use crate::record::{Metric, Record};
-use crate::run::{CaseResult, REST, Selection};
-use crate::survival::survival;
-use crate::table::{counts, short, unit, words};
-use crate::{JudgeError, Run};
+use super::cost::cost_chart;
+use crate::JudgeError;
+use crate::figures::{Figure, escape};
+use crate::format::short;
+use crate::judge::{CaseResult, Metric, Pictured, Record, Run, Selection};
+use crate::metric_names::REST;
+use crate::tables::{counts, overview, side_by_side, survival, unit, words};
 
 const STYLE: &str = include_str!("style.css");
-
-/// Text made safe for HTML.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('\'', "&#39;")
-        .replace('"', "&quot;")
-}
 
 /// The whole report.
 ///
@@ -39,9 +27,6 @@ pub fn html(results: &[CaseResult], selection: &Selection) -> Result<String, Jud
     let answers = overview(results)?;
     if !answers.rows.is_empty() {
         page.push_str(&show(&Figure::Numbers(answers))?);
-    }
-    if let Some(costs) = what_each_option_costs(results) {
-        page.push_str(&show(&Figure::Numbers(costs))?);
     }
     page.push_str(&summary(results));
     for result in results {
@@ -77,7 +62,7 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
 fn summary(results: &[CaseResult]) -> String {
     let mut rows = String::new();
     for result in results {
-        for (number, (run, record)) in result.runs.0.iter().zip(&result.records).enumerate() {
+        for (number, (run, record)) in result.runs.iter().zip(&result.records).enumerate() {
             let first = if number == 0 {
                 let name = escape(&record.case);
                 let height = result.records.len();
@@ -134,7 +119,7 @@ fn case(result: &CaseResult) -> Result<String, JudgeError> {
     if let Some(picture) = &result.picture {
         text.push_str(&drawing(case.name, picture)?);
     }
-    for figure in dial::cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
+    for figure in cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
         text.push_str(&show(&figure)?);
     }
     text.push_str(&metrics(result));
@@ -178,7 +163,7 @@ fn show(figure: &Figure) -> Result<String, JudgeError> {
 
 fn metrics(result: &CaseResult) -> String {
     let mut rows = String::new();
-    for (run, record) in result.runs.0.iter().zip(&result.records) {
+    for (run, record) in result.runs.iter().zip(&result.records) {
         for (number, metric) in record.metrics.iter().enumerate() {
             let first = if number == 0 {
                 format!(

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use serde_json::{Value, json};
-use validation::record::{Metric, Table};
+use validation::judge::record::{Metric, Table};
 use validation::{CaseResult, Record, Run};
 
 use crate::Faults;
@@ -77,7 +77,7 @@ fn record((run, record): (&Run, &Record)) -> Value {
 /// Cases that differ from their snapshots; each difference is printed and left as `.snap.new` beside the snapshot.
 pub fn changed(results: &[CaseResult]) -> Faults {
     let agrees = |result: &CaseResult| {
-        let records: Vec<Value> = result.runs.0.iter().zip(&result.records).map(record).collect();
+        let records: Vec<Value> = result.runs.iter().zip(&result.records).map(record).collect();
         insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false }, {
             insta::assert_json_snapshot!(result.case.name, records);
         });

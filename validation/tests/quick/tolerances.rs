@@ -30,7 +30,7 @@ pub fn missed(results: &[CaseResult]) -> Faults {
             ));
         }
     }
-    let code = validation::run::exit_code(results);
+    let code = validation::exit_code(results);
     if code != 0 {
         missed.push(format!("the program would end with exit code {code}"));
     }
@@ -58,7 +58,7 @@ pub fn without_reason(results: &[CaseResult]) -> Faults {
 
 /// Cases that the printed table or the HTML report do not show, and a report that is not whole or runs scripts.
 pub fn left_out(results: &[CaseResult]) -> Faults {
-    let table = validation::table::table(results);
+    let table = validation::tables::table(results);
     let selection = Selection { quick: true, hard: false, names: Vec::new(), jobs: 1 };
     let report = match validation::report::html(results, &selection) {
         Ok(report) => report,

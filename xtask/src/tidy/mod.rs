@@ -1,8 +1,9 @@
 //! `cargo xtask tidy`: rules that the compiler cannot check, one line for each violation and how to repair it.
 
+mod circles;
 mod citations;
 mod layers;
-mod mask;
+mod paths;
 mod sources;
 mod tree;
 
@@ -43,6 +44,7 @@ pub fn run() -> Result<(), String> {
 
     let mut violations = layers::check(&packages);
     violations.extend(files.iter().flat_map(sources::check));
+    violations.extend(circles::check(&files));
     violations.extend(citations.violations);
     violations.sort();
 

@@ -51,7 +51,7 @@ pub struct Solved {
     pub nodes: usize,
     /// Mean spacing of the nodes: the square root of their mean area \[L\].
     pub spacing: f64,
-    /// Free freedoms.
+    /// Free degrees of freedom.
     pub unknowns: usize,
     /// Tangents factorised; one for a linear case.
     pub iterations: usize,

@@ -7,13 +7,13 @@ use explicit_dynamics::{Dynamics, MarchError, Observer, Record, Transient};
 use implicit_statics::{Newton, NewtonOptions};
 use sph_shell::{Shell, StaticShell};
 
-use super::bare::{ENERGY, SHOWN, figure, in_time, model, outcome};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{self, CELL};
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::CELL;
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, SHOWN, figure, in_time, outcome, shell};
 use crate::{JudgeError, Metric};
 
-const SCENE: &str = include_str!("../../../../scenes/ring.toml");
 /// Part of the moment that rolls the strip into a ring; the tip starts at about .7 of the length above the clamp.
 const LEVEL: f64 = 0.25;
 /// The usual part of the limit.
@@ -33,9 +33,8 @@ pub fn case() -> Case {
         citation: "reference: the energy given at the start",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: DRIFT, floor: 1e-6, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(DRIFT, 1e-6)),
+        ..Case::default()
     }
 }
 
@@ -47,11 +46,11 @@ fn variants() -> Vec<Variant> {
 }
 
 fn variant(method: &str, steps: u64) -> Variant {
-    let strip = || dial::variant(method, SCENE, "plate", [25, 3]);
+    let strip = || Variant::new(method, scenes::RING, "plate", [25, 3]);
     let bent = strip().set("analysis.static.levels", 1);
     let free = in_time(strip().set("loads", "[]"), 1.0, 1.0);
     Variant::study(method, "25×3 released", move || {
-        let shell = let_go(model(&bent, 1)?.shell, model(&free, 1)?.shell)?;
+        let shell = let_go(shell(&bent)?, shell(&free)?)?;
         swing(shell, steps)
     })
 }

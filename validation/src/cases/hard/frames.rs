@@ -8,11 +8,11 @@ use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, Frame, Side, Vec3};
 use sph_shell::{AppliedLoad, Force, Formulation, Held, Parts, Shell, Supported, SymmetryPlane};
 
-use super::bare::{RandomNumbers, SHOWN, figure, in_time, jittered, march, model, outcome};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{self, CELL, NODAL_1, NODAL_2, STRONG_12, WIDE_14, WIDE_30};
-use crate::cases::hemisphere::SCENE;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::{CELL, NODAL_1, NODAL_2, STRONG_12, WIDE_14, WIDE_30};
+use crate::support::scenes;
+use crate::support::studies::{RandomNumbers, SHOWN, figure, in_time, jittered, march, outcome, shell};
 use crate::{JudgeError, Metric};
 
 const OFF: &str = "off the usual answer";
@@ -39,16 +39,15 @@ pub fn case() -> Case {
         citation: "reference: the same body as it was",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: OFF, floor: 1e-12, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(OFF, 1e-12)),
+        ..Case::default()
     }
 }
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for method in [CELL, WIDE_14, WIDE_30, NODAL_1, NODAL_2, STRONG_12] {
-        let plain = in_time(dial::variant(method, SCENE, "sphere", [11, 11]), 1.0, 1.0);
+        let plain = in_time(Variant::new(method, scenes::HEMISPHERE, "sphere", [11, 11]), 1.0, 1.0);
         let mut clouds = vec![plain.clone()];
         if method == CELL {
             clouds.push(jittered(plain, "sphere"));
@@ -67,7 +66,7 @@ fn variants() -> Vec<Variant> {
 /// Marches the body as it was and turned; the difference, turned back.
 fn compare(scene: &Variant, turned: Turned) -> Result<Outcome, String> {
     let started = Instant::now();
-    let built = model(scene, 1)?.shell;
+    let built = shell(scene)?;
     let (cloud, formulation) = (built.reference().cloud.clone(), *built.formulation());
     let mut dice = RandomNumbers(7);
     for _ in 0..8 {

@@ -2,9 +2,8 @@
 //!
 //! A case that fails stays in the table, asserted as it is, with the cause.
 
-mod bare;
 mod bodies;
-mod common;
+mod causes;
 mod crease;
 mod disorder;
 mod energy_drift;
@@ -12,13 +11,10 @@ mod frames;
 mod hemisphere_in_time;
 mod large;
 mod loads;
-mod meshes;
-mod misses;
 mod noise;
 mod numbers;
 mod point_driven;
 mod same_bits;
-mod sheets;
 mod spin;
 mod step_estimate;
 mod step_limit;
@@ -29,7 +25,6 @@ mod unstructured;
 mod zero_energy;
 
 use crate::Case;
-pub use common::ERROR;
 
 /// Every hard case, in the order of the survival table.
 #[rustfmt::skip] // one line a case

@@ -7,11 +7,11 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 use sph_core::Vec3;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, figure, free, jittered, march, outcome, stir, study};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{CELL, STRONG_12};
-use crate::cases::plate::of_thickness;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::cases::shell::plate::of_thickness;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::{CELL, STRONG_12};
+use crate::support::studies::{ENERGY, SHOWN, figure, free, jittered, march, outcome, stir, study};
 use crate::{JudgeError, Metric};
 
 const BLOCKS: u64 = 200;
@@ -33,9 +33,8 @@ pub fn case() -> Case {
         citation: "reference: the energy given at the start",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: GROWTH, floor: 0.01, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(GROWTH, 0.01)),
+        ..Case::default()
     }
 }
 

@@ -8,14 +8,14 @@ use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{EndWeights, Plate, Side, Vec3, lattice};
 use sph_shell::{AppliedLoad, Clamped, Force, Formulation, Parts, Shell, Supported};
 
-use super::bare::{ENERGY, SHOWN, figure, march, model, outcome};
-use crate::case::{Booked, Case, Headline, Published, Run, Runs, Variant};
-use crate::cases::dial::{self, CELL, STATIC};
-use crate::measure::largest;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::measure::largest;
+use crate::judge::{Case, Headline, Run, Runs, Variant};
+use crate::methods::{CELL, STATIC};
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, SHOWN, figure, march, outcome, shell};
 use crate::{JudgeError, Metric};
 
-const RING: &str = include_str!("../../../../scenes/ring.toml");
 const LENGTH: f64 = 10.0;
 /// Powers of ten of length, force and time.
 const UNITS: [[i32; 3]; 6] = [[9, 0, 0], [-9, 0, 0], [0, 9, 0], [0, -9, 0], [0, 0, 9], [0, 0, -9]];
@@ -30,21 +30,20 @@ pub fn case() -> Case {
                 force of 1e-300 of the usual one. Differences in parts of the tip's displacement.",
         citation: "reference: the same body at the origin, in usual units",
         variants: variants(),
-        each,
-        together,
-        headline: Some(Headline { metric: OFF, floor: 1e-12, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(OFF, 1e-12)),
+        ..Case::default()
     }
 }
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for method in ENERGY {
-        let any = dial::variant(method, RING, "plate", [25, 3]);
-        let formulation = move || model(&any, 1).map(|model| *model.shell.formulation());
+        let any = Variant::new(method, scenes::RING, "plate", [25, 3]);
+        let formulation = move || shell(&any).map(|shell| *shell.formulation());
         let other = formulation.clone();
-        variants.push(Variant::study(method, "25×3 at 10⁶ lengths", move || offset(formulation()?)));
-        variants.push(Variant::study(method, "25×3 force 1e-300", move || denormal(other()?)));
+        let offset = Variant::study(method, "25×3 at 10⁶ lengths", move || offset(formulation()?));
+        let denormal = Variant::study(method, "25×3 force 1e-300", move || denormal(other()?));
+        variants.extend([offset.judged(far_off), denormal.judged(hardly_loaded)]);
     }
     for method in [CELL, STATIC] {
         variants.push(in_units(method, [0; 3]).quick());
@@ -56,7 +55,7 @@ fn variants() -> Vec<Variant> {
 /// The strip at half the moment, numbers as they read in other units.
 fn in_units(method: &str, powers: [i32; 3]) -> Variant {
     let [l, f, t] = powers.map(|power| 10.0_f64.powi(power));
-    let strip = Variant::new(method, RING, "plate", [25, 3])
+    let strip = Variant::new(method, scenes::RING, "plate", [25, 3])
         .set("geometry.plate.lengths", format!("[{:e}, {:e}]", LENGTH * l, l))
         .set("material.elastic.young", format!("{:e}", 1200.0 * f / (l * l)))
         .set("material.elastic.density", format!("{:e}", f * t * t / (l * l * l * l)))
@@ -69,7 +68,11 @@ fn in_units(method: &str, powers: [i32; 3]) -> Variant {
             .set("analysis.explicit.quasi-static.levels", "[0.5]")
             .set("analysis.explicit.quasi-static.period", format!("{:e}", 17.9 * t))
     };
-    strip.on(&format!("units 1e{}, 1e{}, 1e{}", powers[0], powers[1], powers[2]))
+    strip.on(&units(powers)).judged(move |run, runs| scaled(run, runs, powers[0]))
+}
+
+fn units([length, force, time]: [i32; 3]) -> String {
+    format!("units 1e{length}, 1e{force}, 1e{time}")
 }
 
 /// A clamped strip far away, under an end force across.
@@ -139,46 +142,40 @@ fn denormal(formulation: Formulation) -> Result<Outcome, String> {
     Ok(outcome(&shell, STEPS / 5, started, &figures, None))
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    if run.variant.grid.ends_with("lengths") {
-        return Ok(vec![
-            figure(run, OFF, "-")?.within(
-                1e-6,
-                "asked: 1e-6; positions of 10⁷ keep 1e-9, which each step rounds anew: 3e-8 to 7e-8 is left after 5000",
-            ),
-            figure(run, "stable step, off", "-")?
-                .shown("differences of forces at perturbations of 1e-5 spacings: 1e-9 of a position is 1e-4 of those"),
-            figure(run, "tip", "L")?.shown(SHOWN),
-        ]);
-    }
-    if run.variant.grid.ends_with("1e-300") {
-        return Ok(vec![
-            figure(run, OFF, "-")?.within(
-                1e-13,
-                "below the rounding of positions no displacement can be kept; what is asked is that nothing else appears",
-            ),
-            figure(run, "strain energy", "-")?.shown(SHOWN),
-        ]);
-    }
-    Ok(Vec::new())
+fn far_off(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
+    Ok(vec![
+        figure(run, OFF, "-")?.within(
+            1e-6,
+            "asked: 1e-6; positions of 10⁷ keep 1e-9, which each step rounds anew: 3e-8 to 7e-8 is left after 5000",
+        ),
+        figure(run, "stable step, off", "-")?
+            .shown("differences of forces at perturbations of 1e-5 spacings: 1e-9 of a position is 1e-4 of those"),
+        figure(run, "tip", "L")?.shown(SHOWN),
+    ])
 }
 
-/// Tip and rotation in every system of units against the usual one.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
-    let mut metrics = Vec::new();
-    for (at, run) in runs.0.iter().enumerate() {
-        let Some((_, powers)) = run.variant.grid.split_once(" units 1e") else { continue };
-        let length: i32 = powers.split(',').next().and_then(|power| power.parse().ok()).unwrap_or(0);
-        let Some(usual) = runs.get(&run.variant.method, "25×3 units 1e0, 1e0, 1e0") else { continue };
-        let mut off = Vec::new();
-        for (name, unit) in
-            [("minus_U_tip", 10.0_f64.powi(length)), ("W_tip", 10.0_f64.powi(length)), ("rotation_tip", 1.0)]
-        {
-            let (here, there) = (run.at(name, 0.5)?, usual.at(name, 0.5)?);
-            off.push(here.zip(there).map(|(here, there)| (here / unit / there - 1.0).abs()));
-        }
-        let reason = "asked: results scale exactly in shape, to 1e-6";
-        metrics.push((at, Metric::error(OFF, largest(off), "-").within(1e-6, reason)));
+fn hardly_loaded(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
+    Ok(vec![
+        figure(run, OFF, "-")?.within(
+            1e-13,
+            "below the rounding of positions no displacement can be kept; what is asked is that nothing else appears",
+        ),
+        figure(run, "strain energy", "-")?.shown(SHOWN),
+    ])
+}
+
+/// Tip and rotation in a system of units against the usual one; `length` is the power of ten of the unit of length.
+fn scaled(run: &Run, runs: &Runs, length: i32) -> Result<Vec<Metric>, JudgeError> {
+    let Some(usual) = runs.get(&run.variant.method, &format!("25×3 {}", units([0; 3])))? else {
+        return Ok(Vec::new());
+    };
+    let mut off = Vec::new();
+    for (name, unit) in
+        [("minus_U_tip", 10.0_f64.powi(length)), ("W_tip", 10.0_f64.powi(length)), ("rotation_tip", 1.0)]
+    {
+        let (here, there) = (run.at(name, 0.5)?, usual.at(name, 0.5)?);
+        off.push(here.zip(there).map(|(here, there)| (here / unit / there - 1.0).abs()));
     }
-    Ok(metrics)
+    let reason = "asked: results scale exactly in shape, to 1e-6";
+    Ok(vec![Metric::error(OFF, largest(off), "-").within(1e-6, reason)])
 }

@@ -1,12 +1,11 @@
 //! point-driven: the panel pushed in through one particle, with every formulation, on and off the lattice.
 
-use super::bare::{ENERGY, jittered};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial;
-use crate::cases::point_load_smoothness::{checkerboard, second_difference};
+use crate::cases::shell::point_load_smoothness::{checkerboard, second_difference};
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, jittered};
 use crate::{JudgeError, Metric};
 
-const PANEL: &str = include_str!("../../../../scenes/panel.toml");
 const STANDS_OUT: &str = "crown over its neighbours";
 const BOARD: &str = "checkerboard farther off";
 const UNIT: &str = "% of crown";
@@ -21,20 +20,15 @@ pub fn case() -> Case {
         citation: "the panel of Sze, Liu and Lo 2004; reference: neighbours that follow exactly",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline {
-            metric: STANDS_OUT,
-            floor: 0.1,
-            published: || Ok(Vec::<Published>::new()),
-        }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(STANDS_OUT, 0.1)),
+        ..Case::default()
     }
 }
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for method in ENERGY {
-        let panel = dial::variant(method, PANEL, "cylinder", [11, 11])
+        let panel = Variant::new(method, scenes::PANEL, "cylinder", [11, 11])
             .set("analysis.static.levels", "[0.16666666666666666, 0.3333333333333333]");
         variants.push(panel.clone());
         variants.push(jittered(panel, "cylinder"));

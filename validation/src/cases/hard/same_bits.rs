@@ -4,13 +4,13 @@ use std::time::Instant;
 
 use coque::{Curve, Silent};
 
-use super::bare::{ENERGY, figure, in_time, model, row};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{self, CELL, STRONG_12};
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::{CELL, STRONG_12};
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, figure, in_time, model};
 use crate::{JudgeError, Metric};
 
-const PANEL: &str = include_str!("../../../../scenes/panel.toml");
 const OFF: &str = "numbers with other bits";
 
 pub fn case() -> Case {
@@ -22,14 +22,13 @@ pub fn case() -> Case {
         citation: "reference: the run on one thread",
         variants: ENERGY.into_iter().chain([STRONG_12]).map(variant).collect(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: OFF, floor: 0.0, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(OFF, 0.0)),
+        ..Case::default()
     }
 }
 
 fn variant(method: &str) -> Variant {
-    let panel = dial::variant(method, PANEL, "cylinder", [23, 23]);
+    let panel = Variant::new(method, scenes::PANEL, "cylinder", [23, 23]);
     let panel = in_time(panel.set("supports[3].amplitude", "{ ramp = 0.01 }"), 0.002, 0.0001);
     let quick = method == CELL;
     let study = Variant::study(method, "23×23", move || run(&panel));
@@ -48,10 +47,8 @@ fn run(panel: &Variant) -> Result<Outcome, String> {
     let other = curves[1..].iter().map(|curve| different(&curves[0], curve)).sum::<usize>();
     let moved = curves[0].column("w_crown").and_then(|w| w.last().copied()).unwrap_or(0.0);
     let figures = [(OFF, "-", other as f64), ("crown", "mm", moved)];
-    let mut outcome = Outcome::from(last.ok_or("no run")?);
-    outcome.curve = row(&figures);
-    outcome.wall_seconds = started.elapsed().as_secs_f64();
-    Ok(outcome)
+    let outcome = Outcome::from(last.ok_or("no run")?).showing(&figures);
+    Ok(Outcome { wall_seconds: started.elapsed().as_secs_f64(), ..outcome })
 }
 
 fn different(one: &Curve, other: &Curve) -> usize {

@@ -7,11 +7,12 @@ use explicit_dynamics::Clock;
 use sph_core::Vec3;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, figure, free, march, outcome, study};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{self, STRONG_12};
-use crate::cases::plate::of_thickness;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::cases::shell::plate::of_thickness;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::CELL;
+use crate::methods::STRONG_12;
+use crate::support::studies::{ENERGY, SHOWN, figure, free, march, outcome, study};
 use crate::{JudgeError, Metric};
 
 const TURNS: f64 = 100.0;
@@ -32,13 +33,8 @@ pub fn case() -> Case {
         citation: "reference: angular momentum and energy given at the start",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline {
-            metric: MOMENTUM,
-            floor: 1e-12,
-            published: || Ok(Vec::<Published>::new()),
-        }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(MOMENTUM, 1e-12)),
+        ..Case::default()
     }
 }
 
@@ -47,7 +43,7 @@ fn variants() -> Vec<Variant> {
     for (name, axis) in [("about the normal", Vec3::z()), ("about an axis in its plane", Vec3::x())] {
         for method in ENERGY.into_iter().chain([STRONG_12]) {
             let plate = free(of_thickness(method, 7, 0.1)).on(name);
-            let plate = if method == dial::CELL { plate.quick() } else { plate };
+            let plate = if method == CELL { plate.quick() } else { plate };
             variants.push(study(plate, move |shell| run(shell, axis)));
         }
     }
@@ -92,7 +88,7 @@ fn angular_momentum(shell: &Shell, about: &Vec3) -> Vec3 {
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let ratio = figure(run, RATIO, "-")?.shown(SHOWN);
-    if run.variant.method == STRONG_12 {
+    if run.is(STRONG_12) {
         let reason = "known failure: the published pair sums act with two gradients on a pair, so that moments do not cancel";
         let change = run.column(MOMENTUM)?.last().copied();
         return Ok(vec![Metric::at_least(MOMENTUM, change, "-", 1e-3).within(0.0, reason), ratio]);

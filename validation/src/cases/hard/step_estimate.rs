@@ -6,14 +6,12 @@ use explicit_dynamics::{Damping, Dynamics, QuasiStatic};
 use nalgebra::SymmetricEigen;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, Last, SHOWN, dense_tangent, figure, outcome, study};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, Last, SHOWN, dense_tangent, figure, outcome, study};
 use crate::{JudgeError, Metric};
 
-const RING: &str = include_str!("../../../../scenes/ring.toml");
-const PANEL: &str = include_str!("../../../../scenes/panel.toml");
 const RATIO: &str = "estimate over true step";
 const ABOVE: &str = "above the true step";
 const FRESH: &str = "that of the start over true step";
@@ -28,17 +26,16 @@ pub fn case() -> Case {
         citation: "reference: dense symmetric eigenvalues of the same tangent",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: RATIO, floor: 1e-4, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(RATIO, 1e-4)),
+        ..Case::default()
     }
 }
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for method in ENERGY {
-        let ring = dial::variant(method, RING, "plate", [25, 3]).on("at half the moment");
-        let panel = dial::variant(method, PANEL, "cylinder", [9, 9]).on("at 20 mm");
+        let ring = Variant::new(method, scenes::RING, "plate", [25, 3]).on("at half the moment");
+        let panel = Variant::new(method, scenes::PANEL, "cylinder", [9, 9]).on("at 20 mm");
         variants.push(study(ring, |shell| run(shell, 0.5, 17.9)));
         variants.push(study(panel, |shell| run(shell, 2.0 / 3.0, 0.031)));
     }
@@ -48,9 +45,7 @@ fn variants() -> Vec<Variant> {
 /// Ramps to a level over four periods and looks there: the state need not be at rest.
 fn run(mut shell: Shell, level: f64, period: f64) -> Result<Outcome, String> {
     let started = Instant::now();
-    let step = |shell: &mut Shell| {
-        shell.stable_step(1.0).map(|step| step.dt).map_err(|e| e.to_string())
-    };
+    let step = |shell: &mut Shell| shell.stable_step(1.0).map(|step| step.dt).map_err(|e| e.to_string());
     let first = step(&mut shell)?;
     let path = QuasiStatic {
         levels: vec![level],

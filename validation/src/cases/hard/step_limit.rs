@@ -5,14 +5,13 @@ use std::time::Instant;
 use explicit_dynamics::{Clock, MarchError};
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, figure, march, outcome, sharp_eigenvalue, stir, study};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial;
-use crate::outcome::Outcome;
+use crate::Outcome;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::CELL;
+use crate::support::scenes;
+use crate::support::studies::{ENERGY, SHOWN, figure, march, outcome, sharp_eigenvalue, stir, study};
 use crate::{JudgeError, Metric};
 
-const RING: &str = include_str!("../../../../scenes/ring.toml");
-const PANEL: &str = include_str!("../../../../scenes/panel.toml");
 const PARTS: [f64; 4] = [0.5, 0.8, 0.95, 1.05];
 const BLOCKS: [u64; 2] = [100, 50];
 /// Velocities, in parts of the speed of sound: small enough that the tangent of the start holds on.
@@ -30,21 +29,22 @@ pub fn case() -> Case {
         citation: "central differences: stable for ωΔt < 2",
         variants: variants(),
         each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: OUTCOME, floor: 0.0, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(OUTCOME, 0.0)),
+        ..Case::default()
     }
 }
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for part in PARTS {
-        for (scene, geometry, counts) in [(RING, "plate", [25, 3]), (PANEL, "cylinder", [7, 7])] {
+        for (scene, geometry, counts) in
+            [(scenes::RING, "plate", [25, 3]), (scenes::PANEL, "cylinder", [7, 7])]
+        {
             for method in ENERGY {
-                let scene = dial::variant(method, scene, geometry, counts)
+                let scene = Variant::new(method, scene, geometry, counts)
                     .set("loads", "[]")
                     .on(&format!("at {part} of the limit"));
-                let scene = if method == dial::CELL { scene.quick() } else { scene };
+                let scene = if method == CELL { scene.quick() } else { scene };
                 variants.push(study(scene, move |shell| run(shell, part)));
             }
         }

@@ -6,13 +6,13 @@ use benchmarks_ref::reference;
 use nalgebra::Schur;
 use sph_shell::Shell;
 
-use super::bare::{ENERGY, SHOWN, dense_tangent, figure, free, jittered, outcome, study};
-use crate::case::{Case, Headline, Published, Run, Variant};
-use crate::cases::dial::{CELL, NODAL_1, NODAL_2, STRONG_12, STRONG_085, WIDE_30};
-use crate::cases::plate::of_thickness;
-use crate::measure::largest;
-use crate::outcome::Outcome;
-use crate::record::Found;
+use crate::Found;
+use crate::Outcome;
+use crate::cases::shell::plate::of_thickness;
+use crate::judge::measure::largest;
+use crate::judge::{Case, Headline, Run, Variant};
+use crate::methods::{CELL, NODAL_1, NODAL_2, STRONG_12, STRONG_085, WIDE_30};
+use crate::support::studies::{ENERGY, SHOWN, dense_tangent, figure, free, jittered, outcome, study};
 use crate::{JudgeError, Metric};
 
 const NAME: &str = "worst of three frequencies";
@@ -20,7 +20,7 @@ const THICKNESSES: [f64; 2] = [0.1, 0.01];
 /// Modes asked for: six rigid ones, three that are judged, and three more in which a zero mode too many would show.
 const MODES: usize = 12;
 /// A frequency below this part of the first elastic one counts as zero: rounding leaves 1e-3 of it and less.
-const NOUGHT: f64 = 0.02;
+const ZERO: f64 = 0.02;
 const DEFECT: &str = "imaginary part";
 const ASYMMETRY: &str = "asymmetry of the operator";
 const SOFT: &str = "lowest frequency over exact";
@@ -34,10 +34,8 @@ pub fn case() -> Case {
                 all eigenvalues are found, which should be real and positive.",
         citation: "Ritz series of this project's reference file; thin limit Leissa 1969",
         variants: variants(),
-        each,
-        together: |_| Ok(Vec::new()),
-        headline: Some(Headline { metric: NAME, floor: 0.05, published: || Ok(Vec::<Published>::new()) }),
-        figures: |_| Ok(Vec::new()),
+        headline: Some(Headline::new(NAME, 0.05)),
+        ..Case::default()
     }
 }
 
@@ -49,28 +47,26 @@ fn variants() -> Vec<Variant> {
                 let plate = of_thickness(method, 11, thickness)
                     .set("supports", "[]")
                     .set("analysis.modal.modes", MODES)
-                    .on(&format!("t {thickness}"));
+                    .on(&format!("t {thickness}"))
+                    .judged(move |run, _| modes(run, thickness, jitter));
                 let plate = if method == CELL { plate.quick() } else { plate };
                 variants.push(if jitter { jittered(plate, "plate") } else { plate });
             }
         }
         for method in [STRONG_12, STRONG_085] {
             let plate = free(of_thickness(method, 7, thickness)).on(&format!("t {thickness}"));
-            variants.push(study(plate, strong));
+            variants.push(
+                study(plate, move |shell| strong(shell, thickness)).judged(|run, _| known_failure(run)),
+            );
         }
     }
     variants
 }
 
-fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    if run.variant.method == STRONG_12 || run.variant.method == STRONG_085 {
-        return known_failure(run);
-    }
-    let thickness = THICKNESSES.into_iter().find(|t| run.variant.grid.contains(&format!(" t {t}")));
-    let thin = thickness == Some(0.01);
-    let exact = lowest(if thin { 0.01 } else { 0.1 })?;
+fn modes(run: &Run, thickness: f64, jitter: bool) -> Result<Vec<Metric>, JudgeError> {
+    let exact = lowest(thickness)?;
     let found = run.column("circular_frequency")?;
-    let zero = found.iter().filter(|&&omega| omega < NOUGHT * exact[0]).count();
+    let zero = found.iter().filter(|&&omega| omega < ZERO * exact[0]).count();
     let errors = exact.iter().zip(found.get(zero..).unwrap_or_default());
     let worst = (found.len() >= zero + exact.len())
         .then(|| largest(errors.map(|(exact, omega)| Some(100.0 * (omega / exact - 1.0).abs()))))
@@ -78,12 +74,11 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![
         Metric::error("zero modes beyond six", Some(zero as f64 - 6.0), "-")
             .within(0.0, "a free body has six rigid motions and no other motion without energy"),
-        frequencies(run, Metric::error(NAME, worst, "%")),
+        frequencies(run, jitter, Metric::error(NAME, worst, "%")),
     ])
 }
 
-fn frequencies(run: &Run, metric: Found) -> Metric {
-    let jitter = run.variant.grid.contains("jitter");
+fn frequencies(run: &Run, jitter: bool, metric: Found) -> Metric {
     match run.variant.method.as_str() {
         NODAL_1 => metric.within(
             10.0,
@@ -115,14 +110,14 @@ fn lowest(thickness: f64) -> Result<Vec<f64>, JudgeError> {
 }
 
 /// All eigenvalues of the strong form's operator, which is not symmetric.
-fn strong(mut shell: Shell) -> Result<Outcome, String> {
+fn strong(mut shell: Shell, thickness: f64) -> Result<Outcome, String> {
     let started = Instant::now();
     let matrix = dense_tangent(&mut shell);
     let asymmetry = (&matrix - matrix.transpose()).norm() / matrix.norm();
     let values = Schur::try_new(matrix, 1e-13, 100_000)
         .ok_or("the eigenvalues of the strong form did not converge")?
         .complex_eigenvalues();
-    let first = lowest(if shell.thickness() < 0.05 { 0.01 } else { 0.1 }).map_err(|e| e.to_string())?[0];
+    let first = lowest(thickness).map_err(|e| e.to_string())?[0];
     let mut sizes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
     sizes.sort_by(f64::total_cmp);
     // One value a particle belongs to the fixed length of its director, six to rigid motion.
@@ -142,7 +137,7 @@ fn strong(mut shell: Shell) -> Result<Outcome, String> {
 
 fn known_failure(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let soft = figure(run, SOFT, "-")?;
-    let soft = if run.variant.method == STRONG_12 {
+    let soft = if run.is(STRONG_12) {
         soft.within(
             0.5,
             "known failure: a pattern that the strains hardly see, .33 to .34 of the first elastic frequency",

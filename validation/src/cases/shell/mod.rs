@@ -1,0 +1,54 @@
+//! The usual cases of shells; a new one is a file, a line here, and one in the list.
+
+mod buckling;
+mod cantilever_end_shear;
+mod clamped_cap;
+mod external_pressure;
+pub mod hemisphere;
+pub mod hemisphere_large;
+pub mod open_cylinder;
+pub mod panel;
+mod panel_laminated;
+mod panel_snap_back;
+mod patch_test;
+mod pinched_cylinder;
+pub mod pinched_cylinder_large;
+pub mod plate;
+mod plate_frequencies;
+pub mod point_load_smoothness;
+mod ring;
+mod ring_green_lagrange;
+mod scordelis_lo;
+mod thin_ring;
+mod turned;
+mod twisted_beam;
+
+use crate::Case;
+
+/// Every case, in the order of table and report.
+pub fn all() -> Vec<Case> {
+    vec![
+        ring::case(),
+        ring_green_lagrange::case(),
+        thin_ring::case(),
+        cantilever_end_shear::case(),
+        panel::case(),
+        panel_snap_back::case(),
+        panel_laminated::case(),
+        scordelis_lo::case(),
+        pinched_cylinder::case(),
+        hemisphere::case(),
+        twisted_beam::case(),
+        plate::case(),
+        plate_frequencies::case(),
+        buckling::case(),
+        clamped_cap::case(),
+        external_pressure::case(),
+        hemisphere_large::case(),
+        open_cylinder::case(),
+        pinched_cylinder_large::case(),
+        point_load_smoothness::case(),
+        turned::case(),
+        patch_test::case(),
+    ]
+}

@@ -1,0 +1,229 @@
+//! ring: a strip rolled into a circle by an end couple, judged by the closed form; with every formulation.
+//!
+//! ```text
+//!   ▓────────────────╴ M        the tip stays on circles of curvature M/EI;
+//!   u0 clamped       u1         at M = 2πEI/L it meets the clamp
+//! ```
+
+use benchmarks_ref::elastica::end_moment;
+use benchmarks_ref::fe_shell::cases::{Strip, end_moment as end_moment_elements};
+use benchmarks_ref::reference;
+
+use crate::figures::{Axis, Chart, Figure, GREY, Line, Series};
+use crate::judge::Measured;
+use crate::judge::measure::{largest, order_of_convergence};
+use crate::judge::{Booked, Case, Headline, Published, Run, Runs, Variant};
+use crate::methods::{
+    CELL, ELEMENTS, METHODS, NODAL_1, NODAL_2, NODAL_3, STATIC, STRONG_12, STRONG_085, WIDE_14, WIDE_25,
+    WIDE_30,
+};
+use crate::support::scenes;
+use crate::support::strip;
+use crate::{JudgeError, Metric};
+
+/// Length of the strip \[cm\].
+const LENGTH: f64 = 10.0;
+const QUARTERS: [(f64, &str); 4] =
+    [(0.25, "tip at ¼"), (0.5, "tip at ½"), (0.75, "tip at ¾"), (1.0, "tip at 1")];
+/// Name of the metric by which the answers are compared.
+const LARGEST: &str = "tip, largest";
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "ring",
+        title: "Strip rolled into a ring, t/L = 1/10",
+        about: "The tip against the closed form: distance √(Δu² + Δw²) in percent of the length at four moments. \
+                With ν = 0 and a curvature that is corrected for the stretch, the exact circle is an exact solution \
+                of the shell: what is left is the error of the particles.",
+        citation: "Lin et al. 2013, section 5.2; exact: end moment on an inextensible elastica",
+        variants: variants(),
+        each,
+        together,
+        headline: Some(Headline {
+            metric: LARGEST,
+            // The closed form neglects nothing that the shell has: errors are compared down to round-off of the rest.
+            floor: 1e-3,
+            published,
+        }),
+        figures,
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    const USUAL: [usize; 2] = [50, 5];
+    let on =
+        |method: &str, counts| Variant::new(method, scenes::RING, "plate", counts).usual_if(counts == USUAL);
+    let mut variants = vec![on(CELL, [25, 3]).quick(), on(CELL, [50, 5]).quick(), on(CELL, [99, 9])];
+    let eighths: Vec<f64> = (1..=8).map(|i| f64::from(i) / 8.0).collect();
+    for counts in [[25, 3], [50, 5], [99, 9]] {
+        variants.push(on(STATIC, counts).static_levels(&eighths).quick());
+    }
+    for [u, v] in [[25, 3], [50, 5], [99, 9]] {
+        let elements = move || end_moment_elements(&Strip::RING, [u - 1, v - 1], 20);
+        variants.push(Variant::elements(ELEMENTS, [u, v], elements).usual_if([u, v] == USUAL).quick());
+    }
+    for method in [WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3] {
+        variants.extend([on(method, [25, 3]).quick(), on(method, [50, 5])]);
+    }
+    for method in [STRONG_12, STRONG_085] {
+        // It flutters: rest is asked for less sharply, and the path ends where it always diverges.
+        variants.push(
+            on(method, [50, 5])
+                .set("analysis.explicit.safety", 0.3)
+                .set("analysis.explicit.quasi-static.tolerance", 1e-6)
+                .set("analysis.explicit.quasi-static.levels", "[0.05, 0.1, 0.15, 0.2, 0.25, 0.3]")
+                .restless(),
+        );
+    }
+    variants
+}
+
+fn exact(level: f64) -> (f64, f64) {
+    let tip = end_moment(std::f64::consts::TAU * level);
+    (tip.u, tip.w)
+}
+
+fn errors(run: &Run) -> Result<Vec<Option<f64>>, JudgeError> {
+    QUARTERS.iter().map(|&(level, _)| strip::tip_error(run, level, LENGTH, exact(level))).collect()
+}
+
+fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let method = run.variant.method.as_str();
+    if matches!(method, STRONG_12 | STRONG_085) {
+        return known_failure(run);
+    }
+    let (measured, reason) = (MEASURED.of(run)?, why(method));
+    let errors = errors(run)?;
+    let each = QUARTERS.iter().zip(&errors).map(|(&(_, name), error)| (name, *error));
+    let all = each.chain([(LARGEST, largest(errors.iter().copied()))]);
+    Ok(all.map(|(name, error)| Metric::error(name, error, strip::UNIT).near(measured, reason)).collect())
+}
+
+/// The strong form, asserted as it is: an error that vanished would have to be explained, too.
+fn known_failure(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let reason = "known failure of the published pair sums: their linearised operator is not symmetric and energy is not kept; \
+                  what it flutters about moves by a few percent with the step";
+    let (at_quarter, known) = (errors(run)?[0], MEASURED.of(run)?);
+    let error = |name| Metric::compared(name, at_quarter, strip::UNIT, known).within(0.1 * known, reason);
+    let last = Metric::error("last level before it diverged", run.column("level")?.last().copied(), "-");
+    Ok(vec![
+        error(QUARTERS[0].1),
+        // At ¼, the one level of the four that it reaches.
+        error(LARGEST),
+        last.shown("it flutters and is lost near 0.3: where, rounding decides"),
+    ])
+}
+
+/// What the error of a formulation is made of.
+fn why(method: &str) -> &'static str {
+    match method {
+        CELL | STATIC | WIDE_14 => {
+            "curvature along arcs, second order in the spacing; by chords 50×5 is off by .28 % (docs/zero-energy-control.md)"
+        }
+        ELEMENTS => "directors that are interpolated along chords; second order in the spacing",
+        _ => {
+            "what wide stencils and nodal sampling lose at the ends; beside the default, judged so that a change is seen"
+        }
+    }
+}
+
+/// Errors of the tip, the largest of the four moments \[% of L\]; of the strong form at a quarter.
+#[rustfmt::skip] // a paragraph a method
+const MEASURED: Measured = Measured(&[
+    (CELL, &[("25×3", 0.049), ("50×5", 0.012), ("99×9", 0.0034)]),
+    (STATIC, &[("25×3", 0.049), ("50×5", 0.012), ("99×9", 0.0029)]),
+    (ELEMENTS, &[("25×3", 0.045), ("50×5", 0.012), ("99×9", 0.0029)]),
+    (WIDE_14, &[("25×3", 0.61), ("50×5", 0.24)]),
+    (WIDE_25, &[("25×3", 2.3), ("50×5", 0.69)]),
+    (WIDE_30, &[("25×3", 5.6), ("50×5", 1.4)]),
+    (NODAL_1, &[("25×3", 8.3), ("50×5", 2.0)]),
+    (NODAL_2, &[("25×3", 3.1), ("50×5", 0.59)]),
+    (NODAL_3, &[("25×3", 1.4), ("50×5", 0.075)]),
+    (STRONG_12, &[("50×5", 25.0)]),
+    (STRONG_085, &[("50×5", 34.0)]),
+]);
+
+fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+    let [coarse, middle, fine] = ["25×3", "50×5", "99×9"].map(|grid| runs.number(CELL, grid));
+    let mut metrics = strip::still(runs, "50×5", &QUARTERS.map(|quarter| quarter.0), LENGTH, 0.0011)?;
+    let (Some(coarse), Some(middle), Some(fine)) = (coarse?, middle?, fine?) else { return Ok(metrics) };
+    let mut points = Vec::new();
+    for at in [coarse, middle, fine] {
+        let run = &runs.chosen[at];
+        if let Some(error) = largest(errors(run)?) {
+            points.push((run.outcome.spacing, error));
+        }
+    }
+    let reason =
+        "one-point cells are of second order; .2 for the coarsest grid, which has three rows of particles";
+    let order = |name, points: &[(f64, f64)]| {
+        Metric::at_least(name, order_of_convergence(points), "-", 2.0).within(0.2, reason)
+    };
+    let enough = points.len() == 3;
+    metrics.extend([
+        (fine, order("order, three grids", if enough { &points } else { &[] })),
+        (middle, order("order from 25×3", if enough { &points[..2] } else { &[] })),
+        (fine, order("order from 50×5", if enough { &points[1..] } else { &[] })),
+    ]);
+    Ok(metrics)
+}
+
+fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
+    let mut figures = Vec::new();
+    let shown: Vec<_> =
+        strip::on_grid(runs, "50×5").into_iter().filter(|(run, ..)| !run.is(WIDE_25)).collect();
+    if !shown.is_empty() {
+        figures.push(Figure::Chart(strip::tip_chart(
+            "Tip of the strip against the moment, 50×5",
+            "Lines: the circle. All energy-based formulations lie on them; the strong form leaves at once and \
+             diverges before a third of the moment.",
+            &shown,
+            LENGTH,
+            |level| Some(exact(level)),
+        )?));
+    }
+    if let Some(run) = runs.get(CELL, "50×5")? {
+        figures.push(Figure::Shapes(strip::rolled_shapes(
+            "The strip at eighths of the moment (paper, figure 4)",
+            "Each wireframe is a settled level, 50×5 particles, true to scale; the darker, the more moment. At the last \
+             one the tip meets the clamp.",
+            run,
+        )));
+    }
+    figures.extend(convergence(runs)?);
+    Ok(figures)
+}
+
+/// Largest error of the four moments over the spacing.
+fn convergence(runs: &Runs) -> Result<Option<Figure>, JudgeError> {
+    let mut series = Vec::new();
+    for setting in &METHODS {
+        let mut points = Vec::new();
+        for run in runs.iter().filter(|run| run.is(setting.method)) {
+            if let Some(error) = largest(errors(run)?) {
+                points.push((run.outcome.spacing, error));
+            }
+        }
+        if points.len() > 1 {
+            series.push(Series::both(setting.method, points, setting.colour, setting.mark));
+        }
+    }
+    let Some(&(spacing, error)) = series.first().and_then(|s| s.points.first()) else { return Ok(None) };
+    let second = |h: f64| (h, 0.6 * error * (h / spacing).powi(2));
+    series.push(Series::line("slope 2", vec![second(spacing), second(0.25 * spacing)], GREY, Line::Dashed));
+    Ok(Some(Figure::Chart(Chart {
+        title: "Error against the spacing".into(),
+        caption: "Largest of the four moments, both scales logarithmic. Second order is the slope of the dashed line.".into(),
+        x: Axis::log("mean spacing of the particles [cm]"),
+        y: Axis::log("distance of the tip from the circle [% of L]"),
+        series,
+    })))
+}
+
+/// An independent code on the same problem, as noted beside the reference; the paper prints a figure without numbers.
+fn published() -> Result<Vec<Published>, JudgeError> {
+    let table = reference("seed_ring_bending")?;
+    let error = table.cross_check[0]["max_tip_deviation_from_closed_form_over_L"].as_f64();
+    Ok(vec![Published { source: "OpenSees 3.7.1, ASDShellQ4 50×5", error: error.map(|e| 100.0 * e) }])
+}

@@ -1,0 +1,20 @@
+//! The judge: what a case is, how its runs are carried out, what is said of them.
+
+mod asked;
+mod case;
+pub mod measure;
+mod measured;
+mod outcome;
+mod pictured;
+pub mod record;
+mod run;
+mod variant;
+
+pub use asked::silent;
+pub use case::{Booked, Case, Headline, Published};
+pub use measured::Measured;
+pub use outcome::{Outcome, Solver};
+pub use pictured::Pictured;
+pub use record::{Found, Metric, Record, Verdict};
+pub use run::{CaseResult, Selection, exit_code, judge};
+pub use variant::{LOST, MET, Problem, Run, Runs, Study, Variant};

@@ -1,0 +1,11 @@
+//! What cases share: scenes, clouds, meshes, bare shells, and comparisons with tables and closed forms.
+
+pub mod clouds;
+pub mod linear;
+pub mod meshes;
+pub mod path;
+pub mod scenes;
+pub mod sheets;
+pub mod strip;
+pub mod studies;
+pub mod table;
