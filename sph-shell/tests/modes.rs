@@ -137,6 +137,6 @@ fn the_strong_form_has_soft_patterns() {
     let values = spectrum(&mut strong);
     let mut sound = free_shell(flat([7, 7], [1.0, 1.0]), Formulation::StressPoint(Reach::Cell), 0.01);
     let reference = spectrum(&mut sound);
-    // Study 1 §2.5: lowest value of the literal form 1.24 against 13.5, in frequency; squared here.
+    // Measured: the lowest value of the literal form 1.24 against 13.5, in frequency; squared here.
     assert!(values[6] < 0.2 * reference[6], "{} against {}", values[6], reference[6]);
 }
