@@ -33,10 +33,11 @@ fn descend(folder: &Path, prefix: &str, files: &mut Vec<SourceFile>) -> Result<(
         let path = format!("{prefix}{name}");
         // links are left alone: they could lead out of the tree or round in circles
         let kind = entry.file_type().map_err(problem)?;
+        if is_made(&name, prefix.is_empty()) {
+            continue;
+        }
         if kind.is_dir() {
-            if !is_made(&name, prefix.is_empty()) {
-                descend(&entry.path(), &format!("{path}/"), files)?;
-            }
+            descend(&entry.path(), &format!("{path}/"), files)?;
         } else if kind.is_file() {
             match fs::read_to_string(entry.path()) {
                 Ok(text) => files.push(SourceFile { path, text }),

@@ -43,7 +43,7 @@ fn variant((name, method, find): Body) -> Variant {
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let value = run.column("as documented")?.last().copied();
-    let reason = "asked: each a clear error or a documented, tested treatment";
+    let reason = "each a clear error or a documented, tested treatment";
     Ok(vec![Metric::compared(AS_DOCUMENTED, value, "-", 1.0).within(0.0, reason)])
 }
 

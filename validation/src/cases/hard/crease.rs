@@ -109,7 +109,7 @@ struct Creased {
 const ACROSS: Creased = Creased {
     name: "across",
     run: across,
-    asked: (2.0, "asked: within 2 %; a frame of two bars by ten cells a bar"),
+    asked: (2.0, "required of this project: within 2 %; a frame of two bars by ten cells a bar"),
 };
 const ALONG: Creased = Creased {
     name: "along",

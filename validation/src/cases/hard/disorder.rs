@@ -144,7 +144,13 @@ fn variants() -> Vec<Variant> {
     }
     variants.extend(CURVED.map(|cloud| {
         let pulled = CYLINDER.on(STATIC, cloud).off(|run, _| open_cylinder::TABLE.from_path(run));
-        asked(pulled, &CYLINDER, cloud, "", (2.0, "asked: particles within 2 % of the largest at 21² to 31²"))
+        asked(
+            pulled,
+            &CYLINDER,
+            cloud,
+            "",
+            (2.0, "required of this project: particles within 2 % of the largest at 21² to 31²"),
+        )
     }));
     let coarse = Shape { name: "panel 11×11", counts: [11, 11], spacing: 25.4, ..PANEL };
     let levels = "[0.2, 0.36666666666666664]";
@@ -157,17 +163,18 @@ fn variants() -> Vec<Variant> {
 /// Asks for `own` of a lattice, and of disorder for at most twice the error of the lattice; `rest` is what else names the run.
 fn asked(variant: Variant, shape: &Shape, cloud: Cloud, rest: &str, own: (f64, &'static str)) -> Variant {
     match cloud {
-        Cloud::Jitter(0.4, _) => variant.asked(2.0, "asked: at ±0.4 all run, and the plate stays within 2 %"),
+        Cloud::Jitter(0.4, _) => variant.asked(2.0, "at ±0.4 all run, and the plate stays within 2 %"),
         Cloud::Jitter(..) | Cloud::Scattered(_) => variant.asked_twice_that_of(
             shape.label(Cloud::Lattice) + rest,
-            "asked: at most twice the error of the lattice, or of what it may have, and half a percent for what \
+            "at most twice the error of the lattice, or of what it may have, and half a percent for what \
              uneven spacings do",
         ),
         Cloud::Lattice | Cloud::Graded => variant.asked(own.0, own.1),
     }
 }
 
-const LIMITS: (f64, &str) = (0.5, "asked: plates and the limit load within half a percent at 21²");
+const LIMITS: (f64, &str) =
+    (0.5, "required of this project: plates and the limit load within half a percent at 21²");
 
 /// A clamped plate; the place of the particle next to the centre is measured, too.
 fn clamped(shape: &Shape, method: &str, cloud: Cloud, plate: &Plate) -> Variant {
@@ -200,7 +207,7 @@ fn pinched(method: &str, cloud: Cloud) -> Variant {
             2.0,
             "the coarse end has 2.5 times the spacing of the lattice, whose error is .3 %, of second order",
         ),
-        _ => (1.0, "asked: particles within 1 % at 21² a quarter"),
+        _ => (1.0, "required of this project: particles within 1 % at 21² a quarter"),
     };
     let variant = HEMISPHERE
         .on(method, cloud)
@@ -220,7 +227,7 @@ fn limit(shape: &Shape, method: &str, cloud: Cloud) -> Variant {
 /// The ring up to three quarters of its moment.
 fn rolled(shape: &Shape, cloud: Cloud) -> Variant {
     let variant = shape.on(STATIC, cloud).set("analysis.static.levels", "[0.25, 0.5, 0.75]").off(tip).quick();
-    asked(variant, shape, cloud, "", (0.4, "asked: the ring at 50×5 within .4 % of L"))
+    asked(variant, shape, cloud, "", (0.4, "required of this project: the ring at 50×5 within .4 % of L"))
 }
 
 fn tip(run: &Run, _: &Runs) -> Result<Option<f64>, JudgeError> {

@@ -107,7 +107,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let drift = run.column(DRIFT)?.last().copied().filter(|_| sound);
     let part = Metric::at_least(DONE, run.column(DONE)?.last().copied(), "-", 1.0);
     Ok(vec![
-        part.within(0.0, "asked: a run without damping has to reach its end"),
+        part.within(0.0, "a run without damping has to reach its end"),
         Metric::error(DRIFT, drift, "%").within(
             2.0,
             "the measured energy swings with the phases of the fast modes, by 1/(1 − s²) of their share: .1 to 1.2 % here; steps \

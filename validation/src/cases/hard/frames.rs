@@ -175,7 +175,7 @@ fn body(
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let (bound, reason) = match run.variant.method.as_str() {
         CELL | STRONG_12 => {
-            (1e-9, "asked: 1e-9, as of bodies turned in space: round-off and the step at which a decay ends")
+            (1e-9, "1e-9, as of bodies turned in space: round-off and the step at which a decay ends")
         }
         _ => (
             1e-4,

@@ -33,14 +33,15 @@ pub fn case() -> Case {
     }
 }
 
-const USUAL: (f64, &str) = (2.0, "asked: within 2 % of the largest displacement at 21² to 31²");
+const USUAL: (f64, &str) =
+    (2.0, "required of this project: within 2 % of the largest displacement at 21² to 31²");
 const DIMPLE: &str = "the dimple under the force is a few spacings wide; finite elements on the same nodes are 5.5 % off at 21²";
 
 fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for (n, bound, reason) in [
-        (21, 1.0, "asked: within 1 % of the largest displacement at 21²"),
-        (31, 0.4, "asked: within .4 % of the largest displacement at 31²"),
+        (21, 1.0, "required of this project: within 1 % of the largest displacement at 21²"),
+        (31, 0.4, "required of this project: within .4 % of the largest displacement at 31²"),
     ] {
         let hemisphere = Variant::new(STATIC, scenes::HEMISPHERE, "sphere", [n, n])
             .set("loads[0].force.total", "[200, 0, 0]")
@@ -49,9 +50,10 @@ fn variants() -> Vec<Variant> {
             .named(format!("hemisphere {n}×{n}"));
         variants.push(hemisphere.off(|run, _| hemisphere_large::TABLE.error(run)).asked(bound, reason));
     }
-    for ([u, v], (bound, reason)) in
-        [([25, 17], USUAL), ([37, 25], (0.7, "asked: within .7 % of the largest displacement at 37×25"))]
-    {
+    for ([u, v], (bound, reason)) in [
+        ([25, 17], USUAL),
+        ([37, 25], (0.7, "required of this project: within .7 % of the largest displacement at 37×25")),
+    ] {
         let cylinder = Variant::new(STATIC, scenes::OPEN_CYLINDER, "cylinder", [u, v])
             .named(format!("open cylinder {u}×{v}"));
         variants.push(cylinder.off(|run, _| open_cylinder::TABLE.error(run)).asked(bound, reason));
@@ -80,7 +82,7 @@ fn jumps() -> Vec<Variant> {
             .off(|run, _| off_the_branch(run))
             .asked(
                 2.0,
-                "asked: on the right branch after the jump; table and bricks differ by .8 % of the limit load themselves",
+                "on the right branch after the jump; table and bricks differ by .8 % of the limit load themselves",
             )
             .quick_if((method, n) == (CELL, 11));
         if method != NODAL_1 {
@@ -115,7 +117,7 @@ fn rolled_twice() -> Vec<Variant> {
             .set(&format!("analysis.{key}.levels"), 16)
             .named(format!("rolled twice {u}×{v}"))
             .off(|run, _| off_the_circles(run))
-            .asked(0.4, "asked: the ring within .4 % of L, here wound twice");
+            .asked(0.4, "required of this project: the ring within .4 % of L, here wound twice");
         if [STATIC, CELL].contains(&method) && u == 50 {
             variants.push(twice.clone().set("supports[1].on", "all").on("in its plane"));
         }
@@ -141,7 +143,7 @@ fn whips() -> Vec<Variant> {
             .restless()
             .named(format!("whip {u}×{v}"))
             .off(|run, _| lost_energy(run))
-            .asked(1.0, "asked: energy is kept; central differences swing about it")
+            .asked(1.0, "energy is kept; central differences swing about it")
             .judged(largest_turn)
             .quick_if(method == CELL && u == 41)
     };

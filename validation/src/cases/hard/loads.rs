@@ -193,7 +193,7 @@ fn twisted(variant: Variant, thickness: f64) -> Variant {
             "Kirchhoff's law leaves out the edge layers of shear: torsion of a flat bar, 0.63 h/a for each direction",
         )
     } else {
-        (0.5, "asked: plates within half a percent at 21²")
+        (0.5, "required of this project: plates within half a percent at 21²")
     };
     free(variant, thickness)
         .set("loads", format!("[{}]", force("u1v1", 1.0)))

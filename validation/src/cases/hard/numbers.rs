@@ -146,10 +146,11 @@ fn far_off(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![
         figure(run, OFF, "-")?.within(
             1e-6,
-            "asked: 1e-6; positions of 10⁷ keep 1e-9, which each step rounds anew: 3e-8 to 7e-8 is left after 5000",
+            "1e-6; positions of 10⁷ keep 1e-9, which each step rounds anew: 3e-8 to 7e-8 is left after 5000",
         ),
-        figure(run, "stable step, off", "-")?
-            .shown("differences of forces at perturbations of 1e-5 spacings: 1e-9 of a position is 1e-4 of those"),
+        figure(run, "stable step, off", "-")?.shown(
+            "differences of forces at perturbations of 1e-5 spacings: 1e-9 of a position is 1e-4 of those",
+        ),
         figure(run, "tip", "L")?.shown(SHOWN),
     ])
 }
@@ -176,6 +177,6 @@ fn scaled(run: &Run, runs: &Runs, length: i32) -> Result<Vec<Metric>, JudgeError
         let (here, there) = (run.at(name, 0.5)?, usual.at(name, 0.5)?);
         off.push(here.zip(there).map(|(here, there)| (here / unit / there - 1.0).abs()));
     }
-    let reason = "asked: results scale exactly in shape, to 1e-6";
+    let reason = "results scale exactly in shape, to 1e-6";
     Ok(vec![Metric::error(OFF, largest(off), "-").within(1e-6, reason)])
 }

@@ -94,8 +94,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         return Ok(vec![Metric::at_least(MOMENTUM, change, "-", 1e-3).within(0.0, reason), ratio]);
     }
     Ok(vec![
-        figure(run, MOMENTUM, "-")?
-            .within(1e-10, "asked: angular momentum to 1e-10; kick and drift both keep it"),
+        figure(run, MOMENTUM, "-")?.within(1e-10, "angular momentum to 1e-10; kick and drift both keep it"),
         figure(run, GROWTH, "-")?.within(
             1.5,
             "the strain swings between zero and twice that of the centrifugal force; more is growth",

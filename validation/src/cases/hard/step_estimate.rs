@@ -73,7 +73,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let ratio = run.column(RATIO)?.last().copied();
     Ok(vec![
         Metric::compared(RATIO, ratio, "-", 1.0)
-            .within(0.1, "asked: between .9 of the true step and the whole of it"),
+            .within(0.1, "between .9 of the true step and the whole of it"),
         Metric::error(ABOVE, ratio.map(|ratio| (ratio - 1.0).max(0.0)), "-").within(
             1e-3,
             "Ritz values lie below; the residual added to them leaves 1e-3, far less than any safety takes",

@@ -83,7 +83,7 @@ fn run(mut shell: Shell, part: f64) -> Result<Outcome, String> {
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let reason = "asked: bounded below the limit, named above it";
+    let reason = "bounded below the limit, named above it";
     let mut metrics = vec![figure(run, OUTCOME, "-")?.within(0.0, reason)];
     metrics.push(figure(run, WORST, "of the first")?.shown(SHOWN));
     metrics.push(figure(run, "steps", "-")?.shown(SHOWN));

@@ -127,9 +127,11 @@ const THICKNESSES: [Slender; 7] = [
 const DOMES: [(f64, [f64; 3]); 4] =
     [(100.0, [MET; 3]), (250.0, [MET; 3]), (1000.0, [MET; 3]), (10000.0, [2.45, 7.05, 2.49])];
 
-const PLATES: (f64, &str) = (0.5, "asked: within half a percent, and flat in the thickness");
-const SPHERES: (f64, &str) = (1.0, "asked: within 1 % at 21² a quarter, and flat in the thickness");
-const JITTERED: &str = "asked: at most twice the lattice's, half a percent for uneven spacings";
+const PLATES: (f64, &str) =
+    (0.5, "required of this project: within half a percent, and flat in the thickness");
+const SPHERES: (f64, &str) =
+    (1.0, "required of this project: within 1 % at 21² a quarter, and flat in the thickness");
+const JITTERED: &str = "at most twice the lattice's, half a percent for uneven spacings";
 const DOMED: (f64, &str) =
     (1.5, "docs/uneven-cells.md: the membrane gives way by about a percent, whatever the thickness");
 

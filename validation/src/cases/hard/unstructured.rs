@@ -92,7 +92,7 @@ fn variants() -> Vec<Variant> {
         let plate = study(STATIC, &format!("plate rectangles of 1:20 h/a {thickness}"), move |method| {
             plate(method, &Mesh::square([10, 200]), (thickness, exact))
         });
-        variants.push(plate.asked(0.5, "asked: plates within half a percent"));
+        variants.push(plate.asked(0.5, "required of this project: plates within half a percent"));
     }
     variants.extend(octants());
     variants
@@ -133,8 +133,9 @@ fn study(
     variant.off(|run, _| Ok(off(run.last("ratio")?)))
 }
 
-const DISORDERED: (f64, &str) = (1.0, "asked: half a percent of lattices at 21², twice that of disorder");
-const SPHERES: (f64, &str) = (1.5, "asked: 1 % at 21², half more for uneven spacings");
+const DISORDERED: (f64, &str) =
+    (1.0, "required of this project: half a percent of lattices at 21², twice that of disorder");
+const SPHERES: (f64, &str) = (1.5, "required of this project: 1 % at 21², half more for uneven spacings");
 const LONG_CELLS: &str = "sharp cells are long cells: the error grows about as the square of the slanted edge, alike for both thicknesses, \
                           so that it is no shear locking. Not isolated further";
 
