@@ -3,8 +3,9 @@
 use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
-use implicit_statics::{Equilibrium, OutOfBounds};
+use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
 use shell_kinematics::parallel_transport;
+use sph_core::Vec3;
 
 use crate::Shell;
 use crate::bounds::Unsound;
@@ -58,7 +59,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
     /// control prescribes. The mean over the particles.
-    pub fn functional(&self, particles: &[u32], direction: sph_core::Vec3) -> Vec<f64> {
+    pub fn functional(&self, particles: &[u32], direction: Vec3) -> Vec<f64> {
         let mut weights = vec![0.0; self.freedoms.count()];
         let share = direction.normalize() / particles.len() as f64;
         let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
@@ -213,6 +214,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         !self.moved.is_empty()
     }
 
+    fn driving_force(&self) -> f64 {
+        let told = |&a: &u32| {
+            let a = a as usize;
+            let told = self.shell.constraint(a)?.told()?;
+            Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.freedoms.arc))
+        };
+        self.moved.iter().filter_map(told).sum::<f64>().sqrt()
+    }
+
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.put(level);
         self.shell.evaluate_internal(false);
@@ -238,12 +248,33 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         true
     }
 
+    /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
+    fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        let pattern = self.pattern();
+        let mut values = vec![0.0; pattern.len()];
+        self.tangent(level, &mut values);
+        row_sums(&pattern, &values, out);
+        for a in 0..self.shell.len() {
+            let (own, split) = (self.freedoms.of(a), self.basis(a).translations);
+            let (moves, turns) = out[own].split_at_mut(split);
+            for alike in [moves, turns] {
+                let largest = alike.iter().copied().fold(0.0, f64::max);
+                alike.fill(largest);
+            }
+        }
+    }
+
     fn update(&mut self, increment: &[f64]) {
         for a in 0..self.shell.len() {
-            let (u, v) = self.basis(a).expand(&increment[self.freedoms.of(a)]);
-            let row = &mut self.shell.state[a];
-            let (d, _) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
-            *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+            self.move_particle(a, &increment[self.freedoms.of(a)]);
+        }
+    }
+
+    fn carry(&mut self, motion: &mut [f64]) {
+        for a in 0..self.shell.len() {
+            let own = &mut motion[self.freedoms.of(a)];
+            let turn = self.move_particle(a, own);
+            self.basis(a).turns(&turn, own);
         }
     }
 
@@ -295,6 +326,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Moves a particle by components along its unknowns; gives the turn of its director, carried along.
+    fn move_particle(&mut self, a: usize, components: &[f64]) -> Vec3 {
+        let (u, v) = self.basis(a).expand(components);
+        let row = &mut self.shell.state[a];
+        let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
+        *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+        w.into()
+    }
+
     /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
     fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
         let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);
