@@ -84,10 +84,10 @@ struct Motion<'a> {
     velocity: Vec<f64>,
     /// external − internal \[F\].
     force: Vec<f64>,
-    /// Its product with the last move, before that \[F L\].
-    pull: f64,
+    /// Work of the force on the move that follows, before that \[F L\].
+    power: f64,
     internal: Vec<f64>,
-    /// Whether the motion is at rest.
+    /// Whether the motion begins from rest.
     rests: bool,
     /// The force that brought prescribed values about at the start \[F\].
     driving: f64,
@@ -115,7 +115,7 @@ impl<'a> Motion<'a> {
             masses: zero(),
             velocity: zero(),
             force: zero(),
-            pull: 0.0,
+            power: 0.0,
             internal: zero(),
             rests: true,
             driving: 0.0,
@@ -149,7 +149,7 @@ impl<'a> Motion<'a> {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
             let bound = self.options.tolerance * if scale > 0.0 { scale } else { first };
-            let arrived = iterations > self.ramp || residual == 0.0;
+            let arrived = iterations > self.ramp || (self.ramp == 0 && residual == 0.0);
             let found = residual <= bound && arrived;
             let ends = iterations == self.options.iterations;
             if found || ends || iterations.is_multiple_of(REPORT) {
@@ -177,9 +177,9 @@ impl<'a> Motion<'a> {
             last = residual;
             match self.options.damping {
                 Damping::Kinetic => self.push(),
-                Damping::Rayleigh => self.push_damped(stiffness),
+                Damping::Rayleigh => self.kick((2.0 * stiffness.max(0.0).sqrt()).min(MOST_DAMPING)),
             }
-            self.pull = dot(&self.velocity, &self.force);
+            self.power = dot(&self.velocity, &self.force);
             system.carry(&mut self.velocity);
         }
         unreachable!("the loop ends by its bound")
@@ -226,38 +226,32 @@ impl<'a> Motion<'a> {
             return 0.0;
         }
         let mass: f64 = self.velocity.iter().zip(&self.masses).map(|(v, mass)| mass * v * v).sum();
-        if mass > 0.0 { (self.pull - dot(&self.velocity, &self.force)) / mass } else { 0.0 }
+        if mass > 0.0 { (self.power - dot(&self.velocity, &self.force)) / mass } else { 0.0 }
     }
 
-    /// One kick; the motion begins again from rest where the force has turned against it.
+    /// One kick; where the force has turned against the motion, back to the peak of its energy, to begin again from rest.
+    ///
+    /// The power falls from P₀ > 0 to P₁ < 0 along the last move: the peak lies P₀/(P₀ − P₁) of the way. From the end of the
+    /// move instead, fast modes that overshoot by half a kick turn the force again at once, and slow ones never get under way.
     fn push(&mut self) {
-        if self.rests || dot(&self.velocity, &self.force) < 0.0 {
-            self.start();
+        let power = dot(&self.velocity, &self.force);
+        if self.rests || power >= 0.0 {
+            self.kick(0.0);
             return;
         }
-        for (i, v) in self.velocity.iter_mut().enumerate() {
-            *v += self.force[i] / self.masses[i];
-        }
+        let back = (power / (power - self.power)).clamp(0.0, 1.0);
+        self.velocity.iter_mut().for_each(|v| *v *= -back);
+        self.rests = true;
+        self.counts.rests += 1;
     }
 
-    /// One kick with mass-proportional damping, critical for the frequency found along the last move.
-    fn push_damped(&mut self, stiffness: f64) {
-        if self.rests {
-            self.start();
-            return;
-        }
-        let half = 0.5 * (2.0 * stiffness.max(0.0).sqrt()).min(MOST_DAMPING);
+    /// `v ← [(1 − ½c) v + M⁻¹F]/(1 + ½c)`; from rest half a kick without damping.
+    fn kick(&mut self, damping: f64) {
+        let (half, share) = if self.rests { (0.0, 0.5) } else { (0.5 * damping, 1.0) };
         for (i, v) in self.velocity.iter_mut().enumerate() {
-            *v = ((1.0 - half) * *v + self.force[i] / self.masses[i]) / (1.0 + half);
-        }
-    }
-
-    /// Half a kick from rest: a whole one would set free more than the forces stored.
-    fn start(&mut self) {
-        for (i, v) in self.velocity.iter_mut().enumerate() {
-            *v = 0.5 * self.force[i] / self.masses[i];
+            let old = if self.rests { 0.0 } else { *v };
+            *v = ((1.0 - half) * old + share * self.force[i] / self.masses[i]) / (1.0 + half);
         }
         self.rests = false;
-        self.counts.rests += 1;
     }
 }
