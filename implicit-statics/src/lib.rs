@@ -90,6 +90,11 @@
 //! Where the stiffness along the last move exceeds `4 v·Mv` and the residual grows, masses are taken anew. Converged means
 //! `|r|` below the tolerance times the larger of `|external|` and of the forces that bring prescribed values about.
 //!
+//! Of the order of `ω_max/ω_min` evaluations are needed for a digit or two, as for every method that knows forces only. A strip
+//! of 50×5 particles rolled up to a ring in 8 levels takes 24 900 evaluations to 1e-6; ramp and hold, with its period known,
+//! 72 300 steps. Without going back to the peak, a shallow shell of 21×21 particles did not converge in 15 000 evaluations at its
+//! first level; with it, in 3100.
+//!
 //! # Inertia, critical points, branches
 //!
 //! `K = L B Lᵀ` with 1×1 and 2×2 pivots \[bunch1977\] after scaling to a unit diagonal by powers of two. By Sylvester's

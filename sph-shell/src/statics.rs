@@ -20,7 +20,7 @@ use crate::stiffness::BlockPattern;
 /// of a state.
 pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
-    pub(crate) freedoms: DofMap,
+    pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
     /// Particles with a prescribed displacement or rotation.
@@ -40,9 +40,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
     /// of prescribed values too.
     pub fn lent(shell: S) -> Self {
-        let (freedoms, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
+        let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
-        Self { shell, freedoms, pattern, blocks, moved: Vec::new() }
+        Self { shell, dofs, pattern, blocks, moved: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -60,23 +60,23 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
     /// control prescribes. The mean over the particles.
     pub fn functional(&self, particles: &[u32], direction: Vec3) -> Vec<f64> {
-        let mut weights = vec![0.0; self.freedoms.count()];
+        let mut weights = vec![0.0; self.dofs.count()];
         let share = direction.normalize() / particles.len() as f64;
         let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
         for &a in particles {
-            self.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
+            self.basis(a as usize).project(&row, &mut weights[self.dofs.of(a as usize)]);
         }
         weights
     }
 
     pub(crate) fn basis(&self, particle: usize) -> Basis {
-        self.shell.basis(particle, self.freedoms.arc)
+        self.shell.basis(particle, self.dofs.arc)
     }
 
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            self.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+            self.basis(a).project(&row(a), &mut out[self.dofs.of(a)]);
         }
     }
 
@@ -171,7 +171,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
 impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn unknowns(&self) -> usize {
-        self.freedoms.count()
+        self.dofs.count()
     }
 
     fn pattern(&self) -> Vec<(usize, usize)> {
@@ -179,9 +179,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         for a in 0..self.shell.len() {
             for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
                 let b = self.pattern.columns[block] as usize;
-                for row in self.freedoms.of(a) {
+                for row in self.dofs.of(a) {
                     out.extend(
-                        self.freedoms.of(b).filter(|&column| column <= row).map(|column| (row, column)),
+                        self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)),
                     );
                 }
             }
@@ -218,7 +218,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let told = |&a: &u32| {
             let a = a as usize;
             let told = self.shell.constraint(a)?.told()?;
-            Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.freedoms.arc))
+            Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
         };
         self.moved.iter().filter_map(told).sum::<f64>().sqrt()
     }
@@ -255,7 +255,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.tangent(level, &mut values);
         row_sums(&pattern, &values, out);
         for a in 0..self.shell.len() {
-            let (own, split) = (self.freedoms.of(a), self.basis(a).translations);
+            let (own, split) = (self.dofs.of(a), self.basis(a).translations);
             let (moves, turns) = out[own].split_at_mut(split);
             for alike in [moves, turns] {
                 let largest = alike.iter().copied().fold(0.0, f64::max);
@@ -266,13 +266,13 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn update(&mut self, increment: &[f64]) {
         for a in 0..self.shell.len() {
-            self.move_particle(a, &increment[self.freedoms.of(a)]);
+            self.move_particle(a, &increment[self.dofs.of(a)]);
         }
     }
 
     fn carry(&mut self, motion: &mut [f64]) {
         for a in 0..self.shell.len() {
-            let own = &mut motion[self.freedoms.of(a)];
+            let own = &mut motion[self.dofs.of(a)];
             let turn = self.move_particle(a, own);
             self.basis(a).turns(&turn, own);
         }
@@ -297,10 +297,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
     /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
     fn masses(&self) -> Vec<f64> {
-        let turning = self.shell.thickness().powi(2) / 12.0 / self.freedoms.arc.powi(2);
+        let turning = self.shell.thickness().powi(2) / 12.0 / self.dofs.arc.powi(2);
         (0..self.unknowns())
             .map(|unknown| {
-                let (particle, _, moves) = self.freedoms.find(unknown);
+                let (particle, _, moves) = self.dofs.find(unknown);
                 let reference = &self.shell.reference;
                 let mass = reference.masses[particle];
                 if moves { mass } else { mass * turning }
@@ -309,7 +309,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn name_unknown(&self, unknown: usize) -> String {
-        let (particle, place, moves) = self.freedoms.find(unknown);
+        let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
         let x = self.shell.reference.cloud.positions[particle];
         let what = if moves { "moving" } else { "its director turning" };
