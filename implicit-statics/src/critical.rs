@@ -1,55 +1,11 @@
 //! Critical points: located between converged points, told apart, and left along another branch.
 
 use crate::newton::Constraint;
-use crate::passage::{Passage, Passed};
+use crate::options::{CriticalOptions, NewtonOptions};
+use crate::path::{CriticalKind, CriticalPoint, Passage, Passed, Start};
 use crate::stepper::Stepper;
 use crate::vectors::dot;
-use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton, NewtonOptions, Start};
-
-/// How critical points are located.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CriticalOptions {
-    /// Width of the last bracket in units of the step that crossed; default 1e-6.
-    pub tolerance: f64,
-    /// Participation of the load in the mode above which the point is a limit point; default 1e-4.
-    pub participation: f64,
-}
-
-impl Default for CriticalOptions {
-    fn default() -> Self {
-        Self { tolerance: 1e-6, participation: 1e-4 }
-    }
-}
-
-/// What kind a critical point is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CriticalKind {
-    /// The level is stationary: `∂external/∂λ · mode ≠ 0` \[wriggers1990\].
-    Limit,
-    /// Another branch crosses: the load does no work in the mode.
-    Bifurcation,
-}
-
-/// A point where the tangent is singular.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CriticalPoint {
-    /// The path's step in which it lies.
-    pub step: usize,
-    /// Load level, interpolated to where the eigenvalue vanishes \[–\].
-    pub level: f64,
-    /// Limit point or bifurcation.
-    pub kind: CriticalKind,
-    /// `|p·φ| / (‖p‖ ‖φ‖)` (0 where p vanishes) with norms scaled by the diagonal stiffness: 0 … 1, the same in any unit.
-    pub participation: f64,
-    /// Critical mode φ, its largest entry 1.
-    pub mode: Vec<f64>,
-    /// Negative pivots before and after.
-    pub negative: (usize, usize),
-    /// State at the near end of the last bracket, for [`Equilibrium::restore`].
-    pub state: Vec<f64>,
-    /// Level of that state \[–\].
-    pub state_level: f64,
-}
+use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Where a bracket is cut: in its middle, or elsewhere if no equilibrium is found there.
 const PARTS: [f64; 5] = [0.5, 0.37, 0.63, 0.21, 0.79];

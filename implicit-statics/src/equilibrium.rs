@@ -41,18 +41,13 @@ pub trait Equilibrium {
     fn accept(&mut self) {}
 
     /// `out[i] = Σⱼ |K_ij|` over the unknowns, a bound of the spectrum for `relax`. The default assembles the
-    /// tangent; a model may do without.
+    /// tangent; a model may do without. Where parts turn far, unknowns that turn into each other take the largest sum of
+    /// theirs: equal masses commute with rotations, and the bound holds on the way.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         let pattern = self.pattern();
         let mut values = vec![0.0; pattern.len()];
         self.tangent(level, &mut values);
-        out.fill(0.0);
-        for (&(row, column), value) in pattern.iter().zip(&values) {
-            out[row] += value.abs();
-            if row != column {
-                out[column] += value.abs();
-            }
-        }
+        row_sums(&pattern, &values, out);
     }
 
     /// The tangent of the present, unstressed configuration with the stresses that a motion would bring: what
@@ -61,8 +56,20 @@ pub trait Equilibrium {
         false
     }
 
+    /// Norm of the forces that bring prescribed values about \[F\], for the internal forces last evaluated: the scale of
+    /// residuals where little else is loaded. Zero without prescribed values.
+    fn driving_force(&self) -> f64 {
+        0.0
+    }
+
     /// Moves the state by an increment in its present tangent space.
     fn update(&mut self, increment: &[f64]);
+
+    /// Moves the state along a motion and carries the motion into the new tangent space: it goes straight on. The
+    /// default suits states that are vectors or carry their axes along.
+    fn carry(&mut self, motion: &mut [f64]) {
+        self.update(motion);
+    }
 
     /// A copy of the state with its history, to come back to.
     fn save(&self) -> Vec<f64>;
@@ -85,5 +92,16 @@ pub trait Equilibrium {
     /// The place and the number that is out of bounds.
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
         Ok(())
+    }
+}
+
+/// Sums over the rows of |K|, given by its lower triangle.
+pub fn row_sums(pattern: &[(usize, usize)], values: &[f64], out: &mut [f64]) {
+    out.fill(0.0);
+    for (&(row, column), value) in pattern.iter().zip(values) {
+        out[row] += value.abs();
+        if row != column {
+            out[column] += value.abs();
+        }
     }
 }

@@ -105,6 +105,44 @@ pub enum EquilibriumError {
         /// Residual norms from the first iterate on \[F\].
         residuals: Vec<f64>,
     },
+    /// Dynamic relaxation did not bring forces to balance.
+    #[error(
+        "load level {level:.6e}: residual {residual:.3e} above the bound {bound:.3e} after {iterations} iterations of dynamic relaxation; allow more iterations, take a smaller step of the level, or use Newton's method"
+    )]
+    NotRelaxed {
+        /// Load level sought.
+        level: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Last residual norm \[F\].
+        residual: f64,
+        /// Bound it had to reach \[F\].
+        bound: f64,
+    },
+    /// Dynamic relaxation led out of what the model covers.
+    #[error(
+        "load level {level:.6e}: after {iterations} iterations of dynamic relaxation {found}; take a smaller step of the level"
+    )]
+    Strayed {
+        /// Load level sought.
+        level: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// What is out of bounds.
+        found: OutOfBounds,
+    },
+    /// Whoever watches ended a dynamic relaxation.
+    #[error(
+        "load level {level:.6e}: ended after {iterations} iterations of dynamic relaxation, at a residual of {residual:.3e}"
+    )]
+    Ended {
+        /// Load level sought.
+        level: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Residual norm then \[F\].
+        residual: f64,
+    },
     /// A force is infinite or not a number.
     #[error("step {step}, load level {level:.6e}: the force on {name} is not finite; take a smaller step")]
     Force {

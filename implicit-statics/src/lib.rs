@@ -1,4 +1,4 @@
-//! Equilibria of discrete systems: Newton, arc length, inertia, modes.
+//! Equilibria of discrete systems: Newton, arc length, dynamic relaxation, inertia, modes.
 //!
 //! This crate knows no shell. A system tells by [`Equilibrium`] its forces, its tangent and how it moves; everything
 //! else is here. The sparse solver stands behind one type, [`SymmetricSolver`].
@@ -10,6 +10,7 @@
 //! | follow a path past limit and turning points | [`follow`] with a [`Control`] |
 //! | locate critical points on the way | [`CriticalOptions`] in [`PathOptions`] |
 //! | go over to another branch | [`switch_branch`] |
+//! | find equilibrium without a factor of the tangent | [`relax`] |
 //! | know frequencies | [`natural_modes`] |
 //! | estimate buckling loads | [`linear_buckling`] |
 //!
@@ -48,8 +49,8 @@
 //!
 //! # The problem
 //!
-//! `internal(q) = external(q, λ)`, one load level λ, unknowns q without held freedoms. With the residual
-//! `r = external − internal`, `p = ∂external/∂λ` and the symmetric tangent `K = ∂(internal − external)/∂q`, one
+//! `internal(q, λ) = external(q, λ)`, one load level λ, unknowns q without held degrees of freedom: these stand where the
+//! level puts them. With the residual `r = external − internal`, `p = ∂r/∂λ` and the symmetric tangent `K = −∂r/∂q`, one
 //! iteration of [`Newton`] under a further equation c(q, λ) = 0 is the bordered solve \[batoz1979\] by two solves with
 //! one factor:
 //!
@@ -59,20 +60,40 @@
 //!
 //! | [`Control`] | further equation | source |
 //! |---|---|---|
-//! | `Load` | `λ` given; steps that overshoot are shortened by a line search on `δ·r` | \[matthies1979\], \[crisfield1991\] |
+//! | `Load` | `λ` given; steps that overshoot are shortened by a line search on `δ·r`; predicted by `K⁻¹p δλ` where held values move | \[matthies1979\], \[crisfield1991\] |
 //! | `Displacement` | `c·Δq = target` | \[batoz1979\] |
 //! | `ArcLength` | `Σ w_i Δq_i² + ψ² Δλ² = R²`, linearised consistently | \[crisfield1981\], \[schweizerhof1986\] |
 //!
 //! Increments live in the tangent space of the present state and [`Equilibrium::update`] moves along it, so that
-//! directors may turn on their spheres. Weights w_i of the arc are the masses over their sum ([`Measure`]), R is the
+//! directors may turn on their spheres. Weights w_i of the arc are the masses over their sum, R is the
 //! arc length of a step, `ψ²` is `load_share` times the square of the linear answer to a unit of level at the start. An
-//! arc-length step starts ([`Direction`]) along the last step \[feng1996\], or by the sign of the work `p·δ_p`
-//! \[bergan1978\], or by the inertia of K.
+//! arc-length step starts along the last step \[feng1996\].
 //!
 //! Converged means `|r| ≤ 1e-9` of the largest of `|external|`, `|p Δλ|` and the internal forces so far; where rounding
 //! of forces exceeds that, a residual that no longer falls while corrections are below 1e-8 of the way. Steps grow and
 //! shrink by `√(target/iterations)`; one that fails is repeated with half its size from the last converged state
 //! ([`PathOptions`]).
+//!
+//! A state that is kept is told ([`Equilibrium::accept`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
+//! histories back with the state.
+//!
+//! # Dynamic relaxation
+//!
+//! [`relax`] lets the unknowns move as masses under the residual, with a fictitious step of one and M from row sums:
+//!
+//! ```text
+//! v ← v + M⁻¹ r     q ← q + v     M_i = Λ/4 Σⱼ|K_ij|                                  \[underwood1983\]
+//! Kinetic     from rest with half a kick, v = ½ M⁻¹ r, wherever v·r < 0
+//! Rayleigh    v ← [(1 − ½c) v + M⁻¹ r]/(1 + ½c),  c = 2 √(v·Kv / v·Mv),  v·Kv by the change of r
+//! ```
+//!
+//! Where the stiffness along the last move exceeds `4 v·Mv` and the residual grows, masses are taken anew. Converged means
+//! `|r|` below the tolerance times the larger of `|external|` and of the forces that bring prescribed values about.
+//!
+//! Of the order of `ω_max/ω_min` evaluations are needed for a digit or two, as for every method that knows forces only. A strip
+//! of 50×5 particles rolled up to a ring in 8 levels takes 24 900 evaluations to 1e-6; ramp and hold, with its period known,
+//! 72 300 steps. Without going back to the peak, a shallow shell of 21×21 particles did not converge in 15 000 evaluations at its
+//! first level; with it, in 3100.
 //!
 //! # Inertia, critical points, branches
 //!
@@ -136,6 +157,11 @@
 //! | a step to another branch names where its own turns back, over one limit point or many, with line search or without; a long step on its branch says nothing | `a_load_step_to_the_far_side_of_the_arch_names_the_limit_it_leapt_over`, `a_leap_over_many_limit_points_names_the_first`, `a_displacement_step_over_a_turning_point_says_so`, `steps_that_stay_on_their_branch_are_proved_to` |
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
+//! | the rest goes along with held values that move, and kept states are told once | `held_values_move_with_the_level_and_kept_states_are_told` (tests/newton.rs) |
+//! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
+//! | masses follow a stiffness that grows | `masses_follow_a_stiffness_that_grows`, `row_sums_are_those_of_the_tangent` |
+//! | no state is said to be found that does not balance; the state stays | `what_is_not_found_is_said_and_the_state_stays` |
+//! | relaxation crosses a snap | `a_snap_through_lands_beyond` |
 //! | arc length passes limit and turning points, ends exactly at its bound | `arc_length_goes_through_both_limit_points_and_ends_at_the_bound`, `arc_length_passes_both_turning_points_of_the_displacement` |
 //! | limit points and bifurcations are told apart and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
 //! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
@@ -150,32 +176,35 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod bounds;
-mod branch;
 mod buckling;
 mod critical;
 mod effort;
 mod eigen;
 mod equilibrium;
 mod error;
+mod follow;
 mod geometric;
 mod modal;
 mod newton;
-mod passage;
+mod options;
 mod path;
 mod pattern;
+mod relaxation;
 mod solver;
 mod stepper;
 mod vectors;
 
 pub use bounds::OutOfBounds;
 pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
-pub use critical::{CriticalKind, CriticalOptions, CriticalPoint, switch_branch};
+pub use critical::switch_branch;
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
-pub use equilibrium::Equilibrium;
+pub use equilibrium::{Equilibrium, row_sums};
 pub use error::EquilibriumError;
+pub use follow::follow;
 pub use geometric::Prebuckling;
 pub use modal::{Mode, lowest_modes, natural_modes};
-pub use newton::{Converged, Increment, Newton, NewtonOptions, linear_response};
-pub use passage::{Passage, Passed};
-pub use path::{Control, Direction, End, Measure, Path, PathOptions, Point, Start, follow};
+pub use newton::{Converged, Increment, Newton, linear_response};
+pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
+pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
+pub use relaxation::{Relaxed, Relaxing, relax};
 pub use solver::{Inertia, SymmetricSolver};

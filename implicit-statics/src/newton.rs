@@ -1,6 +1,7 @@
 //! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
 
 use crate::error::require;
+use crate::options::NewtonOptions;
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError, Inertia, SymmetricSolver};
 
@@ -12,27 +13,6 @@ const TRIALS: usize = 6;
 const STALLED: f64 = 0.25;
 /// … and is rounding of the forces when the correction is below this share of the way: one more would square it.
 const AT_REST: f64 = 1e-8;
-
-/// How Newton iterates.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NewtonOptions {
-    /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ and the internal
-    /// forces of the states found so far; default 1e-9.
-    ///
-    /// Where rounding of the forces exceeds it (a thin shell is stiff against stretching, its load small), a
-    /// residual that no longer falls while corrections are below 1e-8 of the way counts as converged.
-    pub tolerance: f64,
-    /// Iterations allowed; default 15.
-    pub iterations: usize,
-    /// Whether load-controlled steps that overshoot are shortened; default true.
-    pub line_search: bool,
-}
-
-impl Default for NewtonOptions {
-    fn default() -> Self {
-        Self { tolerance: 1e-9, iterations: 15, line_search: true }
-    }
-}
 
 /// How an equilibrium was reached.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,12 +48,12 @@ pub(crate) enum Constraint<'a> {
     Sphere { weights: &'a [f64], load: f64, radius: f64 },
 }
 
-/// `K⁻¹ ∂external/∂λ` at the present state: the linear answer to a unit of level. The state stays.
+/// `K⁻¹ p`, p the load rate at the present state: the linear answer to a unit of level. The state stays.
 pub fn linear_response<E: Equilibrium + ?Sized>(
     system: &mut E,
     level: f64,
 ) -> Result<Vec<f64>, EquilibriumError> {
-    Ok(Newton::new(system, &NewtonOptions::default())?.response(system, level)?.0)
+    Ok(Newton::new(system, &NewtonOptions::default())?.response(system, level)?)
 }
 
 /// Newton's method with its solver, its buffers and its sense of scale; keep one for all steps of a path.
@@ -162,21 +142,21 @@ impl Newton {
         Ok(self.solver.inertia())
     }
 
-    /// `K⁻¹ ∂external/∂λ` at the present state, and `∂external/∂λ` itself \[F\].
+    /// `K⁻¹ p` at the present state, p the load rate `∂(external − internal)/∂λ`.
     pub(crate) fn response<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         level: f64,
-    ) -> Result<(Vec<f64>, &[f64]), EquilibriumError> {
+    ) -> Result<Vec<f64>, EquilibriumError> {
         self.tangent(system, level)?;
         if let Some(response) = &self.answer {
-            return Ok((response.clone(), &self.rate));
+            return Ok(response.clone());
         }
         system.load_rate(level, &mut self.rate);
         let mut response = self.rate.clone();
         self.solver.solve(&mut response).map_err(|error| error.named(system, self.step, level))?;
         self.answer = Some(response.clone());
-        Ok((response, &self.rate))
+        Ok(response)
     }
 
     /// Tells what forces and motions to expect before any are known: those of the linear first step.
@@ -275,7 +255,7 @@ impl Newton {
         level: f64,
         increment: &Increment,
     ) -> Result<(), EquilibriumError> {
-        let response = self.response(system, level)?.0;
+        let response = self.response(system, level)?;
         let unit = |v: &[f64]| v.iter().zip(self.solver.scale()).map(|(q, s)| q / s).collect::<Vec<f64>>();
         let (way, response) = (unit(&increment.motion), unit(&response));
         let product = dot(&way, &response) * increment.level.signum();
@@ -318,7 +298,7 @@ impl Newton {
         if let Constraint::Level = constraint {
             return Ok(Increment { motion, level: 0.0 });
         }
-        let response = self.response(system, level)?.0;
+        let response = self.response(system, level)?;
         let (missing, rate) = match constraint {
             Constraint::Level => unreachable!("returned above"),
             Constraint::Functional { weights, target } => {

@@ -1,7 +1,8 @@
 //! One continuation step from a converged state: predictor, corrector, and what is kept between steps.
 
 use crate::newton::Constraint;
-use crate::path::{Control, Direction, Measure, PathOptions, Start};
+use crate::options::{Control, PathOptions};
+use crate::path::Start;
 use crate::vectors::dot;
 use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
 
@@ -31,7 +32,6 @@ pub(crate) struct Stepper<'a> {
     pub level: f64,
     pub last: Option<Increment>,
     control: &'a Control,
-    direction: Direction,
     /// Weights of the functional, or of the norm of an increment.
     weights: Vec<f64>,
     /// ψ², what a change of level counts in the norm.
@@ -54,13 +54,12 @@ impl<'a> Stepper<'a> {
             level: start.level,
             last: start.heading.clone(),
             control: &options.control,
-            direction: options.direction,
             weights: Vec::new(),
             load: 0.0,
             sign: 1.0,
             compares: options.critical.is_some(),
         };
-        let response = stepper.newton.response(system, start.level)?.0;
+        let response = stepper.newton.response(system, start.level)?;
         let (change, sizes) = match &options.control {
             Control::Load { step, until } => {
                 stepper.sign = (until - start.level).signum();
@@ -73,7 +72,7 @@ impl<'a> Stepper<'a> {
                 (step / dot(&stepper.weights, &response), (step.abs(), step.abs()))
             }
             Control::ArcLength { first, .. } => {
-                stepper.weights = measure(system, &options.measure)?;
+                stepper.weights = arc_weights(system);
                 stepper.sign = first.signum();
                 let compliance = stepper.product(&response, &response);
                 // a load that moves nothing yet (a column before it buckles) leaves the level alone as the arc
@@ -98,7 +97,7 @@ impl<'a> Stepper<'a> {
     ) -> Result<Made, EquilibriumError> {
         let zero = vec![0.0; system.unknowns()];
         let mut increment = Increment { motion: zero, level: 0.0 };
-        let from = if self.compares { Some(self.newton.response(system, self.level)?.0) } else { None };
+        let from = if self.compares { Some(self.newton.response(system, self.level)?) } else { None };
         let before = self.newton.solver.inertia().negative;
         let predicted;
         let converged = match self.control {
@@ -108,7 +107,7 @@ impl<'a> Stepper<'a> {
                 let level = self.level + increment.level;
                 let before = self.newton.tangent(system, self.level)?;
                 if system.held_values_move() {
-                    let response = self.newton.response(system, self.level)?.0;
+                    let response = self.newton.response(system, self.level)?;
                     self.predict(system, &mut increment, predicted, &response)?;
                 }
                 let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
@@ -118,7 +117,7 @@ impl<'a> Stepper<'a> {
                 Ok(converged)
             }
             Control::Displacement { .. } => {
-                let response = self.newton.response(system, self.level)?.0;
+                let response = self.newton.response(system, self.level)?;
                 let rate = dot(&self.weights, &response);
                 let target = self.sign * size;
                 predicted = target / rate;
@@ -127,10 +126,9 @@ impl<'a> Stepper<'a> {
                 self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
             }
             Control::ArcLength { .. } => {
-                let (response, rate) = self.newton.response(system, self.level)?;
-                let work = dot(&response, rate);
+                let response = self.newton.response(system, self.level)?;
                 let length = (self.product(&response, &response) + self.load).sqrt();
-                let sign = self.heading(&response, work);
+                let sign = self.heading(&response);
                 predicted = sign * size / length;
                 self.predict(system, &mut increment, predicted, &response)?;
                 let constraint = Constraint::Sphere { weights: &self.weights, load: self.load, radius: size };
@@ -162,7 +160,7 @@ impl<'a> Stepper<'a> {
         converged: &Converged,
         increment: &Increment,
     ) -> Result<f64, EquilibriumError> {
-        let to = self.newton.response(system, converged.level)?.0;
+        let to = self.newton.response(system, converged.level)?;
         // Change of level for which the tangent at the end makes a step of the same size, as `first` does at the start.
         let last = match self.control {
             Control::Load { .. } => increment.level,
@@ -199,7 +197,7 @@ impl<'a> Stepper<'a> {
         if negative == 0 || !matches!(self.control, Control::Displacement { .. }) {
             return Ok(negative);
         }
-        let response = self.newton.response(system, converged.level)?.0;
+        let response = self.newton.response(system, converged.level)?;
         Ok(negative - usize::from(dot(&self.weights, &response) < 0.0))
     }
 
@@ -259,16 +257,11 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
-    /// Sign of the predictor's change of level.
-    fn heading(&self, response: &[f64], work: f64) -> f64 {
-        let forward = match (self.direction, &self.last) {
-            (Direction::Secant, Some(last)) => self.product(&last.motion, response) + self.load * last.level,
-            (Direction::Secant, None) => self.sign,
-            (Direction::Work, _) => self.sign * work,
-            (Direction::Inertia, _) => {
-                let even = self.newton.solver.inertia().negative.is_multiple_of(2);
-                self.sign * if even { 1.0 } else { -1.0 }
-            }
+    /// Sign of the predictor's change of level: not back along the last step \[feng1996\].
+    fn heading(&self, response: &[f64]) -> f64 {
+        let forward = match &self.last {
+            Some(last) => self.product(&last.motion, response) + self.load * last.level,
+            None => self.sign,
         };
         if forward < 0.0 { -1.0 } else { 1.0 }
     }
@@ -278,21 +271,9 @@ impl<'a> Stepper<'a> {
     }
 }
 
-fn measure<E: Equilibrium + ?Sized>(system: &E, measure: &Measure) -> Result<Vec<f64>, EquilibriumError> {
-    let n = system.unknowns();
-    let weights = match measure {
-        Measure::Plain => vec![1.0; n],
-        Measure::Given(weights) => weights.clone(),
-        Measure::Mass => {
-            let masses = system.masses();
-            let total: f64 = masses.iter().sum();
-            if total > 0.0 { masses.iter().map(|m| m / total).collect() } else { vec![1.0; n] }
-        }
-    };
-    let length = weights.len();
-    if length == n {
-        Ok(weights)
-    } else {
-        Err(EquilibriumError::Length { name: "weights of the arc length", length, expected: n })
-    }
+/// Weights of the norm of an increment: masses over their sum, the same for any mesh and unit; plain without masses.
+fn arc_weights<E: Equilibrium + ?Sized>(system: &E) -> Vec<f64> {
+    let masses = system.masses();
+    let total: f64 = masses.iter().sum();
+    if total > 0.0 { masses.iter().map(|m| m / total).collect() } else { vec![1.0; system.unknowns()] }
 }

@@ -5,7 +5,7 @@ mod common;
 use std::ops::ControlFlow;
 
 use common::pendulum::Pendulum;
-use common::{Arch, Flat, Hencky, Potential};
+use common::{Arch, Bars, Flat, Hencky, Potential};
 use implicit_statics::{
     Control, Equilibrium, EquilibriumError, Newton, NewtonOptions, PathOptions, Start, follow,
     linear_response,
@@ -243,4 +243,33 @@ fn failures_say_where_and_leave_the_state() {
     let mut arch = Flat::new(Arch { half: 10.0, height: 1.0, sideways: false });
     let error = Newton::new(&arch, &tight()).unwrap().at_level(&mut arch, f64::NAN).unwrap_err();
     assert!(matches!(error, EquilibriumError::Force { ref name, .. } if name == "apex, down"), "{error}");
+}
+
+/// A row of bars whose end is moved: every joint goes along in proportion, in one step predicted by the load rate.
+#[test]
+fn held_values_move_with_the_level_and_kept_states_are_told() {
+    let mut bars = Bars::new(20);
+    let options = PathOptions::new(Control::Load { step: 0.25, until: 1.0 });
+    let path = follow(&mut bars, &Start::default(), &options, |_, _| ControlFlow::Continue(()));
+    assert!(path.end.is_ok());
+    for (i, q) in bars.q.iter().enumerate() {
+        assert!((q - (i + 1) as f64 / 20.0).abs() < 1e-9, "{q}");
+    }
+    assert!(path.points.iter().skip(1).all(|point| point.converged.iterations == 1), "{:?}", path.points);
+    // The start and every point.
+    assert_eq!(bars.accepted, 1 + path.points.len() - 1);
+
+    let mut bars = Bars::new(5);
+    let mut rate = vec![0.0; 4];
+    bars.q = vec![0.1, 0.15, 0.3, 0.4];
+    bars.load_rate(0.7, &mut rate);
+    let mut difference = |level: f64| {
+        let mut out = vec![0.0; 4];
+        bars.internal(level, &mut out);
+        out
+    };
+    let (plus, minus) = (difference(0.7 + 1e-5), difference(0.7 - 1e-5));
+    for i in 0..4 {
+        assert!(((minus[i] - plus[i]) / 2e-5 - rate[i]).abs() < 1e-6 * rate[3], "{i}");
+    }
 }

@@ -163,7 +163,10 @@
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
 //! or both turns. [`Held`] is the general one; [`Clamped`], [`Hinged`], [`SymmetryPlane`], [`Diaphragm`] are named
-//! cases, [`Moved`] prescribes. Held parts are taken out of velocities in the march and are no unknowns in statics. A
+//! cases. [`Moved`] prescribes displacements and [`Rotated`] both turns of directors, `d = R(axis, angle) D`, by level and
+//! amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
+//! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
+//! where it must be at the end of the step, and the work of its support is booked. A
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower) and [`EdgeCouple`],
 //! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
 //!
@@ -191,6 +194,8 @@
 //! | tangent and forces along the unknowns are derivatives of the energy | `the_tangent_is_the_second_derivative_of_the_energy`, `forces_along_the_unknowns_are_the_first_derivative` (tests/statics.rs) |
 //! | the stiffness of every load is its derivative; symmetric inside planes of symmetry | `the_stiffness_of_every_load_is_its_derivative`, `pressure_inside_planes_of_symmetry_has_a_potential_and_over_free_edges_has_none` (tests/load_stiffness.rs) |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
+//! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
+//! | dynamic relaxation finds what Newton's method finds | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
 //! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |

@@ -87,6 +87,16 @@ impl Told<'_> {
         }
     }
 
+    /// Square of the force that brings it about at the director `d`, from `[∂U/∂x, ∂U/∂d]`, turns counted as arcs \[F²\].
+    pub fn force(&self, row: &Row, d: &Vec3, arc: f64) -> f64 {
+        let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
+        let pull = self.motion.map_or(0.0, |motion| {
+            motion.displacement.try_normalize(0.0).map_or(0.0, |along| along.dot(&part(0)))
+        });
+        let turn = self.rotation.map_or(0.0, |rotation| rotation.axis.cross(d).dot(&part(3)) / arc);
+        pull * pull + turn * turn
+    }
+
     /// Derivative of `[x, d]` with respect to the level, at the director `d`.
     pub fn rate(&self, d: &Vec3) -> Row {
         let unit = Instant { time: 0.0, level: 1.0 };

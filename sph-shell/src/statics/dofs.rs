@@ -75,6 +75,13 @@ impl Basis {
         }
     }
 
+    /// Components of a turn of the director, put behind those of the translations.
+    pub fn turns(&self, turn: &Vec3, components: &mut [f64]) {
+        for (i, component) in components.iter_mut().enumerate().skip(self.translations) {
+            *component = self.directions[i].dot(turn) / self.rates[i];
+        }
+    }
+
     /// Displacement and turn of the director for components along the unknowns.
     pub fn expand(&self, components: &[f64]) -> (Vec3, Vec3) {
         let (mut u, mut v) = (Vec3::zeros(), Vec3::zeros());

@@ -37,7 +37,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Largest entry of the skew part of the load stiffness at level one in the unknowns, in units of its largest derivative:
     /// zero where the loads have a potential in the present state, of order one where free edges leave them without.
     pub fn skew_load_share(&self) -> f64 {
-        let turn = 1.0 / self.freedoms.arc;
+        let turn = 1.0 / self.dofs.arc;
         let unit = |i: usize| if i < 3 { 1.0 } else { turn };
         let mut largest = 0.0_f64;
         self.shell.load_stiffness(1.0, &mut |_, _, block| {

@@ -3,8 +3,9 @@
 use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
-use implicit_statics::{Equilibrium, OutOfBounds};
+use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
 use shell_kinematics::parallel_transport;
+use sph_core::Vec3;
 
 use crate::conditions::loads::Block;
 use crate::points::bounds::Unsound;
@@ -19,7 +20,7 @@ use crate::statics::stiffness::BlockPattern;
 /// of a state.
 pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
-    pub(crate) freedoms: DofMap,
+    pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
     /// Particles with a prescribed displacement or rotation.
@@ -39,9 +40,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
     /// of prescribed values too.
     pub fn lent(shell: S) -> Self {
-        let (freedoms, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
+        let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
-        Self { shell, freedoms, pattern, blocks, moved: Vec::new() }
+        Self { shell, dofs, pattern, blocks, moved: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -63,24 +64,24 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
     /// control prescribes. The mean over the particles.
-    pub fn functional(&self, particles: &[u32], direction: sph_core::Vec3) -> Vec<f64> {
-        let mut weights = vec![0.0; self.freedoms.count()];
+    pub fn functional(&self, particles: &[u32], direction: Vec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.dofs.count()];
         let share = direction.normalize() / particles.len() as f64;
         let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
         for &a in particles {
-            self.basis(a as usize).project(&row, &mut weights[self.freedoms.of(a as usize)]);
+            self.basis(a as usize).project(&row, &mut weights[self.dofs.of(a as usize)]);
         }
         weights
     }
 
     pub(crate) fn basis(&self, particle: usize) -> Basis {
-        self.shell.basis(particle, self.freedoms.arc)
+        self.shell.basis(particle, self.dofs.arc)
     }
 
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            self.basis(a).project(&row(a), &mut out[self.freedoms.of(a)]);
+            self.basis(a).project(&row(a), &mut out[self.dofs.of(a)]);
         }
     }
 
@@ -175,7 +176,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
 impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn unknowns(&self) -> usize {
-        self.freedoms.count()
+        self.dofs.count()
     }
 
     fn pattern(&self) -> Vec<(usize, usize)> {
@@ -183,9 +184,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         for a in 0..self.shell.len() {
             for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
                 let b = self.pattern.columns[block] as usize;
-                for row in self.freedoms.of(a) {
+                for row in self.dofs.of(a) {
                     out.extend(
-                        self.freedoms.of(b).filter(|&column| column <= row).map(|column| (row, column)),
+                        self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)),
                     );
                 }
             }
@@ -218,6 +219,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         !self.moved.is_empty()
     }
 
+    fn driving_force(&self) -> f64 {
+        let told = |&a: &u32| {
+            let a = a as usize;
+            let told = self.shell.constraint(a)?.told()?;
+            Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
+        };
+        self.moved.iter().filter_map(told).sum::<f64>().sqrt()
+    }
+
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.put(level);
         self.shell.evaluate_internal(false);
@@ -243,12 +253,33 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         true
     }
 
+    /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
+    fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        let pattern = self.pattern();
+        let mut values = vec![0.0; pattern.len()];
+        self.tangent(level, &mut values);
+        row_sums(&pattern, &values, out);
+        for a in 0..self.shell.len() {
+            let (own, split) = (self.dofs.of(a), self.basis(a).translations);
+            let (moves, turns) = out[own].split_at_mut(split);
+            for alike in [moves, turns] {
+                let largest = alike.iter().copied().fold(0.0, f64::max);
+                alike.fill(largest);
+            }
+        }
+    }
+
     fn update(&mut self, increment: &[f64]) {
         for a in 0..self.shell.len() {
-            let (u, v) = self.basis(a).expand(&increment[self.freedoms.of(a)]);
-            let row = &mut self.shell.state[a];
-            let (d, _) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
-            *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+            self.move_particle(a, &increment[self.dofs.of(a)]);
+        }
+    }
+
+    fn carry(&mut self, motion: &mut [f64]) {
+        for a in 0..self.shell.len() {
+            let own = &mut motion[self.dofs.of(a)];
+            let turn = self.move_particle(a, own);
+            self.basis(a).turns(&turn, own);
         }
     }
 
@@ -271,10 +302,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
     /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
     fn masses(&self) -> Vec<f64> {
-        let turning = self.shell.thickness().powi(2) / 12.0 / self.freedoms.arc.powi(2);
+        let turning = self.shell.thickness().powi(2) / 12.0 / self.dofs.arc.powi(2);
         (0..self.unknowns())
             .map(|unknown| {
-                let (particle, _, moves) = self.freedoms.find(unknown);
+                let (particle, _, moves) = self.dofs.find(unknown);
                 let reference = &self.shell.reference;
                 let mass = reference.masses[particle];
                 if moves { mass } else { mass * turning }
@@ -283,7 +314,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn name_unknown(&self, unknown: usize) -> String {
-        let (particle, place, moves) = self.freedoms.find(unknown);
+        let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
         let x = self.shell.reference.cloud.positions[particle];
         let what = if moves { "moving" } else { "its director turning" };
@@ -300,6 +331,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Moves a particle by components along its unknowns; gives the turn of its director, carried along.
+    fn move_particle(&mut self, a: usize, components: &[f64]) -> Vec3 {
+        let (u, v) = self.basis(a).expand(components);
+        let row = &mut self.shell.state[a];
+        let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
+        *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+        w.into()
+    }
+
     /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
     fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
         let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);

@@ -1,0 +1,315 @@
+//! Paths of equilibria under load, displacement and arc-length control, with adaptive steps and restarts.
+//!
+//! A long step is followed again by arc length from where it began, to see whether it stayed on its branch: following
+//! calls itself, so both stand in this file.
+
+use std::ops::ControlFlow;
+
+use crate::critical::locate_all;
+use crate::options::{Control, CriticalOptions, PathOptions};
+use crate::path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
+use crate::stepper::{Made, Stepper};
+use crate::vectors::{difference, dot};
+use crate::{Equilibrium, EquilibriumError, Increment};
+
+/// Part of the first step above which a load step that may have strayed is halved.
+const STRAY: f64 = 0.1;
+/// Part of the first step down to which an arc is halved while it strays.
+const FINE: f64 = 1e-3;
+/// First step along the branch, as a part of the linear answer to the whole.
+const PART: f64 = 0.125;
+/// Steps along the branch.
+const STEPS: usize = 200;
+/// Two states are the same if their distance is below this share of the way between the ends of the step.
+const SAME: f64 = 1e-3;
+
+/// Told every converged point and the step that led there.
+type Observer<'a, E> = dyn FnMut(&Point, Option<&Increment>, &mut E) -> ControlFlow<()> + 'a;
+
+/// Follows equilibria from the present state; the observer sees every converged point and may stop.
+///
+/// A step that fails is repeated with half the size from the last converged state. All converged points are
+/// kept whatever happens later.
+pub fn follow<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    start: &Start,
+    options: &PathOptions,
+    mut observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
+) -> Path {
+    let mut path = Path::new(start);
+    path.end = march(system, start, options, &mut path, &mut |point, _, system| observer(point, system));
+    path
+}
+
+fn march<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    start: &Start,
+    options: &PathOptions,
+    path: &mut Path,
+    observer: &mut Observer<'_, E>,
+) -> Result<End, EquilibriumError> {
+    options.check(system)?;
+    let (mut stepper, converged, (mut size, first)) = Stepper::new(system, start, options)?;
+    let unstable = converged.inertia.negative;
+    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable };
+    let stop = observer(&point, None, system);
+    path.points.push(point);
+    if stop.is_break() {
+        return Ok(End::Stopped);
+    }
+    let mut travelled = 0.0;
+    for step in 1..=options.steps {
+        stepper.newton.step = step;
+        let saved = system.save();
+        let mut restarts = 0;
+        let (made, bound) = loop {
+            let trial = clip(size, travelled, stepper.level, &options.control);
+            match step_within(&mut stepper, system, &saved, trial, &options.control) {
+                Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => break done,
+                Ok(_) => {
+                    stepper.newton.go_back(system, &saved);
+                    restarts += 1;
+                    size = 0.5 * trial;
+                }
+                Err(cause) => {
+                    stepper.newton.go_back(system, &saved);
+                    restarts += 1;
+                    size = 0.5 * trial;
+                    let smallest = options.smallest * first;
+                    if size < smallest {
+                        let (level, cause) = (stepper.level, Box::new(cause));
+                        return Err(EquilibriumError::StepTooSmall { step, level, size, smallest, cause });
+                    }
+                }
+            }
+        };
+        let size_made = stepper.size(&made.increment);
+        travelled += size_made;
+        if let Some(critical) = &options.critical {
+            look_for_critical(&mut stepper, system, (&saved, &made, size_made), critical, options, path);
+        }
+        let Made { converged, increment, unstable, .. } = made;
+        let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
+        stepper.accept(converged.level, increment);
+        system.accept();
+        path.restart = Start { level: stepper.level, heading: stepper.last.clone() };
+        let point = Point { step, converged, size: size_made, restarts, unstable };
+        let stop = observer(&point, stepper.last.as_ref(), system);
+        path.points.push(point);
+        if stop.is_break() {
+            return Ok(End::Stopped);
+        }
+        if bound || reached(travelled, stepper.level, first, &options.control) {
+            return Ok(End::Reached);
+        }
+        size = (size * ratio.sqrt().clamp(0.5, 2.0)).min(options.largest * first);
+    }
+    Ok(End::Steps)
+}
+
+/// Whether Newton may have strayed to another branch and a smaller step is to be tried, while it is not yet small: a load
+/// step after which several more pivots are negative, since critical points are passed one at a time but for symmetry;
+/// an arc far from its tangents.
+fn strayed(made: &Made, path: &Path, size: f64, first: f64, control: &Control) -> bool {
+    let before = path.points.last().map_or(0, |point| point.inertia().negative);
+    let load = matches!(control, Control::Load { .. });
+    let several = load && made.converged.inertia.negative > before + 1 && size > STRAY * first;
+    // Arcs that turn back or leave their branch are halved; load and displacement go where they are told.
+    let arc = matches!(control, Control::ArcLength { .. });
+    several || arc && made.strays && size > FINE * first
+}
+
+/// Makes one step; an arc that leaves the range of levels is replaced by a step to the bound.
+fn step_within<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    saved: &[f64],
+    size: f64,
+    control: &Control,
+) -> Result<(Made, bool), EquilibriumError> {
+    let made = stepper.advance(system, size)?;
+    let Control::ArcLength { range: (low, high), .. } = *control else {
+        return Ok((made, false));
+    };
+    let bound = made.converged.level.clamp(low, high);
+    if bound == made.converged.level || made.strays {
+        return Ok((made, false)); // one that strayed is made again
+    }
+    let beyond = system.save();
+    stepper.newton.go_back(system, saved);
+    match stepper.reach_level(system, bound, &made.increment) {
+        Ok(short) => Ok((short, true)),
+        Err(_) => {
+            stepper.newton.go_back(system, &beyond);
+            Ok((made, true))
+        }
+    }
+}
+
+fn clip(size: f64, travelled: f64, level: f64, control: &Control) -> f64 {
+    match control {
+        Control::Load { until, .. } => size.min((until - level).abs()),
+        Control::Displacement { until, .. } => size.min(until.abs() - travelled),
+        Control::ArcLength { .. } => size,
+    }
+}
+
+fn reached(travelled: f64, level: f64, first: f64, control: &Control) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * first;
+    match control {
+        Control::Load { until, .. } => near(level, *until),
+        Control::Displacement { until, .. } => near(travelled, until.abs()),
+        Control::ArcLength { range, .. } => level <= range.0 || level >= range.1,
+    }
+}
+
+/// Looks at a step that is kept, from `saved` to the present state: for critical points where the number of negative
+/// pivots changes, and for a change of branch where its tangents do not explain it.
+fn look_for_critical<E: Equilibrium + ?Sized>(
+    stepper: &mut Stepper,
+    system: &mut E,
+    (saved, made, size): (&[f64], &Made, f64),
+    critical: &CriticalOptions,
+    options: &PathOptions,
+    path: &mut Path,
+) {
+    let before = path.points.last().map_or(0, |point| point.inertia().negative);
+    let negative = (before, made.converged.inertia.negative);
+    let leaps = made.strays;
+    if !leaps && negative.0 == negative.1 {
+        return;
+    }
+    let (step, levels) = (stepper.newton.step, (stepper.level, made.converged.level));
+    let here = system.save();
+    stepper.newton.go_back(system, saved);
+    let mut same = true;
+    if leaps {
+        let arc = matches!(options.control, Control::ArcLength { .. });
+        let traced =
+            (!arc).then(|| trace(system, levels.0, (&made.increment, made.predicted), &here, options));
+        let what = match traced.as_ref().map_or(Leads::Unknown, |traced| traced.leads) {
+            Leads::There => None,
+            Leads::Back(level) => Some(Passed::Turn(level)),
+            Leads::Elsewhere => Some(Passed::Branch),
+            Leads::Unknown => Some(Passed::Unproved),
+        };
+        // What lies on the branch that was left is told, with the step that left it; pairs that cancel as well.
+        if let Some(traced) = traced.filter(|_| what.is_some() || negative.0 == negative.1) {
+            path.critical.extend(traced.critical.into_iter().map(|point| CriticalPoint { step, ..point }));
+            path.passages.extend(traced.passages.into_iter().map(|passage| Passage { step, ..passage }));
+        }
+        same = what.is_none();
+        path.passages.extend(what.map(|what| Passage { step, levels, negative, what }));
+    }
+    if same && negative.0 != negative.1 {
+        stepper.newton.go_back(system, saved);
+        let (points, passages) =
+            locate_all(stepper, system, (&made.converged, &here), negative.0, size, critical);
+        path.critical.extend(points);
+        path.passages.extend(passages);
+    }
+    stepper.newton.go_back(system, &here);
+}
+
+/// Where the branch of an equilibrium goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Leads {
+    /// To the state that the step found.
+    There,
+    /// Back, before the end of the step, from about this level.
+    Back(f64),
+    /// To the end of the step, in another state.
+    Elsewhere,
+    /// It could not be followed that far.
+    Unknown,
+}
+
+/// What was met on the branch.
+struct Traced {
+    leads: Leads,
+    critical: Vec<CriticalPoint>,
+    passages: Vec<Passage>,
+}
+
+/// Follows the branch through the present state, which balances `level`, to the end of the step `made`; `found` is the
+/// state that the step found, `linear` the change of level of the linear answer to it. The state of the system is left elsewhere.
+fn trace<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+    (made, linear): (&Increment, f64),
+    found: &[f64],
+    options: &PathOptions,
+) -> Traced {
+    let begun = system.save();
+    // The controlled quantity along the branch, and at the end of the step.
+    let progress = |increment: &Increment| match &options.control {
+        Control::Displacement { functional, .. } => {
+            functional.iter().map(|&(unknown, weight)| weight * increment.motion[unknown]).sum::<f64>()
+        }
+        _ => increment.level,
+    };
+    let target = progress(made);
+    let arc = PathOptions {
+        control: Control::ArcLength { first: PART * linear, range: (f64::NEG_INFINITY, f64::INFINITY) },
+        steps: STEPS,
+        ..options.clone()
+    };
+    let (mut done, mut highest) = (0.0_f64, level);
+    let mut path = Path::new(&Start { level, heading: None });
+    let mut turned = false;
+    let end = march(system, &Start { level, heading: None }, &arc, &mut path, &mut |point, step, _| {
+        let Some(step) = step else { return ControlFlow::Continue(()) };
+        let before = done;
+        done += progress(step);
+        turned = (done - before) * target < 0.0;
+        if !turned {
+            highest = point.level();
+        }
+        if turned || done * target >= target * target {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    let limit = path.critical.iter().rfind(|point| point.kind == CriticalKind::Limit);
+    let limit = limit.map_or(highest, |point| point.level);
+    let leads = match end {
+        Ok(End::Stopped) if turned => Leads::Back(limit),
+        Ok(End::Stopped) => match land(system, &path.restart, target - done, options) {
+            Ok(()) => {
+                let (state, way) = (system.save(), difference(found, &begun));
+                let rest = difference(&state, found);
+                if dot(&rest, &rest) <= SAME * SAME * dot(&way, &way) {
+                    Leads::There
+                } else {
+                    Leads::Elsewhere
+                }
+            }
+            Err(_) => Leads::Unknown,
+        },
+        _ => Leads::Unknown,
+    };
+    Traced { leads, critical: path.critical, passages: path.passages }
+}
+
+/// Goes the rest of the way from a point just beyond the end of the step.
+fn land<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    from: &Start,
+    rest: f64,
+    options: &PathOptions,
+) -> Result<(), EquilibriumError> {
+    if rest == 0.0 {
+        return Ok(());
+    }
+    let control = match &options.control {
+        Control::Displacement { functional, .. } => {
+            Control::Displacement { functional: functional.clone(), step: rest, until: rest }
+        }
+        _ => Control::Load { step: rest, until: from.level + rest },
+    };
+    let short = PathOptions { control, critical: None, ..options.clone() };
+    let start = Start { level: from.level, heading: None };
+    march(system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(()))
+        .map(|_| ())
+}

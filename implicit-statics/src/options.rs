@@ -1,0 +1,166 @@
+//! Options: Newton's method, paths and their control, critical points, dynamic relaxation.
+
+use crate::error::require;
+use crate::{Equilibrium, EquilibriumError};
+
+/// How Newton iterates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewtonOptions {
+    /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ and the internal
+    /// forces of the states found so far; default 1e-9.
+    ///
+    /// Where rounding of the forces exceeds it (a thin shell is stiff against stretching, its load small), a
+    /// residual that no longer falls while corrections are below 1e-8 of the way counts as converged.
+    pub tolerance: f64,
+    /// Iterations allowed; default 15.
+    pub iterations: usize,
+    /// Whether load-controlled steps that overshoot are shortened; default true.
+    pub line_search: bool,
+}
+
+impl Default for NewtonOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-9, iterations: 15, line_search: true }
+    }
+}
+
+/// What drives a path.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Control {
+    /// The level goes to `until` in steps of `step`; ends at the first limit point.
+    Load {
+        /// First change of level \[–\].
+        step: f64,
+        /// Last level, met exactly \[–\].
+        until: f64,
+    },
+    /// The functional `c·Δq` of the increments goes to `until`; passes limit points, not turning points of `c·q`.
+    Displacement {
+        /// The unknowns and their weights `c`.
+        functional: Vec<(usize, f64)>,
+        /// First change of the functional \[its unit\].
+        step: f64,
+        /// Total change of the functional from the start, with its sign, met exactly \[its unit\].
+        until: f64,
+    },
+    /// The spherical arc length; passes limit points and turning points \[crisfield1981\].
+    ArcLength {
+        /// Change of level of a linear first step; its sign is the first direction, its size the first radius.
+        first: f64,
+        /// The path ends when the level leaves this range; the bound that is crossed is met exactly \[–\].
+        range: (f64, f64),
+    },
+}
+
+/// How a path is followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathOptions {
+    /// What drives the path.
+    pub control: Control,
+    /// How every step is corrected.
+    pub newton: NewtonOptions,
+    /// Steps grow or shrink by √(target/iterations), between halves and doubles; default 5.
+    pub target_iterations: usize,
+    /// Largest step in units of the first; default 10.
+    pub largest: f64,
+    /// Least step in units of the first, below which the path has failed; default 1e-6.
+    pub smallest: f64,
+    /// Steps allowed; default 1000.
+    pub steps: usize,
+    /// What the level counts in the arc length against the linear response to it at the start; default 1.
+    pub load_share: f64,
+    /// Whether steps are watched for what is critical: whether and how critical points are located where the number of
+    /// negative pivots changes, and steps checked for having left their branch; default not.
+    pub critical: Option<CriticalOptions>,
+}
+
+impl PathOptions {
+    /// Defaults for a control.
+    pub fn new(control: Control) -> Self {
+        Self {
+            control,
+            newton: NewtonOptions::default(),
+            target_iterations: 5,
+            largest: 10.0,
+            smallest: 1e-6,
+            steps: 1000,
+            load_share: 1.0,
+            critical: None,
+        }
+    }
+
+    pub(crate) fn check<E: Equilibrium + ?Sized>(&self, system: &E) -> Result<(), EquilibriumError> {
+        let unknowns = system.unknowns();
+        let first = match &self.control {
+            Control::Load { step, .. } => *step,
+            Control::Displacement { functional, step, .. } => {
+                for &(unknown, _) in functional {
+                    let inside = unknown < unknowns;
+                    require(inside, "controlled unknown", unknown as f64, "below the number of unknowns")?;
+                }
+                *step
+            }
+            Control::ArcLength { first, range } => {
+                require(range.0 < range.1, "range of levels, its upper bound", range.1, "above the lower")?;
+                *first
+            }
+        };
+        require(first != 0.0 && first.is_finite(), "first step", first, "finite and not zero")?;
+        require(self.target_iterations > 0, "target iterations", 0.0, "one at least")?;
+        require(self.largest >= 1.0, "largest step", self.largest, "one first step at least")?;
+        require(
+            self.smallest > 0.0 && self.smallest <= 1.0,
+            "smallest step",
+            self.smallest,
+            "above 0 and at most one first step",
+        )?;
+        require(self.load_share >= 0.0, "load share", self.load_share, "not negative")
+    }
+}
+
+/// How critical points are located.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CriticalOptions {
+    /// Width of the last bracket in units of the step that crossed; default 1e-6.
+    pub tolerance: f64,
+    /// Participation of the load in the mode above which the point is a limit point; default 1e-4.
+    pub participation: f64,
+}
+
+impl Default for CriticalOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, participation: 1e-4 }
+    }
+}
+
+/// What takes the energy out of a fictitious motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Damping {
+    /// Nothing, until the kinetic energy has passed a peak: then the motion starts again from rest.
+    #[default]
+    Kinetic,
+    /// Forces in proportion to mass and velocity, critical for the frequency that Rayleigh's quotient finds.
+    Rayleigh,
+}
+
+/// How equilibrium is relaxed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RelaxationOptions {
+    /// Bound of ‖external − internal‖ relative to the larger of ‖external‖ and the forces that bring prescribed values
+    /// about; default 1e-6.
+    pub tolerance: f64,
+    /// Iterations allowed; default 100 000.
+    pub iterations: usize,
+    /// What takes the energy out; default kinetic.
+    pub damping: Damping,
+    /// Λ, masses over the least that Gerschgorin's bound allows; default 1.1.
+    pub safety: f64,
+    /// Iterations within which held values that move go from level to level; default 200.
+    pub ramp: usize,
+}
+
+impl Default for RelaxationOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, iterations: 100_000, damping: Damping::Kinetic, safety: 1.1, ramp: 200 }
+    }
+}

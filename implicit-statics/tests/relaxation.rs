@@ -1,0 +1,140 @@
+//! Dynamic relaxation against Newton's method, and what it refuses.
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::pendulum::Pendulum;
+use common::{Arch, ArchWithSpring, Bars, Flat, Hencky, Potential, Softening};
+use implicit_statics::{
+    Damping, Equilibrium, EquilibriumError, Newton, NewtonOptions, RelaxationOptions, Relaxed, relax,
+};
+
+fn relaxed<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+    options: &RelaxationOptions,
+) -> Result<Relaxed, EquilibriumError> {
+    relax(system, options, (0.0, level), |_| ControlFlow::Continue(()))
+}
+
+/// Both kinds of damping find what Newton's method finds, to 1e-4 of the way.
+fn agrees<E: Equilibrium>(name: &str, mut system: E, level: f64) {
+    let rest = system.save();
+    Newton::new(&system, &NewtonOptions::default()).unwrap().at_level(&mut system, level).unwrap();
+    let exact = system.save();
+    let way = exact.iter().zip(&rest).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    for damping in [Damping::Kinetic, Damping::Rayleigh] {
+        system.restore(&rest);
+        let options = RelaxationOptions { damping, ..RelaxationOptions::default() };
+        let found = relaxed(&mut system as &mut dyn Equilibrium, level, &options).unwrap();
+        let off = system.save().iter().zip(&exact).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) / way;
+        println!("{name}, {damping:?}: {off:.1e} after {} evaluations", found.evaluations);
+        assert!(off < 1e-4, "{name}, {damping:?}: {off:.1e} after {found:?}");
+        assert!(found.residuals[found.residuals.len() - 1] <= found.bound);
+    }
+}
+
+#[test]
+fn relaxation_finds_what_newton_finds() {
+    let arch = Arch { half: 10.0, height: 1.0, sideways: false };
+    let limit = arch.limit();
+    agrees("arch", Flat::new(arch), 0.9 * limit);
+    let arch = Arch { half: 10.0, height: 1.0, sideways: false };
+    agrees("arch on a spring", Flat::new(ArchWithSpring { arch, spring: 1e-3 }), 0.9 * limit);
+    agrees("softening spring", Flat::new(Softening), 0.3);
+    agrees("chain of directors", Pendulum::new(12), 0.02);
+    agrees("bars with a moved end", Bars::new(30), 0.3);
+}
+
+#[test]
+fn a_snap_through_lands_beyond() {
+    let arch = Arch { half: 10.0, height: 1.0, sideways: false };
+    let limit = arch.limit();
+    let mut system = Flat::new(arch);
+    relaxed(&mut system, 1.5 * limit, &RelaxationOptions::default()).unwrap();
+    assert!(system.q[0] > 2.0 && (system.potential.level(system.q[0]) / limit - 1.5).abs() < 1e-5);
+}
+
+#[test]
+fn what_is_not_found_is_said_and_the_state_stays() {
+    // Beyond 1/e the softening spring has no equilibrium.
+    let mut system = Flat::new(Softening);
+    system.q[0] = 0.1;
+    let options = RelaxationOptions { iterations: 300, ..RelaxationOptions::default() };
+    let error = relaxed(&mut system, 0.5, &options).unwrap_err();
+    let EquilibriumError::NotRelaxed { iterations: 300, residual, bound, .. } = error else {
+        panic!("{error}")
+    };
+    assert!(residual > bound);
+    assert!(error.to_string().contains("dynamic relaxation; allow more iterations"), "{error}");
+    assert_eq!(system.q, [0.1]);
+
+    let mut reports = 0;
+    let ended = relax(&mut system, &options, (0.0, 0.5), |at| {
+        reports += 1;
+        if at.iterations < 200 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(matches!(ended, Err(EquilibriumError::Ended { iterations: 200, .. })), "{ended:?}");
+    assert_eq!((reports, system.q[0]), (3, 0.1));
+
+    system.forceless = Some(0.2..0.4);
+    let error = relaxed(&mut system, 0.3, &options).unwrap_err();
+    assert!(matches!(error, EquilibriumError::Force { .. }), "{error}");
+    for (wrong, name) in [
+        (RelaxationOptions { tolerance: 0.0, ..options.clone() }, "relaxation tolerance is 0"),
+        (RelaxationOptions { iterations: 0, ..options.clone() }, "relaxation iterations is 0"),
+        (RelaxationOptions { safety: 0.9, ..options.clone() }, "relaxation safety is 0.9"),
+    ] {
+        let error = relaxed(&mut system, 0.3, &wrong).unwrap_err();
+        assert!(error.to_string().starts_with(name), "{error}");
+    }
+}
+
+/// A spring of one unknown whose stiffness grows with its square.
+struct Hardening;
+
+impl Potential for Hardening {
+    fn unknowns(&self) -> usize {
+        1
+    }
+    fn energy(&self, q: &[f64]) -> f64 {
+        0.5 * q[0] * q[0] + 0.25 * q[0].powi(4)
+    }
+    fn gradient(&self, q: &[f64], out: &mut [f64]) {
+        out[0] = q[0] + q[0].powi(3);
+    }
+    fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
+        add(0, 0, 1.0 + 3.0 * q[0] * q[0]);
+    }
+    fn load(&self, _: &[f64], out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+}
+
+#[test]
+fn masses_follow_a_stiffness_that_grows() {
+    let mut system = Flat::new(Hardening);
+    let found = relaxed(&mut system, 1000.0, &RelaxationOptions::default()).unwrap();
+    assert!(found.row_sums > 1, "{found:?}");
+    assert!((system.q[0] + system.q[0].powi(3) - 1000.0).abs() < 1e-3, "{:?}", system.q);
+}
+
+#[test]
+fn row_sums_are_those_of_the_tangent() {
+    let mut chain = Flat::new(Hencky { links: 6 });
+    let n = chain.unknowns();
+    let mut dense = vec![0.0; n * n];
+    chain.potential.hessian(&[0.0; 5], &mut |i, j, k| {
+        dense[i * n + j] += k;
+        if i != j {
+            dense[j * n + i] += k;
+        }
+    });
+    let mut sums = vec![0.0; n];
+    chain.row_sums(0.0, &mut sums);
+    for (i, sum) in sums.iter().enumerate() {
+        let exact: f64 = dense[i * n..(i + 1) * n].iter().map(|k| k.abs()).sum();
+        assert!((sum - exact).abs() < 1e-12 * exact, "{sum} {exact}");
+    }
+}
