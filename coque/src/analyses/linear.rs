@@ -49,13 +49,14 @@ pub(crate) fn linear(
     let rest = system.save();
     let largest = largest(system, &motion);
     let step = if largest > 0.0 { REACH * system.shell().thickness() / largest } else { 1.0 };
-    let (columns, fields) = (gauges.len(), found.frames.is_some());
+    let columns: usize = gauges.iter().map(Gauge::part_count).sum();
+    let fields = found.frames.is_some();
     let mut read = |system: &mut StaticShell, level: f64| {
         system.restore(&rest);
         system.update(&scaled(&motion, level));
         // The force that brings a prescribed motion about is the reaction that is sought, not a load.
         system.evaluate(if driven.is_some() { 0.0 } else { level });
-        let mut values: Vec<f64> = gauges.iter_mut().map(|gauge| gauge.read(system.shell())).collect();
+        let mut values: Vec<f64> = gauges.iter_mut().flat_map(|gauge| gauge.parts(system.shell())).collect();
         if fields {
             read_forces(system.shell(), &mut values);
         }
@@ -81,7 +82,11 @@ pub(crate) fn linear(
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
     };
-    row.extend((0..columns).map(linear));
+    let mut parts = (0..columns).map(linear);
+    row.extend(gauges.iter().map(|gauge| {
+        let own: Vec<f64> = parts.by_ref().take(gauge.part_count()).collect();
+        gauge.of_parts(&own)
+    }));
     found.curve.rows.push(row);
     found.energies = energies(internal);
     found.newton_iterations = 1;

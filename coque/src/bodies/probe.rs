@@ -6,21 +6,9 @@ use sph_shell::Shell;
 use crate::bodies::shell::build::Model;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Measured, Scene};
+use crate::scene::{Analysis, Measured, Scene, Take};
 
-/// Columns that every curve of an analysis has.
-pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
-    match analysis {
-        Analysis::Explicit(_) => &["time", "level", "kinetic", "internal", "external", "dissipated"],
-        Analysis::Linear(_) | Analysis::Static(_) | Analysis::ArcLength(_) => {
-            &["level", "internal", "iterations", "negative_pivots"]
-        }
-        Analysis::Modal(_) => &["mode", "circular_frequency", "frequency", "residual"],
-        Analysis::Buckling(_) => &["mode", "level", "residual"],
-    }
-}
-
-/// The columns of [`always`] with their units, and those of the scene's own gauges.
+/// The columns that every curve of the analysis has, with their units, and those of the scene's own gauges.
 ///
 /// `level` is a force where a prescribed motion drives an analysis that finds the load, and the share of that motion
 /// where the level is given.
@@ -35,8 +23,9 @@ pub(crate) fn columns(model: &Model) -> Vec<Column> {
         _ => Quantity::Energy,
     };
     let unit = |name: &str| units.symbol(quantity(name));
-    let always = always(analysis).iter().map(|&name| Column { name: name.into(), unit: unit(name) });
-    let own = model.gauges.iter().filter(|_| !analysis.gives_modes()).map(|gauge| gauge.column(units));
+    let kind = analysis.kind();
+    let always = kind.columns.iter().map(|&name| Column { name: name.into(), unit: unit(name) });
+    let own = model.gauges.iter().filter(|_| !kind.gives_modes).map(|gauge| gauge.column(units));
     always.chain(own).collect()
 }
 
@@ -48,6 +37,8 @@ pub(crate) struct Gauge {
     pub(crate) particles: Vec<u32>,
     /// Unit vector in the turned frame.
     pub(crate) direction: Vec3,
+    /// What is taken of the values of the particles.
+    pub(crate) take: Take,
     pub(crate) factor: f64,
     /// For a rotation: last director and accumulated angle \[rad\] of each particle.
     pub(crate) turned: Vec<(Vec3, f64)>,
@@ -64,10 +55,50 @@ impl Gauge {
         Column { name: self.name.clone(), unit: units.symbol(quantity) }
     }
 
-    /// The value now: a mean over the set, for a reaction the sum.
+    /// The value now.
     ///
     /// A rotation must be read at least twice a turn, since it is counted on from the last reading.
     pub(crate) fn read(&mut self, shell: &Shell) -> f64 {
+        let values = self.values(shell);
+        self.taken(&values)
+    }
+
+    /// Numbers that go linearly with a small motion: the value now, or, of a largest or least, the values of all particles.
+    pub(crate) fn parts(&mut self, shell: &Shell) -> Vec<f64> {
+        match self.take {
+            Take::Mean | Take::Sum => vec![self.read(shell)],
+            Take::Max | Take::Min => self.values(shell),
+        }
+    }
+
+    /// Number of [`Gauge::parts`].
+    pub(crate) fn part_count(&self) -> usize {
+        match self.take {
+            Take::Mean | Take::Sum => 1,
+            Take::Max | Take::Min => self.particles.len(),
+        }
+    }
+
+    /// The value of which these are the [`Gauge::parts`].
+    pub(crate) fn of_parts(&self, parts: &[f64]) -> f64 {
+        match self.take {
+            Take::Mean | Take::Sum => parts.iter().sum(),
+            Take::Max | Take::Min => self.taken(parts),
+        }
+    }
+
+    /// What is taken of the values of the particles.
+    fn taken(&self, values: &[f64]) -> f64 {
+        match self.take {
+            Take::Mean => self.factor * values.iter().sum::<f64>() / values.len() as f64,
+            Take::Sum => self.factor * values.iter().sum::<f64>(),
+            Take::Max => self.factor * values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            Take::Min => self.factor * values.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    /// The value of each particle now.
+    fn values(&mut self, shell: &Shell) -> Vec<f64> {
         if self.of == Measured::Rotation {
             self.count_on(shell);
         }
@@ -81,9 +112,7 @@ impl Gauge {
                 Measured::Rotation => self.turned[i].1,
             }
         };
-        let sum: f64 = (0..self.particles.len()).map(one).sum();
-        let share = if self.of == Measured::Reaction { 1.0 } else { self.particles.len() as f64 };
-        self.factor * sum / share
+        (0..self.particles.len()).map(one).collect()
     }
 
     fn count_on(&mut self, shell: &Shell) {

@@ -318,6 +318,8 @@ impl Model {
                 found.warn_of_skew_loads(&system);
                 arc_length(path, &mut system, driven, gauges, &mut found, progress);
             }
+            // Refused when the model is built, until it is.
+            Analysis::Relaxation(_) => {}
             Analysis::Modal(wanted) => modal(wanted.modes, shell, &mut found, &mut *options.progress),
             Analysis::Buckling(wanted) => buckling(wanted, shell, &mut found, &mut *options.progress),
         }

@@ -89,6 +89,15 @@ impl Scene {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
+        if let scene::Analysis::Relaxation(_) = self.analysis {
+            let fault = self.source.fault(
+                "analysis.relaxation",
+                "a relaxation",
+                "an analysis that is built",
+                "use [analysis.static]",
+            );
+            return Err(SceneError::Choice(fault));
+        }
         builder.refuse_free_motion(&cloud, &supports)?;
         let parts = Parts {
             cloud,
@@ -101,7 +110,8 @@ impl Scene {
             loads,
             threads,
         };
-        let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        let mut shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        builder.set_out(&mut shell);
         if shell.freedoms() == 0 {
             let (found, bound) = ("no freedom of any particle", "at least one that is not held");
             let repair = "take out a support, or let it name fewer particles";
@@ -137,6 +147,7 @@ impl Builder<'_> {
                 of: probe.of,
                 particles: sets.at(self.scene, &format!("curve[{i}].on"), &probe.on)?.to_vec(),
                 direction: self.turned(probe.direction).normalize(),
+                take: probe.taken(),
                 factor: probe.factor,
                 turned: Vec::new(),
             })
@@ -153,7 +164,13 @@ impl Builder<'_> {
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
             for (_, kind) in support.kinds() {
-                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.driven_by_load() {
+                if matches!(kind, SupportKind::Rotated(_)) {
+                    let path = format!("supports[{i}].rotated");
+                    let fault =
+                        self.scene.source.fault(&path, "a rotation", "one that is built", "use `moved`");
+                    return Err(SceneError::Choice(fault));
+                }
+                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.kind().seeks_force {
                     continue; // its direction is left free for the force that brings it about
                 }
                 let course = amplitude(support.amplitude.as_ref());
@@ -170,13 +187,16 @@ impl Builder<'_> {
         let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
             return Ok(None);
         };
-        if !self.scene.analysis.driven_by_load() {
+        if !self.scene.analysis.kind().seeks_force {
             return Ok(None);
+        }
+        if self.scene.sole_motion().is_none() {
+            return Err(self.several_drivers(i));
         }
         let on = &self.scene.supports[i].on;
         let path = format!("supports[{i}].on");
         let &[particle] = sets.at(self.scene, &path, on)? else {
-            let what = self.scene.analysis.run_name();
+            let what = self.scene.analysis.kind().name;
             let bound = format!("but in {what} a prescribed motion acts on one particle");
             let repair = "name a corner or a set with `nearest`, or use [analysis.explicit]";
             let fault = self.scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
@@ -194,6 +214,27 @@ impl Builder<'_> {
         Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
     }
 
+    /// Until values prescribed by level are built: one motion drives, and nothing beside it.
+    fn several_drivers(&self, first: usize) -> SceneError {
+        let what = self.scene.analysis.kind().name;
+        let (i, value, bound, repair) = match self.scene.loads.is_empty() {
+            false => (
+                first,
+                "a prescribed motion",
+                format!("one without loads beside it in {what}"),
+                "remove the loads",
+            ),
+            true => {
+                let mut motions =
+                    (0..self.scene.supports.len()).filter(|&i| self.scene.supports[i].motion().is_some());
+                let second = motions.nth(1).unwrap_or(first);
+                (second, "a second prescribed motion", format!("only one in {what}"), "keep one of them")
+            }
+        };
+        let repair = format!("{repair}, or use [analysis.explicit]");
+        SceneError::Choice(self.scene.source.fault(&format!("supports[{i}].moved"), value, &bound, &repair))
+    }
+
     fn support(
         &self,
         kind: SupportKind,
@@ -208,6 +249,7 @@ impl Builder<'_> {
                 displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
                 director: s.director.first().map(|&v| self.turned(v)),
             }),
+            SupportKind::Rotated(_) => Box::new(sph_shell::Hinged), // refused above until it is built
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
@@ -259,7 +301,7 @@ impl Builder<'_> {
     /// A static answer needs every rigid motion held; a run in real time and vibration do not.
     fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
         let analysis = &self.scene.analysis;
-        if analysis.transient() || matches!(analysis, scene::Analysis::Modal(_)) {
+        if analysis.kind().floats {
             return Ok(());
         }
         let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
@@ -268,7 +310,7 @@ impl Builder<'_> {
             return Ok(());
         }
         let path = if supports.is_empty() { "supports" } else { "supports[0]" };
-        let bound = format!("every rigid motion must be held in {}", analysis.run_name());
+        let bound = format!("every rigid motion must be held in {}", analysis.kind().name);
         let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
         Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
     }
@@ -317,7 +359,7 @@ impl Builder<'_> {
             }
             &ShellError::OutOfPlane { support, .. } => {
                 let present = |(_, s): &(usize, &scene::Support)| {
-                    s.moved.is_none() || !self.scene.analysis.driven_by_load()
+                    s.moved.is_none() || !self.scene.analysis.kind().seeks_force
                 };
                 let supports = self.scene.supports.iter().enumerate();
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);

@@ -6,3 +6,4 @@ pub(crate) mod imported;
 mod material;
 mod places;
 mod rigid;
+mod velocity;
