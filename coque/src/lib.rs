@@ -154,6 +154,7 @@ pub use run::summary::Summary;
 pub use scene::Scene;
 pub use scene::catalogue::{CatalogueEntry, catalogue};
 pub use scene::error::{Fault, Place, SceneError};
+pub use scene::reference::reference_page;
 pub use scene::render::{Rendering, render};
 pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;

@@ -72,7 +72,7 @@ enum Command {
     List(teach::List),
     /// Print the JSON schema of scenes, for editors.
     #[command(after_help = teach::SCHEMA_HELP)]
-    Schema,
+    Schema(teach::Schema),
 }
 
 #[derive(Args)]
@@ -108,6 +108,7 @@ Examples:
   coque run scenes/ring.toml --out out/coarse --set 'geometry.plate.particles=[25, 3]'
   coque run scenes/ring.toml --set formulation.nodal.order=2
   coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
+  coque run scenes/ring.toml --set 'loads[+]={ on = \"u1\", force = { total = [0, 0, 1] } }'     one load more
   coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
   coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
   coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
@@ -151,7 +152,7 @@ fn main() -> ExitCode {
         Command::New(new) => teach::new(&new).map(|()| DONE),
         Command::Check(check) => check::carry_out(&check).map(|()| DONE),
         Command::List(list) => teach::list(&list).map(|()| DONE),
-        Command::Schema => teach::schema().map(|()| DONE),
+        Command::Schema(schema) => teach::schema(&schema).map(|()| DONE),
     };
     match done {
         Ok(code) => ExitCode::from(code),

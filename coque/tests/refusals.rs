@@ -185,6 +185,8 @@ fn broken_overrides() {
         ("unknown path", "material.elastic.yuong", "3.0"),
         ("unknown table", "materials.elastic.young", "3.0"),
         ("no such item", "loads[3].couple.moment", "3.0"),
+        ("item within an appended one", "loads[+].force.total", "[0, 0, 1]"),
+        ("appended to a table", "material[+]", "1"),
         ("below a number", "material.elastic.young.real", "3.0"),
         ("no value", "material.elastic.young", ""),
         ("not TOML", "geometry.plate.particles", "[3, "),
@@ -216,6 +218,47 @@ fn motion_without_its_course() {
     all.push_str(&refusal(&[transient, ("supports[0].amplitude", "{ ramp = 0.003 }")]));
     insta::assert_snapshot!(all);
     assert_eq!(refusal(&[transient, ("supports[3].amplitude", "{ ramp = 0.003 }")]), "not refused");
+}
+
+#[test]
+fn broken_motions() {
+    let free = ("supports", "[]");
+    let transient = ("analysis.explicit", "{ transient = { duration = 1.0, record_every = 0.1 } }");
+    let rotated = ("supports[+]", "{ on = \"u1\", rotated = { axis = [0, 1, 0], by = 90 } }");
+    let cases: [(&str, &[(&str, &str)]); 11] = [
+        ("velocity along a path", &[("velocity.linear", "[1, 0, 0]")]),
+        ("no velocity", &[free, transient, ("velocity", "{}")]),
+        ("spin without an axis", &[free, transient, ("velocity.spin", "{ axis = [0, 0, 0], rate = 1 }")]),
+        ("spin without a rate", &[free, transient, ("velocity.spin", "{ axis = [0, 0, 1] }")]),
+        (
+            "rotation without an axis",
+            &[("supports[+]", "{ on = \"u1\", rotated = { axis = [0, 0, 0], by = 90 } }")],
+        ),
+        ("rotation without its course", &[transient, rotated]),
+        ("rotation and motion", &[rotated, ("supports[2].moved", "{ direction = [0, 0, 1], by = 1 }")]),
+        (
+            "no rotation",
+            &[rotated, ("supports[2].rotated.by", "0"), ("loads", "[]"), ("analysis.static.levels", "1")],
+        ),
+        ("loose relaxation", &[("analysis.relaxation.levels", "4"), ("analysis.relaxation.tolerance", "1")]),
+        (
+            "relaxation without iterations",
+            &[("analysis.relaxation.levels", "4"), ("analysis.relaxation.iterations", "0")],
+        ),
+        (
+            "unknown damping",
+            &[("analysis.relaxation.levels", "4"), ("analysis.relaxation.damping", "viscous")],
+        ),
+    ];
+    let mut all = String::new();
+    for (name, replaced) in cases {
+        let pairs: Vec<_> =
+            replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+        let message = refused(Scene::with_overrides(&text("ring.toml"), "ring.toml", &pairs));
+        all.push_str(&format!("━━━ {name} ━━━\n{}\n", message.trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
 }
 
 #[test]

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::scene::{Analysis, Formulation, Geometry, LoadKind};
+use coque::scene::{Analysis, Formulation, Geometry, LoadKind, RelaxationDamping};
 use coque::{Scene, Silent};
 
 fn scenes() -> Vec<PathBuf> {
@@ -97,6 +97,44 @@ fn overrides_replace_values_in_tables_and_lists() {
     match scene.loads[0].kinds()[..] {
         [("couple", LoadKind::Couple(couple))] => assert_eq!(couple.moment, 31.4),
         _ => panic!("the load changed its kind"),
+    }
+}
+
+#[test]
+fn overrides_append_to_lists() {
+    let one = r#"{ on = "u1", force = { total = [0, 0, 1] } }"#;
+    let scene = set(&[
+        ("loads[+]", one),
+        ("loads.+", one),
+        ("loads[2].force.total[1]", "2.0"),
+        ("sets.tip.nearest", "[10, 0, 0]"),
+    ])
+    .unwrap();
+    let totals: Vec<_> = scene.loads.iter().map(|load| load.force.map(|force| force.total)).collect();
+    assert_eq!(totals, [None, Some([0.0, 0.0, 1.0]), Some([0.0, 2.0, 1.0])]);
+    assert_eq!(set(&[("geometry.plate.lengths[+]", "3.0")]).unwrap_err().code(), "scene::type");
+    // A list that is not there begins with its first item.
+    let none = ring()
+        .replace("[[loads]]", "[[no-loads]]")
+        .lines()
+        .take_while(|line| *line != "[[no-loads]]")
+        .map(|line| format!("{line}\n"))
+        .collect::<String>();
+    let pairs = [("loads[+]", one), ("analysis.modal.modes", "1")]
+        .map(|(path, value)| (path.to_string(), value.to_string()));
+    assert_eq!(Scene::with_overrides(&none, "ring.toml", &pairs).unwrap().loads.len(), 1);
+}
+
+#[test]
+fn a_relaxation_has_defaults() {
+    match set(&[("analysis.relaxation.levels", "4")]).unwrap().analysis {
+        Analysis::Relaxation(path) => {
+            assert_eq!(
+                (path.levels.list().len(), path.tolerance, path.damping, path.iterations),
+                (4, 1e-6, RelaxationDamping::Kinetic, 100_000)
+            );
+        }
+        other => panic!("{other:?}"),
     }
 }
 

@@ -6,7 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use coque::{Scene, catalogue, schema, schema_text};
+use coque::scene::{Load, Support};
+use coque::{Scene, catalogue, reference_page, schema, schema_text};
 use serde_json::Value;
 
 fn root() -> PathBuf {
@@ -41,6 +42,31 @@ fn the_kept_schema_is_the_present_one() {
         "scenes/schema.json is not the schema of this program; refresh it:\n  \
          cargo run -p coque -- schema > scenes/schema.json"
     );
+}
+
+#[test]
+fn the_kept_page_is_the_present_one() {
+    let kept = fs::read_to_string(root().join("docs/scene-reference.md")).unwrap_or_default();
+    let present = reference_page();
+    assert!(
+        kept.replace("\r\n", "\n") == present,
+        "docs/scene-reference.md is not the page of this program; refresh it:\n  \
+         cargo run -p coque -- schema --page > docs/scene-reference.md"
+    );
+    // Every row of the last table goes with some analysis, and every analysis with some row.
+    let (_, table) = present.rsplit_once("---|\n").unwrap();
+    let rows: Vec<Vec<bool>> = table
+        .lines()
+        .map(|row| row.split(" | ").skip(1).map(|cell| cell.starts_with(['y', 'i'])).collect())
+        .collect();
+    assert!(
+        rows.len() > Support::WORDS.len() + Load::WORDS.len() && rows.iter().all(|row| row.contains(&true)),
+        "{table}"
+    );
+    assert!((0..rows[0].len()).all(|analysis| rows.iter().any(|row| row[analysis])), "{table}");
+    for word in Support::WORDS.iter().chain(&Load::WORDS) {
+        assert!(table.contains(&format!("| `{word}`")), "{word} has no row");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use implicit_statics::linear_response;
 
 use super::modes::{keep_shape, scaled};
 use super::path::loaded;
-use crate::bodies::{Balanced, Configuration};
+use crate::bodies::{Balanced, Configuration, Probe};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::Energies;
@@ -35,7 +35,7 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     let rest = system.save();
     let largest = largest(system, &motion);
     let step = if largest > 0.0 { REACH * system.linear_reach() / largest } else { 1.0 };
-    let (columns, fields) = (run.probes.len(), run.frames.is_some());
+    let (columns, fields) = (run.probes.iter().map(Probe::part_count).sum(), run.frames.is_some());
     // Rotations are counted on from the first reading, at rest.
     let mut readings: [Vec<f64>; 5] = Default::default();
     for (reading, k) in readings.iter_mut().zip([0.0, 1.0, 2.0, -1.0, -2.0]) {
@@ -45,7 +45,7 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
         system.restore(&rest);
         system.update(&scaled(&motion, k * step));
         system.refresh(loaded(run, k * step));
-        run.read_probes(reading, system);
+        reading.extend(run.probes.iter_mut().flat_map(|probe| probe.parts(system)));
         if fields {
             reading.extend(system.forces());
         }
@@ -61,7 +61,11 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
     };
-    row.extend((0..columns).map(linear));
+    let mut parts = (0..columns).map(linear);
+    row.extend(run.probes.iter().map(|probe| {
+        let own: Vec<f64> = parts.by_ref().take(probe.part_count()).collect();
+        probe.of_parts(&own)
+    }));
     run.push(row);
     run.record.energies = Energies::at_rest(internal);
     run.record.newton_iterations = 1;

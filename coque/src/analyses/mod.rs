@@ -7,6 +7,7 @@ mod linear;
 mod march;
 mod modes;
 mod path;
+mod relaxation;
 mod stability;
 
 use std::time::Instant;
@@ -112,7 +113,7 @@ impl Model {
         let Run { curve, mut shapes, latest, mut record, .. } = run;
         shapes.extend(latest);
         // Modes and linear answers are drawn larger than they are.
-        if let (Some(judge), true) = (&self.judge, self.task.analysis.states_are_true_to_scale()) {
+        if let (Some(judge), true) = (&self.judge, true_to_scale(&self.task.analysis)) {
             let mut told = judge(&cells, &shapes);
             told.retain(|warning| record.warnings.iter().all(|known| known.doubt != warning.doubt));
             record.warnings.extend(told);
@@ -161,21 +162,30 @@ fn marched(
 ) -> Ended {
     match analysis {
         Analysis::Explicit(explicit) => march::march(explicit, body, tangent, run, from),
-        other => Ended::Diverged(Failure::Kind { analysis: other.run_name(), wanted: "a body without time" }),
+        other => {
+            Ended::Diverged(Failure::Kind { analysis: other.kind().name, wanted: "a body without time" })
+        }
     }
 }
 
 fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
     match analysis {
-        Analysis::Explicit(_) => {
-            Ended::Diverged(Failure::Kind { analysis: analysis.run_name(), wanted: "a body that is marched" })
-        }
+        Analysis::Explicit(_) => Ended::Diverged(Failure::Kind {
+            analysis: analysis.kind().name,
+            wanted: "a body that is marched",
+        }),
         Analysis::Linear(_) => linear::linear(body, run),
         Analysis::Static(wanted) => path::levels(wanted, body, run, from),
         Analysis::ArcLength(wanted) => path::arc_length(wanted, body, run),
+        Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run),
         Analysis::Modal(wanted) => modes::modal(wanted.modes, body, run),
         Analysis::Buckling(wanted) => modes::buckling(wanted, body, run),
     }
+}
+
+/// Whether shapes are those that the body takes, not enlarged for the eye.
+fn true_to_scale(analysis: &Analysis) -> bool {
+    !matches!(analysis, Analysis::Linear(_)) && !analysis.kind().gives_modes
 }
 
 /// What an analysis adds to what a body models and leaves out.

@@ -101,9 +101,9 @@ impl Model {
             _ => Quantity::Energy,
         };
         let unit = |name: &str| units.symbol(quantity(name));
-        let always = super::probe::always(analysis).iter();
-        let always = always.map(|&name| Column { name: name.into(), unit: unit(name) });
-        let own = self.probes.iter().filter(|_| !analysis.gives_modes()).map(|probe| probe.column(units));
+        let kind = analysis.kind();
+        let always = kind.columns.iter().map(|&name| Column { name: name.into(), unit: unit(name) });
+        let own = self.probes.iter().filter(|_| !kind.gives_modes).map(|probe| probe.column(units));
         always.chain(own).collect()
     }
 }

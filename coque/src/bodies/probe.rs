@@ -5,19 +5,7 @@ use sph_core::Vec3;
 use super::body::Body;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Measured};
-
-/// Columns that every curve of an analysis has.
-pub(crate) fn always(analysis: &Analysis) -> &'static [&'static str] {
-    match analysis {
-        Analysis::Explicit(_) => &["time", "level", "kinetic", "internal", "external", "dissipated"],
-        Analysis::Linear(_) | Analysis::Static(_) | Analysis::ArcLength(_) => {
-            &["level", "internal", "iterations", "negative_pivots"]
-        }
-        Analysis::Modal(_) => &["mode", "circular_frequency", "frequency", "residual"],
-        Analysis::Buckling(_) => &["mode", "level", "residual"],
-    }
-}
+use crate::scene::{Measured, Take};
 
 /// One column, measured.
 #[derive(Clone, Debug)]
@@ -30,6 +18,8 @@ pub struct Probe {
     pub particles: Vec<u32>,
     /// Unit vector along which it is measured.
     pub direction: Vec3,
+    /// What is taken of the values of the particles.
+    pub take: Take,
     /// Factor on the value.
     pub factor: f64,
     /// For a rotation: last director and angle so far \[rad\] of each particle.
@@ -37,9 +27,10 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// A column of factor one.
+    /// A column of factor one, the usual of its quantity taken.
     pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
-        Self { name: name.into(), of, particles, direction, factor: 1.0, turns: Vec::new() }
+        let take = Take::usual(of);
+        Self { name: name.into(), of, particles, direction, take, factor: 1.0, turns: Vec::new() }
     }
 
     pub(crate) fn column(&self, units: &Units) -> Column {
@@ -52,10 +43,50 @@ impl Probe {
         Column { name: self.name.clone(), unit: units.symbol(quantity) }
     }
 
-    /// The value now: a mean over the set, for a reaction the sum.
+    /// The value now.
     ///
     /// A rotation must be read at least twice a turn, since it is counted on from the last reading.
     pub(crate) fn read(&mut self, body: &dyn Body) -> f64 {
+        let values = self.values(body);
+        self.taken(&values)
+    }
+
+    /// Numbers that go linearly with a small motion: the value now, or, of a largest or least, the values of all particles.
+    pub(crate) fn parts(&mut self, body: &dyn Body) -> Vec<f64> {
+        match self.take {
+            Take::Mean | Take::Sum => vec![self.read(body)],
+            Take::Max | Take::Min => self.values(body),
+        }
+    }
+
+    /// Number of [`Probe::parts`].
+    pub(crate) fn part_count(&self) -> usize {
+        match self.take {
+            Take::Mean | Take::Sum => 1,
+            Take::Max | Take::Min => self.particles.len(),
+        }
+    }
+
+    /// The value of which these are the [`Probe::parts`].
+    pub(crate) fn of_parts(&self, parts: &[f64]) -> f64 {
+        match self.take {
+            Take::Mean | Take::Sum => parts.iter().sum(),
+            Take::Max | Take::Min => self.taken(parts),
+        }
+    }
+
+    /// What is taken of the values of the particles.
+    fn taken(&self, values: &[f64]) -> f64 {
+        match self.take {
+            Take::Mean => self.factor * values.iter().sum::<f64>() / values.len() as f64,
+            Take::Sum => self.factor * values.iter().sum::<f64>(),
+            Take::Max => self.factor * values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            Take::Min => self.factor * values.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    /// The value of each particle now.
+    fn values(&mut self, body: &dyn Body) -> Vec<f64> {
         if self.of == Measured::Rotation {
             self.count_on(body);
         }
@@ -66,9 +97,7 @@ impl Probe {
                 of => body.read(of, a, &self.direction),
             }
         };
-        let sum: f64 = (0..self.particles.len()).map(one).sum();
-        let share = if self.of == Measured::Reaction { 1.0 } else { self.particles.len() as f64 };
-        self.factor * sum / share
+        (0..self.particles.len()).map(one).collect()
     }
 
     fn count_on(&mut self, body: &dyn Body) {

@@ -6,14 +6,8 @@ use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
 
 use crate::bodies::shell::imported::{self, Imported};
 use crate::scene::error::SceneError;
+use crate::scene::sets::BUILT_IN;
 use crate::scene::{Region, Scene};
-
-/// Sets that every scene has.
-pub(crate) const BUILT_IN: [&str; 11] =
-    ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
-
-/// Built-in sets that are edges: particles in a row, each with a tributary length.
-pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
 
 /// The particle sets of a cloud, by name.
 #[derive(Clone, Debug)]

@@ -119,7 +119,7 @@ impl ResultFolder {
             summary.and_then(|text| write_whole(&self.path.join(SUMMARY), |to| to.write_all(&text))),
         );
         // A plot of what probes measure has no place among modes.
-        if let Some(plot) = task.output.plot.as_ref().filter(|_| !task.analysis.gives_modes()) {
+        if let Some(plot) = task.output.plot.as_ref().filter(|_| !task.analysis.kind().gives_modes) {
             let drawn = plot_svg(&outcome.curve, &plot.x, &plot.y, &task.title, &self.path.join(PICTURE));
             if let Err(error) = drawn {
                 refused.push_str(&format!("{error}\n"));

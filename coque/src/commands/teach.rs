@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{CatalogueEntry, Scene, catalogue, schema_text};
+use coque::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
 
 use super::say::{Refused, print};
 
@@ -34,6 +34,13 @@ Examples:
   coque list                       everything a scene may name
   coque list loads                 only loads
   coque list | grep -i pressure";
+
+#[derive(Args)]
+pub struct Schema {
+    /// The page of all keys instead, in Markdown, with the table of what goes with which analysis.
+    #[arg(long)]
+    page: bool,
+}
 
 pub const SCHEMA_HELP: &str = "\
 Editors with a TOML plug-in (taplo, Even Better TOML) complete and explain the keys of a scene:
@@ -120,7 +127,7 @@ fn table(entries: impl Iterator<Item = (String, String)>) -> String {
     entries.map(|(word, line)| format!("  {word:<24} {line}\n")).collect()
 }
 
-/// Prints the schema.
-pub fn schema() -> Result<(), Refused> {
-    print(&schema_text())
+/// Prints the schema, or the page of all keys.
+pub fn schema(schema: &Schema) -> Result<(), Refused> {
+    print(&if schema.page { reference_page() } else { schema_text() })
 }

@@ -120,7 +120,7 @@ impl<'a> Frames<'a> {
             Analysis::Explicit(explicit) if explicit.quasi_static.is_some() => (State::Moving, Along::Level),
             Analysis::Explicit(_) => (State::Moving, Along::Time),
             Analysis::Linear(_) => (State::Linear, Along::Level),
-            Analysis::Static(_) => (State::Balance, Along::Level),
+            Analysis::Static(_) | Analysis::Relaxation(_) => (State::Balance, Along::Level),
             Analysis::ArcLength(_) => (State::Balance, Along::Number(0)),
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
         };

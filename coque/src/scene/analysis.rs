@@ -1,10 +1,10 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::levels::Levels;
-use super::statics::{ArcLength, Buckling, Linear, Modal, Static};
+use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
 
 /// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -18,6 +18,8 @@ pub enum Analysis {
     Static(Static),
     /// A path of equilibria past limit and turning points, by arc length.
     ArcLength(ArcLength),
+    /// Equilibria at load levels, by dynamic relaxation.
+    Relaxation(Relaxation),
     /// Modes of free vibration of the unloaded shell.
     Modal(Modal),
     /// Buckling levels and modes, linearised about the unloaded shell.
@@ -67,7 +69,7 @@ pub struct QuasiStatic {
 }
 
 /// How a quasi-static run comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Damping {
     /// Mass-proportional, this fraction of critical for the lowest mode \[–\].
@@ -87,53 +89,6 @@ pub struct Transient {
     /// Mass-proportional damping \[1/T\].
     #[serde(default)]
     pub damping: f64,
-}
-
-impl Analysis {
-    /// Key of the analysis in a scene.
-    pub fn word(&self) -> &'static str {
-        match self {
-            Self::Explicit(_) => "explicit",
-            Self::Linear(_) => "linear",
-            Self::Static(_) => "static",
-            Self::ArcLength(_) => "arc-length",
-            Self::Modal(_) => "modal",
-            Self::Buckling(_) => "buckling",
-        }
-    }
-
-    /// Whether time passes, as loads with a course in time want it.
-    pub fn transient(&self) -> bool {
-        matches!(self, Self::Explicit(explicit) if explicit.transient.is_some())
-    }
-
-    /// Whether answers are modes, not states: nothing is measured on them.
-    pub fn gives_modes(&self) -> bool {
-        matches!(self, Self::Modal(_) | Self::Buckling(_))
-    }
-
-    /// Whether shapes are those that the body takes, not enlarged for the eye.
-    pub(crate) fn states_are_true_to_scale(&self) -> bool {
-        matches!(self, Self::Explicit(_) | Self::Static(_) | Self::ArcLength(_))
-    }
-
-    /// What the run is called in messages.
-    pub(crate) fn run_name(&self) -> &'static str {
-        match self {
-            Self::Explicit(explicit) if explicit.quasi_static.is_some() => "a quasi-static run",
-            Self::Explicit(_) => "a transient run",
-            Self::Linear(_) => "a linear analysis",
-            Self::Static(_) => "a static analysis",
-            Self::ArcLength(_) => "an arc-length analysis",
-            Self::Modal(_) => "a modal analysis",
-            Self::Buckling(_) => "a buckling analysis",
-        }
-    }
-
-    /// Whether a load drives it without time: a prescribed motion then becomes a force that finds its size.
-    pub(crate) fn driven_by_load(&self) -> bool {
-        matches!(self, Self::Linear(_) | Self::Static(_) | Self::ArcLength(_) | Self::Buckling(_))
-    }
 }
 
 impl Default for Damping {

@@ -2,9 +2,11 @@
 
 use serde_json::Value;
 
-use super::conditions::{Load, Support};
+use super::analysis_kind::ANALYSES;
+use super::loads::Load;
 use super::schema::schema;
-use crate::bodies::sets::BUILT_IN;
+use super::sets::BUILT_IN;
+use super::supports::Support;
 
 /// Things of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,17 +24,17 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
     let schema = schema();
     let types = &schema["$defs"];
     let mut analyses = alternatives(&types["Analysis"]);
-    if let Some(at) = analyses.iter().position(|(word, _)| word == "explicit") {
-        let marches = keys(&types["Explicit"], &["quasi-static", "transient"]);
-        let marches = marches.into_iter().map(|(word, line)| (format!("explicit.{word}"), line));
-        analyses.splice(at..=at, marches);
-    }
+    let marches = keys(&types["Explicit"], &["quasi-static", "transient"]);
+    analyses.extend(marches.into_iter().map(|(word, line)| (format!("explicit.{word}"), line)));
+    let analyses =
+        ANALYSES.iter().filter_map(|kind| analyses.iter().find(|(word, _)| word == kind.word).cloned());
     let shelf = |name, place, entries| CatalogueEntry { name, place, entries };
     let kernels = sph_core::kernels().map(|kernel| (kernel.name().into(), kernel.describe().into()));
     let strains = shell_kinematics::strain_measures().map(|m| (m.name().into(), m.describe().into()));
     let sets = [(BUILT_IN.join(", "), "all particles, edges, corners, middle rows".into())];
     vec![
-        shelf("analyses", "[analysis.…]", analyses),
+        shelf("analyses", "[analysis.…]", analyses.collect()),
+        shelf("bodies", "[bodies.NAME.…]", alternatives(&types["BodyScene"])),
         shelf("geometries", "[geometry.…]", alternatives(&types["Geometry"])),
         shelf("materials", "[material.…]", alternatives(&types["Material"])),
         shelf("sections", "[section.…]", alternatives(&types["Section"])),

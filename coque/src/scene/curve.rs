@@ -11,13 +11,43 @@ pub struct Probe {
     pub name: String,
     /// What it measures.
     pub of: Measured,
-    /// Particle set; the mean over it, for a reaction the sum.
+    /// Particle set.
     pub on: String,
+    /// What is taken of the values of its particles; left out, the mean, for a reaction the sum.
+    pub take: Option<Take>,
     /// Component that is taken, in the un-turned frame.
     pub direction: [f64; 3],
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
+}
+
+/// What a column takes of the values of its particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Take {
+    /// Their mean.
+    Mean,
+    /// Their sum.
+    Sum,
+    /// The largest.
+    Max,
+    /// The least.
+    Min,
+}
+
+impl Probe {
+    /// What it takes of the values of its particles.
+    pub fn taken(&self) -> Take {
+        self.take.unwrap_or_else(|| Take::usual(self.of))
+    }
+}
+
+impl Take {
+    /// What is taken where nothing is said: the sum of reactions, else the mean.
+    pub fn usual(of: Measured) -> Self {
+        if of == Measured::Reaction { Self::Sum } else { Self::Mean }
+    }
 }
 
 /// What a column measures.

@@ -1,39 +1,44 @@
 //! A scene: a problem as plain, validated data.
 
+mod amplitude;
 mod analysis;
+mod analysis_kind;
 mod bounds;
 pub(crate) mod catalogue;
 mod check;
-mod conditions;
 mod curve;
 pub(crate) mod error;
 mod forms;
+mod goes_with;
 mod levels;
+mod loads;
 mod nearest;
 mod output;
 mod overrides;
 mod problem;
 mod read;
-mod region;
+pub(crate) mod reference;
 pub(crate) mod render;
 pub(crate) mod schema;
 mod scope;
+pub(crate) mod sets;
 mod shell;
 pub(crate) mod source;
 mod statics;
+mod supports;
 mod tables;
 pub(crate) mod units;
+mod velocity;
 
+pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
-pub use conditions::{
-    Amplitude, Axis, Couple, Diaphragm, Fixed, Force, Gravity, Held, Load, LoadKind, Moved, Pressure,
-    Support, SupportKind, Symmetry,
-};
-pub use curve::{Measured, Probe};
+pub use analysis_kind::{ANALYSES, AnalysisKind};
+pub use curve::{Measured, Probe, Take};
 pub use levels::Levels;
+pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure};
 pub use output::{Fields, Output, Plot};
 pub use problem::{BodyScene, Scene};
-pub use region::{Box3, OnPlane, Region};
+pub use sets::{Box3, OnPlane, Region};
 pub use shell::ShellScene;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
@@ -42,4 +47,8 @@ pub use shell::geometry::{
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use shell::mesh::Mesh;
-pub use statics::{ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Static, Stop};
+pub use statics::{
+    ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Relaxation, RelaxationDamping, Static, Stop,
+};
+pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Support, SupportKind, Symmetry};
+pub use velocity::{Spin, Velocity};

@@ -1,26 +1,5 @@
 //! The known word nearest to a misspelt one.
 
-/// Edits (insert, delete, replace, swap of neighbours) that lead from `a` to `b`.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let replace = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let mut best = replace.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best = best.min(rows[i - 2][j - 2] + 1);
-                }
-                best
-            };
-        }
-    }
-    rows[a.len()][b.len()]
-}
-
 /// The known word that was probably meant: at most a third of its letters differ, or it begins with the word given.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.chars().count() > 100 {
@@ -32,7 +11,7 @@ pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
         .map(|candidate| {
             let lower = candidate.to_lowercase();
             let begun = word.len() >= 3 && (lower.starts_with(&word) || word.starts_with(&lower));
-            let edits = if begun { 1 } else { distance(&word, &lower) };
+            let edits = if begun { 1 } else { strsim::osa_distance(&word, &lower) };
             (edits, candidate)
         })
         .filter(|(edits, candidate)| *edits <= (candidate.chars().count() / 3).max(1))

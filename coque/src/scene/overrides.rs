@@ -12,6 +12,9 @@ use super::source::Source;
 /// Tables that hold one of several alternatives: naming another one drops the first.
 const ALTERNATIVES: [&str; 5] = ["geometry", "material", "section", "formulation", "analysis"];
 
+/// In place of the number of an item: one more, behind the last.
+const APPENDED: &str = "+";
+
 /// Keys in the longest sensible path; bounds the recursion below.
 const DEEPEST: usize = 16;
 
@@ -129,7 +132,10 @@ fn insert<'i>(
         return Ok(());
     }
     if !table.contains_key(&name) {
-        let empty = DeValue::Table(DeTable::new());
+        let empty = match rest[0] == APPENDED {
+            true => DeValue::Array(DeArray::new()),
+            false => DeValue::Table(DeTable::new()),
+        };
         table.insert(name.clone(), Spanned::new(line.key.clone(), empty));
     }
     match table.get_mut(&name).map(Spanned::get_mut) {
@@ -161,10 +167,15 @@ fn insert_item<'i>(
     line: &Line<'_>,
 ) -> Result<(), SceneError> {
     let count = array.len();
+    if keys[0] == APPENDED && keys.len() == 1 {
+        array.push(value);
+        return Ok(());
+    }
     let item = keys[0].parse::<usize>().ok().and_then(|i| array.get_mut(i));
     let Some(item) = item else {
         let bound = format!("a list of {count} has no item `{}`", keys[0]);
-        let repair = "items are numbered from 0, as in loads[0].couple.moment";
+        let repair =
+            "items are numbered from 0, as in loads[0].couple.moment; loads[+]={ … } appends a whole one";
         return Err(line.refuse(&bound, repair, line.key.clone()));
     };
     if keys.len() == 1 {

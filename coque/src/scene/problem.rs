@@ -6,14 +6,16 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::analysis::Analysis;
-use super::conditions::{Load, Support};
 use super::curve::Probe;
+use super::loads::Load;
 use super::output::Output;
-use super::region::Region;
 use super::scope::Scope;
+use super::sets::Region;
 use super::shell::ShellScene;
 use super::source::{BODIES, Source};
+use super::supports::Support;
 use super::units::Units;
+use super::velocity::Velocity;
 
 /// A problem: bodies, conditions, analysis, and what to record.
 ///
@@ -66,6 +68,13 @@ impl BodyScene {
             Self::Shell(_) => "shell",
         }
     }
+
+    /// Velocity at the start.
+    pub fn velocity(&self) -> Option<&Velocity> {
+        match self {
+            Self::Shell(shell) => shell.velocity.as_ref(),
+        }
+    }
 }
 
 impl Scene {
@@ -93,6 +102,16 @@ impl Scene {
         let body = self.bodies.values_mut().next();
         let BodyScene::Shell(shell) = body.expect("a checked scene has a body");
         shell
+    }
+
+    /// Number of the support whose motion is all that drives an analysis that seeks the force along it.
+    ///
+    /// That it acts on one particle is known only after building; on more, their displacement is prescribed.
+    pub(crate) fn sole_motion(&self) -> Option<usize> {
+        let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
+        let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
+        let alone = self.loads.is_empty() && motions.next().is_none();
+        first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 
     /// Takes the name of the one body off the sets that are named with it: `strip.u1` becomes `u1`.

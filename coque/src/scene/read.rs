@@ -21,7 +21,7 @@ impl Scene {
     /// Reads a scene in which some values are replaced: `("material.elastic.young", "2.1e11")`.
     ///
     /// A path goes through tables by key and through lists by number (`loads[0].couple.moment` or
-    /// `loads.0.couple.moment`). A value is TOML; a bare word counts as a string. Naming another
+    /// `loads.0.couple.moment`); `loads[+]` is one item more. A value is TOML; a bare word counts as a string. Naming another
     /// alternative (`formulation.nodal.order`) drops the one that the text names.
     ///
     /// # Errors

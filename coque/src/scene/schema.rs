@@ -3,8 +3,9 @@
 use schemars::schema_for;
 use serde_json::{Map, Value, json};
 
-use super::conditions::{Load, Support};
+use super::loads::Load;
 use super::problem::Scene;
+use super::supports::Support;
 
 /// The schema of a scene, as JSON.
 ///

@@ -1,7 +1,7 @@
 //! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::levels::Levels;
 
@@ -60,6 +60,36 @@ pub struct Stop {
     pub above: f64,
 }
 
+/// Equilibria at load levels by dynamic relaxation: a damped motion in a time of its own, without factorisations.
+///
+/// Masses are those for which a step of one is stable, from the row sums of the tangent.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Relaxation {
+    /// Load levels to stop at.
+    pub levels: Levels,
+    /// Residual over load at which an equilibrium counts as found \[–\].
+    #[serde(default = "relaxed")]
+    pub tolerance: f64,
+    /// How the motion dies.
+    #[serde(default)]
+    pub damping: RelaxationDamping,
+    /// Iterations allowed to a level.
+    #[serde(default = "usual_relaxation")]
+    pub iterations: usize,
+}
+
+/// How a relaxation comes to rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RelaxationDamping {
+    /// The motion is stopped whenever its kinetic energy passes a peak.
+    #[default]
+    Kinetic,
+    /// Mass-proportional, near critical for the lowest frequency that the motion shows.
+    Rayleigh,
+}
+
 /// Modes of free vibration of the unloaded shell; `moved` supports stand still.
 ///
 /// Rigid motions that no support holds are modes too, of frequency zero within rounding.
@@ -85,7 +115,7 @@ pub struct Buckling {
 }
 
 /// Which buckling levels are wanted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum LevelSign {
     /// Of the load as it is.
@@ -98,7 +128,7 @@ pub enum LevelSign {
 }
 
 /// What a linearised buckling analysis holds of the state before buckling.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Prebuckling {
     /// The linear response as it is: its rotations and stretches as well as its stresses.
@@ -111,6 +141,16 @@ pub enum Prebuckling {
 /// As Newton's method has it.
 fn usual_tolerance() -> f64 {
     implicit_statics::NewtonOptions::default().tolerance
+}
+
+/// What a relaxation reaches in sensible time.
+fn relaxed() -> f64 {
+    1e-6
+}
+
+/// Thin shells take some ten thousand.
+fn usual_relaxation() -> usize {
+    100_000
 }
 
 /// A thin strip that rolls up takes some fifteen an eighth of a turn: its tangent holds the stretch of the last guess.

@@ -96,7 +96,8 @@ impl Scene {
             loads,
             threads,
         };
-        let shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        let mut shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        builder.set_out(&mut shell);
         if shell.freedoms() == 0 {
             let (found, bound) = ("no freedom of any particle", "at least one that is not held");
             let repair = "take out a support, or let it name fewer particles";
@@ -139,7 +140,7 @@ impl Builder<'_> {
             let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?.to_vec();
             let direction = self.turned(column.direction).normalize();
             let probe = Probe::new(&column.name, column.of, particles, direction);
-            Ok(Probe { factor: column.factor, ..probe })
+            Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
         };
         self.scene.curve.iter().enumerate().map(probe).collect()
     }
@@ -153,7 +154,13 @@ impl Builder<'_> {
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
             for (_, kind) in support.kinds() {
-                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.driven_by_load() {
+                if matches!(kind, SupportKind::Rotated(_)) {
+                    let path = format!("supports[{i}].rotated");
+                    let fault =
+                        self.scene.source.fault(&path, "a rotation", "one that is built", "use `moved`");
+                    return Err(SceneError::Choice(fault));
+                }
+                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.kind().seeks_force {
                     continue; // its direction is left free for the force that brings it about
                 }
                 let course = amplitude(support.amplitude.as_ref());
@@ -170,13 +177,16 @@ impl Builder<'_> {
         let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
             return Ok(None);
         };
-        if !self.scene.analysis.driven_by_load() {
+        if !self.scene.analysis.kind().seeks_force {
             return Ok(None);
+        }
+        if self.scene.sole_motion().is_none() {
+            return Err(self.several_drivers(i));
         }
         let on = &self.scene.supports[i].on;
         let path = format!("supports[{i}].on");
         let &[particle] = sets.at(self.scene, &path, on)? else {
-            let what = self.scene.analysis.run_name();
+            let what = self.scene.analysis.kind().name;
             let bound = format!("but in {what} a prescribed motion acts on one particle");
             let repair = "name a corner or a set with `nearest`, or use [analysis.explicit]";
             let fault = self.scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
@@ -194,6 +204,27 @@ impl Builder<'_> {
         Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
     }
 
+    /// Until values prescribed by level are built: one motion drives, and nothing beside it.
+    fn several_drivers(&self, first: usize) -> SceneError {
+        let what = self.scene.analysis.kind().name;
+        let (i, value, bound, repair) = match self.scene.loads.is_empty() {
+            false => (
+                first,
+                "a prescribed motion",
+                format!("one without loads beside it in {what}"),
+                "remove the loads",
+            ),
+            true => {
+                let mut motions =
+                    (0..self.scene.supports.len()).filter(|&i| self.scene.supports[i].motion().is_some());
+                let second = motions.nth(1).unwrap_or(first);
+                (second, "a second prescribed motion", format!("only one in {what}"), "keep one of them")
+            }
+        };
+        let repair = format!("{repair}, or use [analysis.explicit]");
+        SceneError::Choice(self.scene.source.fault(&format!("supports[{i}].moved"), value, &bound, &repair))
+    }
+
     fn support(
         &self,
         kind: SupportKind,
@@ -208,6 +239,7 @@ impl Builder<'_> {
                 displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
                 director: s.director.first().map(|&v| self.turned(v)),
             }),
+            SupportKind::Rotated(_) => Box::new(sph_shell::Hinged), // refused above until it is built
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
@@ -259,7 +291,7 @@ impl Builder<'_> {
     /// A static answer needs every rigid motion held; a run in real time and vibration do not.
     fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
         let analysis = &self.scene.analysis;
-        if analysis.transient() || matches!(analysis, scene::Analysis::Modal(_)) {
+        if analysis.kind().floats {
             return Ok(());
         }
         let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
@@ -268,7 +300,7 @@ impl Builder<'_> {
             return Ok(());
         }
         let path = if supports.is_empty() { "supports" } else { "supports[0]" };
-        let bound = format!("every rigid motion must be held in {}", analysis.run_name());
+        let bound = format!("every rigid motion must be held in {}", analysis.kind().name);
         let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
         Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
     }
@@ -317,7 +349,7 @@ impl Builder<'_> {
             }
             &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |(_, s): &(usize, &scene::Support)| {
-                    s.moved.is_none() || !self.scene.analysis.driven_by_load()
+                    s.moved.is_none() || !self.scene.analysis.kind().seeks_force
                 };
                 let supports = self.scene.supports.iter().enumerate();
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);

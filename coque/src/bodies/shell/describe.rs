@@ -71,7 +71,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<Strin
         left_out.push("loads".into());
     }
     if scene.output.fields.is_some_and(|fields| fields.stresses) {
-        if scene.analysis.gives_modes() {
+        if scene.analysis.kind().gives_modes {
             left_out.push("stresses of modes, which have a shape but no size".into());
         } else if !scene.shell().section.homogeneous() {
             left_out.push("stresses of the plies: the fields hold resultants".into());

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use sph_core::{Cloud, Vec3};
 
-use crate::bodies::sets::{BUILT_IN, Sets};
+use crate::bodies::sets::Sets;
 use crate::mesh::{Cells, MeshError, Surface, boundary_edges, chains, read};
 use crate::scene::error::SceneError;
+use crate::scene::sets::BUILT_IN;
 use crate::scene::{Formulation, Load, Mesh, Scene, Section};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.

@@ -10,3 +10,4 @@ mod material;
 mod places;
 mod rigid;
 mod stress;
+mod velocity;

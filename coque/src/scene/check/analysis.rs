@@ -1,12 +1,11 @@
 //! Checks of the analysis that need no particles.
 
-use crate::bodies::probe::always;
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::error::SceneError;
 use crate::scene::levels::Levels;
 use crate::scene::problem::Scene;
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::statics::{ArcLength, Buckling, Linear, Modal, Static, Stop};
+use crate::scene::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static, Stop};
 
 type Checked = Result<(), SceneError>;
 
@@ -20,25 +19,42 @@ const MOST_MODES: f64 = 1000.0;
 const MOST_STEPS: f64 = 1e6;
 /// Newton's method either converges in some ten iterations or not at all.
 const MOST_ITERATIONS: f64 = 1000.0;
+/// A relaxation that takes more does not come to rest.
+const MOST_RELAXATION: f64 = 1e9;
 
 impl Scene {
     /// Refuses numbers out of bounds and what does not go with the analysis.
-    pub(in crate::scene) fn check_analysis(&self) -> Checked {
+    pub(super) fn check_analysis(&self) -> Checked {
         match &self.analysis {
-            Analysis::Explicit(explicit) => return self.check_explicit(explicit),
+            Analysis::Explicit(explicit) => self.check_explicit(explicit)?,
             Analysis::Linear(Linear {}) => {}
             Analysis::Static(Static { levels, tolerance, iterations }) => {
                 self.check_levels("analysis.static.levels", levels)?;
                 self.check_newton("analysis.static", *tolerance, *iterations)?;
             }
             Analysis::ArcLength(path) => self.check_arc_length(path)?,
+            Analysis::Relaxation(Relaxation { levels, tolerance, iterations, .. }) => {
+                let (s, at) = (&self.scope(), "analysis.relaxation");
+                self.check_levels(&format!("{at}.levels"), levels)?;
+                s.between(
+                    &format!("{at}.tolerance"),
+                    *tolerance,
+                    [0.0, 1.0],
+                    "leave it out for the usual 1e-6",
+                )?;
+                let repair = "leave it out for the usual 100000";
+                s.within(&format!("{at}.iterations"), *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
+            }
             Analysis::Modal(Modal { modes }) => self.check_modes("analysis.modal.modes", *modes)?,
             Analysis::Buckling(Buckling { modes, .. }) => {
                 self.check_modes("analysis.buckling.modes", *modes)?
             }
         }
-        self.check_tangent()?;
-        if self.analysis.driven_by_load() { self.check_driver() } else { Ok(()) }
+        let kind = self.analysis.kind();
+        if kind.wants_tangent {
+            self.check_tangent()?;
+        }
+        if kind.wants_driver { self.check_driver() } else { Ok(()) }
     }
 
     fn check_explicit(&self, explicit: &Explicit) -> Checked {
@@ -133,7 +149,7 @@ impl Scene {
         }
         if let Some(Stop { column, above }) = &path.stop {
             let own = self.curve.iter().map(|probe| probe.name.as_str());
-            let known: Vec<&str> = always(&self.analysis).iter().copied().chain(own).collect();
+            let known: Vec<&str> = self.analysis.kind().columns.iter().copied().chain(own).collect();
             s.word(&at("stop.column"), column, &known)?;
             s.sized(&at("stop.above"), *above)?;
         }
@@ -155,40 +171,27 @@ impl Scene {
 
     fn check_tangent(&self) -> Checked {
         let Formulation::StrongForm(_) = self.shell().formulation else { return Ok(()) };
-        let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.run_name());
+        let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.kind().name);
         let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
         let path = "formulation.strong-form";
         Err(SceneError::Choice(self.body_scope().fault(path, "a formulation without energy", &bound, repair)))
     }
 
-    /// One load level drives the analysis: loads, or one prescribed motion alone.
+    /// One load level drives the analysis: loads, prescribed motions, or both.
     fn check_driver(&self) -> Checked {
-        let s = &self.scope();
-        let what = self.analysis.run_name();
-        let mut moved = (0..self.supports.len())
-            .filter_map(|i| self.supports[i].moved.map(|m| (format!("supports[{i}].moved"), m.by)));
-        match (moved.next(), moved.next()) {
-            (None, _) if self.loads.is_empty() => {
-                let repair = "add a load, or a support with `moved`";
-                let fault = s.fault("loads", "nothing", &format!("something that drives {what}"), repair);
-                Err(SceneError::Choice(fault))
-            }
-            (Some((path, _)), None) if !self.loads.is_empty() => {
-                let bound = format!("one without loads beside it in {what}");
-                let repair = "remove the loads, or use [analysis.explicit]";
-                Err(SceneError::Choice(s.fault(&path, "a prescribed motion", &bound, repair)))
-            }
-            (Some(_), Some((path, _))) => {
-                let bound = format!("only one in {what}");
-                let repair = "keep one of them, or use [analysis.explicit]";
-                Err(SceneError::Choice(s.fault(&path, "a second prescribed motion", &bound, repair)))
-            }
-            (Some((path, by)), None) if by == 0.0 => {
-                let bound = format!("other than zero: it drives {what}");
-                let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
-                Err(s.value(&format!("{path}.by"), by, &bound, repair))
-            }
-            _ => Ok(()),
+        let (s, what) = (&self.scope(), self.analysis.kind().name);
+        let supports = self.supports.iter().enumerate();
+        let motions = || supports.clone().filter_map(|(i, support)| Some((i, support.motion()?)));
+        if !self.loads.is_empty() || motions().any(|(_, (_, by))| by != 0.0) {
+            return Ok(());
         }
+        let Some((i, (word, by))) = motions().next() else {
+            let repair = "add a load, or a support with `moved`";
+            let fault = s.fault("loads", "nothing", &format!("something that drives {what}"), repair);
+            return Err(SceneError::Choice(fault));
+        };
+        let bound = format!("other than zero: it drives {what}");
+        let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
+        Err(s.value(&format!("supports[{i}].{word}.by"), by, &bound, repair))
     }
 }

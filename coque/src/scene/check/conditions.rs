@@ -1,9 +1,11 @@
 //! Checks of supports and loads that need no particles.
 
-use crate::bodies::sets::EDGES;
-use crate::scene::conditions::{Amplitude, Axis, Held, Load, LoadKind, Support, SupportKind};
+use crate::scene::amplitude::Amplitude;
 use crate::scene::error::SceneError;
+use crate::scene::loads::{Axis, Load, LoadKind};
 use crate::scene::problem::Scene;
+use crate::scene::sets::EDGES;
+use crate::scene::supports::{Held, Support, SupportKind};
 use sph_core::Vec3;
 
 /// Directions this close to the span of others are the same but for rounding or a slip.
@@ -12,14 +14,14 @@ const PARALLEL: f64 = 1e-6;
 type Checked = Result<(), SceneError>;
 
 impl Scene {
-    pub(in crate::scene) fn check_support(&self, at: &str, support: &Support) -> Checked {
+    pub(super) fn check_support(&self, at: &str, support: &Support) -> Checked {
         let s = &self.scope();
         self.check_set_name(&format!("{at}.on"), &support.on)?;
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "condition", &given, &Support::WORDS)?;
-        if support.amplitude.is_some() && support.moved.is_none() {
-            let repair = "remove it: only `moved` has a course in time";
+        if support.amplitude.is_some() && support.motion().is_none() {
+            let repair = "remove it: only `moved` and `rotated` have a course in time";
             let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
             return Err(SceneError::Choice(fault));
         }
@@ -34,7 +36,12 @@ impl Scene {
                 SupportKind::Moved(moved) => {
                     s.direction(&format!("{at}.moved.direction"), moved.direction)?;
                     s.sized(&format!("{at}.moved.by"), moved.by)?;
-                    self.check_course(at, support.amplitude.as_ref())?;
+                    self.check_course(at, "moved", support.amplitude.as_ref())?;
+                }
+                SupportKind::Rotated(rotated) => {
+                    s.direction(&format!("{at}.rotated.axis"), rotated.axis)?;
+                    s.sized(&format!("{at}.rotated.by"), rotated.by)?;
+                    self.check_course(at, "rotated", support.amplitude.as_ref())?;
                 }
             }
         }
@@ -80,10 +87,10 @@ impl Scene {
     }
 
     /// A prescribed motion follows the load level, in a transient run a course that starts at zero.
-    fn check_course(&self, at: &str, amplitude: Option<&Amplitude>) -> Checked {
+    fn check_course(&self, at: &str, word: &str, amplitude: Option<&Amplitude>) -> Checked {
         let path = format!("{at}.amplitude");
         let starts_at_rest = match amplitude {
-            None => !self.analysis.transient(),
+            None => !self.analysis.kind().passes_time,
             Some(amplitude) => {
                 self.check_amplitude(&path, amplitude)?;
                 match amplitude {
@@ -96,13 +103,14 @@ impl Scene {
         if starts_at_rest {
             return Ok(());
         }
-        let path = if amplitude.is_none() { format!("{at}.moved") } else { path };
-        let repair = "a transient run has no load level: add amplitude = { ramp = time } beside `moved`";
+        let path = if amplitude.is_none() { format!("{at}.{word}") } else { path };
+        let repair =
+            format!("a transient run has no load level: add amplitude = {{ ramp = time }} beside `{word}`");
         let bound = "one with a course in time that starts at zero";
-        Err(SceneError::Choice(self.scope().fault(&path, "a prescribed motion", bound, repair)))
+        Err(SceneError::Choice(self.scope().fault(&path, "a prescribed motion", bound, &repair)))
     }
 
-    pub(in crate::scene) fn check_load(&self, at: &str, load: &Load) -> Checked {
+    pub(super) fn check_load(&self, at: &str, load: &Load) -> Checked {
         let s = &self.scope();
         self.check_set_name(&format!("{at}.on"), &load.on)?;
         let kinds = load.kinds();
@@ -149,8 +157,8 @@ impl Scene {
 
     fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
         let s = &self.scope();
-        if !self.analysis.transient() {
-            let what = self.analysis.run_name();
+        if !self.analysis.kind().passes_time {
+            let what = self.analysis.kind().name;
             let repair = format!("remove it: in {what} the load level takes its place");
             let fault = s.fault(at, "a course in time", &format!("none in {what}"), &repair);
             return Err(SceneError::Choice(fault));

@@ -2,16 +2,14 @@
 
 mod analysis;
 mod conditions;
+mod curve;
+mod sets;
 mod shell;
 
-use std::collections::BTreeSet;
-
-use crate::bodies::probe::always;
-use crate::bodies::sets::BUILT_IN;
-use crate::scene::analysis::Analysis;
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
-use crate::scene::region::Region;
+use crate::scene::scope::Scope;
+use crate::scene::velocity::Velocity;
 
 type Checked = Result<(), SceneError>;
 
@@ -59,103 +57,34 @@ impl Scene {
             return Err(s.value(&format!("bodies.{name}"), format!("\"{name}\""), "a plain word", repair));
         }
         let s = &self.body_scope();
-        self.bodies.values().try_for_each(|BodyScene::Shell(shell)| shell.check(s))
+        self.bodies.values().try_for_each(|body| {
+            match body {
+                BodyScene::Shell(shell) => shell.check(s)?,
+            }
+            body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
+        })
     }
 
-    fn check_sets(&self) -> Checked {
-        let s = &self.scope();
-        for (name, Region { of, nearest, inside, plane }) in &self.sets {
-            let at = format!("sets.{name}");
-            if let Some(of) = of {
-                s.word(&format!("{at}.of"), of, &Vec::from_iter(self.bodies.keys().map(String::as_str)))?;
-            }
-            if BUILT_IN.contains(&name.as_str()) {
-                let fault = s.fault(
-                    &at,
-                    "declared",
-                    "but there is a built-in set of that name",
-                    "choose another name",
-                );
-                return Err(SceneError::Set(fault));
-            }
-            let mut given = Vec::new();
-            given.extend(nearest.map(|_| "nearest"));
-            given.extend(inside.map(|_| "box"));
-            given.extend(plane.map(|_| "plane"));
-            s.exactly_one(&at, "region", &given, &["nearest", "box", "plane"])?;
-            if let Some(point) = nearest {
-                s.sized_all(&format!("{at}.nearest"), point)?;
-            }
-            if let Some(plane) = plane {
-                s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
-                s.direction(&format!("{at}.plane.normal"), plane.normal)?;
-                s.positive(&format!("{at}.plane.within"), plane.within.unwrap_or(1.0))?;
-            }
-            if let Some(region) = inside {
-                s.sized_all(&format!("{at}.box.min"), &region.min)?;
-                s.sized_all(&format!("{at}.box.max"), &region.max)?;
-                if (0..3).any(|i| region.min[i] > region.max[i]) {
-                    let value = format!("min {:?}, max {:?}", region.min, region.max);
-                    let bound = "min ≤ max in every coordinate";
-                    return Err(s.value(&format!("{at}.box"), value, bound, "swap the coordinates"));
-                }
-            }
+    fn check_velocity(&self, Velocity { linear, spin }: &Velocity, s: &Scope<'_>) -> Checked {
+        let kind = self.analysis.kind();
+        if !kind.passes_time {
+            let bound = format!("none in {}", kind.name);
+            let repair = "remove it, or use [analysis.explicit.transient]";
+            return Err(SceneError::Choice(s.fault("velocity", "a velocity at the start", &bound, repair)));
         }
-        Ok(())
-    }
-
-    /// Refuses a name that is no set; those of a mesh are known when its file has been read.
-    pub(in crate::scene) fn check_set_name(&self, path: &str, name: &str) -> Checked {
-        if self.shell().geometry.mesh().is_some() {
-            return Ok(());
+        if linear.is_none() && spin.is_none() {
+            let repair = "velocity = { linear = [1, 0, 0] }, or spin = { axis = [0, 0, 1], rate = 1.0 }";
+            return Err(SceneError::Choice(s.fault(
+                "velocity",
+                "neither",
+                "`linear`, `spin` or both",
+                repair,
+            )));
         }
-        let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
-        if known.contains(&name) {
-            return Ok(());
-        }
-        let repair = crate::scene::source::suggest(name, &known);
-        Err(SceneError::Set(self.scope().fault(path, &format!("\"{name}\""), "which is no set", &repair)))
-    }
-
-    fn check_checkpoints(&self) -> Checked {
-        let Some(every) = self.output.checkpoint_every else { return Ok(()) };
-        let path = "output.checkpoint_every";
-        if !matches!(self.analysis, Analysis::Explicit(_) | Analysis::Static(_)) {
-            let what = self.analysis.run_name();
-            let bound = format!("left out in {what}, which cannot go on from its middle");
-            let repair = "remove it, or use [analysis.explicit] or [analysis.static]";
-            return Err(self.scope().value(path, every, &bound, repair));
-        }
-        self.scope().positive(path, every)
-    }
-
-    fn check_curve(&self) -> Checked {
-        let s = &self.scope();
-        let mut names: BTreeSet<&str> = always(&self.analysis).iter().copied().collect();
-        for (i, probe) in self.curve.iter().enumerate() {
-            let at = |key: &str| format!("curve[{i}].{key}");
-            let name = probe.name.as_str();
-            let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
-            if name.is_empty() || !name.chars().all(plain) {
-                let repair = "it becomes a column name: use letters, digits, _ and -";
-                return Err(s.value(&at("name"), format!("\"{name}\""), "a plain word", repair));
-            }
-            if !names.insert(name) {
-                let repair = format!("rename it; taken already: {}", Vec::from_iter(names).join(", "));
-                return Err(s.value(&at("name"), format!("\"{name}\""), "a name of its own", &repair));
-            }
-            self.check_set_name(&at("on"), &probe.on)?;
-            s.direction(&at("direction"), probe.direction)?;
-            s.sized(&at("factor"), probe.factor)?;
-        }
-        if self.output.fields.is_some_and(|fields| fields.every == 0) {
-            return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
-        }
-        if let Some(plot) = &self.output.plot {
-            let known = Vec::from_iter(names);
-            s.word("output.plot.x", &plot.x, &known)?;
-            s.word("output.plot.y", &plot.y, &known)?;
-        }
-        self.check_checkpoints()
+        s.sized_all("velocity.linear", &linear.unwrap_or_default())?;
+        let Some(spin) = spin else { return Ok(()) };
+        s.direction("velocity.spin.axis", spin.axis)?;
+        s.sized_all("velocity.spin.point", &spin.point)?;
+        s.sized("velocity.spin.rate", spin.rate)
     }
 }

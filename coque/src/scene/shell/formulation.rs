@@ -20,7 +20,7 @@ pub enum Formulation {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StressPoint {
-    /// Reach of the kernel.
+    /// Reach of the kernel; left out, that of the cell.
     #[serde(default)]
     pub support: Reach,
     /// Kernel; only with a reach in numbers.

@@ -12,6 +12,8 @@ use formulation::Formulation;
 use geometry::{Geometry, Orientation};
 use material::{Material, Section};
 
+use super::velocity::Velocity;
+
 /// A thin shell: its mid-surface, what it is made of, and the particle method.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -24,13 +26,15 @@ pub struct ShellScene {
     pub material: Material,
     /// How the material fills the thickness.
     pub section: Section,
-    /// The particle method.
+    /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
+    /// Velocity at the start, in transient runs.
+    pub velocity: Option<Velocity>,
 }
 
 impl ShellScene {
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 5] =
-        ["geometry", "orientation", "material", "section", "formulation"];
+    pub(crate) const WORDS: [&'static str; 6] =
+        ["geometry", "orientation", "material", "section", "formulation", "velocity"];
 }

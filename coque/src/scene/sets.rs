@@ -1,7 +1,14 @@
-//! Regions: sets of particles picked by where they stand.
+//! Named sets of particles: those that every scene has, and regions.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+/// Sets that every scene has.
+pub(crate) const BUILT_IN: [&str; 11] =
+    ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
+
+/// Built-in sets that are edges: particles in a row, each with a tributary length.
+pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
 
 /// Picks particles; exactly one of `nearest`, `box` and `plane` is given, in the un-turned frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,0 +1,119 @@
+//! What each analysis is and does, a row each: read by the checks, the catalogue and the run.
+
+use super::analysis::Analysis;
+
+/// One kind of analysis.
+#[derive(Debug, PartialEq, Eq)]
+pub struct AnalysisKind {
+    /// Its keys under `analysis`.
+    pub word: &'static str,
+    /// Its name in sentences.
+    pub name: &'static str,
+    /// Columns that every curve of it has.
+    pub columns: &'static [&'static str],
+    /// Whether answers are modes, not states: nothing is measured on them.
+    pub gives_modes: bool,
+    /// Whether it goes on from a checkpoint.
+    pub resumes: bool,
+    /// Whether time passes: conditions have a course in time, bodies a velocity at the start. Else a load level counts.
+    pub passes_time: bool,
+    /// Whether rigid motions may be free of supports.
+    pub floats: bool,
+    /// Whether something must drive it: a load, or a prescribed motion.
+    pub wants_driver: bool,
+    /// Whether the one motion that drives it, if it is that of one particle, becomes a force whose size is sought.
+    pub seeks_force: bool,
+    /// Whether it needs a tangent, which a formulation without energy does not have.
+    pub wants_tangent: bool,
+}
+
+/// Columns of marches.
+const MARCHED: &[&str] = &["time", "level", "kinetic", "internal", "external", "dissipated"];
+/// Columns of equilibria found by a tangent.
+const BALANCED: &[&str] = &["level", "internal", "iterations", "negative_pivots"];
+
+/// What most analyses without time are.
+const LEVELLED: AnalysisKind = AnalysisKind {
+    word: "",
+    name: "",
+    columns: BALANCED,
+    gives_modes: false,
+    resumes: false,
+    passes_time: false,
+    floats: false,
+    wants_driver: true,
+    seeks_force: true,
+    wants_tangent: true,
+};
+
+/// What marches are.
+const MARCH: AnalysisKind = AnalysisKind {
+    columns: MARCHED,
+    resumes: true,
+    wants_driver: false,
+    seeks_force: false,
+    wants_tangent: false,
+    ..LEVELLED
+};
+
+/// All analyses.
+pub const ANALYSES: [AnalysisKind; 8] = [
+    AnalysisKind { word: "explicit.quasi-static", name: "a quasi-static run", ..MARCH },
+    AnalysisKind {
+        word: "explicit.transient",
+        name: "a transient run",
+        passes_time: true,
+        floats: true,
+        ..MARCH
+    },
+    AnalysisKind { word: "linear", name: "a linear analysis", ..LEVELLED },
+    AnalysisKind { word: "static", name: "a static analysis", resumes: true, ..LEVELLED },
+    AnalysisKind { word: "arc-length", name: "an arc-length analysis", ..LEVELLED },
+    AnalysisKind {
+        word: "relaxation",
+        name: "a relaxation",
+        columns: &["level", "internal", "iterations"],
+        seeks_force: false,
+        ..LEVELLED
+    },
+    AnalysisKind {
+        word: "modal",
+        name: "a modal analysis",
+        columns: &["mode", "circular_frequency", "frequency", "residual"],
+        gives_modes: true,
+        floats: true,
+        wants_driver: false,
+        seeks_force: false,
+        ..LEVELLED
+    },
+    AnalysisKind {
+        word: "buckling",
+        name: "a buckling analysis",
+        columns: &["mode", "level", "residual"],
+        gives_modes: true,
+        ..LEVELLED
+    },
+];
+
+impl Analysis {
+    /// The kind of the analysis.
+    pub fn kind(&self) -> &'static AnalysisKind {
+        let [quasi_static, transient, linear, levels, arc_length, relaxation, modal, buckling] = &ANALYSES;
+        match self {
+            Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
+            Self::Explicit(_) => transient,
+            Self::Linear(_) => linear,
+            Self::Static(_) => levels,
+            Self::ArcLength(_) => arc_length,
+            Self::Relaxation(_) => relaxation,
+            Self::Modal(_) => modal,
+            Self::Buckling(_) => buckling,
+        }
+    }
+
+    /// Key of the analysis in a scene.
+    pub fn word(&self) -> &'static str {
+        let word = self.kind().word;
+        word.split_once('.').map_or(word, |(first, _)| first)
+    }
+}

@@ -1,0 +1,104 @@
+//! Which support, load and velocity goes with which analysis: small scenes of each, read and built.
+
+use super::analysis_kind::{ANALYSES, AnalysisKind};
+use super::problem::Scene;
+
+const HEAD: &str = "
+## What goes with which analysis
+
+Found by building a small scene of each. \"in time\": with an `amplitude` beside it, which other analyses refuse. Modes of vibration
+are those of the unloaded shell: its loads change nothing, prescribed motions stand still.
+";
+
+/// A row of the table: its name, the table it stands in, what it says.
+const ROWS: [(&str, &str, &str); 16] = [
+    ("`clamped`", "supports", "on = 'u1', clamped = {}"),
+    ("`hinged`", "supports", "on = 'u1', hinged = {}"),
+    ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
+    ("`diaphragm`", "supports", "on = 'u1', diaphragm = { axis = [1, 0, 0] }"),
+    ("`held`", "supports", "on = 'u1', held = { displacement = [[0, 0, 1]] }"),
+    (
+        "`moved`, one particle, nothing beside it",
+        "supports",
+        "on = 'u1v1', moved = { direction = [0, 0, 1], by = 1 }",
+    ),
+    (
+        "`moved`, one particle, beside a load",
+        "supports",
+        "on = 'u1v1', moved = { direction = [0, 0, 1], by = 1 }",
+    ),
+    ("`moved`, more particles", "supports", "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }"),
+    (
+        "`moved`, more particles, beside a load",
+        "supports",
+        "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }",
+    ),
+    ("`rotated`", "supports", "on = 'u1', rotated = { axis = [0, 1, 0], by = 1 }"),
+    ("`force`", "loads", "on = 'u1', force = { total = [0, 0, 1] }"),
+    ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
+    ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
+    ("`pressure`, follower", "loads", "on = 'all', pressure = { value = 1, follower = true }"),
+    ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
+    ("`velocity`", "velocity", "linear = [0, 0, 1]"),
+];
+
+/// The table, in Markdown.
+pub(super) fn goes_with() -> String {
+    let words = ANALYSES.map(|kind| format!("`{}`", kind.word)).join(" | ");
+    let mut text = format!("{HEAD}\n| | {words} |\n|---|{}\n", "---|".repeat(ANALYSES.len()));
+    for (name, table, says) in ROWS {
+        let cell = |kind: &AnalysisKind| {
+            let plain = builds(kind, name, table, says);
+            let in_time = || {
+                table != "velocity"
+                    && builds(kind, name, table, &format!("{says}, amplitude = {{ ramp = 1 }}"))
+            };
+            match () {
+                () if plain => "yes",
+                () if in_time() => "in time",
+                () => "–",
+            }
+        };
+        text.push_str(&format!("| {name} | {} |\n", ANALYSES.each_ref().map(cell).join(" | ")));
+    }
+    text
+}
+
+/// Whether a small cantilever with one thing more can be built.
+fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
+    let options = match kind.word {
+        "explicit.quasi-static" => "levels = 1, period = 1",
+        "explicit.transient" => "duration = 1, record_every = 1",
+        "static" | "relaxation" => "levels = 1",
+        "arc-length" => "until = 1",
+        "modal" | "buckling" => "modes = 1",
+        _ => "",
+    };
+    let mut supports = vec!["{ on = 'u0', clamped = {} }".to_string()];
+    let mut loads = Vec::new();
+    let mut velocity = String::new();
+    match table {
+        "supports" => supports.push(format!("{{ {says} }}")),
+        "loads" => loads.push(format!("{{ {says} }}")),
+        _ => velocity = format!("velocity = {{ {says} }}"),
+    }
+    let alone = table == "loads" || (name.starts_with("`moved`") && !name.ends_with("beside a load"));
+    if !alone {
+        loads.push("{ on = 'v1', force = { total = [0, 0, 1] } }".into());
+    }
+    let text = format!(
+        "title = ''
+        units = {{ length = '-', force = '-', time = '-' }}
+        geometry.plate = {{ lengths = [1, 1], particles = [3, 3] }}
+        material.elastic = {{ young = 1, poisson = 0, density = 1 }}
+        section.homogeneous = {{ thickness = 0.1 }}
+        analysis.{} = {{ {options} }}
+        supports = [{}]
+        loads = [{}]
+        {velocity}",
+        kind.word,
+        supports.join(", "),
+        loads.join(", ")
+    );
+    Scene::parse(&text, "").and_then(|scene| scene.build(1)).is_ok()
+}
