@@ -185,9 +185,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
                 let b = self.pattern.columns[block] as usize;
                 for row in self.dofs.of(a) {
-                    out.extend(
-                        self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)),
-                    );
+                    out.extend(self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)));
                 }
             }
         }
