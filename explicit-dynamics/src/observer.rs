@@ -1,4 +1,4 @@
-//! Who watches a run, and the step that shows it a record.
+//! The observer of a run, and the recorded step.
 
 use std::ops::ControlFlow;
 
@@ -15,13 +15,13 @@ pub trait Observer<S: ?Sized> {
     /// Takes a record; `Break` ends the run in good order.
     fn record(&mut self, system: &mut S, record: &Record) -> ControlFlow<()>;
 
-    /// Told at the end of each load level of a quasi-static march.
+    /// Receives how a load level of a quasi-static march ended.
     fn level(&mut self, _reached: &LevelReached) {}
 
-    /// Told between any two steps where the march stands; `Break` ends it there in good order.
+    /// Receives the state of the march between any two steps; `Break` ends the march there in good order.
     ///
-    /// `done` goes from 0 to 1; it is a guess where dwells may end early. A march goes on from this place and the
-    /// state of the system as if it had never stopped.
+    /// `done` goes from 0 to 1; it is a guess where dwells may end early. From `at` and the state of the system a march goes on
+    /// to the same bits.
     fn between(&mut self, _system: &mut S, _at: &MarchState, _done: f64) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -24,7 +24,7 @@ impl Balance {
     }
 }
 
-/// The state of a run at an instant, as an observer is shown it.
+/// The energies of a run at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Steps done.

@@ -34,7 +34,7 @@ impl Shell {
     pub(crate) fn first_unsound(&self) -> Option<Unsound> {
         let packs = &self.points.packs;
         for (index, points) in packs.order.iter().enumerate() {
-            let (p, _) = Point::new(packs, index).place::<false>(&self.state);
+            let (p, _) = Point::new(packs, index).interpolate::<false>(&self.state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());
             for lane in 0..LANES {

@@ -1,7 +1,6 @@
 //! Four sampling points: particles → vectors → measures → strains → resultants → forces on the vectors.
 //!
-//! The one pipeline of forces, results, tangent and strong form; what corrects a strain stands in it, and its transpose
-//! beside it.
+//! Forces, results, tangent and strong form share this pipeline; every correction of a strain stands here beside its transpose.
 
 use shell_kinematics::{
     LANES, Measures, Pack, Pack3, Placement, PlacementForces, Section, StrainMeasure, Strains,
@@ -82,7 +81,7 @@ impl<'a> Point<'a> {
 
     /// The five vectors, and with `CELL` the raw hourglass sums.
     #[inline(always)]
-    pub fn place<const CELL: bool>(&self, state: &[Row]) -> (Placement, [Pack3; 2]) {
+    pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement, [Pack3; 2]) {
         let base = load(state, &self.pack.base);
         let mut p = Placement { d: Pack3([base[3], base[4], base[5]]), ..Placement::default() };
         let mut raw = [Pack3::ZERO; 2];
@@ -112,7 +111,7 @@ impl<'a> Point<'a> {
         measure: &M,
         state: &[Row],
     ) -> PointState<'a> {
-        let (placement, raw) = self.place::<CELL>(state);
+        let (placement, raw) = self.interpolate::<CELL>(state);
         let mut measures = placement.measures();
         let cell = if CELL { self.cell } else { None };
         let control = cell.map(|cell| (cell, cell.state(&placement, &measures.curvature, raw)));

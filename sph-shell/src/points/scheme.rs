@@ -28,7 +28,7 @@ pub(crate) enum Scheme {
     /// Points at the cells, each with the control of its hourglass.
     Cells {
         control: Vec<CellPack>,
-        /// What chords of uneven curved cells lose; empty where that is nothing.
+        /// Membrane strain that chords of uneven cells lose; empty on lattices of developable surfaces.
         arcs: Vec<ArcPack>,
     },
     /// Wide stencils, at cells or particles, with the control of pairs and its forces on the particles.
@@ -38,7 +38,7 @@ pub(crate) enum Scheme {
 }
 
 impl Points {
-    /// Lays the points out, takes their measures at rest as the reference, and tells what chords lose.
+    /// Lays out the points and takes their measures at rest as the reference; returns also what chords lose.
     ///
     /// # Errors
     /// [`ShellError::Space`] for pairs whose gradients cannot be found.
@@ -77,7 +77,7 @@ impl Points {
         };
         let rest = reference.rest();
         for index in 0..packs.points.len() {
-            let (p, raw) = Point::new(&packs, index).place::<true>(&rest);
+            let (p, raw) = Point::new(&packs, index).interpolate::<true>(&rest);
             let mut measures = p.measures();
             if let Scheme::Cells { control, .. } = &mut scheme {
                 measures.curvature = control[index].rest(&p, &measures.curvature, raw);
@@ -101,13 +101,12 @@ impl Points {
         Point { shear: self.shear.get(index), arcs, cell, ..Point::new(&self.packs, index) }
     }
 
-    /// Numbers of slots that the sweep fills: one a (point, particle) pair, none where forces are found particle by particle
-    /// alone.
+    /// Number of slots that the sweep fills, one a (point, particle) pair; the strong form has none.
     pub fn slot_count(&self) -> usize {
         if let Scheme::StrongForm { .. } = self.scheme { 0 } else { self.packs.slot_count() }
     }
 
-    /// Internal forces that are found particle by particle; empty for cells.
+    /// Internal forces that are summed particle by particle; cells have none.
     pub fn direct(&self) -> &[Row] {
         match &self.scheme {
             Scheme::Cells { .. } => &[],

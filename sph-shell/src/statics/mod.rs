@@ -1,4 +1,4 @@
-//! The shell without time: its unknowns, the tangent of its energy and of its loads, the system that is balanced.
+//! Statics: the unknowns, the tangent of the energy and of the loads, the system that is balanced.
 
 pub(crate) mod dofs;
 pub(crate) mod load_stiffness;

@@ -1,4 +1,4 @@
-//! The shell in time: the step of a particle, the whole step in one sweep, the march, the spectrum.
+//! Dynamics: the step of a particle, the whole step in one sweep, the march, the mass-scaled tangent.
 
 pub(crate) mod fused;
 pub(crate) mod march;
