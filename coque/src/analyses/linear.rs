@@ -1,10 +1,11 @@
 //! The linear answer: one factorisation at the unloaded body, and what is read along it: probes and forces.
 
 use implicit_statics::linear_response;
+use sph_core::Vec3;
 
-use super::modes::{keep_shape, scaled};
+use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
-use crate::bodies::{Balanced, Configuration, Probe};
+use crate::bodies::{Balanced, Probe};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::Energies;
@@ -33,18 +34,20 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     let force = run.driven.map_or(1.0, |driven| driven.by / driven.moved(system, &response));
     let motion = scaled(&response, force);
     let rest = system.save();
-    let largest = largest(system, &motion);
+    let there = moved(system, &rest, &motion, loaded(run, 1.0));
+    let largest = farthest(system, &there);
     let step = if largest > 0.0 { REACH * system.linear_reach() / largest } else { 1.0 };
     let (columns, fields) = (run.probes.iter().map(Probe::part_count).sum(), run.frames.is_some());
     // Rotations are counted on from the first reading, at rest.
     let mut readings: [Vec<f64>; 5] = Default::default();
-    for (reading, k) in readings.iter_mut().zip([0.0, 1.0, 2.0, -1.0, -2.0]) {
+    let mut energies = [0.0; 5];
+    for ((reading, energy), k) in readings.iter_mut().zip(&mut energies).zip([0.0, 1.0, 2.0, -1.0, -2.0]) {
         if run.tell(0.0, 1, 0.0, 0.0).is_break() {
             return interrupted;
         }
         system.restore(&rest);
         system.update(&scaled(&motion, k * step));
-        system.refresh(loaded(run, k * step));
+        *energy = system.refresh(loaded(run, k * step));
         reading.extend(run.probes.iter_mut().flat_map(|probe| probe.parts(system)));
         if fields {
             reading.extend(system.forces());
@@ -52,9 +55,15 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     }
     let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
-    let mut load = vec![0.0; motion.len()];
-    system.load_rate(0.0, &mut load);
-    let internal = 0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>();
+    let internal = if system.held_values_move() {
+        // Held values that move do work as well: the energy grows with the square of the level.
+        let [here, ahead, beyond, behind, before] = energies;
+        (16.0 * (ahead + behind) - (beyond + before) - 30.0 * here) / (24.0 * step * step)
+    } else {
+        let mut load = vec![0.0; motion.len()];
+        system.load_rate(0.0, &mut load);
+        0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>()
+    };
     // One solve; at rest no direction is unstable.
     let mut row = vec![1.0, internal, 1.0, 0.0];
     let linear = |i: usize| {
@@ -69,22 +78,29 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     run.push(row);
     run.record.energies = Energies::at_rest(internal);
     run.record.newton_iterations = 1;
-    keep_shape(system, &motion, 1.0, run);
+    keep_enlarged(system.configuration().rest, &there, 1.0, run);
+    let level = loaded(run, 1.0);
     if let Some(frames) = &mut run.frames {
         let forces: Vec<f64> = (columns..here.len()).map(linear).collect();
-        system.update(&motion);
+        moved(system, &rest, &motion, level);
         frames.offer_linear(system, &forces);
         system.restore(&rest);
     }
     Ended::Done
 }
 
-/// Largest displacement of a particle within a motion of the unknowns \[L\]; the state stays.
-fn largest(system: &mut dyn Balanced, motion: &[f64]) -> f64 {
-    let rest = system.save();
+/// Puts a motion of the unknowns on the state at rest, held values at a level; the positions there \[L\].
+fn moved(system: &mut dyn Balanced, rest: &[f64], motion: &[f64], level: f64) -> Vec<Vec3> {
+    system.restore(rest);
     system.update(motion);
-    let Configuration { rest: start, present, .. } = system.configuration();
-    let largest = start.iter().zip(&present).map(|(from, to)| (to - from).norm()).fold(0.0, f64::max);
-    system.restore(&rest);
-    largest
+    if system.held_values_move() {
+        system.refresh(level);
+    }
+    system.configuration().present
+}
+
+/// Largest displacement of a particle \[L\].
+fn farthest(system: &dyn Balanced, present: &[Vec3]) -> f64 {
+    let start = system.configuration().rest;
+    start.iter().zip(present).map(|(from, to)| (to - from).norm()).fold(0.0, f64::max)
 }

@@ -121,29 +121,28 @@ fn taken<M>(
 
 /// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.
 fn keep(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
-    let factor = keep_shape(system, mode, level, run);
+    let rest = system.save();
+    system.update(mode);
+    let Configuration { rest: start, present, .. } = system.configuration();
+    let factor = keep_enlarged(start, &present, level, run);
+    system.restore(&rest);
     if run.frames.is_none() {
         return ControlFlow::Continue(());
     }
-    let rest = system.save();
     system.update(&scaled(mode, factor));
     let flow = run.offer(system, 0.0, level);
     system.restore(&rest);
     flow
 }
 
-/// Counts a mode or a linear answer and keeps its shape about the unloaded one; returns the factor on its motion there.
-pub(crate) fn keep_shape(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> f64 {
-    let rest = system.save();
-    system.update(mode);
-    let Configuration { rest: start, present, .. } = system.configuration();
-    let motion: Vec<Vec3> = start.iter().zip(&present).map(|(from, to)| to - from).collect();
+/// Counts a mode or a linear answer and keeps its shape, enlarged for the eye; returns the factor on its motion.
+pub(crate) fn keep_enlarged(start: &[Vec3], present: &[Vec3], level: f64, run: &mut Run<'_>) -> f64 {
+    let motion: Vec<Vec3> = start.iter().zip(present).map(|(from, to)| to - from).collect();
     let corner = |pick: fn(f64, f64) -> f64| start.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
     let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
     let largest = motion.iter().map(|u| u.norm()).fold(0.0, f64::max);
     let factor = if largest > 0.0 { SCALE * (high - low).norm() / largest } else { 0.0 };
     let positions = start.iter().zip(&motion).map(|(x, u)| x + u * factor).collect();
-    system.restore(&rest);
     run.record.steps += 1;
     run.keep_positions(positions, 0.0, level);
     factor

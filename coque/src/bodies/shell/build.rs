@@ -77,9 +77,10 @@ impl Scene {
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let probes = builder.probes(&sets)?;
-        let supports = builder.supports(&sets)?;
+        let driver = builder.driver(&sets)?;
+        let supports = builder.supports(&sets, driver)?;
         let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
-        let driven = builder.driven(&sets, &supports)?;
+        let driven = builder.driven(&sets, driver, &supports)?;
         if let Some(PrescribedPoint { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
@@ -149,18 +150,12 @@ impl Builder<'_> {
         self.turn * Vec3::from(v)
     }
 
-    fn supports(&self, sets: &Sets) -> Result<Vec<Supported>, SceneError> {
+    fn supports(&self, sets: &Sets, driver: Option<usize>) -> Result<Vec<Supported>, SceneError> {
         let mut supports = Vec::new();
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
             for (_, kind) in support.kinds() {
-                if matches!(kind, SupportKind::Rotated(_)) {
-                    let path = format!("supports[{i}].rotated");
-                    let fault =
-                        self.scene.source.fault(&path, "a rotation", "one that is built", "use `moved`");
-                    return Err(SceneError::Choice(fault));
-                }
-                if matches!(kind, SupportKind::Moved(_)) && self.scene.analysis.kind().seeks_force {
+                if driver == Some(i) && matches!(kind, SupportKind::Moved(_)) {
                     continue; // its direction is left free for the force that brings it about
                 }
                 let course = amplitude(support.amplitude.as_ref());
@@ -171,27 +166,27 @@ impl Builder<'_> {
         Ok(supports)
     }
 
-    /// The motion that drives an analysis without time; the checks leave at most one.
-    fn driven(&self, sets: &Sets, supports: &[Supported]) -> Result<Option<PrescribedPoint>, SceneError> {
-        let moved = |(i, support): (usize, &scene::Support)| support.moved.map(|moved| (i, moved));
-        let Some((i, moved)) = self.scene.supports.iter().enumerate().find_map(moved) else {
+    /// Number of the support whose motion becomes a force that is sought: all that drives an analysis by levels, and of
+    /// one particle. Every other motion is prescribed.
+    fn driver(&self, sets: &Sets) -> Result<Option<usize>, SceneError> {
+        let Some(i) = self.scene.sole_motion() else { return Ok(None) };
+        let particles = sets.at(self.scene, &format!("supports[{i}].on"), &self.scene.supports[i].on)?;
+        Ok((particles.len() == 1).then_some(i))
+    }
+
+    /// The motion of that support.
+    fn driven(
+        &self,
+        sets: &Sets,
+        driver: Option<usize>,
+        supports: &[Supported],
+    ) -> Result<Option<PrescribedPoint>, SceneError> {
+        let support = driver.map(|i| (i, &self.scene.supports[i]));
+        let Some((i, on, moved)) = support.and_then(|(i, support)| Some((i, &support.on, support.moved?)))
+        else {
             return Ok(None);
         };
-        if !self.scene.analysis.kind().seeks_force {
-            return Ok(None);
-        }
-        if self.scene.sole_motion().is_none() {
-            return Err(self.several_drivers(i));
-        }
-        let on = &self.scene.supports[i].on;
-        let path = format!("supports[{i}].on");
-        let &[particle] = sets.at(self.scene, &path, on)? else {
-            let what = self.scene.analysis.kind().name;
-            let bound = format!("but in {what} a prescribed motion acts on one particle");
-            let repair = "name a corner or a set with `nearest`, or use [analysis.explicit]";
-            let fault = self.scene.source.fault(&path, &format!("\"{on}\""), &bound, repair);
-            return Err(SceneError::Set(fault));
-        };
+        let &[particle] = sets.at(self.scene, &format!("supports[{i}].on"), on)? else { return Ok(None) };
         let direction = self.turned(moved.direction).normalize() * moved.by.signum();
         let others = supports.iter().filter(|s| s.particles.contains(&particle));
         for held in others.flat_map(|s| s.support.holds().translations) {
@@ -202,27 +197,6 @@ impl Builder<'_> {
             }
         }
         Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
-    }
-
-    /// Until values prescribed by level are built: one motion drives, and nothing beside it.
-    fn several_drivers(&self, first: usize) -> SceneError {
-        let what = self.scene.analysis.kind().name;
-        let (i, value, bound, repair) = match self.scene.loads.is_empty() {
-            false => (
-                first,
-                "a prescribed motion",
-                format!("one without loads beside it in {what}"),
-                "remove the loads",
-            ),
-            true => {
-                let mut motions =
-                    (0..self.scene.supports.len()).filter(|&i| self.scene.supports[i].motion().is_some());
-                let second = motions.nth(1).unwrap_or(first);
-                (second, "a second prescribed motion", format!("only one in {what}"), "keep one of them")
-            }
-        };
-        let repair = format!("{repair}, or use [analysis.explicit]");
-        SceneError::Choice(self.scene.source.fault(&format!("supports[{i}].moved"), value, &bound, &repair))
     }
 
     fn support(
@@ -239,7 +213,9 @@ impl Builder<'_> {
                 displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
                 director: s.director.first().map(|&v| self.turned(v)),
             }),
-            SupportKind::Rotated(_) => Box::new(sph_shell::Hinged), // refused above until it is built
+            SupportKind::Rotated(s) => {
+                Box::new(sph_shell::Rotated { axis: self.turned(s.axis), by: s.by.to_radians(), amplitude })
+            }
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
@@ -349,7 +325,7 @@ impl Builder<'_> {
             }
             &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |(_, s): &(usize, &scene::Support)| {
-                    s.moved.is_none() || !self.scene.analysis.kind().seeks_force
+                    s.moved.is_none() || self.scene.sole_motion().is_none()
                 };
                 let supports = self.scene.supports.iter().enumerate();
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
