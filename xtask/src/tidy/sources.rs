@@ -11,7 +11,7 @@ const LONGEST: usize = 400;
 const MAY_BE_LONGER: &[(&str, &str)] = &[];
 
 /// Crates that may read, write and print.
-const MAY_DO_IO: &[&str] = &["coque", "validation", "xtask"];
+const MAY_DO_IO: &[&str] = &["mesh-io", "coque", "validation", "xtask"];
 
 /// First folders of absolute paths that exist on one machine only.
 const PRIVATE_FOLDERS: &[&str] = &["work", "home", "tmp"];
@@ -100,7 +100,9 @@ fn input_and_output(file: &SourceFile, code: &str) -> Vec<Violation> {
         violations.push(Violation::new(
             &file.path,
             number,
-            format!("{package} uses {what}, but only coque, validation and xtask read, write and print"),
+            format!(
+                "{package} uses {what}, but only mesh-io, coque, validation and xtask read, write and print"
+            ),
             "return the value, or an error, and let coque print it",
         ));
     };
