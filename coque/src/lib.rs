@@ -29,11 +29,11 @@
 //! | what a scene may say | [`scene`], `scene/*.rs` |
 //! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
 //! | scene → shell | `build.rs`, `places.rs`, `matter.rs` |
-//! | files of surfaces | [`mesh`]; into a scene: `imported.rs` |
+//! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `imported.rs` |
 //! | the run and what it records | `run.rs`, `probe.rs` |
 //! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
 //! | what is known to make a number wrong | `doubts.rs`, `doubts/*.rs`; the words: `warning.rs` |
-//! | results on disk | `whole.rs`, `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
+//! | results on disk | the crate `mesh-io` (whole files), `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
 //! | a deformed shape as a picture | `picture.rs` |
 //! | what a run goes on from | `checkpoint.rs` |
 //! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
@@ -106,10 +106,10 @@
 //! | a linear answer is the limit of small loads, and linear | `a_linear_answer_is_the_limit_of_small_loads`, `a_factor_on_the_load_is_one_on_the_answer` (tests/linear.rs) |
 //! | every kind of load in one scene: the energy balances | `a_scene_with_everything_keeps_its_energy_balance` |
 //! | plates of any thickness do not lock, on lattices and in disorder | `plates_of_any_thickness_bend`, `clamped_plates_of_any_thickness_keep_their_deflection_on_any_cloud` (tests/scattered.rs) |
-//! | every format gives the same plate; the same particles the same limit load | `every_format_gives_the_same_plate` (tests/meshes.rs), `the_same_particles_give_the_same_limit_load` (tests/mesh_panel.rs) |
+//! | every format gives the same plate; the same particles the same limit load | `every_format_gives_the_same_plate` (mesh-io/tests/formats.rs), `the_same_particles_give_the_same_limit_load` (tests/mesh_panel.rs) |
 //! | what settles is right to 1 %, for any damping and any period, or says that it did not settle | `what_settles_is_right_whatever_the_damping_and_the_period` (tests/at_rest.rs) |
 //! | a state of rest that is not stable is warned of; the look changes no bit | `a_perfect_column_above_its_critical_load_is_warned_of`, `a_look_at_stability_changes_no_bit_and_what_was_not_looked_at_is_said` |
-//! | no damaged scene or mesh panics | `damaged_scenes_never_panic` (tests/no_panic.rs), `damaged_meshes_never_panic` (tests/mesh_no_panic.rs) |
+//! | no damaged scene or mesh panics | `damaged_scenes_never_panic` (tests/no_panic.rs), `damaged_meshes_never_panic` (mesh-io/tests/no_panic.rs) |
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |

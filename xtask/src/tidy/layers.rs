@@ -7,7 +7,12 @@ use serde_json::Value;
 use std::path::Path;
 
 /// Crates without any of ours below them: space, one point, time, balance; the workspace's commands.
-const LEAVES: &[&str] = &["sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics", "xtask"];
+const LEAVES: &[&str] =
+    &["sph-core", "shell-kinematics", "solid-kinematics", "explicit-dynamics", "implicit-statics", "xtask"];
+
+/// Crates of files, and the one leaf that they may use: surfaces become particles.
+const FILES: &[&str] = &["mesh-io"];
+const SPACE: &str = "sph-core";
 
 /// Crates that join leaves into a model of a body; none sees another.
 const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
@@ -70,7 +75,10 @@ fn line(text: &str, name: &str) -> usize {
 pub fn check(packages: &[Package]) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in packages {
-        if ![LEAVES, MODELS, ABOVE, &[TRUTH]].iter().any(|layer| layer.contains(&package.name.as_str())) {
+        if ![LEAVES, FILES, MODELS, ABOVE, &[TRUTH]]
+            .iter()
+            .any(|layer| layer.contains(&package.name.as_str()))
+        {
             violations.push(Violation::new(
                 &package.manifest,
                 1,
@@ -104,6 +112,10 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
         let repair = "move the comparison to validation: a solver that can read the answer proves nothing";
         return Some((format!("{user} reads {TRUTH}, which only {JUDGE} may"), repair));
     }
+    if FILES.contains(&user) && used != SPACE {
+        let repair = "hand over plain arrays; what they mean belongs to the crates above";
+        return Some((format!("{user} uses {used}; of ours it may use {SPACE} alone"), repair));
+    }
     if MODELS.contains(&user) && !LEAVES.contains(&used) {
         let repair = "let the two meet above both, or move what they share down into a leaf";
         return Some((format!("the model {user} uses {used}, which is no leaf"), repair));
@@ -130,7 +142,8 @@ mod tests {
         let drawn = [
             using("sph-core", &[]),
             using("sph-shell", &["sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"]),
-            using("coque", &["sph-core", "sph-shell", "fluid-sph"]),
+            using("mesh-io", &["sph-core"]),
+            using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io"]),
             using("benchmarks-ref", &["implicit-statics"]),
             using("validation", &["coque", "benchmarks-ref"]),
             using("xtask", &[]),
@@ -153,6 +166,16 @@ mod tests {
         assert_eq!(complaints("sph-shell", &["peridynamics"]).len(), 1);
         assert_eq!(complaints("fluid-sph", &["sph-shell", "sph-core"]).len(), 1);
         assert_eq!(complaints("sph-shell", &["coque"]).len(), 1);
+    }
+
+    #[test]
+    fn files_know_space_and_no_model() {
+        for used in ["sph-shell", "shell-kinematics", "coque"] {
+            let found = complaints("mesh-io", &[used]);
+            assert_eq!(found.len(), 1);
+            assert!(found[0].contains("sph-core alone"), "{found:?}");
+        }
+        assert_eq!(complaints("sph-shell", &["mesh-io"]).len(), 1);
     }
 
     #[test]
