@@ -203,6 +203,7 @@ impl Model {
                     .map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)),
             );
         }
+        modelled.extend(scene.shell().velocity.map(|_| "velocity at the start".into()));
         if scene.loads.is_empty() {
             left_out.push("loads".into());
         }
