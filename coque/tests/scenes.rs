@@ -112,7 +112,7 @@ fn overrides_append_to_lists() {
     .unwrap();
     let totals: Vec<_> = scene.loads.iter().map(|load| load.force.map(|force| force.total)).collect();
     assert_eq!(totals, [None, Some([0.0, 0.0, 1.0]), Some([0.0, 2.0, 1.0])]);
-    assert_eq!(set(&[("geometry.plate.lengths[+]", "3.0")]).unwrap_err().code(), "scene::type");
+    assert_eq!(set(&[("title[+]", "3.0")]).unwrap_err().code(), "scene::override");
     // A list that is not there begins with its first item.
     let none = ring()
         .replace("[[loads]]", "[[no-loads]]")

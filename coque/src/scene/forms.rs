@@ -8,7 +8,26 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::SceneError;
 use super::shell::ShellScene;
-use super::source::{BODIES, Source};
+use super::source::{BODIES, Source, suggest};
+
+/// All keys at the top of a scene, in either form.
+const WORDS: [&str; 15] = [
+    "title",
+    "units",
+    "geometry",
+    "orientation",
+    "material",
+    "section",
+    "formulation",
+    "velocity",
+    BODIES,
+    "sets",
+    "supports",
+    "loads",
+    "analysis",
+    "curve",
+    "output",
+];
 
 /// Name and kind of the body that the short form means.
 const SHELL: &str = "shell";
@@ -16,10 +35,16 @@ const SHELL: &str = "shell";
 /// Puts the keys of a shell that stand at the top of a document into `bodies.shell.shell`; their places stay.
 ///
 /// # Errors
-/// [`SceneError::Choice`] for such a key beside `bodies`.
+/// [`SceneError::UnknownKey`] for a key that neither form has, [`SceneError::Choice`] for one of a shell beside `bodies`.
 pub(super) fn lengthen(document: &mut Spanned<DeTable<'_>>, source: &Source) -> Result<(), SceneError> {
     let span = document.span();
     let top = document.get_mut();
+    if let Some((key, _)) = top.iter().find(|(key, _)| !WORDS.contains(&&**key.get_ref())) {
+        let repair = suggest(key.get_ref(), &WORDS);
+        let mut fault = source.fault("", key.get_ref(), &format!("one of {}", WORDS.join(", ")), &repair);
+        fault.place.span = Some(key.span());
+        return Err(SceneError::UnknownKey(fault));
+    }
     let mut shell = DeTable::new();
     for key in ShellScene::WORDS {
         if let Some((key, value)) = top.remove_entry(key) {
@@ -43,4 +68,17 @@ pub(super) fn lengthen(document: &mut Spanned<DeTable<'_>>, source: &Source) -> 
 fn table<'i>(key: &'static str, inner: DeTable<'i>, span: &Range<usize>) -> DeTable<'i> {
     let key = Spanned::new(span.clone(), Cow::Borrowed(key));
     DeTable::from_iter([(key, Spanned::new(span.clone(), DeValue::Table(inner)))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_keys_at_the_top_are_those_of_the_schema() {
+        let schema = crate::scene::schema::schema();
+        let mut words = WORDS;
+        words.sort_unstable();
+        assert!(schema["properties"].as_object().unwrap().keys().eq(words));
+    }
 }

@@ -107,7 +107,10 @@ impl<'a> Page<'a> {
             Value::Null => "–".into(),
             Value::Array(items) if items.is_empty() => "none".into(),
             Value::Object(keys) if keys.is_empty() => "none".into(),
-            default => format!("`{}`", default.to_string().replace("\":", "\" = ")),
+            default => format!(
+                "`{}`",
+                default.to_string().replace("{\"", "{ ").replace("\":", " = ").replace('}', " }")
+            ),
         };
         self.line(path, &self.kind(resolved), &default, said.unwrap_or_default());
     }

@@ -9,7 +9,6 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::{Fault, Place, SceneError};
 use super::nearest::nearest;
-use super::shell::ShellScene;
 
 /// Table of the bodies, in the long form of a scene.
 pub(super) const BODIES: &str = "bodies";
@@ -137,10 +136,7 @@ impl Source {
         let parent = key.rsplit_once('.').map_or("", |(parent, _)| parent).to_string();
         let mut quoted = message.split('`').skip(1).step_by(2);
         let word = quoted.next().unwrap_or_default().to_string();
-        let mut known: Vec<&str> = quoted.collect();
-        if known.contains(&BODIES) {
-            known.extend(ShellScene::WORDS);
-        }
+        let known: Vec<&str> = quoted.collect();
         let fault = |key: String, value: String, bound: String, repair: String| {
             Box::new(Fault { key, value, bound, repair, place: place.clone() })
         };

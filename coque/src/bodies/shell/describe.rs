@@ -67,6 +67,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<Strin
             load.kinds().iter().map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)),
         );
     }
+    modelled.extend(scene.shell().velocity.map(|_| "velocity at the start".into()));
     if scene.loads.is_empty() {
         left_out.push("loads".into());
     }
