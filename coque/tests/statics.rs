@@ -194,9 +194,7 @@ type Case<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
 fn what_does_not_go_without_time_is_refused() {
     let levels = ("analysis.static.levels", "4");
     let path = ("analysis.arc-length.until", "1.0");
-    let push = ("loads", "[{ on = \"u1\", force = { total = [1.0, 0.0, 0.0] } }]");
-    let second = "[{ on = \"u0\", clamped = {} }, { on = \"u1v0\", moved = { direction = [0, 0, 1], by = 1.0 } }, { on = \"u1v1\", moved = { direction = [0, 0, 1], by = 1.0 } }]";
-    let cases: [Case; 20] = [
+    let cases: [Case; 17] = [
         ("no levels", "ring.toml", &[("analysis.static.levels", "[]")]),
         ("levels backwards", "ring.toml", &[("analysis.static.levels", "[1.0, 0.5]")]),
         ("unknown key", "ring.toml", &[levels, ("analysis.static.period", "1.0")]),
@@ -220,10 +218,7 @@ fn what_does_not_go_without_time_is_refused() {
         ("no tangent", "ring.toml", &[levels, ("formulation", "{ strong-form = {} }")]),
         ("nothing drives", "ring.toml", &[levels, ("loads", "[]")]),
         ("course in time", "ring.toml", &[levels, ("loads[0].amplitude", "{ ramp = 1.0 }")]),
-        ("motion and load", "panel.toml", &[levels, push]),
-        ("two motions", "ring.toml", &[levels, ("loads", "[]"), ("supports", second)]),
         ("motion of zero", "panel.toml", &[levels, ("supports[3].moved.by", "0.0")]),
-        ("motion of an edge", "panel.toml", &[path, ("supports[3].on", "u0")]),
         ("held motion", "panel.toml", &[levels, ("supports[3].moved.direction", "[1.0, 0.0, -1.0]")]),
     ];
     let mut all = String::new();

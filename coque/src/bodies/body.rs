@@ -49,14 +49,21 @@ pub trait Balanced: Body + Equilibrium {
     /// Evaluates forces at a level, so that they can be read; returns the internal energy \[F L\].
     fn refresh(&mut self, level: f64) -> f64;
 
-    /// The displacement of a particle along a direction, as weights of the unknowns.
-    fn functional(&self, particle: usize, along: Vec3) -> Vec<f64>;
+    /// The displacement of a particle along a direction, as weights of the unknowns; asked for only where a prescribed
+    /// motion of one particle drives the analysis ([`PrescribedPoint`]).
+    fn functional(&self, _particle: usize, _along: Vec3) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// A displacement across which answers are no longer linear \[L\]: the thickness of a shell.
-    fn linear_reach(&self) -> f64;
+    fn linear_reach(&self) -> f64 {
+        1.0
+    }
 
-    /// Greatest stable step of the unloaded body, were it marched \[T\]; zero if none was found.
-    fn stable_step(&mut self) -> f64;
+    /// Greatest stable step of the unloaded body, were it marched \[T\]; zero if none is known. The scale of its spectrum.
+    fn stable_step(&mut self) -> f64 {
+        0.0
+    }
 
     /// Largest skew entry of the load stiffness over the largest entry \[–\]: zero for loads with a potential.
     fn skew_load_share(&self) -> f64 {

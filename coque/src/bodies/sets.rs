@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
 
-use crate::bodies::shell::imported::{self, Imported};
 use crate::scene::error::SceneError;
 use crate::scene::sets::BUILT_IN;
 use crate::scene::{Region, Scene};
@@ -16,14 +15,14 @@ pub(crate) struct Sets {
 }
 
 impl Sets {
-    /// Finds every set that the scene uses or declares; `cloud` is not turned yet.
+    /// Finds every set that the scene uses or declares; `cloud` is not rotated yet, `brought` are those of its file.
     pub(crate) fn find(
         scene: &Scene,
         cloud: &Cloud,
-        imported: Option<&Imported>,
+        brought: Option<BTreeMap<String, Vec<u32>>>,
     ) -> Result<Self, SceneError> {
-        let mut members = match imported {
-            Some(imported) => imported.sets(scene)?,
+        let mut members = match brought {
+            Some(members) => members,
             None => {
                 let found = |name: &str| Some((name.to_string(), built_in(name, cloud)?));
                 BUILT_IN.into_iter().filter_map(found).collect()
@@ -50,7 +49,7 @@ impl Sets {
     pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
             if scene.shell().geometry.mesh().is_some() {
-                return imported::no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
+                return no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
             }
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
             let (bound, repair) = match scene.shell().geometry.particles() {
@@ -152,4 +151,14 @@ pub(crate) fn edge(
         _ => (0..particles.len()).map(trapezoid).collect(),
     };
     Some(particles.iter().copied().zip(lengths).collect())
+}
+
+/// Refusal of a set that neither the file nor the scene has.
+fn no_such_set(scene: &Scene, path: &str, name: &str, known: &[&String]) -> SceneError {
+    let known: Vec<&str> = known.iter().map(|name| name.as_str()).collect();
+    let mut repair = crate::scene::source::suggest(name, &known);
+    if BUILT_IN.contains(&name) {
+        repair = format!("a mesh has no rows and columns; known here: {}", known.join(", "));
+    }
+    SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), "which is no set of this mesh", &repair))
 }

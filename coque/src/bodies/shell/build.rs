@@ -73,7 +73,8 @@ impl Scene {
             Some(imported) => imported.cloud.clone(),
             None => self.place(weights)?,
         };
-        let sets = Sets::find(self, &flat, imported.as_ref())?;
+        let brought = imported.as_ref().map(|imported| imported.sets(self)).transpose()?;
+        let sets = Sets::find(self, &flat, brought)?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
         let probes = builder.probes(&sets)?;

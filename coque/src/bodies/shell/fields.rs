@@ -8,7 +8,7 @@ use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Formulation, PointResult, Shell};
 
-use super::body::LinearForces;
+use super::linear_forces::LinearForces;
 use super::stress::{face, von_mises};
 use crate::bodies::{Evaluated, Part, Shown, State};
 use crate::scene::units::Quantity;

@@ -6,10 +6,9 @@ use std::path::Path;
 use sph_core::{Cloud, Vec3};
 
 use crate::bodies::sets::Sets;
-use crate::mesh::{Cells, MeshError, Surface, boundary_edges, chains, read};
 use crate::scene::error::SceneError;
-use crate::scene::sets::BUILT_IN;
 use crate::scene::{Formulation, Load, Mesh, Scene, Section};
+use mesh_io::surface::{Cells, MeshError, Surface, boundary_edges, chains, read};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;
@@ -177,14 +176,4 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
         return Err(scene.body_scope().value(path, own, &bound, repair));
     }
     Ok(())
-}
-
-/// Refusal of a set that neither the file nor the scene has.
-pub(crate) fn no_such_set(scene: &Scene, path: &str, name: &str, known: &[&String]) -> SceneError {
-    let known: Vec<&str> = known.iter().map(|name| name.as_str()).collect();
-    let mut repair = crate::scene::source::suggest(name, &known);
-    if BUILT_IN.contains(&name) {
-        repair = format!("a mesh has no rows and columns; known here: {}", known.join(", "));
-    }
-    SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), "which is no set of this mesh", &repair))
 }

@@ -6,6 +6,7 @@ mod describe;
 pub(crate) mod doubts;
 mod fields;
 pub(crate) mod imported;
+mod linear_forces;
 mod material;
 mod places;
 mod rigid;
