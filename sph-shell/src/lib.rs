@@ -8,6 +8,7 @@
 //! | where is | look in |
 //! |---|---|
 //! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
+//! | points in packs of four, and the slots of their forces | `packs.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
@@ -210,12 +211,21 @@ mod conditions;
 mod control;
 mod error;
 mod formulation;
+mod packs;
 mod points;
 mod reference;
 mod shell;
 mod state;
 mod statics;
 mod time;
+
+use explicit_dynamics::Work;
+use shell_kinematics::{Section, StrainMeasure};
+
+use conditions::supports::Constraint;
+use packs::Row;
+use points::scheme::Points;
+use time::fused::Fused;
 
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
@@ -230,5 +240,35 @@ pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
 pub use points::results::PointResult;
 pub use reference::Reference;
-pub use shell::{Parts, Shell};
+pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
+
+/// A shell of SPH particles, ready to be marched.
+pub struct Shell {
+    reference: Reference,
+    section: Box<dyn Section>,
+    strain: &'static dyn StrainMeasure,
+    formulation: Formulation,
+    points: Points,
+    chord_loss: ChordLoss,
+    /// Number of each particle's entry in `constraints`, one up; zero for a free particle.
+    constraint_of: Vec<u32>,
+    constraints: Vec<Constraint>,
+    loads: Vec<AppliedLoad>,
+    /// Positions and directors.
+    state: Vec<Row>,
+    /// Their rates.
+    rates: Vec<Row>,
+    /// Internal forces of the sampling points, one row a (point, particle) pair.
+    slots: Vec<Row>,
+    /// External forces; empty without loads.
+    external: Vec<Row>,
+    /// Energy of each pack, filled on request.
+    pack_energies: Vec<f64>,
+    /// Work of each chunk of particles in the last kick.
+    chunk_work: Vec<Work>,
+    internal_energy: f64,
+    /// The plan of a step in one sweep; cells only.
+    fused: Option<Fused>,
+    threads: usize,
+}

@@ -1,15 +1,16 @@
-//! The shell: reference, state, forces; how it is put together and what can be read from it.
+//! The shell: how it is put together, its forces, and what can be read from it.
 
 use explicit_dynamics::{Instant, Work};
 use shell_kinematics::{Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
+use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Body};
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::error::ShellError;
 use crate::formulation::Formulation;
-use crate::points::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme};
 use crate::points::sweep::Sweep;
@@ -37,36 +38,6 @@ pub struct Parts {
     pub loads: Vec<AppliedLoad>,
     /// Threads to use; more than one needs a rayon pool around the run.
     pub threads: usize,
-}
-
-/// A shell of SPH particles, ready to be marched.
-pub struct Shell {
-    pub(crate) reference: Reference,
-    pub(crate) section: Box<dyn Section>,
-    pub(crate) strain: &'static dyn StrainMeasure,
-    pub(crate) formulation: Formulation,
-    pub(crate) points: Points,
-    pub(crate) chord_loss: ChordLoss,
-    /// Number of each particle's entry in `constraints`, one up; zero for a free particle.
-    pub(crate) constraint_of: Vec<u32>,
-    pub(crate) constraints: Vec<Constraint>,
-    pub(crate) loads: Vec<AppliedLoad>,
-    /// Positions and directors.
-    pub(crate) state: Vec<Row>,
-    /// Their rates.
-    pub(crate) rates: Vec<Row>,
-    /// Internal forces of the sampling points, one row a (point, particle) pair.
-    pub(crate) slots: Vec<Row>,
-    /// External forces; empty without loads.
-    pub(crate) external: Vec<Row>,
-    /// Energy of each pack, filled on request.
-    pub(crate) pack_energies: Vec<f64>,
-    /// Work of each chunk of particles in the last kick.
-    pub(crate) chunk_work: Vec<Work>,
-    pub(crate) internal_energy: f64,
-    /// The plan of a step in one sweep; cells only.
-    pub(crate) fused: Option<Fused>,
-    pub(crate) threads: usize,
 }
 
 impl Shell {

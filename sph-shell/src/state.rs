@@ -2,7 +2,7 @@
 
 use sph_core::Vec3;
 
-use crate::shell::Shell;
+use crate::Shell;
 
 impl Shell {
     /// Present position of a particle \[L\].

@@ -3,7 +3,7 @@
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
-use crate::points::packs::Row;
+use crate::packs::Row;
 
 /// A prescribed displacement.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,8 @@
 
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Body};
-use crate::shell::Shell;
 
 /// Where a load acts.
 #[derive(Clone, Copy, Debug, PartialEq)]

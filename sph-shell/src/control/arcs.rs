@@ -29,7 +29,7 @@
 use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Pack};
 use sph_core::SamplingOperator;
 
-use crate::points::packs::Packs;
+use crate::packs::Packs;
 
 /// ε, bound of the softening of the membrane of a cell \[–\]; a shell softens by a twentieth of it.
 const SOFTENING: f64 = 0.2;

@@ -17,7 +17,7 @@ use shell_kinematics::SectionScales;
 use sph_core::{CubicSpline, Kernel, SamplingOperator, Vec3};
 
 use crate::error::ShellError;
-use crate::points::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::reference::{Reference, mean_cell_areas, pair_gradients};
 
 /// One row block: which particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d` (each times the unit matrix).

@@ -3,9 +3,9 @@
 use shell_kinematics::LANES;
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::formulation::{Formulation, Reach};
 use crate::points::point::Point;
-use crate::shell::Shell;
 
 /// Least and greatest principal stretch of the mid-surface.
 ///

@@ -1,8 +1,7 @@
-//! The sampling points: their layout in packs of four, the pipeline of one pack, the sweep over all, and what can be read there.
+//! The sampling points: the pipeline of one pack, the sweep over all, what each formulation adds, and what can be read there.
 
 pub(crate) mod bounds;
 pub(crate) mod dispatch;
-pub(crate) mod packs;
 pub(crate) mod point;
 pub(crate) mod results;
 pub(crate) mod scheme;

@@ -9,7 +9,7 @@ use shell_kinematics::{
 use crate::control::arcs::ArcPack;
 use crate::control::cells::{CellPack, CellState};
 use crate::control::shear::ShearPack;
-use crate::points::packs::{Entry, Packs, PointPack, Row};
+use crate::packs::{Entry, Packs, PointPack, Row};
 
 /// Strain measure and section of the points.
 ///

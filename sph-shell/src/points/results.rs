@@ -3,8 +3,8 @@
 use shell_kinematics::{LANES, Pack};
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::points::point::PointState;
-use crate::shell::Shell;
 
 /// Strains and resultants of one sampling point.
 ///

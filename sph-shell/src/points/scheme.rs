@@ -8,7 +8,7 @@ use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
-use crate::points::packs::{Packs, Row};
+use crate::packs::{Packs, Row};
 use crate::points::point::Point;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;

@@ -13,7 +13,7 @@
 use shell_kinematics::LANES;
 
 use crate::control::shear::ShearPack;
-use crate::points::packs::{Packs, Row};
+use crate::packs::{Packs, Row};
 use crate::points::point::{Point, PointLaw};
 use crate::reference::Reference;
 

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use shell_kinematics::{IsotropicSection, LANES, Pack, Pack3, Section, StrainMeasure, StretchCorrected};
 
+use crate::packs::Row;
 use crate::points::dispatch::widest;
-use crate::points::packs::Row;
 use crate::points::point::{Point, PointForces, PointLaw, sign};
 use crate::points::scheme::{Points, Scheme};
 

@@ -5,9 +5,9 @@
 
 use sph_core::{Frame, Vec3};
 
+use crate::Shell;
 use crate::conditions::supports::DirectorHold;
-use crate::points::packs::Row;
-use crate::shell::Shell;
+use crate::packs::Row;
 
 /// Where the unknowns of each particle start, and how many are translations.
 #[derive(Clone, Debug)]

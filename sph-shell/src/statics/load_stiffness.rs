@@ -8,8 +8,8 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
 
+use crate::Shell;
 use crate::conditions::loads::{Block, Body};
-use crate::shell::Shell;
 use crate::statics::static_shell::StaticShell;
 use crate::statics::stiffness::BlockPattern;
 

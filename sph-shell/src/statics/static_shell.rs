@@ -7,10 +7,10 @@ use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
 use shell_kinematics::parallel_transport;
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::conditions::loads::Block;
+use crate::packs::Row;
 use crate::points::bounds::Unsound;
-use crate::points::packs::Row;
-use crate::shell::Shell;
 use crate::statics::dofs::{Basis, DofMap};
 use crate::statics::stiffness::BlockPattern;
 

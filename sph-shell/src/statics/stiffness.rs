@@ -6,12 +6,12 @@
 
 use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruence};
 
+use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::control::cells::{CellState, PointTangent, ScaleTangent, VECTORS};
-use crate::points::packs::Row;
+use crate::packs::Row;
 use crate::points::point::{Point, PointState, sign};
 use crate::points::scheme::Scheme;
-use crate::shell::Shell;
 
 /// Those of a point's vectors that are made of positions.
 const OF_POSITIONS: [bool; VECTORS] = [true, true, false, false, false, true, false];

@@ -10,8 +10,8 @@ use std::ops::Range;
 
 use explicit_dynamics::Work;
 
+use crate::packs::{PARTICLE_CHUNK, Packs, Row};
 use crate::points::dispatch::widest;
-use crate::points::packs::{PARTICLE_CHUNK, Packs, Row};
 use crate::points::sweep::Sweep;
 use crate::time::particle::{Slots, Update};
 

@@ -6,10 +6,10 @@ use explicit_dynamics::{
 };
 use rayon::prelude::*;
 
+use crate::Shell;
+use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::bounds::Unsound;
 use crate::points::dispatch::widest;
-use crate::points::packs::{PARTICLE_CHUNK, Row};
-use crate::shell::Shell;
 use crate::time::particle::{Decay, Slots, Update, drifted};
 
 /// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved in place.
@@ -193,11 +193,11 @@ mod tests {
     };
 
     use super::*;
+    use crate::Parts;
     use crate::conditions::loads::AppliedLoad;
     use crate::conditions::pressure::Pressure;
     use crate::conditions::supports::{Clamped, Supported};
     use crate::formulation::{Formulation, Reach};
-    use crate::shell::Parts;
     use crate::time::fused::Fused;
 
     /// Layouts that are tried.

@@ -4,7 +4,7 @@ use explicit_dynamics::{Step, Work};
 use shell_kinematics::parallel_transport;
 
 use crate::conditions::supports::Constraint;
-use crate::points::packs::{Packs, Row};
+use crate::packs::{Packs, Row};
 
 /// Slots of forces; a ring that holds only the slots in use is addressed through its mask.
 #[derive(Clone, Copy)]

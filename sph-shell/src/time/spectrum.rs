@@ -3,8 +3,8 @@
 
 use explicit_dynamics::{LinearisedDynamics, MassScaled};
 
-use crate::points::packs::Row;
-use crate::shell::Shell;
+use crate::Shell;
+use crate::packs::Row;
 
 /// Greatest perturbation, in spacings for positions and in radians for directors: central differences of
 /// a cubic force lose 1e-10 to truncation and about as much to round-off.
