@@ -1,6 +1,6 @@
-//! From a scene file to results: reads and checks scenes, builds shells, runs them, writes curves.
+//! From a scene file to results: reads and checks scenes, builds bodies, runs them, writes curves.
 //!
-//! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a shell ready to move) → [`Outcome`] (curve, summary,
+//! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a body ready to move) → [`Outcome`] (curve, summary,
 //! shapes). The command `coque` is a thin wrapper round these three.
 //!
 //! ```
@@ -26,17 +26,17 @@
 //!
 //! | where is | look in |
 //! |---|---|
-//! | what a scene may say | [`scene`], `scene/*.rs` |
-//! | what is refused, and why | `scene/check*.rs`, `rigid.rs` |
-//! | scene → shell | `build.rs`, `places.rs`, `matter.rs` |
-//! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `imported.rs` |
-//! | the run and what it records | `run.rs`, `probe.rs` |
-//! | in time, without time, linear, as modes | `march.rs`, `path.rs`, `linear.rs`, `modes.rs` |
-//! | what is known to make a number wrong | `doubts.rs`, `doubts/*.rs`; the words: `warning.rs` |
-//! | results on disk | the crate `mesh-io` (whole files), `growing.rs`, `curve.rs`, `summary.rs`, `plot.rs`, `fields.rs` |
-//! | a deformed shape as a picture | `picture.rs` |
-//! | what a run goes on from | `checkpoint.rs` |
-//! | what a scene may name, its schema, what a run will cost | `catalogue.rs`, `schema.rs`, `estimate.rs` |
+//! | what a scene may say, its two forms | [`scene`], `scene/problem.rs`, `scene/forms.rs` |
+//! | what is refused, and why | `scene/check/` |
+//! | the lists, the schema, the page of all keys | `scene/catalogue.rs`, `scene/schema.rs`, `scene/reference.rs` |
+//! | what any body offers, columns of the curve | [`Body`], `bodies/body.rs`; `bodies/probe.rs` |
+//! | scene → shell | `bodies/shell/build.rs` and its neighbours |
+//! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `bodies/shell/imported.rs` |
+//! | fields of a shell; which frames, and where they go | `bodies/shell/fields.rs`; `fields/` |
+//! | the run, its figures, what it goes on from | `run/under_way.rs`, `run/record.rs`, `run/checkpoint/` |
+//! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
+//! | what is known to make a number wrong | `bodies/shell/doubts/`; the words: `warning.rs` |
+//! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
 //! # From words to the mechanics
 //!
@@ -55,8 +55,9 @@
 //! | `explicit.quasi-static` | equilibria along load levels, by damped marching | `explicit_dynamics::QuasiStatic` |
 //! | `explicit.transient` | `M q̈ + cM q̇ + ∂U/∂q = f(t)` | `explicit_dynamics::Transient` |
 //! | `linear` | `K u = p` at the unloaded shell | `implicit_statics::linear_response` |
-//! | `static` | `∂U/∂q = λ p` at given levels λ | `implicit_statics::follow`, load control; displacement control for a motion |
+//! | `static` | `∂U/∂q = λ p` at given levels λ | `implicit_statics::follow`, load control; displacement control for the motion of one particle |
 //! | `arc-length` | the same along a path past limit and turning points | `implicit_statics::follow`, arc length |
+//! | `relaxation` | the same at given levels, by a fictitious motion | `implicit_statics::relax` |
 //! | `modal` | `K φ = ω² M φ` | `implicit_statics::natural_modes` |
 //! | `buckling` | `(K + μ K_g) φ = 0` | `implicit_statics::linear_buckling` |
 //!
@@ -66,8 +67,8 @@
 //! before buckling, as on a clamped cap, they differ, and the limit of the nonlinear path is another number still: follow
 //! the path by `arc-length`. Modes are counted by inertia, none is missing; `residual` bounds the relative distance to an exact one.
 //!
-//! A prescribed motion without time becomes a force along it whose size is sought; its level is then that force, or the
-//! share of the motion where levels are given.
+//! Prescribed motions stand where the level puts them. Where the motion of one particle alone drives a linear, static,
+//! arc-length or buckling analysis, the force along it is sought instead; it is the level of the last two.
 //!
 //! # What a column means
 //!
@@ -76,7 +77,7 @@
 //! ```text
 //! displacement    mean of u_a·e           reaction   sum of (∂U/∂x_a − f_a)·e, f_a the loads
 //! position        mean of x_a·e           rotation   mean of the angle by which d_a has turned about e, counted on beyond π
-//! director        mean of d_a·e           all times the column's factor
+//! director        mean of d_a·e           all times the column's factor; `take` has another than mean or sum
 //! ```
 //!
 //! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
@@ -116,7 +117,7 @@
 //! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
-//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/fields/stress.rs) |
+//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/shell/stress.rs) |
 
 mod analyses;
 mod bodies;

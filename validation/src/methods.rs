@@ -24,6 +24,9 @@ pub const STRONG_085: &str = "strong-form 0.85";
 /// The default formulation without time: the same discrete energy, solved by Newton's method.
 pub const STATIC: &str = "stress-point cell, static";
 
+/// The default formulation relaxed: the same energy, by a fictitious motion without a factor of the tangent.
+pub const RELAXED: &str = "stress-point cell, relaxed";
+
 /// The independent finite-element shell.
 pub const ELEMENTS: &str = "fe shell";
 
@@ -41,9 +44,10 @@ pub struct Setting {
 
 /// All of them, finite elements beside. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const METHODS: [Setting; 11] = [
+pub const METHODS: [Setting; 12] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
     Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
+    Setting { method: RELAXED, set: None, colour: BLUE, mark: Mark::Triangle },
     Setting { method: ELEMENTS, set: None, colour: BLACK, mark: Mark::Diamond },
     Setting { method: WIDE_14, set: Some(("stress-point.support", "1.4")), colour: SKY, mark: Mark::Circle },
     Setting { method: WIDE_25, set: Some(("stress-point.support", "2.5")), colour: SKY, mark: Mark::Square },
@@ -67,7 +71,7 @@ mod tests {
     #[test]
     fn methods_are_listed_once() {
         for method in [
-            CELL, STATIC, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
+            CELL, STATIC, RELAXED, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
             STRONG_085,
         ] {
             assert_eq!(METHODS.iter().filter(|setting| setting.method == method).count(), 1, "{method}");

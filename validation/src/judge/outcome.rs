@@ -11,6 +11,8 @@ pub enum Solver {
     /// The same particles and energy without time.
     #[default]
     Static,
+    /// The same by dynamic relaxation.
+    Relaxed,
     /// The independent finite-element shell.
     Elements,
 }
@@ -21,6 +23,7 @@ impl Solver {
         match self {
             Self::Explicit => "sph explicit",
             Self::Static => "sph static",
+            Self::Relaxed => "sph relaxed",
             Self::Elements => "fe static",
         }
     }
@@ -67,7 +70,11 @@ impl From<coque::Outcome> for Outcome {
     fn from(run: coque::Outcome) -> Self {
         let summary = run.summary;
         Self {
-            solver: if summary.analysis == "explicit" { Solver::Explicit } else { Solver::Static },
+            solver: match summary.analysis.as_str() {
+                "explicit" => Solver::Explicit,
+                "relaxation" => Solver::Relaxed,
+                _ => Solver::Static,
+            },
             curve: run.curve,
             particles: summary.body.particles,
             spacing: summary.body.spacing,

@@ -143,6 +143,12 @@ impl Variant {
         self.set("analysis.static.levels", format!("{levels:?}"))
     }
 
+    /// Relaxes the scene at some load levels, to a residual of so much of the load.
+    #[must_use]
+    pub fn relaxed(self, levels: &[f64], tolerance: f64) -> Self {
+        self.set("analysis.relaxation", format!("{{ levels = {levels:?}, tolerance = {tolerance:e} }}"))
+    }
+
     /// Names what sets a run apart, in place of its lattice.
     #[must_use]
     pub fn named(mut self, grid: impl Into<String>) -> Self {

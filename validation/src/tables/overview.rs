@@ -8,7 +8,7 @@ use crate::figures::Numbers;
 use crate::format::short;
 use crate::judge::measure::frontier;
 use crate::judge::{CaseResult, Metric, Record, Run, Solver};
-use crate::methods::{CELL, ELEMENTS, STATIC};
+use crate::methods::{CELL, ELEMENTS, RELAXED, STATIC};
 use crate::metric_names::DYNAMICS;
 
 /// One answer to a problem.
@@ -70,11 +70,18 @@ pub fn unit_of_answers(result: &CaseResult) -> String {
 pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> {
     let Some(headline) = result.case.headline else { return Ok(None) };
     let all = answers(result);
-    let mut chosen: Vec<&Answer> =
-        all.iter().filter(|a| [CELL, STATIC, ELEMENTS].contains(&a.run.variant.method.as_str())).collect();
+    let mut chosen: Vec<&Answer> = all
+        .iter()
+        .filter(|a| [CELL, STATIC, RELAXED, ELEMENTS].contains(&a.run.variant.method.as_str()))
+        .collect();
     // A table is worth its place where two solvers meet.
     let solvers = |solver: Solver| chosen.iter().any(|a| a.run.outcome.solver == solver);
-    if [Solver::Explicit, Solver::Static, Solver::Elements].into_iter().filter(|&s| solvers(s)).count() < 2 {
+    if [Solver::Explicit, Solver::Static, Solver::Relaxed, Solver::Elements]
+        .into_iter()
+        .filter(|&s| solvers(s))
+        .count()
+        < 2
+    {
         return Ok(None);
     }
     chosen.sort_by_key(|a| (a.run.outcome.particles, a.run.outcome.solver));
@@ -92,6 +99,7 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
                 outcome.solver.words().into(),
                 a.run.variant.grid.clone(),
                 outcome.dof.to_string(),
+                outcome.steps.to_string(),
                 short(a.error),
                 a.dynamics.map(short).unwrap_or_default(),
                 format!("{:.3}", outcome.wall_seconds),
@@ -102,8 +110,8 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
         .collect();
     for published in (headline.published)()? {
         let error = published.error.map_or_else(|| "the reference".into(), short);
-        let mut row = vec![published.source.to_owned(), String::new(), String::new(), error];
-        row.resize(8, String::new());
+        let mut row = vec![published.source.to_owned(), String::new(), String::new(), String::new(), error];
+        row.resize(9, String::new());
         rows.push(row);
     }
     let unit = unit_of_answers(result);
@@ -111,6 +119,7 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
         "answer".into(),
         "grid".into(),
         "unknowns".into(),
+        "steps".into(),
         format!("error [{unit}]"),
         format!("of it dynamics [{unit}]"),
         "wall [s]".into(),
@@ -120,9 +129,9 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
     Ok(Some(Numbers {
         title: format!("{}: four answers", result.case.name),
         caption: format!(
-            "Error: {}. Particles in time, the same particles and energy without time, an independent finite-element \
-             shell, and published results. The static error is that of the discretisation; what an explicit run adds is \
-             the dynamics. A point is one equilibrium of the curve. ● marks what none beats in both error and cost.",
+            "Error: {}. Particles in time, the same particles and energy without time and relaxed, an independent \
+             finite-element shell, and published results. The static error is that of the discretisation; what an explicit run adds is \
+             the dynamics. Steps are those of time, points of a path, iterations of relaxation and of elements. A point is one equilibrium of the curve. ● marks what none beats in both error and cost.",
             headline.metric
         ),
         head: head.into(),

@@ -19,6 +19,7 @@ pub mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
 mod scordelis_lo;
+mod shortened;
 mod thin_ring;
 mod turned;
 mod twisted_beam;
@@ -42,6 +43,7 @@ pub fn all() -> Vec<Case> {
         plate::case(),
         plate_frequencies::case(),
         buckling::case(),
+        shortened::case(),
         clamped_cap::case(),
         external_pressure::case(),
         hemisphere_large::case(),
