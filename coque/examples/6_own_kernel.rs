@@ -12,8 +12,7 @@
 //! is spread. The last column measures it: a plate on four simple supports under a pressure q sin(πx/a) sin(πy/a) sinks
 //! in the middle by `w = q a⁴/(4π⁴D)` (Navier's solution, exact for the thin plate) [timoshenko1959].
 //!
-//! `cargo run --release -p coque --example 6_own_kernel`; before: `5_own_section`. This is the last; the table
-//! "To add …" in ARCHITECTURE.md says where a kernel of the library goes.
+//! `cargo run --release -p coque --example 6_own_kernel`; before: `5_own_section`, next: `7_own_body`.
 
 use std::error::Error;
 use std::f64::consts::PI;

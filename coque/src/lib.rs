@@ -102,6 +102,7 @@
 //! | invariant | test |
 //! |---|---|
 //! | exact answers: uniform strain of the patch test, the closed ring | `patch_test_strains_uniformly`, `the_ring_closes` (tests/run.rs), `the_ring_closes_without_time` (tests/statics.rs) |
+//! | a body that no scene knows goes through every analysis, checkpoints, fields and the estimate | tests/own_body.rs |
 //! | a turned scene answers the same; threads change no bit | `a_turned_scene_answers_the_same`, `threads_change_no_bit` |
 //! | with and without time the same equilibria | `time_changes_no_equilibrium` (tests/statics.rs) |
 //! | a linear answer is the limit of small loads, and linear | `a_linear_answer_is_the_limit_of_small_loads`, `a_factor_on_the_load_is_one_on_the_answer` (tests/linear.rs) |

@@ -68,7 +68,8 @@ fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estim
             return Work::of_buckling(wanted.modes, sides).estimate(body, bytes);
         }
         Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
-        Analysis::ArcLength(_) => None,
+        // A path by arc length tells nothing beforehand; a relaxation takes no factors.
+        Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
         _ => Some([1.0; 2]),
     };
     let begun = Instant::now();

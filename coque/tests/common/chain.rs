@@ -37,7 +37,8 @@ impl Chain {
 impl Dynamics for Chain {
     fn evaluate(&mut self, at: Instant) -> f64 {
         self.f = (0..self.u.len()).map(|i| -self.pull(i)).collect();
-        *self.f.last_mut().unwrap() += at.level;
+        let last = self.f.len() - 1;
+        self.f[last] += at.level;
         self.energy()
     }
 
@@ -86,7 +87,7 @@ impl Equilibrium for Chain {
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
         out.fill(0.0);
-        *out.last_mut().unwrap() = level;
+        out[self.u.len() - 1] = level;
     }
 
     fn load_rate(&mut self, _: f64, out: &mut [f64]) {
