@@ -71,7 +71,7 @@ impl Update<'_> {
         slots: Slots<'_>,
         work: &mut Work,
     ) -> Row {
-        let Step { kick, damping, .. } = *self.step;
+        let kick = self.step.kick;
         let Decay { before, after } = self.decay;
         let internal = self.internal(a, slots);
         let external = if LOADED { self.external[a] } else { [0.0; 6] };
@@ -90,9 +90,9 @@ impl Update<'_> {
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
         let number = self.constraint_of[a] as usize;
-        let (mut pushed, mut rotated) = (false, false);
+        let mut told = false;
         if number > 0 {
-            (new, pushed, rotated) = self.hold(&self.constraints[number - 1], row, new);
+            (new, told) = self.hold(&self.constraints[number - 1], *row, new);
         }
         let mut mean = [0.0; 6];
         for k in 0..6 {
@@ -106,19 +106,8 @@ impl Update<'_> {
                 work.external += kick * external[k] * mean[k];
             }
         }
-        if pushed && kick > 0.0 {
-            // The support's force is what the particle's balance lacks; it works on the prescribed motion.
-            for k in 0..3 {
-                let lack = m * (new[k] - old[k]) / kick - f[k] + m * damping * mean[k];
-                work.external += kick * lack * mean[k];
-            }
-        }
-        if rotated && kick > 0.0 {
-            for k in 3..6 {
-                let across = f[k] - along * row[k];
-                let lack = inertia * (new[k] - old[k]) / kick - across + inertia * damping * mean[k];
-                work.external += kick * lack * mean[k];
-            }
+        if told && kick > 0.0 {
+            work.external = self.with_told_work(a, work.external, *row, f, [old, new]);
         }
         if DRIFT {
             let (place, carried) = drifted(row, &new, self.step.drift());
@@ -130,9 +119,12 @@ impl Update<'_> {
         }
     }
 
-    /// Takes out what a support holds and puts in what it prescribes; whether it prescribes a motion, and a rotation.
-    #[inline(always)]
-    fn hold(&self, constraint: &Constraint, row: &Row, new: Row) -> (Row, bool, bool) {
+    /// Takes out what a support holds and puts in what it prescribes; true if it prescribes anything.
+    ///
+    /// Neither this nor the work below is inlined: particles that nothing holds pay one branch.
+    #[cold]
+    #[inline(never)]
+    fn hold(&self, constraint: &Constraint, row: Row, new: Row) -> (Row, bool) {
         let mut v = constraint.free_translation([new[0], new[1], new[2]]);
         let motion = constraint.velocity(self.step);
         if let Some(motion) = motion {
@@ -142,7 +134,27 @@ impl Update<'_> {
         }
         let rotation = constraint.director_rate([row[3], row[4], row[5]], self.step);
         let w = rotation.unwrap_or_else(|| constraint.free_rotation([new[3], new[4], new[5]]));
-        ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some(), rotation.is_some())
+        ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some() || rotation.is_some())
+    }
+
+    /// External work with that of the support of particle `a` on what it prescribes: its force is what the particle's balance
+    /// lacks, from the force `f` on the particle and its rates before and after the kick.
+    #[cold]
+    #[inline(never)]
+    fn with_told_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
+        let Step { kick, damping, .. } = *self.step;
+        let Some(told) = self.constraints[self.constraint_of[a] as usize - 1].told() else { return external };
+        let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
+        let work = |external: f64, k: usize| {
+            let (m, f) =
+                if k < 3 { (self.masses[a], f[k]) } else { (self.inertias[a], f[k] - along * row[k]) };
+            let mean = 0.5 * (old[k] + new[k]);
+            let lack = m * (new[k] - old[k]) / kick - f + m * damping * mean;
+            external + kick * lack * mean
+        };
+        let moved = if told.motion.is_some() { 0..3 } else { 0..0 };
+        let rotated = if told.rotation.is_some() { 3..6 } else { 0..0 };
+        moved.chain(rotated).fold(external, work)
     }
 }
 
