@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 19] = [
+const TEMPLATES: [(&str, &str); 20] = [
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
     ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
@@ -63,6 +63,7 @@ const TEMPLATES: [(&str, &str); 19] = [
     ("pinched-cylinder-large", include_str!("../../../scenes/pinched-cylinder-large.toml")),
     ("plate", include_str!("../../../scenes/plate.toml")),
     ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
+    ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
