@@ -53,7 +53,7 @@ pub fn linear_response<E: Equilibrium + ?Sized>(
     system: &mut E,
     level: f64,
 ) -> Result<Vec<f64>, EquilibriumError> {
-    Ok(Newton::new(system, &NewtonOptions::default())?.response(system, level)?)
+    Newton::new(system, &NewtonOptions::default())?.response(system, level)
 }
 
 /// Newton's method with its solver, its buffers and its sense of scale; keep one for all steps of a path.

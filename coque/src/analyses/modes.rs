@@ -41,7 +41,7 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
     drop(watch);
     let modes = match taken(spectrum, count, "frequencies squared", run) {
         Ok(modes) => modes,
-        Err(ended) => return ended,
+        Err(ended) => return *ended,
     };
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
@@ -71,7 +71,7 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
     let spectrum = linear_buckling(system, 0.0, &options, &mut watch(&mut *run.progress));
     let modes = match taken(spectrum, wanted.modes, "levels", run) {
         Ok(modes) => modes,
-        Err(ended) => return ended,
+        Err(ended) => return *ended,
     };
     for (number, mode) in modes.iter().enumerate() {
         run.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
@@ -96,10 +96,12 @@ fn taken<M>(
     wanted: usize,
     what: &str,
     run: &mut Run<'_>,
-) -> Result<Vec<M>, Ended> {
-    let Spectrum { modes, counted, effort } = spectrum.map_err(|cause| match cause {
-        EquilibriumError::Stopped { .. } => Ended::Interrupted { time: 0.0, level: 0.0 },
-        cause => run.unbalanced(0, 0.0, cause),
+) -> Result<Vec<M>, Box<Ended>> {
+    let Spectrum { modes, counted, effort } = spectrum.map_err(|cause| {
+        Box::new(match cause {
+            EquilibriumError::Stopped { .. } => Ended::Interrupted { time: 0.0, level: 0.0 },
+            cause => run.unbalanced(0, 0.0, cause),
+        })
     })?;
     let Counted { from, to, number } = counted;
     if modes.len() < wanted {

@@ -66,7 +66,7 @@ impl AgainstTable {
 
     /// The largest distance of the table's points from the paths of all displacements, in percent of the largest displacement
     /// and of the full load: for runs whose load falls, where [`AgainstTable::errors`] end.
-    pub fn from_path(&self, run: &Run) -> Result<Option<f64>, JudgeError> {
+    pub fn off_path(&self, run: &Run) -> Result<Option<f64>, JudgeError> {
         let (table, load) = (reference(self.table)?, run.column(self.load)?);
         let loads = table.column("P/Pmax")?;
         let mut errors = Vec::new();

@@ -55,7 +55,8 @@ fn resolve(modules: &BTreeMap<Path, Module>, from: &Path, path: &[String], depth
         "self" => drop(rest.next()),
         "super" => {
             while rest.as_slice().first().is_some_and(|word| word == "super") {
-                (at.pop(), rest.next());
+                at.pop();
+                rest.next();
             }
         }
         child => {

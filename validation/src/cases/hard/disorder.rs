@@ -143,7 +143,7 @@ fn variants() -> Vec<Variant> {
         variants.extend([Cloud::Lattice, JITTER].map(|cloud| rolled(&strip, cloud)));
     }
     variants.extend(CURVED.map(|cloud| {
-        let pulled = CYLINDER.on(STATIC, cloud).off(|run, _| open_cylinder::TABLE.from_path(run));
+        let pulled = CYLINDER.on(STATIC, cloud).off(|run, _| open_cylinder::TABLE.off_path(run));
         asked(
             pulled,
             &CYLINDER,

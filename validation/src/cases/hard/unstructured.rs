@@ -105,7 +105,8 @@ fn octants() -> Vec<Variant> {
     let at_the_pole = "triangles hand the pressure to their corners in thirds, ⅓pπΔ² to the pole, where flat facets of slope Δ/2R under N = pR/2 \
                        bear ¼pπΔ²: the pole alone moves out until bending bears the rest";
     let sharp = "corners of 4.5°, less than the 5° that cells need: refused, with face and bound; strains would be sampled along one line";
-    let octants: [(&str, fn() -> Mesh, Option<f64>); 3] = [
+    type Octant = (&'static str, fn() -> Mesh, Option<f64>);
+    let octants: [Octant; 3] = [
         ("three blocks", || octant(11), Some(MET)),
         ("pole of 16 triangles", || poled_octant(16), Some(10.02)),
         ("pole of 20 triangles", || poled_octant(20), None),
