@@ -102,7 +102,7 @@ pub struct CriticalPoint {
     pub mode: Vec<f64>,
     /// Negative pivots before and after.
     pub negative: (usize, usize),
-    /// State at the near end of the last bracket, for [`Equilibrium::restore`].
+    /// State at the near end of the last bracket, for [`crate::Equilibrium::restore`].
     pub state: Vec<f64>,
     /// Level of that state \[–\].
     pub state_level: f64,

@@ -214,7 +214,7 @@ impl Variant {
         self
     }
 
-    /// Asks that the run be off by at most [twice](Bound::TwiceThatOf) what that of the same method on another grid is.
+    /// Asks that the run be off by at most twice what that of the same method on another grid is.
     #[must_use]
     pub fn asked_twice_that_of(mut self, grid: impl Into<String>, reason: &'static str) -> Self {
         self.asked = Some((Bound::TwiceThatOf(grid.into()), reason));

@@ -99,7 +99,7 @@ impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
         StaticShell::skew_load_share(self)
     }
 
-    /// Reactions of all particles, then strains and resultants of all sampling points ([`LinearForces`]).
+    /// Reactions of all particles, then strains and resultants of all sampling points (`LinearForces`).
     fn forces(&self) -> Vec<f64> {
         LinearForces::of(self.shell()).numbers()
     }

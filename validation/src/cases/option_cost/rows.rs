@@ -31,7 +31,7 @@ pub struct Row {
     pub about: &'static str,
     /// Name of the row it is an increment of.
     pub over: &'static str,
-    /// Values replaced in [`SCENE`].
+    /// Values replaced in the bare scene.
     pub set: Vec<(String, String)>,
     /// Threads.
     pub threads: usize,
