@@ -4,8 +4,9 @@ mod common;
 
 use std::ops::ControlFlow;
 
+use common::bars::Bars;
 use common::pendulum::Pendulum;
-use common::{Arch, Bars, Flat, Hencky, Potential};
+use common::{Arch, Flat, Hencky, Potential};
 use implicit_statics::{
     Control, Equilibrium, EquilibriumError, Newton, NewtonOptions, PathOptions, Start, follow,
     linear_response,

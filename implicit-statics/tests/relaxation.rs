@@ -6,8 +6,9 @@ mod common;
 
 use std::ops::ControlFlow;
 
+use common::bars::Bars;
 use common::pendulum::Pendulum;
-use common::{Arch, ArchWithSpring, Bars, Flat, Hencky, Potential, Softening};
+use common::{Arch, ArchWithSpring, Flat, Hencky, Potential, Softening};
 use implicit_statics::{
     Damping, Equilibrium, EquilibriumError, Newton, NewtonOptions, RelaxationOptions, Relaxed, relax,
 };
