@@ -132,6 +132,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod block;
 mod error;
 mod kernel;
 mod neighbours;
@@ -139,6 +140,7 @@ mod random;
 mod sampling;
 mod surface;
 
+pub use block::Block;
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;

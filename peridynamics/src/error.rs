@@ -1,0 +1,78 @@
+//! Why a solid could not be built.
+
+/// A solid that was refused before anything ran.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SolidError {
+    /// A constant of the material out of bounds.
+    #[error(
+        "{what} is {value}; E and the density are positive, Poisson's ratio lies above -1 and below 0.5 (in plane stress 1)"
+    )]
+    Material {
+        /// Which constant.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Pairwise forces have one Poisson's ratio.
+    #[error(
+        "Poisson's ratio is {0}; pairwise forces have {1:.4} in this space; take the state-based formulation for another"
+    )]
+    Pairwise(f64, f64),
+    /// A horizon that reaches too few nodes.
+    #[error(
+        "the horizon is {0} spacings; below 1.4 no bond leaves the axes of a lattice; 1.5 suits sheets, 3.015 cracks"
+    )]
+    Horizon(f64),
+    /// Nodes that coincide.
+    #[error("nodes {0} and {1} coincide; remove one of them")]
+    Coincident(u32, u32),
+    /// A node whose volume is not positive.
+    #[error("node {node} has the volume {volume}; it must be positive")]
+    Volume {
+        /// The node.
+        node: u32,
+        /// Its volume.
+        volume: f64,
+    },
+    /// A node without a bond.
+    #[error("node {0} has no bond; enlarge the horizon or remove the node")]
+    Alone(u32),
+    /// A body in space of which no bond leaves a plane.
+    #[error(
+        "all bonds lie in one plane, so that nothing resists across it; use a plane block or several layers"
+    )]
+    OneLayer,
+    /// A set without nodes.
+    #[error("{0} acts on an empty set of nodes; name a set that holds at least one")]
+    EmptySet(&'static str),
+    /// A node number beyond the body.
+    #[error("{what} names node {node}, but the body has {count} nodes (numbered from 0)")]
+    NoSuchNode {
+        /// Who named it.
+        what: &'static str,
+        /// The number.
+        node: u32,
+        /// Nodes of the body.
+        count: usize,
+    },
+    /// A prescribed motion along a held direction.
+    #[error(
+        "node {node} is told to move by {wanted:.6e} along a direction its other supports hold; remove one of them"
+    )]
+    Contradiction {
+        /// The node.
+        node: u32,
+        /// The motion asked for \[L\].
+        wanted: f64,
+    },
+    /// A limit of bonds out of bounds.
+    #[error("{what} is {value}; {bound}")]
+    Limit {
+        /// Which limit.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        bound: &'static str,
+    },
+}

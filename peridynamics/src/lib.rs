@@ -1,0 +1,27 @@
+//! Peridynamic solids: nodes joined by bonds that break.
+//!
+//! Each node owns a volume V and has a **family**: the nodes within a horizon δ at the start. A bond ξ of length r has the
+//! extension `e = |ξ + η| − r`. One energy serves two and three dimensions (\[silling2007\], with the dilatation left to
+//! the bonds' own share where λ = μ, which is PMB \[silling2005\]):
+//!
+//! ```text
+//! θᵢ = (d/mᵢ) Σⱼ w r e V̄ⱼ          mᵢ = Σⱼ w r² V̄ⱼ          V̄ the partial volume inside the horizon
+//! U  = Σᵢ Vᵢ [ ½(λ − μ) θᵢ² + ½ d(d+2) (μ/mᵢ) Σⱼ w e² V̄ⱼ ]
+//! ```
+#![warn(missing_docs)]
+
+mod conditions;
+mod contact;
+mod error;
+mod formulation;
+mod fracture;
+mod material;
+mod parts;
+
+pub use conditions::{AppliedLoad, Support, Supported};
+pub use contact::Contact;
+pub use error::SolidError;
+pub use formulation::{Correction, Formulation, Influence, Law};
+pub use fracture::{Crack, Criterion, Fracture};
+pub use material::{Elastic, Moduli, Space};
+pub use parts::{Carrier, Parts, Sheets};
