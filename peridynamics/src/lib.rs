@@ -14,6 +14,7 @@ mod bonds;
 mod conditions;
 mod constraint;
 mod contact;
+mod cracks;
 mod dispatch;
 mod error;
 mod formulation;
@@ -21,6 +22,7 @@ mod fracture;
 mod material;
 mod mechanics;
 mod parts;
+mod results;
 mod solid;
 mod time;
 
