@@ -11,6 +11,8 @@ pub struct Formulation {
     pub law: Law,
     /// Horizon δ over the greatest spacing of nodes \[–\].
     pub horizon: f64,
+    /// How much of a node's volume lies inside the horizon of another.
+    pub volumes: Volumes,
     /// How much a bond counts by its length.
     pub influence: Influence,
     /// What corrects lattices and surfaces.
@@ -24,6 +26,15 @@ pub enum Law {
     BondBased,
     /// Its extension and the dilatation at both ends (LPS \[silling2007\]): any Poisson's ratio.
     StateBased,
+}
+
+/// How much of a node's volume lies inside the horizon of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Volumes {
+    /// The part of its width: one up to δ − ½Δx, zero from δ + ½Δx on, linear between.
+    Partial,
+    /// All of it up to δ.
+    Whole,
 }
 
 /// The influence w of a bond by its length r, `δ' = δ + ½Δx` the search radius.
@@ -55,6 +66,19 @@ impl Influence {
             Self::Constant => 1.0,
             Self::Inverse => 1.0 / length,
             Self::Linear => 1.0 - length / reach,
+        }
+    }
+
+    /// `∫ w r² dV` over a whole ball, or disc of thickness one, of radius δ \[L⁵; L⁴, less one with `1/r`\].
+    pub(crate) fn second_moment(self, dimensions: usize, horizon: f64, reach: f64) -> f64 {
+        // ∫ r^k dV = s δ^(d + k)/(d + k), s the area of the unit sphere or circle.
+        let d = dimensions as i32;
+        let surface = if d == 3 { 4.0 } else { 2.0 } * std::f64::consts::PI;
+        let moment = |k: i32| surface * horizon.powi(d + k) / f64::from(d + k);
+        match self {
+            Self::Constant => moment(2),
+            Self::Inverse => moment(1),
+            Self::Linear => moment(2) - moment(3) / reach,
         }
     }
 }

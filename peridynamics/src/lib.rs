@@ -10,18 +10,25 @@
 //! ```
 #![warn(missing_docs)]
 
+mod bonds;
 mod conditions;
+mod constraint;
 mod contact;
+mod dispatch;
 mod error;
 mod formulation;
 mod fracture;
 mod material;
+mod mechanics;
 mod parts;
+mod solid;
+mod time;
 
 pub use conditions::{AppliedLoad, Support, Supported};
 pub use contact::Contact;
 pub use error::SolidError;
-pub use formulation::{Correction, Formulation, Influence, Law};
+pub use formulation::{Correction, Formulation, Influence, Law, Volumes};
 pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use parts::{Carrier, Parts, Sheets};
+pub use solid::Solid;

@@ -1,0 +1,7 @@
+//! Bonds: families of nodes, what corrects their weights, and the forces they carry.
+
+pub(crate) mod correction;
+pub(crate) mod families;
+pub(crate) mod forces;
+pub(crate) mod network;
+pub(crate) mod solid_bonds;

@@ -1,0 +1,100 @@
+//! Bonds ready for the sweep: four to a pack, the packs of a node one behind the other.
+
+use super::correction::Weights;
+use super::families::Families;
+use crate::material::Moduli;
+
+/// Bonds of a pack.
+pub(crate) const LANES: usize = 4;
+/// One number for each bond of a pack.
+pub(crate) type Pack = [f64; LANES];
+/// A node on its way through a sweep: position \[L\], and `(λ − μ) V θ` \[F L\].
+pub(crate) type Row = [f64; 4];
+
+/// Directed bonds with all that their forces need.
+#[derive(Clone, Debug)]
+pub(crate) struct Network {
+    /// First pack of each node, and the end.
+    pub starts: Vec<u32>,
+    /// The nodes at the other ends; lanes that only fill up a pack repeat one and have no stiffness.
+    pub others: Vec<[u32; LANES]>,
+    /// Lengths r at rest \[L\].
+    pub lengths: Vec<Pack>,
+    /// `Vᵢ Cᵢⱼ + Vⱼ Cⱼᵢ`, the same from both ends \[F/L\]; zero once broken.
+    pub stiffness: Vec<Pack>,
+    /// What a law with a dilatation has beside.
+    pub dilatation: Option<Dilatation>,
+    /// Directed bonds.
+    pub bonds: usize,
+}
+
+/// Dilatations per extension, and what they stress.
+#[derive(Clone, Debug)]
+pub(crate) struct Dilatation {
+    /// Dᵢⱼ, the share of a bond in the dilatation of its own node \[1/L\]; zero once broken.
+    pub own: Vec<Pack>,
+    /// Dⱼᵢ, its share in that of the other node \[1/L\]; zero once broken.
+    pub twin: Vec<Pack>,
+    /// `(λ − μ) Vᵢ` of each node \[F L\].
+    pub factors: Vec<f64>,
+}
+
+impl Network {
+    /// Packs the bonds of all families.
+    pub fn new(families: &Families, weights: &Weights, volumes: &[f64], moduli: &Moduli) -> Self {
+        let state_based = !weights.dilatation.is_empty();
+        let mut out = Self {
+            starts: vec![0],
+            others: Vec::new(),
+            lengths: Vec::new(),
+            stiffness: Vec::new(),
+            dilatation: state_based.then(|| Dilatation {
+                own: Vec::new(),
+                twin: Vec::new(),
+                factors: volumes.iter().map(|volume| (moduli.lambda - moduli.mu) * volume).collect(),
+            }),
+            bonds: families.others.len(),
+        };
+        for node in 0..families.len() {
+            let family: Vec<usize> = families.of(node).collect();
+            for four in family.chunks(LANES) {
+                let of = |value: &dyn Fn(usize) -> f64| -> Pack {
+                    std::array::from_fn(|lane| four.get(lane).map_or(0.0, |&bond| value(bond)))
+                };
+                let filled = |lane: usize| four[lane.min(four.len() - 1)];
+                out.others.push(std::array::from_fn(|lane| families.others[filled(lane)]));
+                out.lengths.push(std::array::from_fn(|lane| families.lengths[filled(lane)]));
+                out.stiffness.push(of(&|bond| {
+                    let other = families.others[bond] as usize;
+                    let twin = families.twin(node, bond);
+                    let [own, back] =
+                        [volumes[node] * weights.deviatoric[bond], volumes[other] * weights.deviatoric[twin]];
+                    own + back
+                }));
+                if let Some(dilatation) = &mut out.dilatation {
+                    dilatation.own.push(of(&|bond| weights.dilatation[bond]));
+                    dilatation.twin.push(of(&|bond| weights.dilatation[families.twin(node, bond)]));
+                }
+            }
+            out.starts.push(out.others.len() as u32);
+        }
+        out
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Packs of a node.
+    #[inline(always)]
+    pub fn packs_of(&self, node: usize) -> std::ops::Range<usize> {
+        self.starts[node] as usize..self.starts[node + 1] as usize
+    }
+
+    /// Memory of the packs \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let arrays = if self.dilatation.is_some() { 4 } else { 2 };
+        self.others.len() * (size_of::<[u32; LANES]>() + arrays * size_of::<Pack>())
+    }
+}

@@ -1,0 +1,186 @@
+//! A body of nodes: what moves, what holds it, and what it resists with.
+
+use explicit_dynamics::Instant;
+use sph_core::{Block, Vec3};
+
+use crate::bonds::network::Row;
+use crate::bonds::solid_bonds::SolidBonds;
+use crate::conditions::AppliedLoad;
+use crate::constraint::Constraints;
+use crate::error::SolidError;
+use crate::mechanics::{Evaluation, Mechanics};
+use crate::parts::{Carrier, Parts};
+
+/// A peridynamic body: nodes that move, and of a plate of two sheets their directors.
+///
+/// What moves is a list of rows: the positions of the nodes, behind them the directors. All rows have masses, forces and
+/// constraints alike.
+pub struct Solid {
+    pub(crate) block: Block,
+    /// Rows at rest \[L\].
+    pub(crate) rest: Vec<Vec3>,
+    /// Rows at present.
+    pub(crate) rows: Vec<Row>,
+    /// Their rates \[L/T\].
+    pub(crate) rates: Vec<Row>,
+    pub(crate) masses: Vec<f64>,
+    /// `∂U/∂row` of the last evaluation \[F\].
+    pub(crate) internal: Vec<Row>,
+    /// Loads of the last evaluation \[F\]; empty without any.
+    pub(crate) external: Vec<Vec3>,
+    pub(crate) constraints: Constraints,
+    pub(crate) loads: Vec<AppliedLoad>,
+    pub(crate) mechanics: Box<dyn Mechanics>,
+    pub(crate) internal_energy: f64,
+    /// Energy of bonds broken since the last kick \[F L\].
+    pub(crate) released: f64,
+    /// Speed of pressure waves, a bound of all motion \[L/T\].
+    pub(crate) sound_speed: f64,
+    pub(crate) threads: usize,
+}
+
+impl Solid {
+    /// Builds a body at rest.
+    ///
+    /// # Errors
+    /// [`SolidError`] for the first part that is unsound.
+    pub fn new(parts: Parts) -> Result<Self, SolidError> {
+        let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
+        let Carrier::Bonds(formulation) = formulation else { unreachable!() };
+        let moduli = material.moduli(formulation.space)?;
+        let mechanics = SolidBonds::new(&block, &material, &formulation)?;
+        let rest = block.positions.clone();
+        let across = (block.dimensions == 2).then(Vec3::z);
+        let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
+        for (node, _) in loads.iter().flat_map(|load| &load.forces) {
+            if *node as usize >= block.len() {
+                return Err(SolidError::NoSuchNode { what: "a load", node: *node, count: block.len() });
+            }
+        }
+        let masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
+        let count = rest.len();
+        Ok(Self {
+            rows: rest.iter().map(|x| [x.x, x.y, x.z, 0.0]).collect(),
+            rates: vec![[0.0; 4]; count],
+            masses,
+            internal: vec![[0.0; 4]; count],
+            external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
+            constraints,
+            loads,
+            mechanics: Box::new(mechanics),
+            internal_energy: 0.0,
+            released: 0.0,
+            sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
+            threads: threads.max(1),
+            rest,
+            block,
+        })
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.block.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.block.is_empty()
+    }
+
+    /// Its nodes at rest.
+    pub fn block(&self) -> &Block {
+        &self.block
+    }
+
+    /// Directed bonds, each pair twice.
+    pub fn bonds(&self) -> usize {
+        self.mechanics.bonds()
+    }
+
+    /// Degrees of freedom that no support holds.
+    pub fn freedoms(&self) -> usize {
+        self.constraints.freedoms()
+    }
+
+    /// Position of a node \[L\].
+    pub fn position(&self, node: usize) -> Vec3 {
+        vector(&self.rows[node])
+    }
+
+    /// Displacement of a node \[L\].
+    pub fn displacement(&self, node: usize) -> Vec3 {
+        vector(&self.rows[node]) - self.rest[node]
+    }
+
+    /// Velocity of a node \[L/T\].
+    pub fn velocity(&self, node: usize) -> Vec3 {
+        vector(&self.rates[node])
+    }
+
+    /// Moves a node to a place \[L\]; forces are those of the last evaluation.
+    pub fn put(&mut self, node: usize, position: Vec3) {
+        self.rows[node][..3].copy_from_slice(position.as_slice());
+    }
+
+    /// Gives a node a velocity \[L/T\].
+    pub fn set_velocity(&mut self, node: usize, velocity: Vec3) {
+        self.rates[node][..3].copy_from_slice(velocity.as_slice());
+    }
+
+    /// Mass of a node \[M\].
+    pub fn mass(&self, node: usize) -> f64 {
+        self.masses[node]
+    }
+
+    /// `∂U/∂x` of a node in the last evaluation \[F\].
+    pub fn internal_force(&self, node: usize) -> Vec3 {
+        vector(&self.internal[node])
+    }
+
+    /// Load on a node in the last evaluation \[F\].
+    pub fn external_force(&self, node: usize) -> Vec3 {
+        self.external.get(node).copied().unwrap_or_default()
+    }
+
+    /// What the supports of a node bear \[F\], for the forces last evaluated.
+    pub fn reaction(&self, node: usize) -> Vec3 {
+        self.internal_force(node) - self.external_force(node)
+    }
+
+    /// Stored energy of the last evaluation that asked for it \[F L\].
+    pub fn internal_energy(&self) -> f64 {
+        self.internal_energy
+    }
+
+    /// Memory that a step touches, per node \[bytes\].
+    pub fn bytes_per_particle(&self) -> f64 {
+        let rows = 3 * size_of::<Row>() + size_of::<f64>();
+        (self.mechanics.bytes() + rows * self.rows.len()) as f64 / self.len() as f64
+    }
+
+    /// Evaluates the internal forces of the present state, and the stored energy if asked for. No bond breaks.
+    pub fn evaluate_internal(&mut self, energy: bool) {
+        let wanted = Evaluation { energy, watch: false, threads: self.threads };
+        let stored = self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
+        if energy {
+            self.internal_energy = stored;
+        }
+    }
+
+    /// The loads at an instant.
+    pub(crate) fn evaluate_external(&mut self, at: Instant) {
+        self.external.fill(Vec3::zeros());
+        for load in &self.loads {
+            let factor = load.factor(at);
+            for (node, force) in &load.forces {
+                self.external[*node as usize] += force * factor;
+            }
+        }
+    }
+}
+
+/// The vector of a row.
+#[inline]
+pub(crate) fn vector(row: &Row) -> Vec3 {
+    Vec3::new(row[0], row[1], row[2])
+}

@@ -1,0 +1,4 @@
+//! The body in time: its march, and the spectrum that its stable step comes from.
+
+mod march;
+mod spectrum;
