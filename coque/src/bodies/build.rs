@@ -15,7 +15,7 @@ impl Scene {
         self.check()?;
         match self.body() {
             BodyScene::Shell(_) => self.shell_model(threads),
-            BodyScene::Solid(_) => Err(self.not_a("TMP")),
+            BodyScene::Solid(solid) => self.solid_model(solid, threads),
         }
     }
 

@@ -19,7 +19,7 @@ mod rigid;
 pub(crate) mod sets;
 pub(crate) mod shell;
 mod shown;
-//TMP mod solid;
+mod solid;
 
 pub use body::{
     Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,

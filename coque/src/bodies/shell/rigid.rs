@@ -1,6 +1,6 @@
 //! Which rigid motions the supports of a shell leave free.
 
-use sph_core::{Cloud, Vec3};
+use sph_core::Cloud;
 use sph_shell::{DirectorHold, Holds};
 
 use crate::bodies::rigid::{Hold, free_of};
@@ -39,7 +39,7 @@ fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::{Cell, EndWeights, Plate, lattice};
+    use sph_core::{Cell, EndWeights, Plate, Vec3, lattice};
     use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {

@@ -61,8 +61,7 @@ impl Content<'_> {
         if solid.director(0).is_some() {
             self.vectors(to, "director", Quantity::Ratio, &|a| solid.director(a).unwrap_or_default())?;
         }
-        let volumes = rows(solid.len(), |a| [solid.block().volumes[a] as f32]);
-        self.put(to, "volume", Quantity::Volume, &[], Values::Single(&volumes))
+        self.numbers(to, "volume", Quantity::Volume, |a| solid.block().volumes[a])
     }
 
     /// Reactions; where nothing is in balance and nothing moves there are none.
@@ -86,14 +85,11 @@ impl Content<'_> {
     /// What bonds say: damage and, of states of their own size, energy and stress.
     fn bonds(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
         let solid = self.solid;
-        let single = |value: &dyn Fn(usize) -> f64| rows(solid.len(), |a| [value(a) as f32]);
-        let damage = single(&|a| solid.damage(a));
-        self.put(to, "damage", Quantity::Ratio, &[], Values::Single(&damage))?;
+        self.numbers(to, "damage", Quantity::Ratio, |a| solid.damage(a))?;
         if matches!(self.shown.state, State::Mode | State::Linear) {
             return Ok(());
         }
-        let energy = single(&|a| solid.strain_energy(a));
-        self.put(to, "strain_energy", Quantity::Stress, &[], Values::Single(&energy))?;
+        self.numbers(to, "strain_energy", Quantity::Stress, |a| solid.strain_energy(a))?;
         if !self.shown.stresses {
             return Ok(());
         }
@@ -105,8 +101,19 @@ impl Content<'_> {
             .collect();
         let all = rows(solid.len(), |a| stresses[a].map(|value| value as f32));
         self.put(to, "stress", Quantity::Stress, TENSOR, Values::Single(&all))?;
-        let mises = single(&|a| von_mises(stresses[a]));
-        self.put(to, "von_mises", Quantity::Stress, &[], Values::Single(&mises))
+        self.numbers(to, "von_mises", Quantity::Stress, |a| von_mises(stresses[a]))
+    }
+
+    /// A number for each node, in single precision.
+    fn numbers(
+        &self,
+        to: &mut dyn FieldWriter,
+        name: &str,
+        quantity: Quantity,
+        value: impl Fn(usize) -> f64,
+    ) -> io::Result<()> {
+        let all = rows(self.solid.len(), |a| [value(a) as f32]);
+        self.put(to, name, quantity, &[], Values::Single(&all))
     }
 
     fn vectors(

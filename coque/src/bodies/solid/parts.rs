@@ -1,7 +1,7 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Carrier, Contact, Crack, Criterion, Elastic, Formulation, Fracture, Influence, Law, Sheets,
+    Carrier, Contact, Crack, Criterion, Elastic, Formulation, Fracture, Influence, Law, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
@@ -36,7 +36,8 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Carrier {
         scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
     };
     let horizon = solid.formulation.horizon();
-    let formulation = Formulation { space: solid.space(), law, horizon, influence, correction };
+    let formulation =
+        Formulation { space: solid.space(), law, horizon, volumes: Volumes::Partial, influence, correction };
     match solid.has_directors() {
         true => Carrier::Sheets(Sheets { thickness: lattice.lengths[2], formulation }),
         false => Carrier::Bonds(formulation),
