@@ -21,6 +21,7 @@ mod fracture;
 mod material;
 mod mechanics;
 mod parts;
+mod sheets;
 mod solid;
 mod time;
 

@@ -5,13 +5,10 @@ use super::families::{Families, Nodes};
 use super::forces::{Scratch, Wanted, Watch};
 use super::network::{Network, Row};
 use crate::error::SolidError;
-use crate::formulation::{Formulation, Law};
+use crate::formulation::Formulation;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
 use sph_core::Block;
-
-/// Poisson's ratios this close are equal.
-const SAME: f64 = 1e-9;
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
@@ -26,11 +23,7 @@ impl SolidBonds {
     /// # Errors
     /// [`SolidError`] for the material, the horizon, the nodes, and a body in space without thickness.
     pub fn new(block: &Block, material: &Elastic, formulation: &Formulation) -> Result<Self, SolidError> {
-        let moduli = material.moduli(formulation.space)?;
-        let pairwise = formulation.space.pairwise_poisson();
-        if formulation.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
-            return Err(SolidError::Pairwise(material.poisson, pairwise));
-        }
+        let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
