@@ -22,7 +22,9 @@ mod material;
 mod mechanics;
 mod parts;
 mod solid;
+mod statics;
 mod time;
+mod unknowns;
 
 pub use conditions::{AppliedLoad, Support, Supported};
 pub use contact::Contact;
@@ -32,3 +34,4 @@ pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use parts::{Carrier, Parts, Sheets};
 pub use solid::Solid;
+pub use statics::StaticSolid;
