@@ -195,6 +195,13 @@ impl Solid {
         }
     }
 
+    /// Breaks the bonds that the present state stretches beyond their limits.
+    pub(crate) fn break_beyond_limits(&mut self) {
+        let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
+        self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
+        self.released += self.mechanics.break_bonds();
+    }
+
     /// The loads at an instant.
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
         self.external.fill(Vec3::zeros());

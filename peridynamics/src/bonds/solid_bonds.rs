@@ -1,6 +1,7 @@
 //! Bonds between the nodes of a solid, as its mechanics.
 
 use super::correction::weights;
+use super::couplings::{Coupling, Couplings};
 use super::families::{Families, Nodes};
 use super::forces::{Scratch, Wanted, Watch};
 use super::network::{Network, Row};
@@ -8,6 +9,7 @@ use crate::error::SolidError;
 use crate::formulation::Formulation;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
+use crate::unknowns::Unknowns;
 use sph_core::Block;
 
 /// Bonds between nodes.
@@ -58,6 +60,29 @@ impl Mechanics for SolidBonds {
 
     fn break_bonds(&mut self) -> f64 {
         0.0
+    }
+
+    fn couplings(&self) -> Couplings {
+        self.network.couplings()
+    }
+
+    fn second_derivatives(
+        &self,
+        (rows, stressed): (&[Row], Option<&[Row]>),
+        pattern: &Couplings,
+        blocks: &mut [Coupling],
+        threads: usize,
+    ) {
+        self.network.linearised(rows, stressed).second_derivatives(pattern, blocks, threads);
+    }
+
+    fn row_sums(&self, rows: &[Row], unknowns: &Unknowns, out: &mut [f64]) -> bool {
+        self.network.linearised(rows, None).row_sums(unknowns, out);
+        true
+    }
+
+    fn shortest(&self, rows: &[Row]) -> (usize, f64) {
+        self.network.shortest(rows)
     }
 
     fn bytes(&self) -> usize {
