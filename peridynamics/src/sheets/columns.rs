@@ -21,6 +21,14 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
+    /// The points of a sheet, `x + z₀ d` of the upper side 1 or `x − z₀ d` of the lower side −1.
+    pub fn points(&self, rows: &[Row], side: f64) -> Vec<Row> {
+        let (places, directors) = rows.split_at(self.rest.len());
+        let z = side * self.height;
+        let point = |(x, d): (&Row, &Row)| [x[0] + z * d[0], x[1] + z * d[1], x[2] + z * d[2], 0.0];
+        places.iter().zip(directors).map(point).collect()
+    }
+
     /// The strain `½ (d·d − d₀·d₀)` of the thickness.
     #[inline(always)]
     pub fn thickening(&self, column: usize, d: &Row) -> f64 {

@@ -17,5 +17,6 @@ mod columns;
 mod lie;
 mod plate;
 mod shear;
+mod tangent;
 
 pub(crate) use plate::Plate;

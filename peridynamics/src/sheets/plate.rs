@@ -6,6 +6,7 @@ use super::columns::Columns;
 use super::lie::{directors, plan};
 use super::shear::Shear;
 use crate::bonds::correction::weights;
+use crate::bonds::couplings::{Coupling, Couplings};
 use crate::bonds::families::{Families, Nodes};
 use crate::bonds::forces::{Scratch, Wanted, Watch};
 use crate::bonds::network::{Network, Row};
@@ -112,6 +113,24 @@ impl Mechanics for Plate {
 
     fn break_bonds(&mut self) -> f64 {
         0.0
+    }
+
+    fn couplings(&self) -> Couplings {
+        self.pattern()
+    }
+
+    fn second_derivatives(
+        &self,
+        states: (&[Row], Option<&[Row]>),
+        pattern: &Couplings,
+        blocks: &mut [Coupling],
+        threads: usize,
+    ) {
+        self.hessian(states, pattern, blocks, threads);
+    }
+
+    fn shortest(&self, rows: &[Row]) -> (usize, f64) {
+        self.shortest_bond(rows)
     }
 
     fn bytes(&self) -> usize {
