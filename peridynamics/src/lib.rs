@@ -21,8 +21,11 @@ mod fracture;
 mod material;
 mod mechanics;
 mod parts;
+mod sheets;
 mod solid;
+mod statics;
 mod time;
+mod unknowns;
 
 pub use conditions::{AppliedLoad, Support, Supported};
 pub use contact::Contact;
@@ -32,3 +35,4 @@ pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use parts::{Carrier, Parts, Sheets};
 pub use solid::Solid;
+pub use statics::StaticSolid;

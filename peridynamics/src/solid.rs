@@ -10,6 +10,7 @@ use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::{Carrier, Parts};
+use crate::sheets::Plate;
 
 /// A peridynamic body: nodes that move, and of a plate of two sheets their directors.
 ///
@@ -46,18 +47,27 @@ impl Solid {
     /// [`SolidError`] for the first part that is unsound.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
         let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
-        let Carrier::Bonds(formulation) = formulation else { unreachable!() };
-        let moduli = material.moduli(formulation.space)?;
-        let mechanics = SolidBonds::new(&block, &material, &formulation)?;
-        let rest = block.positions.clone();
-        let across = (block.dimensions == 2).then(Vec3::z);
+        let mut rest = block.positions.clone();
+        let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
+        let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
+            Carrier::Bonds(bonds) => {
+                let across = (block.dimensions == 2).then(Vec3::z);
+                (Box::new(SolidBonds::new(&block, &material, bonds)?), bonds.space, across)
+            }
+            Carrier::Sheets(sheets) => {
+                let (plate, directors) = Plate::new(&block, &material, sheets)?;
+                rest.extend(directors);
+                masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
+                (Box::new(plate), sheets.formulation.space, None)
+            }
+        };
+        let moduli = material.moduli(space)?;
         let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
         for (node, _) in loads.iter().flat_map(|load| &load.forces) {
             if *node as usize >= block.len() {
                 return Err(SolidError::NoSuchNode { what: "a load", node: *node, count: block.len() });
             }
         }
-        let masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let count = rest.len();
         Ok(Self {
             rows: rest.iter().map(|x| [x.x, x.y, x.z, 0.0]).collect(),
@@ -67,7 +77,7 @@ impl Solid {
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
             constraints,
             loads,
-            mechanics: Box::new(mechanics),
+            mechanics,
             internal_energy: 0.0,
             released: 0.0,
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
@@ -115,6 +125,24 @@ impl Solid {
     /// Velocity of a node \[L/T\].
     pub fn velocity(&self, node: usize) -> Vec3 {
         vector(&self.rates[node])
+    }
+
+    /// Director of a column of two sheets \[–\].
+    pub fn director(&self, node: usize) -> Option<Vec3> {
+        self.rows.get(self.len() + node).map(vector)
+    }
+
+    /// Turns and stretches the director of a column of two sheets; nothing else has one.
+    pub fn set_director(&mut self, node: usize, director: Vec3) {
+        let row = self.block.len() + node;
+        if let Some(row) = self.rows.get_mut(row) {
+            row[..3].copy_from_slice(director.as_slice());
+        }
+    }
+
+    /// `∂U/∂d` of a column of two sheets in the last evaluation \[F L\].
+    pub fn internal_couple(&self, node: usize) -> Option<Vec3> {
+        self.internal.get(self.len() + node).map(vector)
     }
 
     /// Moves a node to a place \[L\]; forces are those of the last evaluation.
@@ -165,6 +193,13 @@ impl Solid {
         if energy {
             self.internal_energy = stored;
         }
+    }
+
+    /// Breaks the bonds that the present state stretches beyond their limits.
+    pub(crate) fn break_beyond_limits(&mut self) {
+        let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
+        self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
+        self.released += self.mechanics.break_bonds();
     }
 
     /// The loads at an instant.

@@ -1,17 +1,16 @@
 //! Bonds between the nodes of a solid, as its mechanics.
 
 use super::correction::weights;
+use super::couplings::{Coupling, Couplings};
 use super::families::{Families, Nodes};
 use super::forces::{Scratch, Wanted, Watch};
 use super::network::{Network, Row};
 use crate::error::SolidError;
-use crate::formulation::{Formulation, Law};
+use crate::formulation::Formulation;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
+use crate::unknowns::Unknowns;
 use sph_core::Block;
-
-/// Poisson's ratios this close are equal.
-const SAME: f64 = 1e-9;
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
@@ -26,11 +25,7 @@ impl SolidBonds {
     /// # Errors
     /// [`SolidError`] for the material, the horizon, the nodes, and a body in space without thickness.
     pub fn new(block: &Block, material: &Elastic, formulation: &Formulation) -> Result<Self, SolidError> {
-        let moduli = material.moduli(formulation.space)?;
-        let pairwise = formulation.space.pairwise_poisson();
-        if formulation.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
-            return Err(SolidError::Pairwise(material.poisson, pairwise));
-        }
+        let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
@@ -65,6 +60,29 @@ impl Mechanics for SolidBonds {
 
     fn break_bonds(&mut self) -> f64 {
         0.0
+    }
+
+    fn couplings(&self) -> Couplings {
+        self.network.couplings()
+    }
+
+    fn second_derivatives(
+        &self,
+        (rows, stressed): (&[Row], Option<&[Row]>),
+        pattern: &Couplings,
+        blocks: &mut [Coupling],
+        threads: usize,
+    ) {
+        self.network.linearised(rows, stressed).second_derivatives(pattern, blocks, threads);
+    }
+
+    fn row_sums(&self, rows: &[Row], unknowns: &Unknowns, out: &mut [f64]) -> bool {
+        self.network.linearised(rows, None).row_sums(unknowns, out);
+        true
+    }
+
+    fn shortest(&self, rows: &[Row]) -> (usize, f64) {
+        self.network.shortest(rows)
     }
 
     fn bytes(&self) -> usize {
