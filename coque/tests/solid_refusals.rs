@@ -118,7 +118,11 @@ fn broken_materials_and_formulations() {
             ("ratio of pairwise forces", "state-based", "bond-based"),
             ("negative modulus", "young = 1.0", "young = -1.0"),
             ("a section", "material", "section.homogeneous.thickness = 1.0\nmaterial"),
-            ("imperfect bar", "material", "imperfection = { half_waves = [1, 1], amplitude = 0.1 }\nmaterial"),
+            (
+                "imperfect bar",
+                "material",
+                "imperfection = { half_waves = [1, 1], amplitude = 0.1 }\nmaterial"
+            ),
         ],
     ));
 }
@@ -137,7 +141,11 @@ fn broken_conditions() {
             ("traction inside", "on = \"x1\", traction", "on = \"all\", traction"),
             ("depth", "value = [1.0, 0.0, 0.0]", "value = [1.0, 0.0, 0.0], depth = 0"),
             ("edge of a shell", "on = \"x0\"", "on = \"u0\""),
-            ("no such face", "[bodies.bar", "[sets]\nend = { layer = { face = \"x2\", depth = 1 } }\n[bodies.bar"),
+            (
+                "no such face",
+                "[bodies.bar",
+                "[sets]\nend = { layer = { face = \"x2\", depth = 1 } }\n[bodies.bar"
+            ),
             ("free to turn", "clamped = {}", "held = { displacement = [[1, 0, 0], [0, 1, 0]] }"),
             ("held everywhere", "on = \"x0\"", "on = \"all\""),
             ("no direction", ", direction = [1.0, 0.0, 0.0] }]\n[", " }]\n["),
@@ -186,7 +194,11 @@ fn broken_planes_and_cracks() {
             BAR,
             &[
                 ("crossed corners", "material", &crossed),
-                ("a segment in space", "material", "cracks = [{ from = [0, 0, 0], to = [1, 0, 0] }]\nmaterial"),
+                (
+                    "a segment in space",
+                    "material",
+                    "cracks = [{ from = [0, 0, 0], to = [1, 0, 0] }]\nmaterial"
+                ),
             ],
         )
     );

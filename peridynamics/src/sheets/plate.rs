@@ -111,8 +111,36 @@ impl Mechanics for Plate {
         if wanted.energy { stored + of_columns } else { 0.0 }
     }
 
-    fn break_bonds(&mut self) -> f64 {
+    fn break_bonds(&mut self, _: &[Row]) -> f64 {
         0.0
+    }
+
+    fn damage(&self, _: usize) -> f64 {
+        0.0
+    }
+
+    fn fracture_energy(&self, _: usize) -> f64 {
+        0.0
+    }
+
+    fn stored(&self, _: &[Row], _: usize) -> f64 {
+        0.0
+    }
+
+    fn virial(&self, _: &[Row], _: usize) -> nalgebra::Matrix3<f64> {
+        nalgebra::Matrix3::zeros()
+    }
+
+    fn fragments(&self) -> Vec<usize> {
+        vec![self.sheets[0].points.len()]
+    }
+
+    fn broken(&self) -> [Vec<f64>; 3] {
+        [Vec::new(), Vec::new(), Vec::new()]
+    }
+
+    fn take_up(&mut self, _: [&[f64]; 3]) -> bool {
+        true
     }
 
     fn couplings(&self) -> Couplings {

@@ -1,5 +1,6 @@
 //! A solid as a body: what can be measured on it, what it keeps, and what it offers analyses without time.
 
+use std::borrow::Cow;
 use std::ops::DerefMut;
 
 use explicit_dynamics::Dynamics;
@@ -36,19 +37,26 @@ impl Body for Solid {
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
-        let (rows, rates) = self.motion();
+        let [rows, rates] = self.motion().map(<[[f64; 4]]>::as_flattened);
+        let [bonds, energies, works] = self.broken();
+        let owned =
+            |name: &'static str, numbers| StateArray { name: name.into(), numbers: Cow::Owned(numbers) };
         vec![
-            StateArray::new("positions", rows.as_flattened()),
-            StateArray::new("velocities", rates.as_flattened()),
-            StateArray::new("broken bonds", self.broken()),
+            StateArray::new("positions and directors", rows),
+            StateArray::new("their rates", rates),
+            owned("broken bonds", bonds),
+            owned("energies of broken bonds", energies),
+            owned("work on bonds", works),
         ]
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
-        let [rows, rates, broken] = arrays else { return Err(Mismatch) };
+        let [rows, rates, broken @ ..] = arrays else { return Err(Mismatch) };
+        let [bonds, energies, works] = broken else { return Err(Mismatch) };
         let (rows, left) = rows.numbers.as_chunks();
         let (rates, over) = rates.numbers.as_chunks();
-        let fits = left.is_empty() && over.is_empty() && self.take_up(rows, rates, &broken.numbers);
+        let broken = [bonds, energies, works].map(|array| array.numbers.as_ref());
+        let fits = left.is_empty() && over.is_empty() && self.take_up([rows, rates], broken);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }

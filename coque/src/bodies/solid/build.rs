@@ -113,7 +113,7 @@ impl Scene {
 
     /// A body in pieces has rigid motions of its own for each: a static answer needs one piece.
     fn refuse_pieces(&self, solid: &Solid) -> Result<(), SceneError> {
-        let pieces = solid.fragments();
+        let pieces = solid.fragments().len();
         if self.analysis.kind().floats || pieces == 1 {
             return Ok(());
         }
@@ -138,6 +138,8 @@ impl Scene {
             SolidError::Contradiction { .. } => format!("supports[{moved}].moved"),
             SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
             SolidError::Limit { .. } => of_body("fracture"),
+            SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
+            SolidError::NotThin => of_body(&formulation),
         };
         self.model_error(&path, &error.to_string())
     }
