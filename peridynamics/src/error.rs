@@ -75,4 +75,12 @@ pub enum SolidError {
         /// What it must be.
         bound: &'static str,
     },
+    /// A crack that is none.
+    #[error("crack {number} (numbered from 0) {problem}")]
+    Crack {
+        /// Its number.
+        number: usize,
+        /// What is wrong, and how to repair it.
+        problem: &'static str,
+    },
 }

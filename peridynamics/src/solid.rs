@@ -8,6 +8,7 @@ use crate::bonds::solid_bonds::SolidBonds;
 use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
+use crate::fracture::Breakage;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::{Carrier, Parts};
 
@@ -46,9 +47,10 @@ impl Solid {
     /// [`SolidError`] for the first part that is unsound.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
         let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
+        let breakage = Breakage { fracture: parts.fracture, cracks: parts.cracks, contact: parts.contact };
         let Carrier::Bonds(formulation) = formulation else { unreachable!() };
         let moduli = material.moduli(formulation.space)?;
-        let mechanics = SolidBonds::new(&block, &material, &formulation)?;
+        let mechanics = SolidBonds::new(&block, &material, &formulation, &breakage)?;
         let rest = block.positions.clone();
         let across = (block.dimensions == 2).then(Vec3::z);
         let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
@@ -171,7 +173,7 @@ impl Solid {
     pub(crate) fn break_beyond_limits(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        self.released += self.mechanics.break_bonds();
+        self.released += self.mechanics.break_bonds(&self.rows);
     }
 
     /// The loads at an instant.
