@@ -1,0 +1,90 @@
+//! Solids from scenes to results: forces in balance, what breaks, fields, the same bits for any number of threads.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::{column, last, overridden, ran};
+use coque::{Outcome, Scene, Silent};
+
+/// A bar between mirror planes, pulled at its end: uniform tension.
+const BAR: &str = r#"title = "Bar"
+units = { length = "m", force = "N", time = "s" }
+analysis.static = { levels = 1 }
+supports = [
+    { on = "x0", symmetry = { normal = [1.0, 0.0, 0.0] } },
+    { on = "y0", symmetry = { normal = [0.0, 1.0, 0.0] } },
+    { on = "z0", symmetry = { normal = [0.0, 0.0, 1.0] } },
+]
+loads = [{ on = "x1", traction = { value = [2.0, 0.0, 0.0] } }]
+curve = [
+    { name = "u", of = "displacement", on = "x1", direction = [1.0, 0.0, 0.0] },
+    { name = "v", of = "displacement", on = "y1", direction = [0.0, 1.0, 0.0] },
+    { name = "R", of = "reaction", on = "x0", direction = [1.0, 0.0, 0.0] },
+    { name = "W", of = "strain-energy", on = "middle" },
+]
+[sets]
+middle = { box = { min = [1.5, 0.3, 0.3], max = [2.5, 0.7, 0.7] } }
+[bodies.bar.solid]
+geometry.block = { lengths = [4.0, 1.0, 1.0], spacing = 0.25, nodes = "edges" }
+material.elastic = { young = 1000.0, poisson = 0.3, density = 1.0 }
+formulation.state-based = { horizon = 2.015 }
+"#;
+
+/// A notched plate, pulled apart until it breaks.
+const PLATE: &str = r#"title = "Notched plate"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 3e-5, record_every = 1e-6 }
+loads = [
+    { on = "y0", traction = { value = [0.0, -30e6, 0.0] } },
+    { on = "y1", traction = { value = [0.0, 30e6, 0.0] } },
+]
+curve = [
+    { name = "d", of = "damage", on = "all", take = "max" },
+    { name = "G", of = "fracture-energy", on = "all" },
+    { name = "v", of = "velocity", on = "y1", direction = [0.0, 1.0, 0.0] },
+]
+[sets]
+lower = { layer = { face = "y0", depth = 3e-3 } }
+upper = { layer = { face = "y1", depth = 3e-3 } }
+[bodies.glass.solid]
+geometry.block = { lengths = [0.05, 0.02], spacing = 1e-3 }
+material.elastic = { young = 72e9, poisson = 0.3333, density = 2440.0 }
+formulation.bond-based = { plane = "stress" }
+fracture.energy = 135.0
+cracks = [{ from = [0.0, 0.01], to = [0.02, 0.01] }]
+unbreakable = ["lower", "upper"]
+"#;
+
+fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
+    overridden(text, "scene.toml", replaced).unwrap()
+}
+
+fn run(text: &str, replaced: &[(&str, &str)]) -> Outcome {
+    ran(overridden(text, "scene.toml", replaced))
+}
+
+#[test]
+fn a_bar_is_stretched_as_hooke_says() {
+    let outcome = run(BAR, &[]);
+    for (name, expected) in [("u", 4.0 * 2.0 / 1000.0), ("v", -0.3 * 2.0 / 1000.0), ("R", -2.0), ("W", 2e-3)]
+    {
+        eprintln!("{name} {} {}", last(&outcome, name), last(&outcome, name) / expected - 1.0);
+    }
+}
+
+#[test]
+fn a_traction_in_depth_has_the_same_resultant() {
+    let replaced = [("loads[0].traction.depth", "0.6")];
+    assert!((last(&run(BAR, &replaced), "R") + 2.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_plate_breaks_and_threads_change_no_bit() {
+    let one = run(PLATE, &[]);
+    let four = scene(PLATE, &[]).build(4).unwrap().run(&mut Silent);
+    assert_eq!(one.curve, four.curve);
+    assert_eq!(one.shapes, four.shapes);
+    let (damage, energy) = (column(&one, "d"), column(&one, "G"));
+    eprintln!("{damage:?}\n{energy:?}\n{:?}", column(&one, "v"));
+}
