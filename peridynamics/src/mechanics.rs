@@ -12,7 +12,11 @@ pub(crate) trait Mechanics: Send {
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
-    /// Breaks the bonds noted in the last evaluation of these rows; returns the energy that the body lost \[F L\].
+    /// Whether bonds were beyond their limit in the last evaluation.
+    fn noted(&self) -> bool;
+
+    /// Breaks the bonds noted in the last evaluation; returns the energy that the body loses at these rows, whose last
+    /// places do not matter \[F L\].
     fn break_bonds(&mut self, rows: &[Row]) -> f64;
 
     /// Memory of the bonds \[bytes\].

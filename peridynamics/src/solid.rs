@@ -35,6 +35,8 @@ pub struct Solid {
     pub(crate) internal_energy: f64,
     /// Energy of bonds broken since the last kick \[F L\].
     pub(crate) released: f64,
+    /// Rows in the middle of a step in which bonds break; empty until one does.
+    pub(crate) breaking: Vec<Row>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -72,6 +74,7 @@ impl Solid {
             mechanics: Box::new(mechanics),
             internal_energy: 0.0,
             released: 0.0,
+            breaking: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,
