@@ -23,8 +23,11 @@ mod material;
 mod mechanics;
 mod parts;
 mod results;
+mod sheets;
 mod solid;
+mod statics;
 mod time;
+mod unknowns;
 
 pub use conditions::{AppliedLoad, Support, Supported};
 pub use contact::Contact;
@@ -34,3 +37,4 @@ pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use parts::{Carrier, Parts, Sheets};
 pub use solid::Solid;
+pub use statics::StaticSolid;

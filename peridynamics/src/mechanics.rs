@@ -2,10 +2,12 @@
 
 use nalgebra::Matrix3;
 
+use crate::bonds::couplings::{Coupling, Couplings};
 use crate::bonds::network::Row;
+use crate::unknowns::Unknowns;
 
 /// The stored energy of a body as a function of its rows, and how bonds break.
-pub(crate) trait Mechanics: Send {
+pub(crate) trait Mechanics: Send + Sync {
     /// Internal forces `∂U/∂row` of all rows; returns the stored energy \[F L\], zero unless wanted.
     ///
     /// The last places of the rows are the mechanics' own. With `watch` it notes the bonds beyond their limit, for
@@ -18,6 +20,27 @@ pub(crate) trait Mechanics: Send {
     /// Breaks the bonds noted in the last evaluation; returns the energy that the body loses at these rows, whose last
     /// places do not matter \[F L\].
     fn break_bonds(&mut self, rows: &[Row]) -> f64;
+
+    /// Pairs of rows with second derivatives, by the bonds that are whole now.
+    fn couplings(&self) -> Couplings;
+
+    /// Second derivatives `∂²U/∂row∂row` at a state, one block a pair of the pattern; with a second state, the pulls of bonds
+    /// are taken from there, all else from the first.
+    fn second_derivatives(
+        &self,
+        states: (&[Row], Option<&[Row]>),
+        pattern: &Couplings,
+        blocks: &mut [Coupling],
+        threads: usize,
+    );
+
+    /// `Σⱼ |K_ij|` over the unknowns at a state, or a bound of it, without a matrix; false where none is known.
+    fn row_sums(&self, _rows: &[Row], _unknowns: &Unknowns, _out: &mut [f64]) -> bool {
+        false
+    }
+
+    /// The least of present over reference length of whole bonds, and the node that has it.
+    fn shortest(&self, rows: &[Row]) -> (usize, f64);
 
     /// Memory of the bonds \[bytes\].
     fn bytes(&self) -> usize;

@@ -113,6 +113,11 @@
 //! triangle has one sampling point for half the area and many of them lock. [`Cloud::check`] refuses what no operator
 //! can be built on, with particle or cell, value, bound and repair ([`SpaceError`]).
 //!
+//! # Blocks
+//!
+//! A [`Block`] is the nodes of a solid, each with a volume and, at the border of the box, with its share of the faces. A
+//! [`BlockLattice`] places them, [`Block::without`] cuts holes.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -128,6 +133,7 @@
 //! | flat clouds: `Σ r·X = 2ΣA`, `Σ r = 0` | `flat_clouds_obey_the_divergence_theorem` (tests/clouds.rs) |
 //! | kernels: integral one, slope the derivative, smooth end | `every_kernel_integrates_to_one`, `every_slope_is_the_derivative_of_the_value`, `every_kernel_falls_smoothly_to_zero_at_its_support` (src/kernel.rs) |
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
+//! | volumes of a block sum to its box, shares of a face to its area | `volumes_and_faces_sum_to_those_of_the_box` (tests/blocks.rs) |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -140,7 +146,7 @@ mod random;
 mod sampling;
 mod surface;
 
-pub use block::Block;
+pub use block::{Block, BlockLattice, CutOut, NodePlaces};
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;

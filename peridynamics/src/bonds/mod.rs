@@ -2,12 +2,15 @@
 
 pub(crate) mod breaking;
 pub(crate) mod correction;
+pub(crate) mod couplings;
 pub(crate) mod families;
 pub(crate) mod forces;
 pub(crate) mod fragments;
 pub(crate) mod limits;
+mod linearised;
 pub(crate) mod network;
 pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;
+mod tangent;
 pub(crate) mod whole;
 mod work;

@@ -2,6 +2,7 @@
 
 use super::breaking::Breaking;
 use super::correction::weights;
+use super::couplings::{Coupling, Couplings};
 use super::families::{Families, Nodes};
 use super::forces::{Scratch, Wanted};
 use super::fragments::fragments;
@@ -9,15 +10,13 @@ use super::limits::Lattice;
 use super::network::{Network, Row};
 use super::repulsion::{Repulsion, Touching};
 use crate::error::SolidError;
-use crate::formulation::{Formulation, Law};
+use crate::formulation::Formulation;
 use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
+use crate::unknowns::Unknowns;
 use nalgebra::Matrix3;
 use sph_core::Block;
-
-/// Poisson's ratios this close are equal.
-const SAME: f64 = 1e-9;
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
@@ -39,11 +38,7 @@ impl SolidBonds {
         formulation: &Formulation,
         breakage: &Breakage,
     ) -> Result<Self, SolidError> {
-        let moduli = material.moduli(formulation.space)?;
-        let pairwise = formulation.space.pairwise_poisson();
-        if formulation.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
-            return Err(SolidError::Pairwise(material.poisson, pairwise));
-        }
+        let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
@@ -110,6 +105,29 @@ impl Mechanics for SolidBonds {
     fn break_bonds(&mut self, rows: &[Row]) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
         breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref())
+    }
+
+    fn couplings(&self) -> Couplings {
+        self.network.couplings()
+    }
+
+    fn second_derivatives(
+        &self,
+        (rows, stressed): (&[Row], Option<&[Row]>),
+        pattern: &Couplings,
+        blocks: &mut [Coupling],
+        threads: usize,
+    ) {
+        self.network.linearised(rows, stressed).second_derivatives(pattern, blocks, threads);
+    }
+
+    fn row_sums(&self, rows: &[Row], unknowns: &Unknowns, out: &mut [f64]) -> bool {
+        self.network.linearised(rows, None).row_sums(unknowns, out);
+        true
+    }
+
+    fn shortest(&self, rows: &[Row]) -> (usize, f64) {
+        self.network.shortest(rows)
     }
 
     fn bytes(&self) -> usize {

@@ -1,5 +1,11 @@
 //! Blocks of nodes: solids in a plane or in space.
 
+mod cut_out;
+mod lattice;
+
+pub use cut_out::CutOut;
+pub use lattice::{BlockLattice, NodePlaces};
+
 use crate::Vec3;
 use crate::surface::cell::Cell;
 
@@ -12,12 +18,12 @@ pub struct Block {
     pub positions: Vec<Vec3>,
     /// Volumes \[L³\]; in a plane area times thickness.
     pub volumes: Vec<f64>,
-    /// Spacing of nodes along each axis \[L\]; in a plane the last is the thickness.
+    /// Greatest spacing of nodes along each axis \[L\]; in a plane the last is the thickness.
     pub spacing: [f64; 3],
     /// Quadrangles between nodes of a plane lattice, for pictures; none in space.
     pub cells: Vec<Cell>,
     /// Nodes with their share \[L²\] of each face of the box round it: x0, x1, y0, y1, z0, z1. On a face of a lattice of
-    /// cell centres lies the outermost row.
+    /// cell centres lies the outermost row. Where it is plane all nodes lie on z0 and z1.
     pub faces: [Vec<(u32, f64)>; 6],
 }
 

@@ -1,0 +1,304 @@
+//! A peridynamic body whose equilibria are sought: its unknowns, forces and tangent, held sets moved by level.
+
+use std::cell::OnceCell;
+use std::ops::DerefMut;
+
+use explicit_dynamics::Instant;
+use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
+use sph_core::Vec3;
+
+use crate::Solid;
+use crate::bonds::couplings::{Coupling, Couplings, product, transposed_product};
+use crate::bonds::network::Row;
+use crate::solid::vector;
+use crate::unknowns::Unknowns;
+
+/// Present over reference length of a bond below which a state is refused.
+const SHORTEST: f64 = 0.1;
+
+/// A peridynamic body with what Newton's method and relaxation need.
+///
+/// Built only when a static analysis asks for it. The body is its own, or lent (`&mut Solid`) for a look at the tangent of
+/// a state. Bonds break in [`Equilibrium::accept`] alone: a state that is kept breaks the bonds that it stretches beyond
+/// their limits, and the next level finds the balance without them. Broken bonds stay broken, whatever state is restored.
+pub struct StaticSolid<S = Box<Solid>> {
+    solid: S,
+    unknowns: Unknowns,
+    /// Which rows couple; found when a tangent is first asked for.
+    couplings: OnceCell<Couplings>,
+    /// Rows with a prescribed displacement.
+    moved: Vec<u32>,
+}
+
+impl StaticSolid {
+    /// Numbers the free degrees of freedom of a body. What its supports move goes with the level.
+    pub fn new(solid: Solid) -> Self {
+        let moved = solid.constraints.moved().map(|(row, _)| row as u32).collect();
+        Self { moved, ..Self::lent(Box::new(solid)) }
+    }
+}
+
+impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
+    /// The same of a body that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
+    /// of prescribed values too.
+    pub fn lent(solid: S) -> Self {
+        let unknowns = Unknowns::new(&solid.constraints, solid.len(), solid.block.greatest_spacing());
+        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new() }
+    }
+
+    /// The body in its present state; its forces are those last evaluated.
+    pub fn solid(&self) -> &Solid {
+        &self.solid
+    }
+
+    /// The same, to put it into another state; whatever is evaluated is that of the state before.
+    pub fn solid_mut(&mut self) -> &mut Solid {
+        &mut self.solid
+    }
+
+    /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
+    pub fn evaluate(&mut self, level: f64) {
+        self.put(level);
+        self.solid.evaluate_internal(true);
+        self.external_at(level);
+    }
+
+    /// The mean displacement of nodes along a direction, as weights of the unknowns: what displacement control prescribes.
+    pub fn functional(&self, nodes: &[u32], direction: Vec3) -> Vec<f64> {
+        let mut weights = vec![0.0; self.unknowns.count()];
+        let share = direction.normalize() / nodes.len() as f64;
+        for &node in nodes {
+            for unknown in self.unknowns.of(node as usize) {
+                weights[unknown] += self.unknowns.direction(unknown).dot(&share);
+            }
+        }
+        weights
+    }
+
+    fn couplings(&self) -> &Couplings {
+        self.couplings.get_or_init(|| self.solid.mechanics.couplings())
+    }
+
+    /// Second derivatives of the stored energy at the present state, with the stresses of another one if it is given.
+    fn blocks(&mut self, stressed: Option<&[Row]>) -> Vec<Coupling> {
+        let mut blocks = vec![[[0.0; 3]; 3]; self.couplings().columns.len()];
+        let solid = &*self.solid;
+        let pattern = self.couplings();
+        solid.mechanics.second_derivatives((&solid.rows, stressed), pattern, &mut blocks, solid.threads);
+        blocks
+    }
+
+    /// Visits pairs of unknowns `(row, column ≤ row)` that share a block; tells the number of the block.
+    fn pairs(&self, mut visit: impl FnMut(usize, usize, usize)) {
+        let couplings = self.couplings();
+        for a in 0..couplings.len() {
+            for block in couplings.of(a) {
+                let b = couplings.columns[block] as usize;
+                for row in self.unknowns.of(a) {
+                    for column in self.unknowns.of(b).filter(|&column| column <= row) {
+                        visit(block, row, column);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Entries between the unknowns from the blocks, in the order of the pattern.
+    fn assemble(&self, blocks: &[Coupling], values: &mut [f64]) {
+        let mut next = values.iter_mut();
+        self.pairs(|block, row, column| {
+            let (left, right) = (self.unknowns.direction(row), self.unknowns.direction(column));
+            if let Some(slot) = next.next() {
+                *slot = left.dot(&product(&blocks[block], right));
+            }
+        });
+    }
+
+    /// Puts prescribed values where a level has them.
+    fn put(&mut self, level: f64) {
+        let solid = &mut *self.solid;
+        for &row in &self.moved {
+            if let Some(constraint) = solid.constraints.get(row as usize) {
+                constraint.put(Instant { time: 0.0, level }, &mut solid.rows[row as usize]);
+            }
+        }
+    }
+
+    fn external_at(&mut self, level: f64) {
+        self.solid.evaluate_external(Instant { time: 0.0, level });
+    }
+
+    /// Rates of a row's prescribed displacement per unit of level.
+    fn prescribed_rate(&self, row: usize) -> Vec3 {
+        let at = Instant { time: 0.0, level: 1.0 };
+        self.solid.constraints.get(row).map_or_else(Vec3::zeros, |constraint| constraint.displacement(at))
+    }
+
+    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
+    fn level_rates(&mut self, level: f64) -> Vec<Vec3> {
+        self.put(level);
+        self.external_at(1.0);
+        let count = self.solid.rows.len();
+        let mut rates = vec![Vec3::zeros(); count];
+        for &row in &self.moved {
+            rates[row as usize] = self.prescribed_rate(row as usize);
+        }
+        let mut rows: Vec<Vec3> = (0..count).map(|row| self.solid.external_force(row)).collect();
+        let blocks = self.blocks(None);
+        let couplings = self.couplings();
+        for a in 0..count {
+            for number in couplings.of(a) {
+                let (b, block) = (couplings.columns[number] as usize, &blocks[number]);
+                rows[a] -= product(block, &rates[b]);
+                if a != b {
+                    rows[b] -= transposed_product(block, &rates[a]);
+                }
+            }
+        }
+        rows
+    }
+}
+
+impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
+    fn unknowns(&self) -> usize {
+        self.unknowns.count()
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        let mut out = Vec::new();
+        self.pairs(|_, row, column| out.push((row, column)));
+        out
+    }
+
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
+        self.solid.evaluate_internal(false);
+        self.unknowns.project(|row| vector(&self.solid.internal[row]), out);
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
+        self.external_at(level);
+        self.unknowns.project(|row| self.solid.external_force(row), out);
+    }
+
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        // Loads are proportional to the level.
+        if self.moved.is_empty() {
+            return self.external(1.0, out);
+        }
+        let rows = self.level_rates(level);
+        self.unknowns.project(|row| rows[row], out);
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.put(level);
+        let blocks = self.blocks(None);
+        self.assemble(&blocks, values);
+    }
+
+    fn held_values_move(&self) -> bool {
+        !self.moved.is_empty()
+    }
+
+    /// Breaks the bonds that the state stretches beyond their limits; those left whole are within them, so that a second
+    /// call finds none.
+    fn accept(&mut self) {
+        self.solid.break_beyond_limits();
+    }
+
+    /// Without a matrix: exact where no dilatation counts, else a bound. All unknowns of a node take the largest of theirs,
+    /// since the stiff directions turn with the body.
+    fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
+        let solid = &*self.solid;
+        if !solid.mechanics.row_sums(&solid.rows, &self.unknowns, out) {
+            let pattern = self.pattern();
+            let mut values = vec![0.0; pattern.len()];
+            self.tangent(level, &mut values);
+            row_sums(&pattern, &values, out);
+        }
+        for row in 0..self.solid.rows.len() {
+            let own = &mut out[self.unknowns.of(row)];
+            let largest = own.iter().copied().fold(0.0, f64::max);
+            own.fill(largest);
+        }
+    }
+
+    fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
+        let rest = self.save();
+        self.update(motion);
+        self.put(level);
+        let stressed = self.solid.rows.clone();
+        self.restore(&rest);
+        let blocks = self.blocks(Some(&stressed));
+        self.assemble(&blocks, values);
+        true
+    }
+
+    fn driving_force(&self) -> f64 {
+        let along = |&row: &u32| {
+            let row = row as usize;
+            let way = self.prescribed_rate(row);
+            let force = vector(&self.solid.internal[row]);
+            if way.norm() > 0.0 { force.dot(&way.normalize()).powi(2) } else { 0.0 }
+        };
+        self.moved.iter().map(along).sum::<f64>().sqrt()
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        for (row, place) in self.solid.rows.iter_mut().enumerate() {
+            for unknown in self.unknowns.of(row) {
+                let direction = self.unknowns.direction(unknown);
+                (0..3).for_each(|k| place[k] += increment[unknown] * direction[k]);
+            }
+        }
+    }
+
+    /// Positions and directors; bonds that broke are not among them, they stay broken.
+    fn save(&self) -> Vec<f64> {
+        self.solid.rows.iter().flat_map(|row| [row[0], row[1], row[2]]).collect()
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        for (row, from) in self.solid.rows.iter_mut().zip(saved.chunks_exact(3)) {
+            row[..3].copy_from_slice(from);
+        }
+    }
+
+    fn energy(&mut self) -> f64 {
+        self.solid.evaluate_internal(true);
+        self.solid.internal_energy
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        let of = |unknown: usize| {
+            let (row, direction) = self.unknowns.find(unknown);
+            self.solid.masses[row] * direction.norm_squared()
+        };
+        (0..self.unknowns.count()).map(of).collect()
+    }
+
+    fn name_unknown(&self, unknown: usize) -> String {
+        let (row, direction) = self.unknowns.find(unknown);
+        let (node, n) = (row % self.solid.len(), direction.normalize());
+        let x = self.solid.rest[node];
+        let what = if row < self.solid.len() { "moving" } else { "its director turning" };
+        format!(
+            "node {node} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
+            x.x, x.y, x.z, n.x, n.y, n.z
+        )
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        match self.solid.mechanics.shortest(&self.solid.rows) {
+            (node, ratio) if ratio < SHORTEST => Err(OutOfBounds {
+                place: format!("the shortest bond of node {node}"),
+                what: "present length over that at rest",
+                value: ratio,
+                bound: "0.1 at least: nodes are about to pass through each other",
+            }),
+            _ => Ok(()),
+        }
+    }
+}
