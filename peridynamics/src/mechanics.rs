@@ -33,6 +33,12 @@ pub(crate) trait Mechanics: Send {
         false
     }
 
+    /// Whether the stiff directions of a body stay about where they are at rest, as those of a thin plate do: its deflection is
+    /// softer than its plane, and a relaxation may move it with less mass.
+    fn keeps_directions(&self) -> bool {
+        false
+    }
+
     /// The least of present over reference length of whole bonds, and the node that has it.
     fn shortest(&self, rows: &[Row]) -> (usize, f64);
 

@@ -129,6 +129,10 @@ impl Mechanics for Plate {
         self.hessian(states, pattern, blocks, threads);
     }
 
+    fn keeps_directions(&self) -> bool {
+        true
+    }
+
     fn shortest(&self, rows: &[Row]) -> (usize, f64) {
         self.shortest_bond(rows)
     }
