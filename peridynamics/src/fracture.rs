@@ -2,6 +2,8 @@
 
 use sph_core::Vec3;
 
+use crate::contact::Contact;
+
 /// When bonds break.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fracture {
@@ -34,4 +36,18 @@ pub enum Crack {
     Segment([Vec3; 2]),
     /// A plane convex polygon in space, corners in order.
     Polygon(Vec<Vec3>),
+}
+
+/// All that breaks a body.
+pub(crate) struct Breakage {
+    pub fracture: Option<Fracture>,
+    pub cracks: Vec<Crack>,
+    pub contact: Option<Contact>,
+}
+
+impl Breakage {
+    /// Whether a bond is, or may be, broken.
+    pub fn breaks(&self) -> bool {
+        self.fracture.is_some() || !self.cracks.is_empty() || self.contact.is_some()
+    }
 }

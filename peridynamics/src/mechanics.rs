@@ -1,5 +1,7 @@
 //! What resists: bonds between nodes, or two sheets of bonds on directors.
 
+use nalgebra::Matrix3;
+
 use crate::bonds::couplings::{Coupling, Couplings};
 use crate::bonds::network::Row;
 use crate::unknowns::Unknowns;
@@ -12,8 +14,8 @@ pub(crate) trait Mechanics: Send {
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
-    /// Breaks the bonds noted in the last evaluation; returns the energy they held \[F L\].
-    fn break_bonds(&mut self) -> f64;
+    /// Breaks the bonds noted in the last evaluation of these rows; returns the energy that the body lost \[F L\].
+    fn break_bonds(&mut self, rows: &[Row]) -> f64;
 
     /// Pairs of rows with second derivatives, by the bonds that are whole now.
     fn couplings(&self) -> Couplings;
@@ -47,6 +49,37 @@ pub(crate) trait Mechanics: Send {
 
     /// Directed bonds.
     fn bonds(&self) -> usize;
+
+    /// Bound of what contact adds to eigenvalues of the mass-scaled stiffness \[1/T²\].
+    fn contact_spectrum(&self) -> f64 {
+        0.0
+    }
+
+    /// The broken part of a node's family, by volume: zero whole, one free.
+    fn damage(&self, node: usize) -> f64;
+
+    /// The damage of a column in the upper sheet and in the lower one; none but of a plate of two.
+    fn damage_of_sheets(&self, _node: usize) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// Energy that the broken bonds of a node held, half of each bond's \[F L\].
+    fn fracture_energy(&self, node: usize) -> f64;
+
+    /// Energy stored in the bonds of a node, for the rows last evaluated \[F L\].
+    fn stored(&self, rows: &[Row], node: usize) -> f64;
+
+    /// Volume times stress of a node, for the rows last evaluated \[F L\].
+    fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64>;
+
+    /// Nodes of each fragment.
+    fn fragments(&self) -> Vec<usize>;
+
+    /// Arrays of all that changes as bonds break.
+    fn broken(&self) -> [Vec<f64>; 3];
+
+    /// Takes up such arrays of the same body; false, and nothing changed, for those of another.
+    fn take_up(&mut self, broken: [&[f64]; 3]) -> bool;
 }
 
 /// What an evaluation does.

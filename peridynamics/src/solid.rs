@@ -8,6 +8,7 @@ use crate::bonds::solid_bonds::SolidBonds;
 use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
+use crate::fracture::Breakage;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
@@ -47,15 +48,16 @@ impl Solid {
     /// [`SolidError`] for the first part that is unsound.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
         let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
+        let breakage = Breakage { fracture: parts.fracture, cracks: parts.cracks, contact: parts.contact };
         let mut rest = block.positions.clone();
         let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
             Carrier::Bonds(bonds) => {
                 let across = (block.dimensions == 2).then(Vec3::z);
-                (Box::new(SolidBonds::new(&block, &material, bonds)?), bonds.space, across)
+                (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
             }
             Carrier::Sheets(sheets) => {
-                let (plate, directors) = Plate::new(&block, &material, sheets)?;
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
                 (Box::new(plate), sheets.formulation.space, None)
@@ -199,7 +201,7 @@ impl Solid {
     pub(crate) fn break_beyond_limits(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        self.released += self.mechanics.break_bonds();
+        self.released += self.mechanics.break_bonds(&self.rows);
     }
 
     /// The loads at an instant.

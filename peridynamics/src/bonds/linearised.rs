@@ -2,7 +2,8 @@
 
 use sph_core::Vec3;
 
-use super::network::{LANES, Network, Row};
+use super::network::{Network, Row};
+use super::whole::Bond;
 
 /// Least length of a present bond \[L\]: one that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-300;
@@ -49,32 +50,16 @@ impl Linearised<'_> {
     }
 }
 
-/// A bond of the network at rest.
-struct Whole {
-    other: u32,
-    length: f64,
-    stiffness: f64,
-    own: f64,
-    twin: f64,
-}
-
 impl Network {
     /// Whole bonds of a node, others ascending: those with a stiffness or a share in a dilatation.
-    fn whole(&self, node: usize) -> impl Iterator<Item = Whole> {
-        let lanes = self.packs_of(node).flat_map(|pack| (0..LANES).map(move |lane| (pack, lane)));
-        let bond = |(pack, lane): (usize, usize)| Whole {
-            other: self.others[pack][lane],
-            length: self.lengths[pack][lane],
-            stiffness: self.stiffness[pack][lane],
-            own: self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.own[pack][lane]),
-            twin: self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.twin[pack][lane]),
-        };
-        lanes.map(bond).filter(|bond| bond.stiffness != 0.0 || bond.own != 0.0 || bond.twin != 0.0)
+    fn whole(&self, node: usize) -> impl Iterator<Item = Bond> {
+        let carries = |bond: &Bond| bond.stiffness != 0.0 || bond.shares != [0.0; 2];
+        self.lanes_of(node).map(|lane| self.bond(lane)).filter(carries)
     }
 
     /// The other ends of a node's whole bonds, ascending.
     pub fn neighbours(&self, node: usize) -> impl Iterator<Item = u32> {
-        self.whole(node).map(|bond| bond.other)
+        self.whole(node).map(|bond| bond.other as u32)
     }
 
     /// The factors of the dilatations, if any of them counts.
@@ -94,12 +79,13 @@ impl Network {
         let dilatations = self.stressed_dilatations(pulling);
         for node in 0..self.len() {
             let hat = |node: usize| dilatations.get(node).copied().unwrap_or(0.0);
-            for Whole { other, length, stiffness, own, twin } in self.whole(node) {
-                let far = other as usize;
-                let (now, there) = (present(rows, node, far), present(pulling, node, far));
-                let (y, extension) = (now.norm().max(COLLAPSED), there.norm() - length);
-                let pull = stiffness * extension + (own * hat(node) + twin * hat(far));
+            for bond in self.whole(node) {
+                let Bond { other, stiffness, shares: [own, twin], .. } = bond;
+                let now = bond.between(node, rows);
+                let y = now.norm().max(COLLAPSED);
+                let pull = stiffness * bond.extension(node, pulling) + (own * hat(node) + twin * hat(other));
                 let (direction, across) = (now / y, pull / y);
+                let other = other as u32;
                 out.bonds.push(LinearisedBond { other, stiffness, own, twin, direction, across });
             }
             out.starts.push(out.bonds.len() as u32);
@@ -110,7 +96,7 @@ impl Network {
     /// The least of present over reference length of whole bonds, and the node that has it.
     pub fn shortest(&self, rows: &[Row]) -> (usize, f64) {
         let of = |node: usize| {
-            let ratio = |bond: Whole| present(rows, node, bond.other as usize).norm() / bond.length;
+            let ratio = |bond: Bond| bond.between(node, rows).norm() / bond.length;
             (node, self.whole(node).map(ratio).fold(f64::INFINITY, f64::min))
         };
         (0..self.len())
@@ -122,15 +108,9 @@ impl Network {
     fn stressed_dilatations(&self, rows: &[Row]) -> Vec<f64> {
         let Some(dilatation) = &self.dilatation else { return Vec::new() };
         let of = |node: usize| {
-            let share =
-                |bond: Whole| bond.own * (present(rows, node, bond.other as usize).norm() - bond.length);
+            let share = |bond: Bond| bond.shares[0] * bond.extension(node, rows);
             dilatation.factors[node] * self.whole(node).map(share).sum::<f64>()
         };
         (0..self.len()).map(of).collect()
     }
-}
-
-/// From one node to another at a state.
-fn present(rows: &[Row], from: usize, to: usize) -> Vec3 {
-    Vec3::from_fn(|k, _| rows[to][k] - rows[from][k])
 }

@@ -1,10 +1,16 @@
-//! Bonds: families of nodes, what corrects their weights, and the forces they carry.
+//! Bonds: families of nodes, what corrects their weights, the forces they carry, and how they break.
 
+pub(crate) mod breaking;
 pub(crate) mod correction;
 pub(crate) mod couplings;
 pub(crate) mod families;
 pub(crate) mod forces;
+pub(crate) mod fragments;
+pub(crate) mod limits;
 mod linearised;
 pub(crate) mod network;
+pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;
 mod tangent;
+pub(crate) mod whole;
+mod work;

@@ -1,30 +1,43 @@
 //! Bonds between the nodes of a solid, as its mechanics.
 
+use super::breaking::Breaking;
 use super::correction::weights;
 use super::couplings::{Coupling, Couplings};
 use super::families::{Families, Nodes};
-use super::forces::{Scratch, Wanted, Watch};
+use super::forces::{Scratch, Wanted};
+use super::fragments::fragments;
+use super::limits::Lattice;
 use super::network::{Network, Row};
+use super::repulsion::{Repulsion, Touching};
 use crate::error::SolidError;
 use crate::formulation::Formulation;
+use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::unknowns::Unknowns;
+use nalgebra::Matrix3;
 use sph_core::Block;
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
     pub network: Network,
     scratch: Scratch,
-    watch: Option<Watch>,
+    /// Which bonds are whole; none where nothing breaks.
+    breaking: Option<Breaking>,
+    contact: Option<Repulsion>,
 }
 
 impl SolidBonds {
     /// Joins the nodes of a block.
     ///
     /// # Errors
-    /// [`SolidError`] for the material, the horizon, the nodes, and a body in space without thickness.
-    pub fn new(block: &Block, material: &Elastic, formulation: &Formulation) -> Result<Self, SolidError> {
+    /// [`SolidError`] for the material, the horizon, the nodes, a body in space without thickness, and for what breaks it.
+    pub fn new(
+        block: &Block,
+        material: &Elastic,
+        formulation: &Formulation,
+        breakage: &Breakage,
+    ) -> Result<Self, SolidError> {
         let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
@@ -34,15 +47,32 @@ impl SolidBonds {
         }
         let thickness = if moduli.dimensions == 2 { block.spacing[2] } else { 1.0 };
         let weights = weights(&families, &block.positions, formulation, &moduli, thickness);
-        let network = Network::new(&families, &weights, &block.volumes, &moduli);
+        let mut network = Network::new(&families, &weights, &block.volumes, &moduli);
         let scratch = Scratch::new(&network);
-        Ok(Self { network, scratch, watch: None })
+        let mut breaking = breakage.breaks().then(|| Breaking::new(&network, &families, &block.volumes));
+        if let Some(breaking) = &mut breaking {
+            for (number, crack) in breakage.cracks.iter().enumerate() {
+                let cut = crack.cut(number, moduli.dimensions)?;
+                if breaking.cut(&mut network, &block.positions, &cut) == 0 {
+                    return Err(SolidError::Crack { number, problem: "cuts no bond; move it into the body" });
+                }
+            }
+            if let Some(fracture) = &breakage.fracture {
+                let lattice = Lattice { formulation, moduli: &moduli, spacing: block.spacing };
+                breaking.limit(&network, lattice.limit(&fracture.criterion)?, &fracture.unbreakable)?;
+            }
+        }
+        let lengths = [spacing, families.horizon, thickness];
+        let contact = breakage.contact.as_ref();
+        let contact =
+            contact.map(|c| Repulsion::new(c, &moduli, material, &block.volumes, lengths)).transpose()?;
+        Ok(Self { network, scratch, breaking, contact })
     }
 }
 
 /// Whether all nodes lie in a plane through the first bonds.
 fn flat(families: &Families, block: &Block) -> bool {
-    let spread = block.positions.iter().fold(nalgebra::Matrix3::zeros(), |sum, x| {
+    let spread = block.positions.iter().fold(Matrix3::zeros(), |sum, x| {
         let from = x - block.positions[0];
         sum + from * from.transpose()
     });
@@ -54,12 +84,23 @@ fn flat(families: &Families, block: &Block) -> bool {
 impl Mechanics for SolidBonds {
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64 {
         let Evaluation { energy, watch, threads } = wanted;
-        let watch = self.watch.as_ref().filter(|_| watch);
-        self.network.evaluate(rows, forces, &mut self.scratch, Wanted { energy, watch, threads })
+        let limit = self.breaking.as_ref().and_then(|breaking| breaking.watch.as_ref()).filter(|_| watch);
+        let wanted = Wanted { energy, watch: limit, threads };
+        let mut stored = self.network.evaluate(rows, forces, &mut self.scratch, wanted);
+        let Some(breaking) = &mut self.breaking else { return stored };
+        if let Some(works) = breaking.works.as_mut().filter(|_| watch) {
+            works.add(&self.network, rows, threads);
+        }
+        if let Some(contact) = &mut self.contact {
+            let body = Touching { network: &self.network, bonds: &breaking.bonds, rows, threads };
+            stored += contact.add(&body, forces);
+        }
+        stored
     }
 
-    fn break_bonds(&mut self) -> f64 {
-        0.0
+    fn break_bonds(&mut self, rows: &[Row]) -> f64 {
+        let Some(breaking) = &mut self.breaking else { return 0.0 };
+        breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref())
     }
 
     fn couplings(&self) -> Couplings {
@@ -86,10 +127,48 @@ impl Mechanics for SolidBonds {
     }
 
     fn bytes(&self) -> usize {
-        self.network.bytes()
+        self.network.bytes() + self.breaking.as_ref().map_or(0, Breaking::bytes)
     }
 
     fn bonds(&self) -> usize {
         self.network.bonds
+    }
+
+    fn contact_spectrum(&self) -> f64 {
+        self.contact.as_ref().map_or(0.0, Repulsion::spectrum)
+    }
+
+    fn damage(&self, node: usize) -> f64 {
+        self.breaking.as_ref().map_or(0.0, |breaking| breaking.damage(&self.network, node))
+    }
+
+    fn fracture_energy(&self, node: usize) -> f64 {
+        self.breaking.as_ref().map_or(0.0, |breaking| breaking.energy(node))
+    }
+
+    fn stored(&self, rows: &[Row], node: usize) -> f64 {
+        self.network.stored(rows, node)
+    }
+
+    fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64> {
+        self.network.virial(rows, node)
+    }
+
+    fn fragments(&self) -> Vec<usize> {
+        match &self.breaking {
+            Some(breaking) => fragments(&self.network, |lane| breaking.bonds.is_whole(lane)),
+            None => fragments(&self.network, |_| true),
+        }
+    }
+
+    fn broken(&self) -> [Vec<f64>; 3] {
+        self.breaking.as_ref().map_or_else(Default::default, Breaking::state)
+    }
+
+    fn take_up(&mut self, broken: [&[f64]; 3]) -> bool {
+        match &mut self.breaking {
+            Some(breaking) => breaking.take_up(&mut self.network, broken),
+            None => broken.iter().all(|array| array.is_empty()),
+        }
     }
 }

@@ -19,7 +19,7 @@ impl Dynamics for Solid {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        self.released += self.mechanics.break_bonds();
+        self.released += self.mechanics.break_bonds(&self.rows);
         let half = 0.5 * step.damping * step.kick;
         let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
         let mut work = Work::default();
@@ -70,7 +70,14 @@ impl Dynamics for Solid {
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
-        lanczos_step(self, safety)
+        let StableStep { dt, holds } = lanczos_step(self, safety)?;
+        // Contact may come at any time; its eigenvalues add to those found, λ = (2 safety/Δt)², at most.
+        let contact = self.mechanics.contact_spectrum();
+        if contact == 0.0 {
+            return Ok(StableStep { dt, holds });
+        }
+        let found = (2.0 * safety / dt).powi(2);
+        Ok(StableStep { dt: 2.0 * safety / (found + contact).sqrt(), holds })
     }
 
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {

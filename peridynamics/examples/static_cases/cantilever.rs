@@ -1,0 +1,182 @@
+//! A double cantilever in plane stress: two arms of height h joined ahead of a crack of length a, pulled apart at their free
+//! ends by P.
+//!
+//! ```text
+//! G = P²/(2B) dC/da = 12 P² a²/(E B² h³) (1 + 0.677 h/a)²          C = opening/P, B the thickness      [suo1992]
+//! ```
+
+use std::error::Error;
+
+use implicit_statics::{Equilibrium, Newton, NewtonOptions, linear_response};
+use peridynamics::{Correction, Crack, Criterion, Elastic, Fracture, Law, Parts, Solid, Space, StaticSolid};
+use sph_core::{Block, Vec3};
+
+use crate::blocks::{formulation, held, lattice, moved, nodes, parts, pulled, system};
+
+const YOUNG: f64 = 1.0;
+/// Height of an arm, and the thickness.
+const ARM: f64 = 1.0;
+const LENGTH: f64 = 12.0;
+/// Energy of a unit area of crack; so little that arms hardly turn.
+const TOUGHNESS: f64 = 1e-7;
+/// Crack at the start.
+const START: f64 = 4.0;
+
+/// A double cantilever and how it is resolved.
+#[derive(Clone, Copy, Debug)]
+pub struct Cantilever {
+    /// What bonds feel.
+    pub law: Law,
+    /// Spacings across an arm.
+    pub across: usize,
+}
+
+/// The energy release rate by compliance, over that of the closed form, at one crack length.
+#[derive(Clone, Copy, Debug)]
+pub struct Released {
+    /// Crack length over arm height.
+    pub crack: f64,
+    /// G by compliance over the closed form.
+    pub ratio: f64,
+}
+
+/// A crack that grows under prescribed opening.
+#[derive(Clone, Debug)]
+pub struct Grown {
+    /// G by compliance over the input where bonds break, from the first step of the crack on.
+    pub rates: Vec<f64>,
+    /// How far the tip went over the spacing.
+    pub advance: f64,
+    /// Energy of the broken bonds over that of the input for the new crack.
+    pub spent: f64,
+    /// Equilibria found.
+    pub solved: usize,
+}
+
+impl Cantilever {
+    fn spacing(&self) -> f64 {
+        ARM / self.across as f64
+    }
+
+    fn block(&self) -> Result<Block, Box<dyn Error>> {
+        let corner = Vec3::new(0.0, -ARM, 0.0);
+        Ok(lattice(2, corner, [LENGTH, 2.0 * ARM, ARM], self.spacing()).block()?)
+    }
+
+    /// The body with a crack, and the ends of its upper and lower arm.
+    fn parts(&self, crack: f64) -> Result<(Parts, [Vec<u32>; 2]), Box<dyn Error>> {
+        let (block, dx) = (self.block()?, self.spacing());
+        let end = |side: f64| nodes(&block, |x| x.x < dx && side * x.y > 0.0);
+        let ends = [end(1.0), end(-1.0)];
+        let far = nodes(&block, |x| x.x > LENGTH - dx);
+        let poisson = if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.3 };
+        let material = Elastic { young: YOUNG, poisson, density: 1.0 };
+        let formulation = formulation(Space::PlaneStress, self.law, Correction::Even);
+        let mut parts = parts(block, material, formulation);
+        parts.supports = vec![held(far, &[Vec3::x(), Vec3::y()])];
+        parts.cracks = vec![Crack::Segment([Vec3::new(-1.0, 0.0, 0.0), Vec3::new(crack, 0.0, 0.0)])];
+        Ok((parts, ends))
+    }
+
+    /// Opening of the ends under a unit force each.
+    fn compliance(&self, crack: f64) -> Result<f64, Box<dyn Error>> {
+        let (mut parts, [up, down]) = self.parts(crack)?;
+        parts.loads = vec![pulled(&up, Vec3::y()), pulled(&down, -Vec3::y())];
+        let mut system = system(parts)?;
+        let answer = linear_response(&mut system, 0.0)?;
+        let along = |ends: &[u32]| -> f64 {
+            system.functional(ends, Vec3::y()).iter().zip(&answer).map(|(c, u)| c * u).sum()
+        };
+        Ok(along(&up) - along(&down))
+    }
+
+    /// Compliances at crack lengths from the start, half an arm apart.
+    fn compliances(&self) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
+        (0..9)
+            .map(|k| START - 0.5 + 0.5 * f64::from(k))
+            .map(|crack| Ok([crack, self.compliance(crack)?]))
+            .collect()
+    }
+
+    /// The energy release rate by differences of compliance beside the closed form.
+    ///
+    /// # Errors
+    /// A body or a system that is refused.
+    pub fn released(&self) -> Result<Vec<Released>, Box<dyn Error>> {
+        let table = self.compliances()?;
+        let one = |three: &[[f64; 2]]| {
+            // The force acts in the middle of the first column.
+            let a = three[1][0] - 0.5 * self.spacing();
+            let slope = (three[2][1] - three[0][1]) / (three[2][0] - three[0][0]);
+            let closed = 12.0 * a * a / (YOUNG * ARM.powi(5)) * (1.0 + 0.677 * ARM / a).powi(2);
+            Released { crack: a / ARM, ratio: slope / (2.0 * ARM) / closed }
+        };
+        Ok(table.windows(3).map(one).collect())
+    }
+
+    /// Opens the ends until the crack has grown by an arm, breaking bonds whose stretch asks for the given energy.
+    ///
+    /// # Errors
+    /// A body or a system that is refused, an equilibrium that is not found.
+    pub fn grown(&self) -> Result<Grown, Box<dyn Error>> {
+        let table = self.compliances()?;
+        let (mut parts, [up, down]) = self.parts(START)?;
+        let start = (START - 0.5 * self.spacing()) / ARM;
+        // The opening at which a beam releases the energy at the start.
+        let opening = (16.0 * TOUGHNESS * start.powi(4) * ARM / (3.0 * YOUNG)).sqrt();
+        parts.supports.push(moved(up.clone(), Vec3::y(), 0.5 * opening));
+        parts.supports.push(moved(down, Vec3::y(), -0.5 * opening));
+        let criterion = Criterion::EnergyByStretch(TOUGHNESS);
+        parts.fracture = Some(Fracture { criterion, unbreakable: Vec::new() });
+        let mut system = StaticSolid::new(Solid::new(parts)?);
+        let tip = |system: &StaticSolid| {
+            let body = system.solid();
+            let cracked = |&a: &usize| {
+                let x = body.block().positions[a];
+                x.y.abs() < self.spacing() && body.damage(a) > 0.35
+            };
+            let along = (0..body.len()).filter(cracked).map(|a| body.block().positions[a].x);
+            along.fold(0.0, f64::max)
+        };
+        let mut newton = Newton::new(&system, &NewtonOptions::default())?;
+        let (from, spent_before) = (tip(&system), spent(&system));
+        let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.8);
+        while tip(&system) < from + ARM {
+            let mut broke = false;
+            loop {
+                let broken = system.solid().broken()[0].len();
+                newton.at_level(&mut system, level)?;
+                solved += 1;
+                let still = system.solid().broken()[0].len() == broken;
+                if !still && !broke && tip(&system) > from {
+                    // The forces of the balance, before its bonds broke.
+                    let force: f64 = up.iter().map(|&a| system.solid().reaction(a as usize).y).sum();
+                    rates.push(rate(&table, level * opening, force) / TOUGHNESS);
+                }
+                broke = !still;
+                if still {
+                    break;
+                }
+            }
+            level *= 1.005;
+        }
+        let advance = tip(&system) - from;
+        let spent = (spent(&system) - spent_before) / (TOUGHNESS * ARM * advance);
+        Ok(Grown { rates, advance: advance / self.spacing(), spent, solved })
+    }
+}
+
+/// Energy that the broken bonds of a body held.
+fn spent(system: &StaticSolid) -> f64 {
+    (0..system.solid().len()).map(|a| system.solid().fracture_energy(a)).sum()
+}
+
+/// `P²/(2B) dC/da` at the crack whose compliance is opening over force, by the table of compliances.
+fn rate(table: &[[f64; 2]], opening: f64, force: f64) -> f64 {
+    let compliance = opening / force;
+    // C^⅓ is all but linear in a, so that dC = 3 C^⅔ dC^⅓.
+    let place = table.partition_point(|row| row[1] < compliance).clamp(1, table.len() - 1);
+    let [before, after] = [table[place - 1], table[place]];
+    let slope = (after[1].cbrt() - before[1].cbrt()) / (after[0] - before[0]);
+    force * force / (2.0 * ARM) * 3.0 * compliance.cbrt().powi(2) * slope
+}

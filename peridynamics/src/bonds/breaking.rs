@@ -1,0 +1,236 @@
+//! Bonds that break: which are whole, what the broken ones held, and what is kept of them.
+//!
+//! A bond breaks at both ends in one step: its extension has the same bits from both. Broken, it has neither stiffness nor a
+//! share in a dilatation; weights stay those of the reference, so that the bonds left do not stiffen.
+
+use super::families::Families;
+use super::forces::{Scratch, Watch};
+use super::limits::Limit;
+use super::network::{LANES, Network, Row};
+use super::repulsion::Repulsion;
+use super::whole::{Whole, clear};
+use super::work::Works;
+use crate::cracks::Cut;
+use crate::error::SolidError;
+use crate::formulation::Volumes;
+use sph_core::Vec3;
+
+/// The bonds of a network that are whole, and what breaks them.
+#[derive(Clone, Debug)]
+pub(crate) struct Breaking {
+    pub bonds: Whole,
+    /// Bits of whole bonds that may break, and the stretches that break them; none where work does.
+    pub watch: Option<Watch>,
+    /// The work on bonds, where it breaks them.
+    pub works: Option<Works>,
+    /// Energy that the broken bonds of each node held, half of each bond's \[F L\].
+    energies: Vec<f64>,
+    volumes: Vec<f64>,
+    horizon: f64,
+    reach: f64,
+}
+
+impl Breaking {
+    /// All bonds whole, without a limit.
+    pub fn new(network: &Network, families: &Families, volumes: &[f64]) -> Self {
+        Self {
+            bonds: Whole::new(network, families),
+            watch: None,
+            works: None,
+            energies: vec![0.0; network.len()],
+            volumes: volumes.to_vec(),
+            horizon: families.horizon,
+            reach: families.reach,
+        }
+    }
+
+    /// Breaks the bonds that a crack cuts, whatever they hold; returns how many directed ones.
+    pub fn cut(&mut self, network: &mut Network, positions: &[Vec3], cut: &Cut) -> usize {
+        let mut crossed = Vec::new();
+        for node in 0..network.len() {
+            for lane in network.lanes_of(node).filter(|&lane| self.bonds.is_bond(lane)) {
+                let other = network.bond(lane).other;
+                // From the same end, whichever end asks.
+                let (a, b) = (node.min(other), node.max(other));
+                if cut.cuts(&positions[a], &positions[b]) {
+                    crossed.push(lane);
+                }
+            }
+        }
+        crossed.iter().for_each(|&lane| self.sever(network, lane));
+        crossed.len()
+    }
+
+    /// Sets the limit of all whole bonds but those with an end in `unbreakable`.
+    ///
+    /// # Errors
+    /// [`SolidError::NoSuchNode`].
+    pub fn limit(&mut self, network: &Network, limit: Limit, unbreakable: &[u32]) -> Result<(), SolidError> {
+        let mut safe = vec![false; network.len()];
+        for &node in unbreakable {
+            let what = "the unbreakable part";
+            let missing = SolidError::NoSuchNode { what, node, count: network.len() };
+            *safe.get_mut(node as usize).ok_or(missing)? = true;
+        }
+        let mut lanes = self.bonds.whole.clone();
+        for node in 0..network.len() {
+            for lane in network.lanes_of(node) {
+                if safe[node] || safe[network.bond(lane).other] {
+                    clear(&mut lanes, lane);
+                }
+            }
+        }
+        match limit {
+            Limit::Stretch { tension, compression } => {
+                self.watch = Some(Watch { lanes, tension, compression });
+            }
+            Limit::Work(density) => {
+                let limits = |node: usize, lane: usize| {
+                    let bond = network.bond(lane);
+                    let share = self.share(bond.length);
+                    // The mean of Vᵢ V̄ⱼ and Vⱼ V̄ᵢ: the part of a volume inside is a matter of the length alone.
+                    density * share * (self.volumes[node] * self.volumes[bond.other])
+                };
+                self.works = Some(Works::new(network, lanes, &limits));
+            }
+        }
+        Ok(())
+    }
+
+    /// Breaks the bonds noted in the last evaluation, see [`Breaking::break_bonds`].
+    pub fn break_noted(
+        &mut self,
+        network: &mut Network,
+        scratch: &Scratch,
+        rows: &[Row],
+        contact: Option<&Repulsion>,
+    ) -> f64 {
+        let lanes: Vec<u32> = match &self.works {
+            Some(works) => works.beyond().collect(),
+            None if self.watch.is_some() => scratch.beyond().collect(),
+            None => return 0.0,
+        };
+        self.break_bonds(network, lanes.into_iter(), rows, contact)
+    }
+
+    /// Breaks the bonds on these lanes, ascending, at the positions of the last evaluation, whose dilatations are in the
+    /// rows; returns the energy that the body lost \[F L\].
+    ///
+    /// Of a node it is `Σ ¼ c e² + ½(λ − μ)V [θ² − (θ − Σ D e)²]`, the sums over its broken bonds, less the energy with
+    /// which `contact` takes over.
+    pub fn break_bonds(
+        &mut self,
+        network: &mut Network,
+        lanes: impl Iterator<Item = u32>,
+        rows: &[Row],
+        contact: Option<&Repulsion>,
+    ) -> f64 {
+        let mut lost = 0.0;
+        let whole = |&lane: &usize| self.bonds.is_whole(lane);
+        let lanes: Vec<usize> = lanes.map(|lane| lane as usize).filter(whole).collect();
+        let mut next = lanes.as_slice();
+        while let Some(&first) = next.first() {
+            let node = network.starts.partition_point(|&start| start as usize <= first / LANES) - 1;
+            let end = next.partition_point(|&lane| lane < network.lanes_of(node).end);
+            let (mut held, mut theta) = (0.0, 0.0);
+            for &lane in &next[..end] {
+                let bond = network.bond(lane);
+                let e = bond.extension(node, rows);
+                held += 0.25 * bond.stiffness * e * e;
+                held -= 0.5
+                    * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
+                theta += bond.shares[0] * e;
+                self.sever(network, lane);
+            }
+            if let Some(dilatation) = &network.dilatation {
+                held += theta * (rows[node][3] - 0.5 * dilatation.factors[node] * theta);
+            }
+            self.energies[node] += held;
+            lost += held;
+            next = &next[end..];
+        }
+        lost
+    }
+
+    fn sever(&mut self, network: &mut Network, lane: usize) {
+        network.sever(lane);
+        clear(&mut self.bonds.whole, lane);
+        if let Some(watch) = &mut self.watch {
+            clear(&mut watch.lanes, lane);
+        }
+        if let Some(works) = &mut self.works {
+            clear(&mut works.lanes, lane);
+        }
+    }
+
+    /// The part of a volume at this distance that lies inside the horizon.
+    fn share(&self, length: f64) -> f64 {
+        let rule = if self.reach > self.horizon { Volumes::Partial } else { Volumes::Whole };
+        match rule {
+            Volumes::Whole => 1.0,
+            Volumes::Partial => ((self.reach - length) / (2.0 * (self.reach - self.horizon))).clamp(0.0, 1.0),
+        }
+    }
+
+    /// `1 − Σ V̄ of whole bonds / Σ V̄ of all` of a node: zero whole, one free.
+    pub fn damage(&self, network: &Network, node: usize) -> f64 {
+        let (mut whole, mut all) = (0.0, 0.0);
+        for lane in network.lanes_of(node).filter(|&lane| self.bonds.is_bond(lane)) {
+            let bond = network.bond(lane);
+            let volume = self.share(bond.length) * self.volumes[bond.other];
+            all += volume;
+            if self.bonds.is_whole(lane) {
+                whole += volume;
+            }
+        }
+        1.0 - whole / all
+    }
+
+    /// Energy that the broken bonds of a node held \[F L\].
+    pub fn energy(&self, node: usize) -> f64 {
+        self.energies[node]
+    }
+
+    /// All that changes: the broken bonds, the energies they held, the work done on bonds.
+    pub fn state(&self) -> [Vec<f64>; 3] {
+        let works = self.works.as_ref().map_or_else(Vec::new, Works::state);
+        [
+            self.bonds.broken(0..self.bonds.packs()).map(|lane| lane as f64).collect(),
+            self.energies.clone(),
+            works,
+        ]
+    }
+
+    /// Takes up a state of the same body; false, and nothing changed, for one of another body, or one in which bonds are
+    /// whole that are broken here.
+    pub fn take_up(&mut self, network: &mut Network, [broken, energies, works]: [&[f64]; 3]) -> bool {
+        let count = LANES * self.bonds.packs();
+        let known = |&lane: &f64| {
+            lane >= 0.0 && lane < count as f64 && lane.fract() == 0.0 && self.bonds.is_bond(lane as usize)
+        };
+        let ascending = broken.is_sorted_by(|a, b| a < b);
+        let kept = self
+            .bonds
+            .broken(0..self.bonds.packs())
+            .all(|lane| broken.binary_search_by(|b| b.total_cmp(&(lane as f64))).is_ok());
+        let fits = self.works.as_ref().map_or(works.is_empty(), |own| own.fits(works));
+        if !(ascending && broken.iter().all(known) && kept && fits && energies.len() == self.energies.len()) {
+            return false;
+        }
+        broken.iter().for_each(|&lane| self.sever(network, lane as usize));
+        self.energies.copy_from_slice(energies);
+        if let Some(own) = &mut self.works {
+            own.take_up(works);
+        }
+        true
+    }
+
+    /// Memory beside the bonds \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let watched = self.watch.as_ref().map_or(0, |watch| watch.lanes.len());
+        2 * self.bonds.packs()
+            + watched
+            + 16 * self.energies.len()
+            + self.works.as_ref().map_or(0, Works::bytes)
+    }
+}

@@ -1,0 +1,152 @@
+//! Directed bonds one by one, and which of them are whole: a bit for each lane of each pack.
+
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+use super::families::Families;
+use super::network::{LANES, Network, Row};
+
+/// Which lanes are bonds, and which of those are whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Whole {
+    /// A bit for each lane of each pack that is a whole bond.
+    pub whole: Vec<u8>,
+    /// The same of all bonds, whole or not; lanes that only fill up a pack are none.
+    all: Vec<u8>,
+}
+
+impl Whole {
+    /// All bonds whole.
+    pub fn new(network: &Network, families: &Families) -> Self {
+        let mut all = vec![0; network.others.len()];
+        for node in 0..network.len() {
+            for (lane, _) in network.lanes_of(node).zip(families.of(node)) {
+                all[lane / LANES] |= 1 << (lane % LANES);
+            }
+        }
+        Self { whole: all.clone(), all }
+    }
+
+    /// Number of packs.
+    pub fn packs(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Whether a lane is a bond.
+    pub fn is_bond(&self, lane: usize) -> bool {
+        is_set(&self.all, lane)
+    }
+
+    /// Whether a lane is a whole bond.
+    pub fn is_whole(&self, lane: usize) -> bool {
+        is_set(&self.whole, lane)
+    }
+
+    /// Whether a lane is a broken bond.
+    pub fn is_broken(&self, lane: usize) -> bool {
+        self.is_bond(lane) && !self.is_whole(lane)
+    }
+
+    /// Lanes of broken bonds among these packs, ascending.
+    #[inline]
+    pub fn broken(&self, packs: std::ops::Range<usize>) -> impl Iterator<Item = usize> {
+        let some = packs.filter(|&pack| self.whole[pack] != self.all[pack]);
+        some.flat_map(|pack| LANES * pack..LANES * (pack + 1)).filter(|&lane| self.is_broken(lane))
+    }
+}
+
+/// Whether the bit of a lane is set.
+fn is_set(bits: &[u8], lane: usize) -> bool {
+    bits[lane / LANES] & (1 << (lane % LANES)) != 0
+}
+
+/// Clears the bit of a lane.
+pub(crate) fn clear(bits: &mut [u8], lane: usize) {
+    bits[lane / LANES] &= !(1 << (lane % LANES));
+}
+
+/// One directed bond of a network.
+pub(crate) struct Bond {
+    pub other: usize,
+    pub length: f64,
+    pub stiffness: f64,
+    /// Dᵢⱼ and Dⱼᵢ \[1/L\]; zero where there is no dilatation.
+    pub shares: [f64; 2],
+}
+
+impl Network {
+    /// A directed bond by its lane, counted through all packs.
+    pub fn bond(&self, lane: usize) -> Bond {
+        let (pack, lane) = (lane / LANES, lane % LANES);
+        let shares = self.dilatation.as_ref().map_or([0.0; 2], |d| [d.own[pack][lane], d.twin[pack][lane]]);
+        Bond {
+            other: self.others[pack][lane] as usize,
+            length: self.lengths[pack][lane],
+            stiffness: self.stiffness[pack][lane],
+            shares,
+        }
+    }
+
+    /// Takes all that it carries from a directed bond.
+    pub fn sever(&mut self, lane: usize) {
+        let (pack, lane) = (lane / LANES, lane % LANES);
+        self.stiffness[pack][lane] = 0.0;
+        if let Some(dilatation) = &mut self.dilatation {
+            dilatation.own[pack][lane] = 0.0;
+            dilatation.twin[pack][lane] = 0.0;
+        }
+    }
+
+    /// Lanes of a node, counted through all packs; some may only fill up.
+    pub fn lanes_of(&self, node: usize) -> std::ops::Range<usize> {
+        let packs = self.packs_of(node);
+        LANES * packs.start..LANES * packs.end
+    }
+}
+
+impl Bond {
+    /// Present extension \[L\].
+    pub fn extension(&self, node: usize, rows: &[Row]) -> f64 {
+        self.between(node, rows).norm() - self.length
+    }
+
+    /// From the node to the other \[L\].
+    pub fn between(&self, node: usize, rows: &[Row]) -> Vec3 {
+        let (a, b) = (&rows[node], &rows[self.other]);
+        Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+    }
+
+    /// What it pulls with \[F\].
+    pub fn pull(&self, extension: f64, node: usize, rows: &[Row]) -> f64 {
+        let [own, twin] = self.shares;
+        self.stiffness * extension + (rows[node][3] * own + rows[self.other][3] * twin)
+    }
+}
+
+impl Network {
+    /// Energy stored in the bonds of a node, half of each, with that of its dilatation \[F L\].
+    pub fn stored(&self, rows: &[Row], node: usize) -> f64 {
+        let half = |lane: usize| {
+            let bond = self.bond(lane);
+            0.25 * bond.stiffness * bond.extension(node, rows).powi(2)
+        };
+        let factor = self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.factors[node]);
+        let dilated = if factor == 0.0 { 0.0 } else { 0.5 * rows[node][3] * rows[node][3] / factor };
+        self.lanes_of(node).map(half).sum::<f64>() + dilated
+    }
+
+    /// `½ Σ f ⊗ y` over the bonds y of a node and their pulls f, both at present: the volume times the stress, that of
+    /// Kirchhoff, and at small strains of Cauchy \[F L\]. Half of a bond belongs to each of its ends.
+    pub fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64> {
+        let mut sum = Matrix3::zeros();
+        for lane in self.lanes_of(node) {
+            let bond = self.bond(lane);
+            let y = bond.between(node, rows);
+            let length = y.norm();
+            if length > 0.0 {
+                sum += y * y.transpose() * (0.5 * bond.pull(length - bond.length, node, rows) / length);
+            }
+        }
+        sum
+    }
+}

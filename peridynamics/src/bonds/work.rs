@@ -1,0 +1,106 @@
+//! The work done on bonds, `∫ f de` along the way of each: what breaks bonds of a state-based body by their energy.
+
+use rayon::prelude::*;
+
+use super::forces::NODE_CHUNK;
+use super::network::{LANES, Network, Row};
+
+/// The work on each bond up to the present, by chunks of nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct Works {
+    /// A bit for each lane of each pack: the bond is whole and may break.
+    pub lanes: Vec<u8>,
+    chunks: Vec<Chunk>,
+}
+
+#[derive(Clone, Debug)]
+struct Chunk {
+    /// First lane of its nodes.
+    first: usize,
+    bonds: Vec<Worked>,
+    /// Lanes beyond their limit, ascending.
+    beyond: Vec<u32>,
+}
+
+/// Work on one directed bond.
+#[derive(Clone, Copy, Debug, Default)]
+struct Worked {
+    /// Done up to the last evaluation \[F L\].
+    done: f64,
+    /// Pull \[F\] and extension \[L\] at the last evaluation.
+    pull: f64,
+    extension: f64,
+    /// Beyond this the bond breaks \[F L\].
+    limit: f64,
+}
+
+impl Works {
+    /// No work done; `limits` of a node and a lane.
+    pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize, usize) -> f64) -> Self {
+        let chunk = |number: usize| {
+            let nodes = number * NODE_CHUNK..((number + 1) * NODE_CHUNK).min(network.len());
+            let first = network.lanes_of(nodes.start).start;
+            let of = |node: usize| network.lanes_of(node).map(move |lane| limits(node, lane));
+            let bonds = nodes.flat_map(of).map(|limit| Worked { limit, ..Worked::default() }).collect();
+            Chunk { first, bonds, beyond: Vec::new() }
+        };
+        Self { lanes, chunks: (0..network.len().div_ceil(NODE_CHUNK)).map(chunk).collect() }
+    }
+
+    /// Adds the work from the last evaluation to this one, and notes the stretched bonds beyond their limit.
+    pub fn add(&mut self, network: &Network, rows: &[Row], threads: usize) {
+        let lanes = &self.lanes;
+        let one = |(number, chunk): (usize, &mut Chunk)| {
+            chunk.beyond.clear();
+            for node in number * NODE_CHUNK..((number + 1) * NODE_CHUNK).min(network.len()) {
+                for lane in network.lanes_of(node) {
+                    if lanes[lane / LANES] & (1 << (lane % LANES)) == 0 {
+                        continue;
+                    }
+                    let (bond, worked) = (network.bond(lane), &mut chunk.bonds[lane - chunk.first]);
+                    let extension = bond.extension(node, rows);
+                    let pull = bond.pull(extension, node, rows);
+                    worked.done += 0.5 * (pull + worked.pull) * (extension - worked.extension);
+                    (worked.pull, worked.extension) = (pull, extension);
+                    if extension > 0.0 && worked.done > worked.limit {
+                        chunk.beyond.push(lane as u32);
+                    }
+                }
+            }
+        };
+        if threads > 1 {
+            self.chunks.par_iter_mut().enumerate().for_each(one);
+        } else {
+            self.chunks.iter_mut().enumerate().for_each(one);
+        }
+    }
+
+    /// Lanes of bonds that went beyond their limit in the last evaluation, ascending.
+    pub fn beyond(&self) -> impl Iterator<Item = u32> {
+        self.chunks.iter().flat_map(|chunk| chunk.beyond.iter().copied())
+    }
+
+    /// Work, pull and extension of each lane, one behind the other.
+    pub fn state(&self) -> Vec<f64> {
+        let of = |bond: &Worked| [bond.done, bond.pull, bond.extension];
+        self.chunks.iter().flat_map(|chunk| chunk.bonds.iter().flat_map(of)).collect()
+    }
+
+    /// Whether a state has a number for each.
+    pub fn fits(&self, state: &[f64]) -> bool {
+        state.len() == 3 * LANES * self.lanes.len()
+    }
+
+    /// Takes up a state that fits.
+    pub fn take_up(&mut self, state: &[f64]) {
+        let bonds = self.chunks.iter_mut().flat_map(|chunk| chunk.bonds.iter_mut());
+        for (bond, numbers) in bonds.zip(state.chunks_exact(3)) {
+            [bond.done, bond.pull, bond.extension] = [numbers[0], numbers[1], numbers[2]];
+        }
+    }
+
+    /// Memory \[bytes\].
+    pub fn bytes(&self) -> usize {
+        self.lanes.len() * (1 + LANES * size_of::<Worked>())
+    }
+}
