@@ -59,7 +59,7 @@ impl Solid {
                 (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
             }
             Carrier::Sheets(sheets) => {
-                let (plate, directors) = Plate::new(&block, &material, sheets)?;
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
                 (Box::new(plate), sheets.formulation.space, None)
