@@ -36,6 +36,8 @@ pub struct Solid {
     pub(crate) internal_energy: f64,
     /// Energy of bonds broken since the last kick \[F L\].
     pub(crate) released: f64,
+    /// Rows in the middle of a step in which bonds break; empty until one does.
+    pub(crate) breaking: Vec<Row>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -57,7 +59,7 @@ impl Solid {
                 (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
             }
             Carrier::Sheets(sheets) => {
-                let (plate, directors) = Plate::new(&block, &material, sheets)?;
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
                 (Box::new(plate), sheets.formulation.space, None)
@@ -82,6 +84,7 @@ impl Solid {
             mechanics,
             internal_energy: 0.0,
             released: 0.0,
+            breaking: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,

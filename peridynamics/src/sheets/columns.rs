@@ -66,6 +66,13 @@ impl Columns {
         stored
     }
 
+    /// Energy of the thickness of a column, and half of that of its pairs \[F L\].
+    pub fn stored(&self, rows: &[Row], column: usize) -> f64 {
+        let mut unused = [[0.0; 4]; 4];
+        let [up, down, of_x, of_d] = &mut unused;
+        self.column(column, rows, [up, down], of_x, of_d)
+    }
+
     /// Forces on one column; returns its thickness' energy and half of that of its pairs.
     #[inline(always)]
     fn column(&self, i: usize, rows: &[Row], [up, down]: [&Row; 2], of_x: &mut Row, of_d: &mut Row) -> f64 {

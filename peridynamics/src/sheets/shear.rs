@@ -23,7 +23,9 @@ pub(crate) struct Shear {
 pub(crate) struct Pair {
     /// The column at the other end.
     pub other: u32,
-    /// k \[F L\]; zero once the bonds of both sheets are broken.
+    /// k \[F L\] of the whole pair.
+    pub rigidity: f64,
+    /// k at present: half of it with a broken bond in one sheet, none with both broken.
     pub stiffness: f64,
     /// `½/r` \[1/L\].
     pub half: f64,
@@ -72,8 +74,9 @@ impl Shear {
             let area = areas[node] * share(bond) / whole[node]
                 + areas[other] * share(families.twin(node, bond)) / whole[other];
             let compliance = 1.0 / (SHEAR_FACTOR * moduli.mu * thickness) + r * r / (12.0 * bending);
-            let mut pair =
-                Pair { other: other as u32, stiffness: 2.0 * area / compliance, half: 0.5 / r, rest: 0.0 };
+            let rigidity = 2.0 * area / compliance;
+            let (stiffness, half) = (rigidity, 0.5 / r);
+            let mut pair = Pair { other: other as u32, rigidity, stiffness, half, rest: 0.0 };
             let row = |v: &Vec3| [v.x, v.y, v.z, 0.0];
             let [x, d] = [&places[node], &directors[node]].map(row);
             let [y, e] = [&places[other], &directors[other]].map(row);
