@@ -128,7 +128,8 @@ proptest! {
         let text = damages.iter().fold(scene(number), |text, damage| apply(&text, damage));
         match Scene::parse(&text, "damaged.toml") {
             Ok(scene) => {
-                let small = scene.shell().geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500);
+                let counts = scene.as_shell().and_then(|shell| shell.geometry.particles());
+    let small = counts.is_some_and(|[n1, n2]| n1 * n2 <= 500);
                 let built = if small { scene.build(1).map(|_| ()) } else { Ok(()) };
                 if let Err(error) = built {
                     prop_assert!(!drawn(&error).is_empty());

@@ -7,14 +7,18 @@ use crate::bonds::network::Row;
 use crate::unknowns::Unknowns;
 
 /// The stored energy of a body as a function of its rows, and how bonds break.
-pub(crate) trait Mechanics: Send {
+pub(crate) trait Mechanics: Send + Sync {
     /// Internal forces `∂U/∂row` of all rows; returns the stored energy \[F L\], zero unless wanted.
     ///
     /// The last places of the rows are the mechanics' own. With `watch` it notes the bonds beyond their limit, for
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
-    /// Breaks the bonds noted in the last evaluation of these rows; returns the energy that the body lost \[F L\].
+    /// Whether bonds were beyond their limit in the last evaluation.
+    fn noted(&self) -> bool;
+
+    /// Breaks the bonds noted in the last evaluation; returns the energy that the body loses at these rows, whose last
+    /// places do not matter \[F L\].
     fn break_bonds(&mut self, rows: &[Row]) -> f64;
 
     /// Pairs of rows with second derivatives, by the bonds that are whole now.

@@ -36,6 +36,8 @@ pub struct Solid {
     pub(crate) internal_energy: f64,
     /// Energy of bonds broken since the last kick \[F L\].
     pub(crate) released: f64,
+    /// Rows in the middle of a step in which bonds break; empty until one does.
+    pub(crate) breaking: Vec<Row>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -82,6 +84,7 @@ impl Solid {
             mechanics,
             internal_energy: 0.0,
             released: 0.0,
+            breaking: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,
@@ -175,6 +178,12 @@ impl Solid {
     /// What the supports of a node bear \[F\], for the forces last evaluated.
     pub fn reaction(&self, node: usize) -> Vec3 {
         self.internal_force(node) - self.external_force(node)
+    }
+
+    /// Whether a support holds a node along any direction that it could move in.
+    pub fn is_held(&self, node: usize) -> bool {
+        let across = usize::from(self.block.dimensions == 2 && self.rest.len() == self.block.len());
+        self.constraints.get(node).is_some_and(|constraint| constraint.held().len() > across)
     }
 
     /// Stored energy of the last evaluation that asked for it \[F L\].

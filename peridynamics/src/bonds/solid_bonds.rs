@@ -98,6 +98,10 @@ impl Mechanics for SolidBonds {
         stored
     }
 
+    fn noted(&self) -> bool {
+        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
+    }
+
     fn break_bonds(&mut self, rows: &[Row]) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
         breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref())

@@ -8,11 +8,15 @@ use crate::bonds::breaking::Breaking;
 use crate::bonds::network::{LANES, Row};
 
 impl Plate {
-    /// Breaks the bonds noted in the last evaluation of these rows; returns the energy that the plate lost \[F L\].
+    /// Breaks the bonds noted in the last evaluation; returns the energy that the plate loses at these rows \[F L\].
     pub fn break_noted(&mut self, rows: &[Row]) -> f64 {
+        let z = self.columns.height;
         let [upper, lower] = &mut self.sheets;
-        let lost = upper.break_noted() + lower.break_noted();
-        if lost == 0.0 { 0.0 } else { lost + self.slacken(Some(rows)) }
+        if !(upper.noted() || lower.noted()) {
+            return 0.0;
+        }
+        let lost = upper.break_noted(rows, z) + lower.break_noted(rows, -z);
+        lost + self.slacken(Some(rows))
     }
 
     /// Sets the rigidities of pairs by the bonds that are whole; returns the energy that pairs lose in these rows \[F L\].

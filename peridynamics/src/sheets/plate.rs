@@ -117,6 +117,10 @@ impl Mechanics for Plate {
         if wanted.energy { stored + of_columns } else { 0.0 }
     }
 
+    fn noted(&self) -> bool {
+        self.sheets.iter().any(Sheet::noted)
+    }
+
     fn break_bonds(&mut self, rows: &[Row]) -> f64 {
         self.break_noted(rows)
     }

@@ -76,10 +76,7 @@ impl Sheet {
     /// Puts its points at `x + z d` and finds the forces on them; returns the stored energy \[F L\], zero unless wanted.
     pub fn evaluate(&mut self, rows: &[Row], z: f64, wanted: Evaluation) -> f64 {
         let Evaluation { energy, watch, threads } = wanted;
-        let (places, directors) = rows.split_at(self.points.len());
-        for (point, (x, d)) in self.points.iter_mut().zip(places.iter().zip(directors)) {
-            (0..3).for_each(|k| point[k] = x[k] + z * d[k]);
-        }
+        put(&mut self.points, rows, z);
         let limit = self.breaking.as_ref().and_then(|breaking| breaking.watch.as_ref()).filter(|_| watch);
         let wanted = Wanted { energy, watch: limit, threads };
         let stored = self.network.evaluate(&mut self.points, &mut self.forces, &mut self.scratch, wanted);
@@ -91,10 +88,17 @@ impl Sheet {
         stored
     }
 
-    /// Breaks the bonds noted in the last evaluation; returns the energy that the sheet lost \[F L\].
-    pub fn break_noted(&mut self) -> f64 {
+    /// Whether bonds were beyond their limit in the last evaluation.
+    pub fn noted(&self) -> bool {
+        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
+    }
+
+    /// Breaks the bonds noted in the last evaluation; returns the energy that the sheet loses at these rows \[F L\].
+    pub fn break_noted(&mut self, rows: &[Row], z: f64) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
-        breaking.break_noted(&mut self.network, &self.scratch, &self.points, None)
+        let mut points = self.points.clone();
+        put(&mut points, rows, z);
+        breaking.break_noted(&mut self.network, &self.scratch, &points, None)
     }
 
     /// Whether the bond on a lane is whole.
@@ -111,5 +115,13 @@ impl Sheet {
     pub fn bytes(&self) -> usize {
         let points = 2 * size_of::<Row>() * self.points.len();
         self.network.bytes() + points + self.breaking.as_ref().map_or(0, Breaking::bytes)
+    }
+}
+
+/// Puts the points of a sheet at `x + z d`.
+fn put(points: &mut [Row], rows: &[Row], z: f64) {
+    let (places, directors) = rows.split_at(points.len());
+    for (point, (x, d)) in points.iter_mut().zip(places.iter().zip(directors)) {
+        (0..3).for_each(|k| point[k] = x[k] + z * d[k]);
     }
 }

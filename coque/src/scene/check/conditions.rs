@@ -124,15 +124,19 @@ impl Scene {
                     if let Axis::Fixed(axis) = couple.axis {
                         s.direction(&format!("{at}.couple.axis"), axis)?;
                     }
-                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                    if self.as_shell().is_some() {
+                        self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                    }
                 }
                 LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
                 LoadKind::Gravity(g) => {
                     s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?
                 }
+                LoadKind::Traction(_) => self.check_traction(at, load)?,
             }
             if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
-                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
+                let body = self.body().word();
+                self.only_on(at, &load.on, &format!("{word} acts on the whole {body}"), &["all"])?;
             }
         }
         match &load.amplitude {
@@ -141,9 +145,10 @@ impl Scene {
         }
     }
 
-    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
+    pub(super) fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
         // Whether a set of a mesh is an edge is known when its file has been read.
-        if fit.contains(&on) || (fit == EDGES && self.shell().geometry.mesh().is_some()) {
+        let of_mesh = || self.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some());
+        if fit.contains(&on) || (fit == EDGES && of_mesh()) {
             return Ok(());
         }
         let repair = format!("use one of {}", fit.join(", "));
