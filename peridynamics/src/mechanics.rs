@@ -10,6 +10,12 @@ pub(crate) trait Mechanics: Send {
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
+    /// Second derivatives at `rows` times the displacements `along`, into `out`; the last places of all are its own. False,
+    /// with nothing done, where a mechanics has forces alone.
+    fn tangent(&mut self, _rows: &mut [Row], _along: &mut [Row], _out: &mut [Row], _threads: usize) -> bool {
+        false
+    }
+
     /// Breaks the bonds noted in the last evaluation; returns the energy they held \[F L\].
     fn break_bonds(&mut self) -> f64;
 

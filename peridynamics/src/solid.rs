@@ -1,6 +1,6 @@
 //! A body of nodes: what moves, what holds it, and what it resists with.
 
-use explicit_dynamics::Instant;
+use explicit_dynamics::{Instant, Work};
 use sph_core::{Block, Vec3};
 
 use crate::bonds::network::Row;
@@ -34,6 +34,8 @@ pub struct Solid {
     pub(crate) internal_energy: f64,
     /// Energy of bonds broken since the last kick \[F L\].
     pub(crate) released: f64,
+    /// What each chunk of rows booked in the last kick.
+    pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -70,6 +72,7 @@ impl Solid {
             mechanics: Box::new(mechanics),
             internal_energy: 0.0,
             released: 0.0,
+            works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,

@@ -4,4 +4,6 @@ pub(crate) mod correction;
 pub(crate) mod families;
 pub(crate) mod forces;
 pub(crate) mod network;
+mod present;
 pub(crate) mod solid_bonds;
+mod tangent;

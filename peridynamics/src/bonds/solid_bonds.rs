@@ -63,6 +63,11 @@ impl Mechanics for SolidBonds {
         self.network.evaluate(rows, forces, &mut self.scratch, Wanted { energy, watch, threads })
     }
 
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) -> bool {
+        self.network.tangent(rows, along, out, &mut self.scratch, threads);
+        true
+    }
+
     fn break_bonds(&mut self) -> f64 {
         0.0
     }
