@@ -114,11 +114,10 @@ impl Constraint {
             let Support::Moved { direction, by, amplitude } = support else { continue };
             let displacement = direction.normalize() * *by;
             // What other supports hold must not oppose the motion.
-            let along =
-                out.held[..fixed]
-                    .iter()
-                    .map(|held| displacement.dot(held))
-                    .fold(0.0, |most, along| if f64::abs(along) > f64::abs(most) { along } else { most });
+            let along = out.held[..fixed]
+                .iter()
+                .map(|held| displacement.dot(held))
+                .fold(0.0, |most, along| if f64::abs(along) > f64::abs(most) { along } else { most });
             if along.abs() > SPANNED * by.abs() {
                 return Err(SolidError::Contradiction { node, wanted: along });
             }
