@@ -94,7 +94,8 @@ fn lammps(side: usize, law: Law, steps: usize) -> Option<f64> {
     Some(time * share / 100.0)
 }
 
-/// LAMMPS's input: elastic constants of the same solid, a stretch that no bond reaches, a step far below the stable one.
+/// LAMMPS's input: elastic constants of the same solid, a step far below the stable one. It stays at rest, which costs as
+/// much: in motion the LPS of LAMMPS 2022 gives nodes a damage of .79 in the first step, for critical stretches from 0.5 to 1e9.
 fn script(side: usize, law: Law, steps: usize) -> String {
     let (horizon, volume) = (3.015 * SPACING, SPACING.powi(3));
     let (bulk, shear) = (1e6 / 1.2, 1e6 / 2.6);
@@ -108,7 +109,7 @@ fn script(side: usize, law: Law, steps: usize) -> String {
         "units si\nboundary s s s\natom_style peri\natom_modify map array\nneighbor {skin} bin\n\
          lattice sc {SPACING}\nregion body block 0 {end} 0 {end} 0 {end} units box\ncreate_box 1 body\n\
          create_atoms 1 region body\n{pair}\nset group all density 1.0\nset group all volume {volume:e}\n\
-         velocity all ramp vx 0 0.01 x 0 {end} units box\nfix march all nve\ntimestep 1e-7\nthermo 1000000\n\
+         fix march all nve\ntimestep 1e-7\nthermo 1000000\n\
          run {steps}\nrun {steps}\n",
         skin = 0.1 * SPACING,
     )

@@ -211,3 +211,84 @@ impl Network {
         }
     }
 }
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+    use crate::lanes::Plain;
+    use pulp::x86::V3;
+
+    /// Bonds of uneven families, some of them broken, one of these between nodes that coincide.
+    fn network(nodes: usize, state_based: bool) -> Network {
+        let share = |k: usize| 0.1 + ((k * 7919) % 1000) as f64 / 1000.0;
+        let mut out = Network {
+            starts: vec![0],
+            others: Vec::new(),
+            lengths: Vec::new(),
+            stiffness: Vec::new(),
+            dilatation: None,
+            bonds: 0,
+        };
+        let (mut own, mut twin) = (Vec::new(), Vec::new());
+        for node in 0..nodes {
+            for pack in 0..1 + node % 5 {
+                let at = |lane: usize| (node + 1 + 3 * pack + lane) % nodes;
+                let number = |lane: usize| 31 * node + 4 * pack + lane;
+                let whole =
+                    |lane: usize| if number(lane).is_multiple_of(6) { 0.0 } else { share(number(lane)) };
+                out.others.push(std::array::from_fn(|lane| at(lane) as u32));
+                out.lengths.push(std::array::from_fn(|lane| share(at(lane))));
+                out.stiffness.push(std::array::from_fn(whole));
+                own.push(std::array::from_fn(whole));
+                twin.push(std::array::from_fn(|lane| 1.1 * whole(lane)));
+                out.bonds += LANES;
+            }
+            out.starts.push(out.others.len() as u32);
+        }
+        if state_based {
+            let factors = (0..nodes).map(share).collect();
+            out.dilatation = Some(super::super::network::Dilatation { own, twin, factors });
+        }
+        out
+    }
+
+    fn swept<L: Lanes, const DILATATION: bool>(
+        lanes: L,
+        network: &Network,
+        rows: &[Row],
+    ) -> (Vec<u64>, Vec<u32>) {
+        let lanes_of = vec![0b1011; network.others.len()];
+        let watch = Watch { lanes: lanes_of, tension: 0.2, compression: -0.1 };
+        let (mut forces, mut beyond) = (vec![[0.0; 4]; rows.len()], Vec::new());
+        let energy = Chunk::<DILATATION, true, true> {
+            network,
+            rows,
+            first: 0,
+            forces: &mut forces,
+            watch: Some(&watch),
+            beyond: &mut beyond,
+        }
+        .run(lanes);
+        (forces.iter().flatten().chain([&energy]).map(|x| x.to_bits()).collect(), beyond)
+    }
+
+    #[test]
+    fn avx2_gives_the_bits_of_plain_loops_and_broken_bonds_are_harmless() {
+        let nodes = 60;
+        let mut rows: Vec<Row> =
+            (0..nodes).map(|k| [0.3, 0.7, 0.9, 0.1].map(|part| libm::sin(part * (k * k) as f64))).collect();
+        // Node 1 is at the other end of the first bond of node 0, which is broken.
+        rows[1] = rows[0];
+        let (pairwise, state_based) = (network(nodes, false), network(nodes, true));
+        let plain =
+            [swept::<_, false>(Plain, &pairwise, &rows), swept::<_, true>(Plain, &state_based, &rows)];
+        for (bits, beyond) in &plain {
+            assert!(bits.iter().all(|&bits| f64::from_bits(bits).is_finite()));
+            assert!(!beyond.is_empty());
+        }
+        if let Some(wide) = V3::try_new() {
+            assert!(plain[0] == swept::<_, false>(wide, &pairwise, &rows));
+            assert!(plain[1] == swept::<_, true>(wide, &state_based, &rows));
+        }
+    }
+}
