@@ -18,13 +18,15 @@ supports = [
 ]
 loads = [{ on = "x1", traction = { value = [2.0, 0.0, 0.0] } }]
 curve = [
-    { name = "u", of = "displacement", on = "x1", direction = [1.0, 0.0, 0.0] },
-    { name = "v", of = "displacement", on = "y1", direction = [0.0, 1.0, 0.0] },
+    { name = "near", of = "displacement", on = "near", direction = [1.0, 0.0, 0.0] },
+    { name = "far", of = "displacement", on = "far", direction = [1.0, 0.0, 0.0] },
+    { name = "side", of = "displacement", on = "side", direction = [0.0, 1.0, 0.0] },
     { name = "R", of = "reaction", on = "x0", direction = [1.0, 0.0, 0.0] },
-    { name = "W", of = "strain-energy", on = "middle" },
 ]
 [sets]
-middle = { box = { min = [1.5, 0.3, 0.3], max = [2.5, 0.7, 0.7] } }
+near = { plane = { point = [1.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }
+far = { plane = { point = [3.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }
+side = { box = { min = [1.0, 1.0, 0.0], max = [3.0, 1.0, 1.0] } }
 [bodies.bar.solid]
 geometry.block = { lengths = [4.0, 1.0, 1.0], spacing = 0.25, nodes = "edges" }
 material.elastic = { young = 1000.0, poisson = 0.3, density = 1.0 }
@@ -64,13 +66,16 @@ fn run(text: &str, replaced: &[(&str, &str)]) -> Outcome {
     ran(overridden(text, "scene.toml", replaced))
 }
 
+/// Between two sections away from the ends the strain is −.13 % off with five nodes across, the contraction 1.4 %; forces balance
+/// to rounding.
 #[test]
 fn a_bar_is_stretched_as_hooke_says() {
     let outcome = run(BAR, &[]);
-    for (name, expected) in [("u", 4.0 * 2.0 / 1000.0), ("v", -0.3 * 2.0 / 1000.0), ("R", -2.0), ("W", 2e-3)]
-    {
-        eprintln!("{name} {} {}", last(&outcome, name), last(&outcome, name) / expected - 1.0);
-    }
+    let strain = (last(&outcome, "far") - last(&outcome, "near")) / 2.0;
+    assert!((strain / 2e-3 - 1.0).abs() < 0.004, "{strain}");
+    let contraction = -last(&outcome, "side") / 2e-3;
+    assert!((contraction / 0.3 - 1.0).abs() < 0.04, "{contraction}");
+    assert!((last(&outcome, "R") + 2.0).abs() < 1e-9, "{}", last(&outcome, "R"));
 }
 
 #[test]
@@ -79,6 +84,7 @@ fn a_traction_in_depth_has_the_same_resultant() {
     assert!((last(&run(BAR, &replaced), "R") + 2.0).abs() < 1e-9);
 }
 
+/// The crack that is there breaks .42 of the families beside it; what is left of the plate, 30 mm, takes at least G₀ a unit of area.
 #[test]
 fn a_plate_breaks_and_threads_change_no_bit() {
     let one = run(PLATE, &[]);
@@ -86,5 +92,11 @@ fn a_plate_breaks_and_threads_change_no_bit() {
     assert_eq!(one.curve, four.curve);
     assert_eq!(one.shapes, four.shapes);
     let (damage, energy) = (column(&one, "d"), column(&one, "G"));
-    eprintln!("{damage:?}\n{energy:?}\n{:?}", column(&one, "v"));
+    assert!((0.35..0.5).contains(&damage[0]), "{}", damage[0]);
+    for values in [&damage, &energy] {
+        assert!(values.windows(2).all(|pair| pair[0] <= pair[1]), "{values:?}");
+    }
+    assert_eq!(energy[0], 0.0);
+    assert!(*energy.last().unwrap() > 0.03 * 135.0, "{energy:?}");
+    assert!(last(&one, "v") > 0.0);
 }
