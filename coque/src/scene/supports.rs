@@ -57,7 +57,8 @@ pub struct Held {
     /// Directions of no displacement, none to three, no two parallel; their length does not matter.
     #[serde(default)]
     pub displacement: Vec<[f64; 3]>,
-    /// Normal of the plane in which the director stays, none or one; its length does not matter.
+    /// Normal of the plane in which the director stays, none or one, on plates of two sheets up to two; its length does not
+    /// matter.
     #[serde(default)]
     pub director: Vec<[f64; 3]>,
 }

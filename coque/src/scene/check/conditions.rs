@@ -60,9 +60,11 @@ impl Scene {
             let bound = "`displacement`, `director` or both";
             return Err(SceneError::Choice(s.fault(at, "no direction", bound, repair)));
         }
+        // Directors of a shell keep their length; one that stays in two planes does not turn at all.
+        let turns = if self.as_solid().is_some() { 2 } else { 1 };
         let lists = [
             ("displacement", displacement, 3, "three hold the particle"),
-            ("director", director, 1, "use `clamped` to hold both turns"),
+            ("director", director, turns, "use `clamped` to hold both turns"),
         ];
         for (key, list, most, repair) in lists {
             let path = format!("{at}.{key}");
