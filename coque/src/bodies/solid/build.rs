@@ -140,6 +140,7 @@ impl Scene {
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
             SolidError::NotThin => of_body(&formulation),
+            SolidError::SheetContact => of_body("contact"),
         };
         self.model_error(&path, &error.to_string())
     }
