@@ -30,12 +30,13 @@
 //! | what is refused, and why | `scene/check/` |
 //! | the lists, the schema, the page of all keys | `scene/catalogue.rs`, `scene/schema.rs`, `scene/reference.rs` |
 //! | what any body offers, columns of the curve | [`Body`], `bodies/body.rs`; `bodies/probe.rs` |
-//! | scene → shell | `bodies/shell/build.rs` and its neighbours |
+//! | which kind of body is built | `bodies/build.rs` |
+//! | scene → shell; scene → solid | `bodies/shell/build.rs`, `bodies/solid/build.rs` and their neighbours |
 //! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `bodies/shell/imported.rs` |
-//! | fields of a shell; which frames, and where they go | `bodies/shell/fields.rs`; `fields/` |
+//! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
 //! | the run, its figures, what it goes on from | `run/under_way.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
-//! | what is known to make a number wrong | `bodies/shell/doubts/`; the words: `warning.rs` |
+//! | what is known to make a number wrong | `bodies/shell/doubts/`, `bodies/solid/doubts.rs`; the words: `warning.rs` |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
 //! # From words to the mechanics
@@ -77,7 +78,9 @@
 //! ```text
 //! displacement    mean of u_a·e           reaction   sum of (∂U/∂x_a − f_a)·e, f_a the loads
 //! position        mean of x_a·e           rotation   mean of the angle by which d_a has turned about e, counted on beyond π
-//! director        mean of d_a·e           all times the column's factor; `take` has another than mean or sum
+//! director        mean of d_a·e           velocity   mean of ẋ_a·e
+//! damage          mean of φ_a             fracture-energy   sum of what the broken bonds of a held
+//! strain-energy   mean of W_a             all times the column's factor; `take` has another than mean or sum
 //! ```
 //!
 //! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
@@ -115,6 +118,9 @@
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
+//! | solids: a bar stretched as Hooke says, a plate that breaks, the same bits for any number of threads | tests/solid.rs |
+//! | what is refused of solids, and doubted | tests/solid_refusals.rs, tests/solid_doubts.rs |
+//! | a run of a breaking solid goes on to the same bits | `a_breaking_solid_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |

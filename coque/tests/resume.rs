@@ -166,9 +166,10 @@ fn a_breaking_solid_goes_on_to_the_same_bits() {
         ("sets.lower.layer.depth", "3e-3"),
         ("sets.upper.layer.depth", "3e-3"),
     ];
-    stopped_again_and_again("by-stretch", &text("crack-branching.toml"), &replaced, 5);
+    let text = text("crack-branching.toml").replace("fields = { every = 10 }", "");
+    stopped_again_and_again("by-stretch", &text, &replaced, 5);
     let work = [replaced.as_slice(), &[("bodies.glass.solid.fracture.by", "\"work\"")]].concat();
-    stopped_again_and_again("by-work", &text("crack-branching.toml"), &work, 5);
+    stopped_again_and_again("by-work", &text, &work, 5);
 }
 
 #[test]

@@ -172,6 +172,7 @@ fn broken_sheets() {
         SHEETS,
         &[
             ("no thickness", "thickness = 0.1, ", ""),
+            ("contact of sheets", "material", "contact = {}\nmaterial"),
             ("no waves", "material", "imperfection = { half_waves = [0, 1], amplitude = 0.1 }\nmaterial"),
             ("free to turn", "clamped = {}", "held = { displacement = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }"),
         ],

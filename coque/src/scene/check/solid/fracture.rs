@@ -59,6 +59,11 @@ impl SolidScene {
     }
 
     fn check_contact(&self, contact: &Contact, s: &Scope<'_>) -> Checked {
+        if self.has_directors() {
+            let repair = "remove it, or use three lengths for a block in space";
+            let bound = "none of a plate of two sheets";
+            return Err(SceneError::Choice(s.fault("contact", "contact", bound, repair)));
+        }
         let repair = "in units of the spacing; beyond 1 neighbours at rest would repel";
         s.within("contact.distance", contact.distance, [0.1, 1.0], repair)?;
         for (i, wall) in contact.walls.iter().enumerate() {
