@@ -16,11 +16,11 @@ use crate::blocks::{formulation, held, lattice, moved, nodes, parts, pulled, sys
 const YOUNG: f64 = 1.0;
 /// Height of an arm, and the thickness.
 const ARM: f64 = 1.0;
-const LENGTH: f64 = 12.0;
+const LENGTH: f64 = 6.0;
 /// Energy of a unit area of crack; so little that arms hardly turn.
 const TOUGHNESS: f64 = 1e-7;
 /// Crack at the start.
-const START: f64 = 4.0;
+const START: f64 = 2.0;
 
 /// A double cantilever and how it is resolved.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ impl Cantilever {
 
     /// Compliances at crack lengths from the start, half an arm apart.
     fn compliances(&self) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
-        (0..9)
+        (0..7)
             .map(|k| START - 0.5 + 0.5 * f64::from(k))
             .map(|crack| Ok([crack, self.compliance(crack)?]))
             .collect()
@@ -114,7 +114,7 @@ impl Cantilever {
         Ok(table.windows(3).map(one).collect())
     }
 
-    /// Opens the ends until the crack has grown by an arm, breaking bonds whose stretch asks for the given energy.
+    /// Opens the ends until the crack has grown by half an arm, breaking bonds whose stretch asks for the given energy.
     ///
     /// # Errors
     /// A body or a system that is refused, an equilibrium that is not found.
@@ -127,7 +127,9 @@ impl Cantilever {
         parts.supports.push(moved(up.clone(), Vec3::y(), 0.5 * opening));
         parts.supports.push(moved(down, Vec3::y(), -0.5 * opening));
         let criterion = Criterion::EnergyByStretch(TOUGHNESS);
-        parts.fracture = Some(Fracture { criterion, unbreakable: Vec::new() });
+        // Where the ends are pulled and held bonds are stretched as well.
+        let unbreakable = nodes(&parts.block, |x| x.x < START - ARM || x.x > LENGTH - ARM);
+        parts.fracture = Some(Fracture { criterion, unbreakable });
         let mut system = StaticSolid::new(Solid::new(parts)?);
         let tip = |system: &StaticSolid| {
             let body = system.solid();
@@ -141,7 +143,7 @@ impl Cantilever {
         let mut newton = Newton::new(&system, &NewtonOptions::default())?;
         let (from, spent_before) = (tip(&system), spent(&system));
         let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.8);
-        while tip(&system) < from + ARM {
+        while tip(&system) < from + 0.5 * ARM {
             let mut broke = false;
             loop {
                 let broken = system.solid().broken()[0].len();
@@ -164,7 +166,7 @@ impl Cantilever {
                 system.solid().broken()[0].len(),
                 rates.last()
             );
-            level *= 1.005;
+            level *= 1.01;
         }
         let advance = tip(&system) - from;
         let spent = (spent(&system) - spent_before) / (TOUGHNESS * ARM * advance);
