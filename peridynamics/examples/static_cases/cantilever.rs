@@ -29,7 +29,12 @@ pub struct Cantilever {
     pub law: Law,
     /// Spacings across an arm.
     pub across: usize,
+    /// Horizon over the spacing.
+    pub horizon: f64,
 }
+
+/// Nodes of the upper and of the lower end.
+type Ends = [Vec<u32>; 2];
 
 /// The energy release rate by compliance, over that of the closed form, at one crack length.
 #[derive(Clone, Copy, Debug)]
@@ -64,14 +69,15 @@ impl Cantilever {
     }
 
     /// The body with a crack, and the ends of its upper and lower arm.
-    fn parts(&self, crack: f64) -> Result<(Parts, [Vec<u32>; 2]), Box<dyn Error>> {
+    fn parts(&self, crack: f64) -> Result<(Parts, Ends), Box<dyn Error>> {
         let (block, dx) = (self.block()?, self.spacing());
         let end = |side: f64| nodes(&block, |x| x.x < dx && side * x.y > 0.0);
         let ends = [end(1.0), end(-1.0)];
         let far = nodes(&block, |x| x.x > LENGTH - dx);
         let poisson = if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.3 };
         let material = Elastic { young: YOUNG, poisson, density: 1.0 };
-        let formulation = formulation(Space::PlaneStress, self.law, Correction::Even);
+        let mut formulation = formulation(Space::PlaneStress, self.law, Correction::Even);
+        formulation.horizon = self.horizon;
         let mut parts = parts(block, material, formulation);
         parts.supports = vec![held(far, &[Vec3::x(), Vec3::y()])];
         parts.cracks = vec![Crack::Segment([Vec3::new(-1.0, 0.0, 0.0), Vec3::new(crack, 0.0, 0.0)])];
@@ -160,12 +166,6 @@ impl Cantilever {
                     break;
                 }
             }
-            eprintln!(
-                "level {level:.3} tip {:.3} broken {} solved {solved} rates {:?}",
-                tip(&system),
-                system.solid().broken()[0].len(),
-                rates.last()
-            );
             level *= 1.01;
         }
         let advance = tip(&system) - from;

@@ -64,9 +64,9 @@ fn cantilevers() -> Result<(), Box<dyn Error>> {
         "Double cantilever: G by compliance over the closed form at a/h; G over the input where the crack grows"
     );
     for law in LAWS {
-        for across in [12, 16, 24] {
-            let case = Cantilever { law, across };
-            print!("{law:?}, {across} across an arm:");
+        for (across, horizon) in [(12, 3.015), (16, 3.015), (24, 3.015), (16, 4.015), (24, 6.015)] {
+            let case = Cantilever { law, across, horizon };
+            print!("{law:?}, {across} across an arm, m = {horizon}:");
             for Released { crack, ratio } in case.released()? {
                 print!("  {ratio:.3} at {crack:.2}");
             }
