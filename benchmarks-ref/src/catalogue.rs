@@ -82,6 +82,12 @@ const CATALOGUE: &[Entry] = &[
     Entry { name: "plate_stability", quantity: "tension, compression and buckling loads of a plate 300 x 200 x 2 mm, one a row",
         uncertainty: "closed forms: rounding of the printed digits, 5e-4 kN; published figures: boundary conditions differ from row to row",
         json: data!("plate_stability") },
+    Entry { name: "pd_lattice_moduli", quantity: "apparent moduli of peridynamic solids on infinite lattices, one a row",
+        uncertainty: "exact sums; rounding of the printed digits, 5e-5", json: data!("pd_lattice_moduli") },
+    Entry { name: "pd_strip_bending", quantity: "apparent membrane and bending stiffness of strips of PMB bonds, one a row",
+        uncertainty: "exact sums; rounding of the printed digits, 5e-4", json: data!("pd_strip_bending") },
+    Entry { name: "kalthoff_winkler", quantity: "angle of the cracks from the notches of a plate struck between them",
+        uncertainty: "quoted from memory of the literature; a band, not a value", json: data!("kalthoff_winkler") },
 ];
 
 /// Every reference there is, closed forms first.

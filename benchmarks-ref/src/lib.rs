@@ -9,6 +9,8 @@
 //! - [`rolled_strip`]: the same strip with a Green–Lagrange strain, which is *not* the elastica when it is thick;
 //! - [`external_pressure`]: when rings and long cylinders buckle under pressure that follows them;
 //! - [`vibration`]: the first natural frequency of a cantilever;
+//! - [`kirsch`]: a plate with a circular hole under tension;
+//! - [`waves`]: speeds of waves along a surface and along a bar;
 //! - [`fe_shell`]: an independent implicit finite-element shell.
 //!
 //! ```
@@ -107,8 +109,10 @@ pub mod curve;
 pub mod elastica;
 pub mod external_pressure;
 pub mod fe_shell;
+pub mod kirsch;
 pub mod rolled_strip;
 pub mod vibration;
+pub mod waves;
 
 mod elliptic;
 mod error;

@@ -118,7 +118,7 @@ Examples:
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
-  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; written on the way
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
   scene.toml     a copy of the scene; what --set replaced stands at its end
   checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
@@ -211,7 +211,7 @@ fn launch(
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
     let mut checkpoints = task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
-    let mut files = fields(&task, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
+    let mut files = fields(&task, model.describe().kind, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
     let curve = GrowingCurve::new(&out.join(CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let options = RunOptions {
@@ -236,12 +236,17 @@ fn launch(
 }
 
 /// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
-fn fields(task: &Task, out: &Path, from: Option<&Checkpoint>) -> Result<Option<FieldFiles>, FieldError> {
+fn fields(
+    task: &Task,
+    kind: &str,
+    out: &Path,
+    from: Option<&Checkpoint>,
+) -> Result<Option<FieldFiles>, FieldError> {
     let Some(wanted) = &task.output.fields else { return Ok(None) };
     let folder = out.join("fields");
     let files = match from {
-        None => FieldFiles::create(&folder, FieldFiles::LONE, wanted),
-        Some(checkpoint) => FieldFiles::go_on(&folder, FieldFiles::LONE, wanted, checkpoint.frames()),
+        None => FieldFiles::create(&folder, kind, wanted),
+        Some(checkpoint) => FieldFiles::go_on(&folder, kind, wanted, checkpoint.frames()),
     };
     files.map(Some)
 }

@@ -46,6 +46,14 @@ pub enum Doubt {
     TooThick,
     /// Cells that lie on each other.
     Overlap,
+    /// A horizon shorter or longer than what was found to serve cracks.
+    OddHorizon,
+    /// Spacings of a block that differ much from axis to axis.
+    FlatCells,
+    /// Few layers of nodes across a member that bends.
+    FewLayers,
+    /// A motion prescribed on less than the depth of the horizon.
+    ThinLayer,
 }
 
 impl Doubt {
@@ -72,6 +80,10 @@ impl Doubt {
             Self::FarNearest => "far-nearest",
             Self::TooThick => "too-thick",
             Self::Overlap => "overlap",
+            Self::OddHorizon => "odd-horizon",
+            Self::FlatCells => "flat-cells",
+            Self::FewLayers => "few-layers",
+            Self::ThinLayer => "thin-layer",
         }
     }
 }
@@ -119,6 +131,10 @@ mod tests {
             Doubt::FarNearest,
             Doubt::TooThick,
             Doubt::Overlap,
+            Doubt::OddHorizon,
+            Doubt::FlatCells,
+            Doubt::FewLayers,
+            Doubt::ThinLayer,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }

@@ -127,7 +127,8 @@ fn go_on(folder: &Path) -> Result<(), String> {
     let origin = checkpoint.origin.clone();
     let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced)
         .map_err(|error| render(&error, Rendering { width: 80, colour: false }))?;
-    let small = scene.shell().geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500);
+    let counts = scene.as_shell().and_then(|shell| shell.geometry.particles());
+    let small = counts.is_some_and(|[n1, n2]| n1 * n2 <= 500);
     if !small {
         return Ok(());
     }
@@ -293,7 +294,8 @@ proptest! {
             })
             .collect();
         let said = Scene::with_overrides(text, "scene.toml", &replaced).and_then(|scene| {
-            let small = scene.shell().geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 300);
+            let counts = scene.as_shell().and_then(|shell| shell.geometry.particles());
+    let small = counts.is_some_and(|[n1, n2]| n1 * n2 <= 300);
             if small { scene.build(1).map(|_| ()) } else { Ok(()) }
         });
         if let Err(error) = said {

@@ -53,7 +53,8 @@ fn said(scene: Scene) -> String {
 
 #[test]
 fn both_forms_say_the_same() {
-    for path in scenes() {
+    let short = |path: &PathBuf| !fs::read_to_string(path).unwrap().contains("[bodies.");
+    for path in scenes().into_iter().filter(short) {
         let (text, name) = (fs::read_to_string(&path).unwrap(), path.to_string_lossy());
         let long = in_the_long_form(&text);
         let [short, long] = [&text, &long].map(|text| Scene::parse(text, &name).unwrap());

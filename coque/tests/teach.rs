@@ -193,9 +193,14 @@ fn the_catalogue_names_what_scenes_use() {
     for (_, text) in scenes() {
         let scene = Scene::parse(&text, "a scene").unwrap();
         assert!(words("analyses").iter().any(|word| word.starts_with(scene.analysis.word())));
-        assert!(words("geometries").contains(&scene.shell().geometry.word().to_string()));
-        assert!(words("formulations").contains(&scene.shell().formulation.word().to_string()));
-        assert!(words("strains").contains(&scene.shell().formulation.curvature().to_string()));
+        if let Some(shell) = scene.as_shell() {
+            assert!(words("geometries").contains(&shell.geometry.word().to_string()));
+            assert!(words("formulations").contains(&shell.formulation.word().to_string()));
+            assert!(words("strains").contains(&shell.formulation.curvature().to_string()));
+        }
+        if let Some(solid) = scene.as_solid() {
+            assert!(words("solid-formulations").contains(&solid.formulation.word().to_string()));
+        }
         for (word, _) in scene.supports.iter().flat_map(|support| support.kinds()) {
             assert!(words("supports").contains(&word.to_string()));
         }

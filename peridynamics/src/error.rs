@@ -42,6 +42,12 @@ pub enum SolidError {
         "all bonds lie in one plane, so that nothing resists across it; use a plane block or several layers"
     )]
     OneLayer,
+    /// A plate of sheets without plane stress in a plane.
+    #[error("two sheets make a thin plate: they need a plane block and plane stress")]
+    NotThin,
+    /// Contact asked of a plate of sheets.
+    #[error("plates of two sheets know no contact; leave it out, or model the plate as a solid")]
+    SheetContact,
     /// A set without nodes.
     #[error("{0} acts on an empty set of nodes; name a set that holds at least one")]
     EmptySet(&'static str),

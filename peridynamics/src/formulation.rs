@@ -1,6 +1,10 @@
 //! How bonds carry an elastic solid: law, horizon, influence, correction.
 
-use crate::material::Space;
+use crate::error::SolidError;
+use crate::material::{Elastic, Moduli, Space};
+
+/// Poisson's ratios this close are equal.
+const SAME: f64 = 1e-9;
 
 /// A peridynamic formulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +61,21 @@ pub enum Correction {
     Even,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,
+}
+
+impl Formulation {
+    /// The constants of a material in the space of the bonds.
+    ///
+    /// # Errors
+    /// [`SolidError::Material`], and [`SolidError::Pairwise`] for a Poisson's ratio that pairwise forces have not.
+    pub(crate) fn moduli(&self, material: &Elastic) -> Result<Moduli, SolidError> {
+        let moduli = material.moduli(self.space)?;
+        let pairwise = self.space.pairwise_poisson();
+        if self.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
+            return Err(SolidError::Pairwise(material.poisson, pairwise));
+        }
+        Ok(moduli)
+    }
 }
 
 impl Influence {

@@ -7,14 +7,24 @@ use crate::bonds::network::Row;
 use crate::unknowns::Unknowns;
 
 /// The stored energy of a body as a function of its rows, and how bonds break.
-pub(crate) trait Mechanics: Send {
+pub(crate) trait Mechanics: Send + Sync {
     /// Internal forces `∂U/∂row` of all rows; returns the stored energy \[F L\], zero unless wanted.
     ///
     /// The last places of the rows are the mechanics' own. With `watch` it notes the bonds beyond their limit, for
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
-    /// Breaks the bonds noted in the last evaluation of these rows; returns the energy that the body lost \[F L\].
+    /// Second derivatives at `rows` times the displacements `along`, into `out`; the last places of all are its own. False,
+    /// with nothing done, where a mechanics has forces alone.
+    fn tangent(&mut self, _rows: &mut [Row], _along: &mut [Row], _out: &mut [Row], _threads: usize) -> bool {
+        false
+    }
+
+    /// Whether bonds were beyond their limit in the last evaluation.
+    fn noted(&self) -> bool;
+
+    /// Breaks the bonds noted in the last evaluation; returns the energy that the body loses at these rows, whose last
+    /// places do not matter \[F L\].
     fn break_bonds(&mut self, rows: &[Row]) -> f64;
 
     /// Pairs of rows with second derivatives, by the bonds that are whole now.
@@ -35,6 +45,12 @@ pub(crate) trait Mechanics: Send {
         false
     }
 
+    /// Whether the stiff directions of a body stay about where they are at rest, as those of a thin plate do: its deflection is
+    /// softer than its plane, and a relaxation may move it with less mass.
+    fn keeps_directions(&self) -> bool {
+        false
+    }
+
     /// The least of present over reference length of whole bonds, and the node that has it.
     fn shortest(&self, rows: &[Row]) -> (usize, f64);
 
@@ -51,6 +67,11 @@ pub(crate) trait Mechanics: Send {
 
     /// The broken part of a node's family, by volume: zero whole, one free.
     fn damage(&self, node: usize) -> f64;
+
+    /// The damage of a column in the upper sheet and in the lower one; none but of a plate of two.
+    fn damage_of_sheets(&self, _node: usize) -> Option<[f64; 2]> {
+        None
+    }
 
     /// Energy that the broken bonds of a node held, half of each bond's \[F L\].
     fn fracture_energy(&self, node: usize) -> f64;

@@ -36,7 +36,8 @@ pub struct Parts {
 pub enum Carrier {
     /// Between nodes of a solid.
     Bonds(Formulation),
-    /// In two plane-stress sheets of a thin plate, on directors; the block is plane, its nodes are columns.
+    /// In two plane-stress sheets of a thin plate, on directors; the block is plane and its nodes are columns, which may stand
+    /// somewhat out of its plane: the plate is then bent so at rest.
     Sheets(Sheets),
 }
 

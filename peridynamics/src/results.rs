@@ -23,6 +23,11 @@ impl Solid {
         self.mechanics.damage(node)
     }
 
+    /// Damage of a column in the upper sheet and in the lower one \[–\]; none but of a plate of two, whose damage is their mean.
+    pub fn damage_of_sheets(&self, node: usize) -> Option<[f64; 2]> {
+        self.mechanics.damage_of_sheets(node)
+    }
+
     /// Energy that the broken bonds of a node held when they broke, half of each bond's and what its dilatation lost \[F L\].
     pub fn fracture_energy(&self, node: usize) -> f64 {
         self.mechanics.fracture_energy(node)

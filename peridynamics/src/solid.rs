@@ -1,6 +1,6 @@
 //! A body of nodes: what moves, what holds it, and what it resists with.
 
-use explicit_dynamics::Instant;
+use explicit_dynamics::{Instant, Work};
 use sph_core::{Block, Vec3};
 
 use crate::bonds::network::Row;
@@ -11,6 +11,7 @@ use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::{Carrier, Parts};
+use crate::sheets::Plate;
 
 /// A peridynamic body: nodes that move, and of a plate of two sheets their directors.
 ///
@@ -33,8 +34,10 @@ pub struct Solid {
     pub(crate) loads: Vec<AppliedLoad>,
     pub(crate) mechanics: Box<dyn Mechanics>,
     pub(crate) internal_energy: f64,
-    /// Energy of bonds broken since the last kick \[F L\].
-    pub(crate) released: f64,
+    /// Rows in the middle of a step in which bonds break; empty until one does.
+    pub(crate) breaking: Vec<Row>,
+    /// What each chunk of rows booked in the last kick.
+    pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -48,18 +51,27 @@ impl Solid {
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
         let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
         let breakage = Breakage { fracture: parts.fracture, cracks: parts.cracks, contact: parts.contact };
-        let Carrier::Bonds(formulation) = formulation else { unreachable!() };
-        let moduli = material.moduli(formulation.space)?;
-        let mechanics = SolidBonds::new(&block, &material, &formulation, &breakage)?;
-        let rest = block.positions.clone();
-        let across = (block.dimensions == 2).then(Vec3::z);
+        let mut rest = block.positions.clone();
+        let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
+        let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
+            Carrier::Bonds(bonds) => {
+                let across = (block.dimensions == 2).then(Vec3::z);
+                (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
+            }
+            Carrier::Sheets(sheets) => {
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
+                rest.extend(directors);
+                masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
+                (Box::new(plate), sheets.formulation.space, None)
+            }
+        };
+        let moduli = material.moduli(space)?;
         let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
         for (node, _) in loads.iter().flat_map(|load| &load.forces) {
             if *node as usize >= block.len() {
                 return Err(SolidError::NoSuchNode { what: "a load", node: *node, count: block.len() });
             }
         }
-        let masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let count = rest.len();
         Ok(Self {
             rows: rest.iter().map(|x| [x.x, x.y, x.z, 0.0]).collect(),
@@ -69,9 +81,10 @@ impl Solid {
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
             constraints,
             loads,
-            mechanics: Box::new(mechanics),
+            mechanics,
             internal_energy: 0.0,
-            released: 0.0,
+            breaking: Vec::new(),
+            works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,
@@ -119,6 +132,24 @@ impl Solid {
         vector(&self.rates[node])
     }
 
+    /// Director of a column of two sheets \[–\].
+    pub fn director(&self, node: usize) -> Option<Vec3> {
+        self.rows.get(self.len() + node).map(vector)
+    }
+
+    /// Turns and stretches the director of a column of two sheets; nothing else has one.
+    pub fn set_director(&mut self, node: usize, director: Vec3) {
+        let row = self.block.len() + node;
+        if let Some(row) = self.rows.get_mut(row) {
+            row[..3].copy_from_slice(director.as_slice());
+        }
+    }
+
+    /// `∂U/∂d` of a column of two sheets in the last evaluation \[F L\].
+    pub fn internal_couple(&self, node: usize) -> Option<Vec3> {
+        self.internal.get(self.len() + node).map(vector)
+    }
+
     /// Moves a node to a place \[L\]; forces are those of the last evaluation.
     pub fn put(&mut self, node: usize, position: Vec3) {
         self.rows[node][..3].copy_from_slice(position.as_slice());
@@ -149,6 +180,12 @@ impl Solid {
         self.internal_force(node) - self.external_force(node)
     }
 
+    /// Whether a support holds a node along any direction that it could move in.
+    pub fn is_held(&self, node: usize) -> bool {
+        let across = usize::from(self.block.dimensions == 2 && self.rest.len() == self.block.len());
+        self.constraints.get(node).is_some_and(|constraint| constraint.held().len() > across)
+    }
+
     /// Stored energy of the last evaluation that asked for it \[F L\].
     pub fn internal_energy(&self) -> f64 {
         self.internal_energy
@@ -173,7 +210,7 @@ impl Solid {
     pub(crate) fn break_beyond_limits(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        self.released += self.mechanics.break_bonds(&self.rows);
+        self.mechanics.break_bonds(&self.rows);
     }
 
     /// The loads at an instant.

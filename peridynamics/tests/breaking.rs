@@ -8,8 +8,8 @@ use peridynamics::{Criterion, Elastic, Fracture, Law, Parts, Solid, Space};
 use sph_core::Vec3;
 
 const AT: Instant = Instant { time: 0.0, level: 1.0 };
-/// A step that neither kicks nor drifts.
-const STILL: Step = Step { from: AT, to: AT, kick: 0.0, damping: 0.0 };
+/// A step that hardly kicks and does not drift.
+const STILL: Step = Step { from: AT, to: AT, kick: 1e-30, damping: 0.0 };
 
 const BY_STRETCH: Criterion = Criterion::Stretch { tension: 0.012, compression: Some(-0.02) };
 const BY_WORK: Criterion = Criterion::EnergyByWork(40.0);

@@ -30,6 +30,13 @@ pub const RELAXED: &str = "stress-point cell, relaxed";
 /// The independent finite-element shell.
 pub const ELEMENTS: &str = "fe shell";
 
+/// Bonds that feel their own extension alone.
+pub const PAIRWISE: &str = "bond-based";
+/// Bonds that feel the dilatation at both ends.
+pub const STATE: &str = "state-based";
+/// A thin plate of two peridynamic sheets on directors.
+pub const SHEETS: &str = "two sheets";
+
 /// A method.
 pub struct Setting {
     /// Name in table and report.
@@ -44,7 +51,7 @@ pub struct Setting {
 
 /// All of them, finite elements beside. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const METHODS: [Setting; 12] = [
+pub const METHODS: [Setting; 15] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
     Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
     Setting { method: RELAXED, set: None, colour: BLUE, mark: Mark::Triangle },
@@ -56,6 +63,9 @@ pub const METHODS: [Setting; 12] = [
     Setting { method: NODAL_2, set: Some(("nodal.order", "2")), colour: PURPLE, mark: Mark::Square },
     Setting { method: NODAL_3, set: Some(("nodal.order", "3")), colour: GREEN, mark: Mark::Triangle },
     Setting { method: STRONG_12, set: Some(("strong-form.smoothing", "1.2")), colour: VERMILION, mark: Mark::Cross },
+    Setting { method: PAIRWISE, set: None, colour: SKY, mark: Mark::Disc },
+    Setting { method: STATE, set: None, colour: VERMILION, mark: Mark::Disc },
+    Setting { method: SHEETS, set: None, colour: VERMILION, mark: Mark::Square },
     Setting { method: STRONG_085, set: Some(("strong-form.smoothing", "0.85")), colour: BLACK, mark: Mark::Cross },
 ];
 
@@ -72,7 +82,7 @@ mod tests {
     fn methods_are_listed_once() {
         for method in [
             CELL, STATIC, RELAXED, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
-            STRONG_085,
+            STRONG_085, PAIRWISE, STATE, SHEETS,
         ] {
             assert_eq!(METHODS.iter().filter(|setting| setting.method == method).count(), 1, "{method}");
         }

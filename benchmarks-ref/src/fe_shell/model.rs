@@ -15,6 +15,8 @@ use thiserror::Error;
 
 /// Numbers kept per node of a saved state: position, director, first axis.
 const SAVED: usize = 9;
+/// Part of the level over which the pull of moved nodes is differenced.
+const DIFFERENCE: f64 = 1e-6;
 
 /// Why a shell cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -61,6 +63,8 @@ pub struct Model {
     positions: Vec<Vector3<f64>>,
     directors: Vec<Director>,
     assembly: Assembly,
+    /// Nodes whose held displacement goes with the level, and what it is at level one \[L\].
+    moved: Vec<(usize, Vector3<f64>)>,
     /// Whether increments are followed by predicted resultants, and those of the last one.
     predicts: bool,
     predicted: Vec<Stresses>,
@@ -117,6 +121,7 @@ impl Model {
             positions,
             directors,
             assembly,
+            moved: Vec::new(),
             predicts: false,
             predicted: Vec::new(),
         })
@@ -131,6 +136,48 @@ impl Model {
     pub fn predict_resultants(mut self) -> Self {
         self.predicts = true;
         self
+    }
+
+    /// Lets held directions of some nodes move by this displacement at level one \[L\].
+    pub fn moving(mut self, nodes: &[usize], displacement: Vector3<f64>) -> Self {
+        self.moved.extend(nodes.iter().map(|&node| (node, displacement)));
+        self
+    }
+
+    /// The force that supports exert on some nodes together, loads left out \[F\].
+    pub fn reaction(&self, nodes: &[usize]) -> Vector3<f64> {
+        let mut sum = Vector3::zeros();
+        for (corners, geometry) in &self.elements {
+            if corners.iter().any(|node| nodes.contains(node)) {
+                let forces = element::forces(geometry, &self.corners(corners), &self.section.stiffness);
+                let held = (0..4).filter(|&corner| nodes.contains(&corners[corner]));
+                sum +=
+                    held.map(|corner| forces.fixed_rows::<3>(3 * corner).into_owned()).sum::<Vector3<f64>>();
+            }
+        }
+        sum
+    }
+
+    /// Puts the held directions of moved nodes where a level has them.
+    fn put(&mut self, level: f64) {
+        for (node, displacement) in &self.moved {
+            let frame = &self.frames[*node];
+            let missing = self.reference[*node] + displacement * level - self.positions[*node];
+            for axis in &frame.axes[..frame.held] {
+                self.positions[*node] += axis * axis.dot(&missing);
+            }
+        }
+    }
+
+    /// Loads at level one.
+    ///
+    /// A couple m about a fixed axis pulls the director with m × d; its tangent on the sphere is skew.
+    fn loads(&self, out: &mut [f64]) {
+        out.fill(0.0);
+        for (node, load) in self.loads.iter().enumerate() {
+            let on_director = load.couple.cross(&self.directors[node].normal);
+            self.add(node, &load.force, &on_director, out);
+        }
     }
 
     /// Mean spacing of the nodes: the square root of their mean area \[L\].
@@ -266,7 +313,8 @@ impl Equilibrium for Model {
         self.assembly.pattern()
     }
 
-    fn internal(&mut self, _level: f64, out: &mut [f64]) {
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.put(level);
         out.fill(0.0);
         for (nodes, geometry) in &self.elements {
             let forces = element::forces(geometry, &self.corners(nodes), &self.section.stiffness);
@@ -275,22 +323,37 @@ impl Equilibrium for Model {
     }
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
-        self.load_rate(level, out);
+        self.loads(out);
         for value in out {
             *value *= level;
         }
     }
 
-    /// A couple m about a fixed axis pulls the director with m × d; its tangent on the sphere is skew.
-    fn load_rate(&mut self, _level: f64, out: &mut [f64]) {
-        out.fill(0.0);
-        for (node, load) in self.loads.iter().enumerate() {
-            let on_director = load.couple.cross(&self.directors[node].normal);
-            self.add(node, &load.force, &on_director, out);
+    /// The pull of moved nodes is a central difference over this part of the level: the forces are cubic in it.
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        self.loads(out);
+        if self.moved.is_empty() {
+            return;
         }
+        let mut forces = vec![0.0; out.len()];
+        for sign in [1.0, -1.0] {
+            self.internal(level + sign * DIFFERENCE, &mut forces);
+            out.iter_mut().zip(&forces).for_each(|(out, f)| *out -= sign * f / (2.0 * DIFFERENCE));
+        }
+        self.put(level);
     }
 
-    fn tangent(&mut self, _level: f64, values: &mut [f64]) {
+    fn held_values_move(&self) -> bool {
+        !self.moved.is_empty()
+    }
+
+    fn driving_force(&self) -> f64 {
+        let nodes: Vec<usize> = self.moved.iter().map(|(node, _)| *node).collect();
+        self.moved.first().map_or(0.0, |(_, along)| along.normalize().dot(&self.reaction(&nodes)).abs())
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.put(level);
         values.fill(0.0);
         for (index, (nodes, geometry)) in self.elements.iter().enumerate() {
             let (corners, given) = (self.corners(nodes), self.predicted.get(index));

@@ -6,15 +6,20 @@
 //! | a body with its task, ready to run | `model.rs` |
 //! | columns of the curve | `probe.rs` |
 //! | what fields show of it | `shown.rs` |
-//! | shells | `shell/` |
+//! | which kind is built, what all kinds refuse | `build.rs` |
+//! | which rigid motions are free | `rigid.rs` |
+//! | shells; solids | `shell/`; `solid/` |
 
 pub(crate) mod body;
+mod build;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
+mod rigid;
 pub(crate) mod sets;
 pub(crate) mod shell;
 mod shown;
+mod solid;
 
 pub use body::{
     Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,

@@ -16,7 +16,7 @@ pub struct Probe {
     pub of: Measured,
     /// Particles over which it is reduced.
     pub particles: Vec<u32>,
-    /// Unit vector along which it is measured.
+    /// Unit vector along which it is measured; zero for numbers without components.
     pub direction: Vec3,
     /// What is taken of the values of the particles.
     pub take: Take,
@@ -38,7 +38,10 @@ impl Probe {
             Measured::Displacement | Measured::Position => Quantity::Length,
             Measured::Reaction => Quantity::Force,
             Measured::Rotation => Quantity::Angle,
-            Measured::Director => Quantity::Ratio,
+            Measured::Director | Measured::Damage => Quantity::Ratio,
+            Measured::Velocity => Quantity::Speed,
+            Measured::FractureEnergy => Quantity::Energy,
+            Measured::StrainEnergy => Quantity::Stress,
         };
         Column { name: self.name.clone(), unit: units.symbol(quantity) }
     }

@@ -29,16 +29,9 @@ impl Sets {
             }
         };
         for (name, region) in &scene.sets {
-            let particles = inside(region, cloud);
+            let particles = inside(region, &cloud.positions, cloud.spacing());
             if particles.is_empty() {
-                let repair = format!(
-                    "the shell lies between {} and {}",
-                    corner(cloud, f64::min),
-                    corner(cloud, f64::max)
-                );
-                let bound = "its region holds no particle";
-                let fault = scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair);
-                return Err(SceneError::Set(fault));
+                return Err(empty(scene, name, &cloud.positions));
             }
             members.insert(name.clone(), particles);
         }
@@ -101,8 +94,9 @@ fn side(name: &str) -> Option<Side> {
     }
 }
 
-fn inside(region: &Region, cloud: &Cloud) -> Vec<u32> {
-    let numbered = || cloud.positions.iter().enumerate().map(|(a, x)| (a as u32, x));
+/// Particles in a region, `spacing` apart \[L\].
+pub(super) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u32> {
+    let numbered = || positions.iter().enumerate().map(|(a, x)| (a as u32, x));
     if let Some(point) = region.nearest {
         let distance = |x: &Vec3| (x - Vec3::from(point)).norm_squared();
         let nearest = numbered().min_by(|(_, x), (_, y)| distance(x).total_cmp(&distance(y)));
@@ -110,20 +104,28 @@ fn inside(region: &Region, cloud: &Cloud) -> Vec<u32> {
     }
     if let Some(plane) = region.plane {
         let normal = Vec3::from(plane.normal).normalize();
-        let within = plane.within.unwrap_or(1e-3 * cloud.spacing());
+        let within = plane.within.unwrap_or(1e-3 * spacing);
         let on = |x: &Vec3| (x - Vec3::from(plane.point)).dot(&normal).abs() <= within;
         return numbered().filter(|(_, x)| on(x)).map(|(a, _)| a).collect();
     }
     let Some(faces) = region.inside else { return Vec::new() };
     // A particle on a face belongs to the box, whatever rounding did to it.
-    let slack = 1e-9 * cloud.spacing();
+    let slack = 1e-9 * spacing;
     let holds = |x: &Vec3| (0..3).all(|i| faces.min[i] - slack <= x[i] && x[i] <= faces.max[i] + slack);
     numbered().filter(|(_, x)| holds(x)).map(|(a, _)| a).collect()
 }
 
-/// One corner of the box round the cloud.
-fn corner(cloud: &Cloud, pick: fn(f64, f64) -> f64) -> String {
-    let extreme = cloud.positions.iter().copied().reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default();
+/// Refusal of a declared set without particles.
+pub(super) fn empty(scene: &Scene, name: &str, positions: &[Vec3]) -> SceneError {
+    let [least, greatest] = [f64::min, f64::max].map(|pick| corner(positions, pick));
+    let repair = format!("the {} lies between {least} and {greatest}", scene.body().word());
+    let bound = "its region holds no particle";
+    SceneError::Set(scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair))
+}
+
+/// One corner of the box round particles.
+fn corner(positions: &[Vec3], pick: fn(f64, f64) -> f64) -> String {
+    let extreme = positions.iter().copied().reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default();
     format!("[{:.4}, {:.4}, {:.4}]", extreme.x, extreme.y, extreme.z)
 }
 

@@ -12,8 +12,8 @@ use super::say::{Refused, say};
 pub struct Plot {
     /// Folder of a run; of a scene with [output.fields] unless --curve is given.
     folder: PathBuf,
-    /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: von_mises_top, else
-    /// displacement]
+    /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: damage where there is any,
+    /// von_mises_top, else displacement]
     #[arg(long, value_name = "FIELD")]
     field: Option<String>,
     /// Number of the frame, from 0 [default: the last].
@@ -88,7 +88,10 @@ fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
 }
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
-    let list = plot.folder.join("fields/shell.pvd");
+    let of = |name: &str| plot.folder.join("fields").join(name);
+    // Beside the list of a shell that of a solid is the same shell with its thickness.
+    let list = Some(of("solid.pvd")).filter(|solid| solid.exists() && !of("shell.pvd").exists());
+    let list = list.unwrap_or_else(|| of("shell.pvd"));
     let frames = listed(&list).map_err(unread)?;
     let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
     let Some((along, path)) = frames.get(number) else {

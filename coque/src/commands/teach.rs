@@ -49,12 +49,14 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 20] = [
+const TEMPLATES: [(&str, &str); 23] = [
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
     ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
+    ("crack-branching", include_str!("../../../scenes/crack-branching.toml")),
     ("cylinder-pressure", include_str!("../../../scenes/cylinder-pressure.toml")),
     ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
+    ("kalthoff", include_str!("../../../scenes/kalthoff.toml")),
     ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
     ("panel", include_str!("../../../scenes/panel.toml")),
     ("panel-laminated", include_str!("../../../scenes/panel-laminated.toml")),
@@ -63,6 +65,7 @@ const TEMPLATES: [(&str, &str); 20] = [
     ("pinched-cylinder-large", include_str!("../../../scenes/pinched-cylinder-large.toml")),
     ("plate", include_str!("../../../scenes/plate.toml")),
     ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
+    ("plate-pd", include_str!("../../../scenes/plate-pd.toml")),
     ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),

@@ -19,7 +19,7 @@ pub struct FieldFiles {
 }
 
 impl FieldFiles {
-    /// The series of a shell that is alone in its scene.
+    /// The series of a shell that is alone in its scene; a lone solid is `solid`.
     pub const LONE: &'static str = "shell";
 
     /// Makes the folder and takes out the frames that an earlier run left there of the body.

@@ -1,6 +1,7 @@
 //! A deformed shape as a picture without a viewer: cells coloured by a field, the undeformed outline, a colour bar.
 //!
-//! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other.
+//! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other, and for
+//! particles, which are squares.
 
 mod field;
 mod paint;
@@ -15,8 +16,8 @@ use paint::{Camera, Canvas, colour};
 /// What to draw, and from where.
 #[derive(Clone, Debug)]
 pub struct Picture<'a> {
-    /// A field of the sheet: a number, the length of a vector, or one component as in `moment.11`; without, the
-    /// von Mises stress on top if there is one, else the displacement.
+    /// A field of the sheet: a number, the length of a vector, or one component as in `moment.11`; without, the damage
+    /// if there is any, the von Mises stress on top if there is one, else the displacement.
     pub field: Option<&'a str>,
     /// Where the viewer stands: azimuth from x towards y and height above the x–y plane, in degrees.
     pub view: [f64; 2],
@@ -87,9 +88,12 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // Particles with volumes are drawn as wide as the cube that the largest fills: those on a face have but a part of theirs.
+    let volumes = sheet.point_data.get("volume").filter(|volume| volume.width == 1);
+    let side = volumes.and_then(|volume| volume.numbers.iter().copied().reduce(f64::max)).map(libm::cbrt);
     let faces = order.into_iter().map(|(_, i)| {
         let corners = cells[i].iter().map(|&a| &now[a]).collect();
-        (corners, colour(of_cells[i % of_cells.len()], range))
+        (corners, side, colour(of_cells[i % of_cells.len()], range))
     });
     canvas.cells(faces, cells.len() <= MOST_EDGED);
     canvas.axes(&camera);

@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::analysis_kind::ANALYSES;
 use super::loads::Load;
 use super::schema::schema;
-use super::sets::BUILT_IN;
+use super::sets::{BUILT_IN, OF_SOLIDS};
 use super::supports::Support;
 
 /// Things of one kind.
@@ -31,7 +31,10 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
     let shelf = |name, place, entries| CatalogueEntry { name, place, entries };
     let kernels = sph_core::kernels().map(|kernel| (kernel.name().into(), kernel.describe().into()));
     let strains = shell_kinematics::strain_measures().map(|m| (m.name().into(), m.describe().into()));
-    let sets = [(BUILT_IN.join(", "), "all particles, edges, corners, middle rows".into())];
+    let sets = [
+        (BUILT_IN.join(", "), "of a shell: all particles, edges, corners, middle rows".into()),
+        (OF_SOLIDS.join(", "), "of a solid: all nodes, those on the faces of its block".into()),
+    ];
     vec![
         shelf("analyses", "[analysis.…]", analyses.collect()),
         shelf("bodies", "[bodies.NAME.…]", alternatives(&types["BodyScene"])),
@@ -39,6 +42,12 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
         shelf("materials", "[material.…]", alternatives(&types["Material"])),
         shelf("sections", "[section.…]", alternatives(&types["Section"])),
         shelf("formulations", "[formulation.…]", alternatives(&types["Formulation"])),
+        shelf(
+            "solid-formulations",
+            "[bodies.NAME.solid.formulation.…]",
+            alternatives(&types["SolidFormulation"]),
+        ),
+        shelf("cut-outs", "[bodies.NAME.solid.geometry] cut_outs", alternatives(&types["CutOut"])),
         shelf("kernels", "formulation.….kernel", kernels.into()),
         shelf("strains", "formulation.….curvature", strains.into()),
         shelf("sets", "on = \"…\"", sets.into()),

@@ -13,10 +13,10 @@ pub struct Probe {
     pub of: Measured,
     /// Particle set.
     pub on: String,
-    /// What is taken of the values of its particles; left out, the mean, for a reaction the sum.
+    /// What is taken of the values of its particles; left out, the mean, for reactions and fracture energies the sum.
     pub take: Option<Take>,
-    /// Component that is taken, in the un-turned frame.
-    pub direction: [f64; 3],
+    /// Component that is taken, in the un-turned frame; of damage and energies, which are numbers, none.
+    pub direction: Option<[f64; 3]>,
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
@@ -44,9 +44,9 @@ impl Probe {
 }
 
 impl Take {
-    /// What is taken where nothing is said: the sum of reactions, else the mean.
+    /// What is taken where nothing is said: the sum of reactions and fracture energies, else the mean.
     pub fn usual(of: Measured) -> Self {
-        if of == Measured::Reaction { Self::Sum } else { Self::Mean }
+        if matches!(of, Measured::Reaction | Measured::FractureEnergy) { Self::Sum } else { Self::Mean }
     }
 }
 
@@ -64,6 +64,36 @@ pub enum Measured {
     Rotation,
     /// Component of the director \[–\].
     Director,
+    /// Component of the velocity, in analyses in time \[L/T\].
+    Velocity,
+    /// Share of the bonds of a node of a solid that are broken \[–\].
+    Damage,
+    /// Energy of the broken bonds of a node of a solid \[F L\].
+    FractureEnergy,
+    /// Stored energy by volume at a node of a solid \[F/L²\].
+    StrainEnergy,
+}
+
+impl Measured {
+    /// Its word in a scene.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement",
+            Self::Position => "position",
+            Self::Reaction => "reaction",
+            Self::Rotation => "rotation",
+            Self::Director => "director",
+            Self::Velocity => "velocity",
+            Self::Damage => "damage",
+            Self::FractureEnergy => "fracture-energy",
+            Self::StrainEnergy => "strain-energy",
+        }
+    }
+
+    /// Whether it is a number without components.
+    pub fn is_scalar(self) -> bool {
+        matches!(self, Self::Damage | Self::FractureEnergy | Self::StrainEnergy)
+    }
 }
 
 fn one() -> f64 {

@@ -11,7 +11,7 @@ are those of the unloaded shell: its loads change nothing, prescribed motions st
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 16] = [
+const ROWS: [(&str, &str, &str); 19] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -40,6 +40,25 @@ const ROWS: [(&str, &str, &str); 16] = [
     ("`pressure`, follower", "loads", "on = 'all', pressure = { value = 1, follower = true }"),
     ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
+    ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
+    ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
+    ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),
+];
+
+/// The shell and the solid of the small scenes, with the edges that are held and loaded.
+const SHELL: [&str; 3] = [
+    "geometry.plate = { lengths = [1, 1], particles = [3, 3] }
+     material.elastic = { young = 1, poisson = 0, density = 1 }
+     section.homogeneous = { thickness = 0.1 }",
+    "u0",
+    "v1",
+];
+const SOLID: [&str; 3] = [
+    "bodies.block.solid.geometry.block = { lengths = [1, 1, 1], spacing = 0.3 }
+     bodies.block.solid.material.elastic = { young = 1, poisson = 0, density = 1 }
+     bodies.block.solid.formulation.state-based = { horizon = 1.5 }",
+    "x0",
+    "y1",
 ];
 
 /// The table, in Markdown.
@@ -74,24 +93,25 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "modal" | "buckling" => "modes = 1",
         _ => "",
     };
-    let mut supports = vec!["{ on = 'u0', clamped = {} }".to_string()];
+    let of_solid = name.ends_with("of a solid");
+    let [body, held, loaded] = if of_solid { SOLID } else { SHELL };
+    let mut supports = vec![format!("{{ on = '{held}', clamped = {{}} }}")];
     let mut loads = Vec::new();
     let mut velocity = String::new();
     match table {
         "supports" => supports.push(format!("{{ {says} }}")),
         "loads" => loads.push(format!("{{ {says} }}")),
+        _ if of_solid => velocity = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => velocity = format!("velocity = {{ {says} }}"),
     }
     let alone = table == "loads" || (name.starts_with("`moved`") && !name.ends_with("beside a load"));
     if !alone {
-        loads.push("{ on = 'v1', force = { total = [0, 0, 1] } }".into());
+        loads.push(format!("{{ on = '{loaded}', force = {{ total = [0, 0, 1] }} }}"));
     }
     let text = format!(
         "title = ''
         units = {{ length = '-', force = '-', time = '-' }}
-        geometry.plate = {{ lengths = [1, 1], particles = [3, 3] }}
-        material.elastic = {{ young = 1, poisson = 0, density = 1 }}
-        section.homogeneous = {{ thickness = 0.1 }}
+        {body}
         analysis.{} = {{ {options} }}
         supports = [{}]
         loads = [{}]

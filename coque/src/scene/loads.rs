@@ -21,11 +21,13 @@ pub struct Load {
     pub pressure: Option<Pressure>,
     /// Weight: an acceleration of the mass of the set.
     pub gravity: Option<Gravity>,
+    /// Dead force by area on a face of a solid.
+    pub traction: Option<Traction>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
 }
 
-/// Dead force shared by the set: by tributary length on an edge, else equally.
+/// Dead force shared by the set: by tributary length on an edge, of a solid by volume, else equally.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Force {
@@ -71,6 +73,16 @@ pub struct Gravity {
     pub acceleration: [f64; 3],
 }
 
+/// Dead force by area of a face at rest.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Traction {
+    /// Force by area \[F/L²\].
+    pub value: [f64; 3],
+    /// Depth of the layer under the face over which it is spread by volume \[L\]; left out, it acts on the outermost nodes.
+    pub depth: Option<f64>,
+}
+
 /// The one kind of a [`Load`].
 #[derive(Clone, Copy, Debug)]
 pub enum LoadKind {
@@ -82,11 +94,13 @@ pub enum LoadKind {
     Pressure(Pressure),
     /// See [`Load::gravity`].
     Gravity(Gravity),
+    /// See [`Load::traction`].
+    Traction(Traction),
 }
 
 impl Load {
     /// Keys of the kinds.
-    pub const WORDS: [&'static str; 4] = ["force", "couple", "pressure", "gravity"];
+    pub const WORDS: [&'static str; 5] = ["force", "couple", "pressure", "gravity", "traction"];
 
     /// Every kind that is given, with its key; a checked scene has exactly one.
     pub fn kinds(&self) -> Vec<(&'static str, LoadKind)> {
@@ -95,6 +109,7 @@ impl Load {
             self.couple.map(LoadKind::Couple),
             self.pressure.map(LoadKind::Pressure),
             self.gravity.map(LoadKind::Gravity),
+            self.traction.map(LoadKind::Traction),
         ]
         .into_iter()
         .zip(Self::WORDS)

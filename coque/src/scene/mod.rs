@@ -23,6 +23,7 @@ pub(crate) mod schema;
 mod scope;
 pub(crate) mod sets;
 mod shell;
+pub(crate) mod solid;
 pub(crate) mod source;
 mod statics;
 mod supports;
@@ -35,10 +36,10 @@ pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
 pub use curve::{Measured, Probe, Take};
 pub use levels::Levels;
-pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure};
+pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction};
 pub use output::{Fields, Output, Plot};
 pub use problem::{BodyScene, Scene};
-pub use sets::{Box3, OnPlane, Region};
+pub use sets::{Box3, Layer, OnPlane, Region};
 pub use shell::ShellScene;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
@@ -47,6 +48,12 @@ pub use shell::geometry::{
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use shell::mesh::Mesh;
+pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
+pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
+pub use solid::geometry::{
+    Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry, Spacing,
+};
+pub use solid::{Imperfection, SolidMaterial, SolidScene};
 pub use statics::{
     ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Relaxation, RelaxationDamping, Static, Stop,
 };

@@ -12,6 +12,7 @@ use super::output::Output;
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
+use super::solid::SolidScene;
 use super::source::{BODIES, Source};
 use super::supports::Support;
 use super::units::Units;
@@ -59,6 +60,8 @@ pub struct Scene {
 pub enum BodyScene {
     /// A thin shell, one layer of particles on its mid-surface.
     Shell(ShellScene),
+    /// A solid of nodes joined by bonds, which may break.
+    Solid(SolidScene),
 }
 
 impl BodyScene {
@@ -66,6 +69,7 @@ impl BodyScene {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Shell(_) => "shell",
+            Self::Solid(_) => "solid",
         }
     }
 
@@ -73,6 +77,7 @@ impl BodyScene {
     pub fn velocity(&self) -> Option<&Velocity> {
         match self {
             Self::Shell(shell) => shell.velocity.as_ref(),
+            Self::Solid(solid) => solid.velocity.as_ref(),
         }
     }
 }
@@ -82,32 +87,60 @@ impl Scene {
     ///
     /// # Panics
     /// If `bodies` has been emptied since.
-    fn body(&self) -> (&String, &BodyScene) {
+    fn named_body(&self) -> (&String, &BodyScene) {
         self.bodies.first_key_value().expect("a checked scene has a body")
+    }
+
+    /// The one body.
+    pub fn body(&self) -> &BodyScene {
+        self.named_body().1
     }
 
     /// Name of the body; `shell` where the scene does not give one.
     pub fn body_name(&self) -> &str {
-        self.body().0
+        self.named_body().0
     }
 
-    /// The shell.
+    /// The shell, if the body is one.
+    pub fn as_shell(&self) -> Option<&ShellScene> {
+        match self.body() {
+            BodyScene::Shell(shell) => Some(shell),
+            BodyScene::Solid(_) => None,
+        }
+    }
+
+    /// The solid, if the body is one.
+    pub fn as_solid(&self) -> Option<&SolidScene> {
+        match self.body() {
+            BodyScene::Shell(_) => None,
+            BodyScene::Solid(solid) => Some(solid),
+        }
+    }
+
+    /// The shell of a scene that is known to have one.
+    ///
+    /// # Panics
+    /// If the body is of another kind; [`Scene::as_shell`] asks.
     pub fn shell(&self) -> &ShellScene {
-        let BodyScene::Shell(shell) = self.body().1;
-        shell
+        self.as_shell().expect("the body is a shell")
     }
 
-    /// The shell, to change it; [`Scene::build`] checks it anew.
+    /// The same, to change it; [`Scene::build`] checks it anew.
+    ///
+    /// # Panics
+    /// If the body is of another kind.
     pub fn shell_mut(&mut self) -> &mut ShellScene {
-        let body = self.bodies.values_mut().next();
-        let BodyScene::Shell(shell) = body.expect("a checked scene has a body");
-        shell
+        match self.bodies.values_mut().next() {
+            Some(BodyScene::Shell(shell)) => shell,
+            _ => panic!("the body is a shell"),
+        }
     }
 
     /// Number of the support whose motion is all that drives an analysis that seeks the force along it.
     ///
-    /// That it acts on one particle is known only after building; on more, their displacement is prescribed.
+    /// That it acts on one particle is known only after building; on more, and on solids, their displacement is prescribed.
     pub(crate) fn sole_motion(&self) -> Option<usize> {
+        self.as_shell()?;
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
         let alone = self.loads.is_empty() && motions.next().is_none();
@@ -134,7 +167,7 @@ impl Scene {
 
     /// Where the keys of the body stand.
     pub(crate) fn body_scope(&self) -> Scope<'_> {
-        let (name, body) = self.body();
+        let (name, body) = self.named_body();
         self.source.body(name, body.word())
     }
 }

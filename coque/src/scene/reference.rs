@@ -44,6 +44,15 @@ pub fn reference_page() -> String {
     for (key, value) in properties(shell) {
         page.section(key, value);
     }
+    let solid = &schema["$defs"]["SolidScene"];
+    page.text.push_str("\n## A solid, below `bodies.NAME.solid`\n");
+    page.text.push_str(COLUMNS);
+    for (key, value) in properties(solid) {
+        page.row(key, value, solid);
+    }
+    for (key, value) in properties(solid) {
+        page.section(key, value);
+    }
     page.text + &goes_with()
 }
 

@@ -18,6 +18,7 @@ pub fn schema() -> Value {
     if let Some(types) = schema["$defs"].as_object_mut() {
         exactly_one(types, "Support", &Support::WORDS);
         exactly_one(types, "Load", &Load::WORDS);
+        exactly_one(types, "Fracture", &["energy", "stretch"]);
         exactly_one(types, "Explicit", &["quasi-static", "transient"]);
         exactly_one(types, "ArcLength", &["until", "stop"]);
         let kernels = sph_core::kernels().map(|kernel| kernel.name());

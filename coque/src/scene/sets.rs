@@ -3,14 +3,17 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Sets that every scene has.
+/// Sets that every shell has.
 pub(crate) const BUILT_IN: [&str; 11] =
     ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
+
+/// Sets that every solid has: all nodes, and those on the faces of its block.
+pub(crate) const OF_SOLIDS: [&str; 7] = ["all", "x0", "x1", "y0", "y1", "z0", "z1"];
 
 /// Built-in sets that are edges: particles in a row, each with a tributary length.
 pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
 
-/// Picks particles; exactly one of `nearest`, `box` and `plane` is given, in the un-turned frame.
+/// Picks particles; exactly one of `nearest`, `box`, `plane` and, of a solid, `layer` is given, in the un-turned frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
@@ -23,6 +26,18 @@ pub struct Region {
     pub inside: Option<Box3>,
     /// All particles on a plane.
     pub plane: Option<OnPlane>,
+    /// All nodes of a solid within a depth of a face of its block.
+    pub layer: Option<Layer>,
+}
+
+/// A layer under a face of a block.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Layer {
+    /// The face, one of `x0`, `x1`, `y0`, `y1`, `z0`, `z1`.
+    pub face: String,
+    /// Its depth from the face \[L\].
+    pub depth: f64,
 }
 
 /// Axis-parallel box.

@@ -104,6 +104,8 @@ pub enum Quantity {
     MomentPerLength,
     /// \[F/L²\].
     Stress,
+    /// \[L³\].
+    Volume,
 }
 
 impl Length {
@@ -170,6 +172,7 @@ impl Units {
             Quantity::ForcePerLength => format!("{force}/{length}"),
             Quantity::MomentPerLength => format!("{force} {length}/{length}"),
             Quantity::Stress => format!("{force}/{length}²"),
+            Quantity::Volume => format!("{length}³"),
         }
     }
 }

@@ -97,7 +97,17 @@ impl Breaking {
         Ok(())
     }
 
-    /// Breaks the bonds noted in the last evaluation, see [`Breaking::break_bonds`].
+    /// Lanes of the bonds beyond their limit in the last evaluation that held them against it, ascending.
+    pub fn noted<'a>(&'a self, scratch: &'a Scratch) -> impl Iterator<Item = usize> + 'a {
+        let by_work = self.works.iter().flat_map(Works::beyond);
+        let by_stretch = self.watch.iter().flat_map(|_| scratch.beyond());
+        by_work.chain(by_stretch).map(|lane| lane as usize).filter(|&lane| self.bonds.is_whole(lane))
+    }
+
+    /// Breaks the bonds noted; returns the energy that the body loses at these positions \[F L\].
+    ///
+    /// Of a node it is `Σ ¼ c e² + ½(λ − μ)V [θ² − (θ − Σ D e)²]`, the sums over its broken bonds, less the energy with
+    /// which `contact` takes over.
     pub fn break_noted(
         &mut self,
         network: &mut Network,
@@ -105,45 +115,25 @@ impl Breaking {
         rows: &[Row],
         contact: Option<&Repulsion>,
     ) -> f64 {
-        let lanes: Vec<u32> = match &self.works {
-            Some(works) => works.beyond().collect(),
-            None if self.watch.is_some() => scratch.beyond().collect(),
-            None => return 0.0,
-        };
-        self.break_bonds(network, lanes.into_iter(), rows, contact)
-    }
-
-    /// Breaks the bonds on these lanes, ascending, at the positions of the last evaluation, whose dilatations are in the
-    /// rows; returns the energy that the body lost \[F L\].
-    ///
-    /// Of a node it is `Σ ¼ c e² + ½(λ − μ)V [θ² − (θ − Σ D e)²]`, the sums over its broken bonds, less the energy with
-    /// which `contact` takes over.
-    pub fn break_bonds(
-        &mut self,
-        network: &mut Network,
-        lanes: impl Iterator<Item = u32>,
-        rows: &[Row],
-        contact: Option<&Repulsion>,
-    ) -> f64 {
-        let mut lost = 0.0;
-        let whole = |&lane: &usize| self.bonds.is_whole(lane);
-        let lanes: Vec<usize> = lanes.map(|lane| lane as usize).filter(whole).collect();
+        let lanes: Vec<usize> = self.noted(scratch).collect();
         let mut next = lanes.as_slice();
+        let mut lost = 0.0;
         while let Some(&first) = next.first() {
             let node = network.starts.partition_point(|&start| start as usize <= first / LANES) - 1;
             let end = next.partition_point(|&lane| lane < network.lanes_of(node).end);
-            let (mut held, mut theta) = (0.0, 0.0);
+            let theta = network.dilatation_of(node, rows);
+            let (mut held, mut share) = (0.0, 0.0);
             for &lane in &next[..end] {
                 let bond = network.bond(lane);
                 let e = bond.extension(node, rows);
                 held += 0.25 * bond.stiffness * e * e;
                 held -= 0.5
                     * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
-                theta += bond.shares[0] * e;
+                share += bond.shares[0] * e;
                 self.sever(network, lane);
             }
             if let Some(dilatation) = &network.dilatation {
-                held += theta * (rows[node][3] - 0.5 * dilatation.factors[node] * theta);
+                held += dilatation.factors[node] * share * (theta - 0.5 * share);
             }
             self.energies[node] += held;
             lost += held;

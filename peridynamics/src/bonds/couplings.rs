@@ -41,6 +41,12 @@ impl Couplings {
     pub fn of(&self, row: usize) -> std::ops::Range<usize> {
         self.offsets[row] as usize..self.offsets[row + 1] as usize
     }
+
+    /// The block of a row with a second row that it shares one with.
+    pub fn place(&self, row: usize, second: u32) -> usize {
+        let blocks = self.of(row);
+        blocks.start + self.columns[blocks].partition_point(|&b| b < second)
+    }
 }
 
 /// Adds `factor a bᵀ`.

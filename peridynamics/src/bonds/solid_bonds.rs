@@ -10,16 +10,13 @@ use super::limits::Lattice;
 use super::network::{Network, Row};
 use super::repulsion::{Repulsion, Touching};
 use crate::error::SolidError;
-use crate::formulation::{Formulation, Law};
+use crate::formulation::Formulation;
 use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mechanics::{Evaluation, Mechanics};
 use crate::unknowns::Unknowns;
 use nalgebra::Matrix3;
 use sph_core::Block;
-
-/// Poisson's ratios this close are equal.
-const SAME: f64 = 1e-9;
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
@@ -41,11 +38,7 @@ impl SolidBonds {
         formulation: &Formulation,
         breakage: &Breakage,
     ) -> Result<Self, SolidError> {
-        let moduli = material.moduli(formulation.space)?;
-        let pairwise = formulation.space.pairwise_poisson();
-        if formulation.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
-            return Err(SolidError::Pairwise(material.poisson, pairwise));
-        }
+        let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
@@ -103,6 +96,15 @@ impl Mechanics for SolidBonds {
             stored += contact.add(&body, forces);
         }
         stored
+    }
+
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) -> bool {
+        self.network.tangent(rows, along, out, &mut self.scratch, threads);
+        true
+    }
+
+    fn noted(&self) -> bool {
+        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
     }
 
     fn break_bonds(&mut self, rows: &[Row]) -> f64 {

@@ -124,6 +124,15 @@ impl Bond {
 }
 
 impl Network {
+    /// Dilatation θ of a node \[–\], zero for a law without one.
+    pub fn dilatation_of(&self, node: usize, rows: &[Row]) -> f64 {
+        let part = |lane: usize| {
+            let bond = self.bond(lane);
+            bond.shares[0] * bond.extension(node, rows)
+        };
+        if self.dilatation.is_some() { self.lanes_of(node).map(part).sum() } else { 0.0 }
+    }
+
     /// Energy stored in the bonds of a node, half of each, with that of its dilatation \[F L\].
     pub fn stored(&self, rows: &[Row], node: usize) -> f64 {
         let half = |lane: usize| {

@@ -207,8 +207,8 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
         self.solid.break_beyond_limits();
     }
 
-    /// Without a matrix: exact where no dilatation counts, else a bound. All unknowns of a node take the largest of theirs,
-    /// since the stiff directions turn with the body.
+    /// Without a matrix: exact where no dilatation counts, else a bound. All unknowns of a node take the largest of theirs
+    /// where the stiff directions turn with the body.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
         let solid = &*self.solid;
@@ -218,7 +218,8 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
             self.tangent(level, &mut values);
             row_sums(&pattern, &values, out);
         }
-        for row in 0..self.solid.rows.len() {
+        let turning = if self.solid.mechanics.keeps_directions() { 0 } else { self.solid.rows.len() };
+        for row in 0..turning {
             let own = &mut out[self.unknowns.of(row)];
             let largest = own.iter().copied().fold(0.0, f64::max);
             own.fill(largest);

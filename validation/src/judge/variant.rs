@@ -92,6 +92,11 @@ impl Variant {
         Self::of(method, format!("{u}×{v}"), Problem::Scene { text: scene, set }, true)
     }
 
+    /// A scene as it stands; `grid` says what sets it apart.
+    pub fn scene(method: &str, scene: &'static str, grid: impl Into<String>) -> Self {
+        Self::of(method, grid.into(), Problem::Scene { text: scene, set: Vec::new() }, true)
+    }
+
     /// A case of the finite-element shell on a mesh with `counts` nodes along u and v.
     pub fn elements(
         method: &str,

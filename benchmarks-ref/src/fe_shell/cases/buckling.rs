@@ -2,9 +2,12 @@
 
 use super::{CaseError, Solved, numbered};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
-use implicit_statics::{BucklingOptions, Equilibrium, linear_buckling, unwatched};
+use implicit_statics::{
+    BucklingOptions, Control, Equilibrium, PathOptions, Start, follow, linear_buckling, unwatched,
+};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 fn lowest_two(mut model: Model) -> Result<Solved, CaseError> {
@@ -33,6 +36,62 @@ pub fn column_buckling(n: usize) -> Result<Solved, CaseError> {
     let section = Section::isotropic(young, 0.0, thickness, 1.0);
     let model = Model::new(&mesh, section, Vector3::x(), &supports, &loads)?;
     lowest_two(model)
+}
+
+/// Length and width of the plate of `plate_stability` \[mm\].
+const PLATE: [f64; 2] = [300.0, 200.0];
+
+/// The plate of `plate_stability` shortened by a moved end, all edges simply supported and its sides held across: force
+/// \[kN\] and greatest deflection from the flat plane along its middle line and at its centre \[mm\], for
+/// shortenings \[mm\] up to one in equal steps.
+///
+/// It is bent at rest by one half-wave each way of this deflection \[mm\]. 3n × 2n elements, n even.
+pub fn plate_shortened(n: usize, deflection: f64, until: f64, steps: usize) -> Result<Solved, CaseError> {
+    let [length, width] = PLATE;
+    let mesh = Mesh::patch(3 * n, 2 * n, |xi, eta| {
+        let ((sx, cx), (sy, cy)) = (libm::sincos(PI * xi), libm::sincos(PI * eta));
+        let slope = [deflection * PI / length * cx * sy, deflection * PI / width * sx * cy];
+        let place = Vector3::new(length * xi, width * eta, deflection * sx * sy);
+        (place, Vector3::new(-slope[0], -slope[1], 1.0).normalize())
+    });
+    let roller = |side: Side, directions: &[Vector3<f64>]| Support {
+        nodes: mesh.side(side),
+        held: directions.to_vec(),
+        director: Turning::Free,
+    };
+    let ends = [Vector3::x(), Vector3::z()];
+    let sides = [Vector3::y(), Vector3::z()];
+    let supports = [
+        roller(Side::XiStart, &ends),
+        roller(Side::XiEnd, &ends),
+        roller(Side::EtaStart, &sides),
+        roller(Side::EtaEnd, &sides),
+    ];
+    let section = Section::isotropic(69000.0, 0.33, 2.0, 1.0);
+    let start = Instant::now();
+    let model = Model::new(&mesh, section, Vector3::x(), &supports, &[])?;
+    let mut model = model.moving(&mesh.side(Side::XiEnd), -Vector3::x());
+    let (held, centre) = (mesh.side(Side::XiStart), mesh.node(3 * n / 2, n));
+    let middle: Vec<usize> = (0..=3 * n).map(|i| mesh.node(i, n)).collect();
+    let mut rows = Vec::new();
+    let mut options = PathOptions::new(Control::Load { step: until / steps as f64, until });
+    options.largest = 1.0;
+    let path = follow(&mut model, &Start::default(), &options, |point, model| {
+        let height = |node: usize| mesh.positions[node].z + model.displacement(node).z;
+        let most = middle.iter().map(|&node| height(node)).fold(0.0, f64::max);
+        rows.push(vec![point.level(), 1e-3 * model.reaction(&held).x, height(centre), most]);
+        ControlFlow::Continue(())
+    });
+    path.end?;
+    Ok(Solved {
+        columns: vec!["shortening [mm]", "P [kN]", "w_centre [mm]", "w_most [mm]"],
+        rows,
+        nodes: model.nodes(),
+        spacing: model.spacing(),
+        unknowns: model.unknowns(),
+        iterations: path.points.iter().map(|point| point.converged.iterations + 1).sum(),
+        seconds: start.elapsed().as_secs_f64(),
+    })
 }
 
 /// First and second critical force \[kN\] of the plate 300 × 200 × 2 mm of `plate_stability`, all edges simply

@@ -25,6 +25,8 @@ impl Body for Shell {
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
+            Measured::Velocity => self.velocity(a).dot(along),
+            Measured::Damage | Measured::FractureEnergy | Measured::StrainEnergy => 0.0,
         }
     }
 

@@ -8,19 +8,15 @@ use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
+use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
 use crate::bodies::{Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape, Task};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
 
 impl Scene {
-    /// Builds the body; a run will use `threads` threads (at least one), with the same results for any number.
-    ///
-    /// # Errors
-    /// [`SceneError`] for whatever [`Scene::parse`] refuses (fields may have been changed since), for empty
-    /// sets, supports that leave a rigid motion free in a quasi-static run, and
-    /// whatever the layers below refuse.
-    pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+    /// Builds a shell with what is asked of it.
+    pub(in crate::bodies) fn shell_model(&self, threads: usize) -> Result<Model, SceneError> {
         let Built { shell, probes, driven, surface, turn, memory } = self.assemble(threads)?;
         let description = describe(self, &shell, surface.as_ref());
         let warnings = doubts_of(self, turn, &shell);
@@ -53,13 +49,16 @@ impl Scene {
     /// Builds the shell alone, for programs that march or solve it themselves.
     ///
     /// # Errors
-    /// As [`Scene::build`].
+    /// As [`Scene::build`], and for a body of another kind.
     pub fn build_shell(&self, threads: usize) -> Result<Shell, SceneError> {
+        self.check()?;
+        if self.as_shell().is_none() {
+            return Err(self.not_a("shell"));
+        }
         self.assemble(threads).map(|built| built.shell)
     }
 
     fn assemble(&self, threads: usize) -> Result<Built, SceneError> {
-        self.check()?;
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
         let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
@@ -86,7 +85,10 @@ impl Scene {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
-        builder.refuse_free_motion(&cloud, &supports)?;
+        self.refuse_free_motion(|| {
+            let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
+            free_motions(&cloud, &held)
+        })?;
         let parts = Parts {
             cloud,
             section: builder.section()?,
@@ -100,12 +102,7 @@ impl Scene {
         };
         let mut shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
         builder.set_out(&mut shell);
-        if shell.freedoms() == 0 {
-            let (found, bound) = ("no freedom of any particle", "at least one that is not held");
-            let repair = "take out a support, or let it name fewer particles";
-            return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
-        }
-        builder.refuse_more_modes_than(shell.freedoms())?;
+        self.refuse_freedoms(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
         Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory })
     }
@@ -140,7 +137,8 @@ impl Builder<'_> {
     fn probes(&self, sets: &Sets) -> Result<Vec<Probe>, SceneError> {
         let probe = |(i, column): (usize, &scene::Probe)| {
             let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?.to_vec();
-            let direction = self.turned(column.direction).normalize();
+            // The checks leave no column of a shell without a direction.
+            let direction = self.turned(column.direction.unwrap_or_default()).normalize();
             let probe = Probe::new(&column.name, column.of, particles, direction);
             Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
         };
@@ -241,14 +239,14 @@ impl Builder<'_> {
             let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
-                loads.push(AppliedLoad { load: self.load(kind, shares.clone()), amplitude });
+                loads.extend(self.load(kind, shares.clone()).map(|load| AppliedLoad { load, amplitude }));
             }
         }
         Ok(loads)
     }
 
-    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Box<dyn sph_shell::Load> {
-        match kind {
+    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Option<Box<dyn sph_shell::Load>> {
+        Some(match kind {
             LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
             LoadKind::Couple(couple) => Box::new(sph_shell::EdgeCouple {
                 edge: shares,
@@ -262,43 +260,9 @@ impl Builder<'_> {
             LoadKind::Gravity(g) => {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
-        }
-    }
-
-    /// A static answer needs every rigid motion held; a run in real time and vibration do not.
-    fn refuse_free_motion(&self, cloud: &Cloud, supports: &[Supported]) -> Result<(), SceneError> {
-        let analysis = &self.scene.analysis;
-        if analysis.kind().floats {
-            return Ok(());
-        }
-        let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
-        let free = free_motions(cloud, &held);
-        if free.is_empty() {
-            return Ok(());
-        }
-        let path = if supports.is_empty() { "supports" } else { "supports[0]" };
-        let bound = format!("every rigid motion must be held in {}", analysis.kind().name);
-        let repair = "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line";
-        Err(SceneError::FreeMotion(self.scene.source.fault(path, &free.join(", "), &bound, repair)))
-    }
-
-    /// There are as many modes as freedoms.
-    fn refuse_more_modes_than(&self, freedoms: usize) -> Result<(), SceneError> {
-        let (path, modes) = match &self.scene.analysis {
-            scene::Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
-            scene::Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
-            _ => return Ok(()),
-        };
-        if modes <= freedoms {
-            return Ok(());
-        }
-        let bound = format!("at most {freedoms}, the freedoms that no support holds");
-        Err(self.scene.source.value(
-            path,
-            modes,
-            &bound,
-            "the lowest few modes are usual; or use more particles",
-        ))
+            // The checks refuse it on a shell.
+            LoadKind::Traction(_) => return None,
+        })
     }
 
     /// Puts a refusal of the shell where the scene causes it.
@@ -337,16 +301,5 @@ impl Builder<'_> {
             }
         };
         self.scene.model_error(&path, &error.to_string())
-    }
-}
-
-fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude {
-    use explicit_dynamics::Amplitude;
-    match course {
-        None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
-        Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
-        Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
-        Some(scene::Amplitude::Table(points)) => Amplitude::Table(points.clone()),
-        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine { period: *period },
     }
 }

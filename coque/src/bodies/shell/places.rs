@@ -62,15 +62,4 @@ impl Scene {
         let cloud = graded.and_then(|graded| sph_core::jittered_lattice(&graded, counts, fraction, seed));
         (cloud, if disorder.is_some() { "disorder" } else { "grading" })
     }
-
-    /// Messages from below end with their repair, after the last semicolon.
-    pub(crate) fn model_error(&self, path: &str, message: &str) -> SceneError {
-        let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
-        SceneError::Model(self.source.fault(path, value, "", repair))
-    }
-
-    /// The same for a key of the body.
-    pub(crate) fn body_error(&self, path: &str, message: &str) -> SceneError {
-        self.model_error(&self.body_scope().path(path), message)
-    }
 }

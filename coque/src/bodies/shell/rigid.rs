@@ -1,19 +1,16 @@
-//! Which rigid motions the supports leave free: rank of their constraints on the six of them.
+//! Which rigid motions the supports of a shell leave free.
 
-use nalgebra::{Matrix6, SymmetricEigen, Vector6};
-use sph_core::{Cloud, Vec3};
+use sph_core::Cloud;
 use sph_shell::{DirectorHold, Holds};
 
-/// Eigenvalues below this part of the largest count as zero: far above rounding, far below any support that
-/// holds at least one spacing away from a free axis.
-const FREE: f64 = 1e-10;
+use crate::bodies::rigid::{Hold, free_of};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
 /// move by itself.
 pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
     let pieces = cloud.pieces();
     let of_piece = |piece: &Vec<u32>| {
-        let free = motions_of(cloud, piece, supports);
+        let free = free_of(&cloud.positions, piece, &holds_of(cloud, piece, supports));
         if pieces.len() == 1 {
             return free;
         }
@@ -22,88 +19,27 @@ pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec
     pieces.iter().flat_map(of_piece).collect()
 }
 
-/// Free rigid motions of one sheet.
-fn motions_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
-    let place = |&a: &u32| cloud.positions[a as usize];
-    let centre: Vec3 = piece.iter().map(place).sum::<Vec3>() / piece.len() as f64;
-    let size = piece.iter().map(|a| (place(a) - centre).norm()).fold(0.0, f64::max);
-    // Rows [e, (x − c) × e / size]: what support direction e sees of (τ, ω·size).
-    let mut normal = Matrix6::<f64>::zeros();
-    let mut row = |translation: Vec3, rotation: Vec3| {
-        let row = Vector6::from_iterator(translation.iter().chain(rotation.iter()).copied());
-        normal += row * row.transpose();
-    };
+/// What the supports of one sheet hold.
+fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec<Hold> {
+    let mut all = Vec::new();
     for (particles, holds) in supports {
         for &a in particles.iter().filter(|a| piece.binary_search(a).is_ok()) {
-            let arm = (cloud.positions[a as usize] - centre) / size;
-            let d = cloud.frames[a as usize].n;
-            for e in &holds.translations {
-                row(*e, arm.cross(e));
-            }
+            let frame = cloud.frames[a as usize];
+            all.extend(holds.translations.iter().map(|e| Hold::Displacement(a, *e)));
             match holds.director {
                 DirectorHold::Free => {}
-                DirectorHold::InPlane(n) => row(Vec3::zeros(), d.cross(&n)),
-                DirectorHold::Fixed => {
-                    let frame = cloud.frames[a as usize];
-                    row(Vec3::zeros(), frame.t1);
-                    row(Vec3::zeros(), frame.t2);
-                }
+                DirectorHold::InPlane(n) => all.push(Hold::Turn(frame.n.cross(&n))),
+                DirectorHold::Fixed => all.extend([Hold::Turn(frame.t1), Hold::Turn(frame.t2)]),
             }
         }
     }
-    let eigen = SymmetricEigen::new(normal);
-    let bound = FREE * eigen.eigenvalues.max();
-    let free: Vec<Vector6<f64>> = (0..6)
-        .filter(|&i| eigen.eigenvalues[i] <= bound)
-        .map(|i| eigen.eigenvectors.column(i).into_owned())
-        .collect();
-    name(&free, &centre, size)
-}
-
-/// Names a space of free motions by the canonical ones in it, or else by its own vectors.
-fn name(free: &[Vector6<f64>], centre: &Vec3, size: f64) -> Vec<String> {
-    let canonical = [
-        "translation along x",
-        "translation along y",
-        "translation along z",
-        "rotation about x",
-        "rotation about y",
-        "rotation about z",
-    ];
-    // A canonical motion is free when it lies in the space: its projection keeps its length.
-    let known: Vec<String> = (0..6)
-        .filter(|&i| free.iter().map(|v| v[i] * v[i]).sum::<f64>() > 1.0 - 1e-6)
-        .map(|i| canonical[i].to_string())
-        .collect();
-    if known.len() == free.len() {
-        return known;
-    }
-    let describe = |v: &Vector6<f64>| {
-        let (shift, turn) = (v.fixed_rows::<3>(0).into_owned(), v.fixed_rows::<3>(3).into_owned());
-        if turn.norm() < 1e-6 {
-            return format!("translation along {}", text(&direction(&shift)));
-        }
-        let axis = centre + turn.cross(&shift) * (size / turn.norm_squared());
-        format!("rotation about the line through {} along {}", text(&axis), text(&direction(&turn)))
-    };
-    free.iter().map(describe).collect()
-}
-
-/// A vector scaled so that its greatest component is one.
-fn direction(v: &Vec3) -> Vec3 {
-    v / v[v.iamax()]
-}
-
-fn text(v: &Vec3) -> String {
-    // Adding zero turns −0 into 0.
-    let [x, y, z] = [v.x, v.y, v.z].map(|c| (c * 1e3).round() / 1e3 + 0.0);
-    format!("[{x}, {y}, {z}]")
+    all
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::{Cell, EndWeights, Plate, lattice};
+    use sph_core::{Cell, EndWeights, Plate, Vec3, lattice};
     use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {

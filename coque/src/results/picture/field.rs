@@ -25,9 +25,12 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The numbers of a field, or of the one that says most.
 pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, FieldNotThere> {
-    let usual = ["von_mises_top", "displacement"];
-    let name = wanted.unwrap_or_else(|| {
-        usual.into_iter().find(|name| find(sheet, name).is_some()).unwrap_or("displacement")
+    let broken =
+        || sheet.point_data.get("damage").is_some_and(|damage| damage.numbers.iter().any(|&x| x != 0.0));
+    let name = wanted.unwrap_or_else(|| match () {
+        () if broken() => "damage",
+        () if find(sheet, "von_mises_top").is_some() => "von_mises_top",
+        () => "displacement",
     });
     let (base, component) = name.split_once('.').map_or((name, None), |(base, c)| (base, Some(c)));
     let found = find(sheet, base);

@@ -119,17 +119,30 @@ impl Canvas {
         self.svg += "</g>\n";
     }
 
-    /// Cells with their colours, dots where they are particles alone; lines of their own colours close the gaps between
-    /// neighbours where edges are not wanted.
-    pub fn cells<'a>(&mut self, cells: impl Iterator<Item = (Vec<&'a [f64; 3]>, String)>, edged: bool) {
+    /// Cells with their colours, squares of a side \[L\] or dots where they are particles alone; lines of their own colours
+    /// close the gaps between neighbours where edges are not wanted.
+    pub fn cells<'a>(
+        &mut self,
+        cells: impl Iterator<Item = (Vec<&'a [f64; 3]>, Option<f64>, String)>,
+        edged: bool,
+    ) {
         let edge = if edged { " stroke=\"#333333\"" } else { "" };
         let _ =
             writeln!(self.svg, "<g class=\"cells\"{edge} stroke-width=\"0.4\" stroke-linejoin=\"round\">");
-        for (corners, fill) in cells {
+        for (corners, side, fill) in cells {
             let own = if edged { String::new() } else { format!(" stroke=\"{fill}\"") };
             if let [only] = corners[..] {
                 let [x, y] = self.place(only);
-                let _ = writeln!(self.svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"{fill}\"/>");
+                let Some(side) = side.map(|side| self.scale * side) else {
+                    let _ =
+                        writeln!(self.svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"{fill}\"/>");
+                    continue;
+                };
+                let [left, top] = [x, y].map(|middle| middle - 0.5 * side);
+                let _ = writeln!(
+                    self.svg,
+                    "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\" fill=\"{fill}\"{own}/>"
+                );
                 continue;
             }
             let places = corners.iter().map(|&corner| self.place(corner).map(|x| (10.0 * x).round() as i64));

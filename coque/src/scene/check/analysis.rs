@@ -75,9 +75,7 @@ impl Scene {
             s.positive(&at("hold"), path.hold)?;
             s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
             s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
-            if let Formulation::StrongForm(_) = self.shell().formulation
-                && path.stability == Some(true)
-            {
+            if self.has_strong_form() && path.stability == Some(true) {
                 let repair =
                     "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
                 let bound = "one with an energy, and so a tangent, to look at stability";
@@ -169,8 +167,15 @@ impl Scene {
         self.scope().within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
     }
 
+    /// Whether the body is a shell by the published equations, which have no energy.
+    fn has_strong_form(&self) -> bool {
+        self.as_shell().is_some_and(|shell| matches!(shell.formulation, Formulation::StrongForm(_)))
+    }
+
     fn check_tangent(&self) -> Checked {
-        let Formulation::StrongForm(_) = self.shell().formulation else { return Ok(()) };
+        if !self.has_strong_form() {
+            return Ok(());
+        }
         let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.kind().name);
         let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
         let path = "formulation.strong-form";

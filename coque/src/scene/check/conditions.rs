@@ -20,6 +20,9 @@ impl Scene {
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        if let Some(solid) = self.as_solid() {
+            self.check_solid_support(at, support, solid)?;
+        }
         if support.amplitude.is_some() && support.motion().is_none() {
             let repair = "remove it: only `moved` and `rotated` have a course in time";
             let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
@@ -116,6 +119,9 @@ impl Scene {
         let kinds = load.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        if let Some(solid) = self.as_solid() {
+            self.check_solid_load(at, load, solid)?;
+        }
         for (word, kind) in kinds {
             match kind {
                 LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
@@ -130,9 +136,11 @@ impl Scene {
                 LoadKind::Gravity(g) => {
                     s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?
                 }
+                LoadKind::Traction(_) => self.check_traction(at, load)?,
             }
             if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
-                self.only_on(at, &load.on, &format!("{word} acts on the whole shell"), &["all"])?;
+                let body = self.body().word();
+                self.only_on(at, &load.on, &format!("{word} acts on the whole {body}"), &["all"])?;
             }
         }
         match &load.amplitude {
@@ -141,9 +149,10 @@ impl Scene {
         }
     }
 
-    fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
+    pub(super) fn only_on(&self, at: &str, on: &str, why: &str, fit: &[&str]) -> Checked {
         // Whether a set of a mesh is an edge is known when its file has been read.
-        if fit.contains(&on) || (fit == EDGES && self.shell().geometry.mesh().is_some()) {
+        let of_mesh = || self.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some());
+        if fit.contains(&on) || (fit == EDGES && of_mesh()) {
             return Ok(());
         }
         let repair = format!("use one of {}", fit.join(", "));

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::SceneError;
 use crate::scene::problem::Scene;
+use crate::scene::solid::SolidScene;
 
 type Checked = Result<(), SceneError>;
 
@@ -19,6 +21,56 @@ impl Scene {
             return Err(self.scope().value(path, every, &bound, repair));
         }
         self.scope().positive(path, every)
+    }
+
+    /// Refuses what the body has not, and a direction where there is nothing to take a component of.
+    fn check_measured(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
+        let (s, word) = (&self.scope(), probe.of.word());
+        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+            Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
+        };
+        let known: Vec<&str> = self.measured().iter().map(|of| of.word()).collect();
+        if !known.contains(&word) {
+            let body = self.body().word();
+            let bound = format!("what a {body} has: {}", known.join(", "));
+            return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
+        }
+        if probe.of == Measured::Velocity && !self.analysis.kind().passes_time {
+            let bound = format!("no velocity in {}", self.analysis.kind().name);
+            return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
+        }
+        match probe.direction {
+            Some(_) if probe.of.is_scalar() => {
+                let bound = format!("none: {word} is a number");
+                refuse("direction", "a direction", &bound, "remove `direction`")
+            }
+            None if !probe.of.is_scalar() => {
+                let key = at("direction");
+                let parent = key.trim_end_matches(".direction");
+                let repair = format!("add `direction = …` in `{parent}`");
+                let bound = "given: it has no default";
+                Err(SceneError::Missing(s.fault(&key, "nothing", bound, &repair)))
+            }
+            None => Ok(()),
+            Some(direction) => s.direction(&at("direction"), direction),
+        }
+    }
+
+    /// What can be measured on the body.
+    fn measured(&self) -> Vec<Measured> {
+        use Measured::{
+            Damage, Director, Displacement, FractureEnergy, Position, Reaction, Rotation, StrainEnergy,
+            Velocity,
+        };
+        let mut known = vec![Displacement, Position, Reaction, Velocity];
+        let solid = self.as_solid();
+        if solid.is_none_or(SolidScene::has_directors) {
+            known.extend([Rotation, Director]);
+        }
+        if solid.is_some() {
+            known.extend([Damage, FractureEnergy, StrainEnergy]);
+        }
+        known
     }
 
     pub(super) fn check_curve(&self) -> Checked {
@@ -37,7 +89,7 @@ impl Scene {
                 return Err(s.value(&at("name"), format!("\"{name}\""), "a name of its own", &repair));
             }
             self.check_set_name(&at("on"), &probe.on)?;
-            s.direction(&at("direction"), probe.direction)?;
+            self.check_measured(&at, probe)?;
             s.sized(&at("factor"), probe.factor)?;
         }
         if self.output.fields.is_some_and(|fields| fields.every == 0) {

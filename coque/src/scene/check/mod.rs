@@ -5,6 +5,7 @@ mod conditions;
 mod curve;
 mod sets;
 mod shell;
+mod solid;
 
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
@@ -24,6 +25,9 @@ impl Scene {
         }
         for (i, load) in self.loads.iter().enumerate() {
             self.check_load(&format!("loads[{i}]"), load)?;
+        }
+        if let Some(solid) = self.as_solid() {
+            self.check_solid(solid)?;
         }
         self.check_analysis()?;
         self.check_curve()
@@ -60,6 +64,7 @@ impl Scene {
         self.bodies.values().try_for_each(|body| {
             match body {
                 BodyScene::Shell(shell) => shell.check(s)?,
+                BodyScene::Solid(solid) => solid.check(s)?,
             }
             body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
         })

@@ -1,8 +1,8 @@
 //! Checks of named sets, and of names of sets.
 
 use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
-use crate::scene::sets::{BUILT_IN, Region};
+use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::sets::{BUILT_IN, OF_SOLIDS, Region};
 use crate::scene::source::suggest;
 
 type Checked = Result<(), SceneError>;
@@ -10,12 +10,13 @@ type Checked = Result<(), SceneError>;
 impl Scene {
     pub(super) fn check_sets(&self) -> Checked {
         let s = &self.scope();
-        for (name, Region { of, nearest, inside, plane }) in &self.sets {
+        let (built_in, solid) = (self.built_in(), self.as_solid().is_some());
+        for (name, Region { of, nearest, inside, plane, layer }) in &self.sets {
             let at = format!("sets.{name}");
             if let Some(of) = of {
                 s.word(&format!("{at}.of"), of, &Vec::from_iter(self.bodies.keys().map(String::as_str)))?;
             }
-            if BUILT_IN.contains(&name.as_str()) {
+            if built_in.contains(&name.as_str()) {
                 let fault = s.fault(
                     &at,
                     "declared",
@@ -28,7 +29,9 @@ impl Scene {
             given.extend(nearest.map(|_| "nearest"));
             given.extend(inside.map(|_| "box"));
             given.extend(plane.map(|_| "plane"));
-            s.exactly_one(&at, "region", &given, &["nearest", "box", "plane"])?;
+            given.extend(layer.as_ref().map(|_| "layer"));
+            let known = ["nearest", "box", "plane", "layer"];
+            s.exactly_one(&at, "region", &given, if solid { &known } else { &known[..3] })?;
             if let Some(point) = nearest {
                 s.sized_all(&format!("{at}.nearest"), point)?;
             }
@@ -36,6 +39,16 @@ impl Scene {
                 s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
                 s.direction(&format!("{at}.plane.normal"), plane.normal)?;
                 s.positive(&format!("{at}.plane.within"), plane.within.unwrap_or(1.0))?;
+            }
+            if let Some(layer) = layer {
+                let at = |key: &str| format!("{at}.layer.{key}");
+                if !solid {
+                    let (found, bound) = ("a layer under a face", "`nearest`, `box` or `plane` on a shell");
+                    let fault = s.fault(&at("face"), found, bound, "use a box: only solids have layers");
+                    return Err(SceneError::Choice(fault));
+                }
+                s.word(&at("face"), &layer.face, &built_in[1..])?;
+                s.positive(&at("depth"), layer.depth)?;
             }
             if let Some(region) = inside {
                 s.sized_all(&format!("{at}.box.min"), &region.min)?;
@@ -50,12 +63,23 @@ impl Scene {
         Ok(())
     }
 
+    /// Sets that the body has of itself.
+    pub(super) fn built_in(&self) -> &'static [&'static str] {
+        match self.body() {
+            BodyScene::Shell(_) => &BUILT_IN,
+            // In a plane all nodes lie on z0 and z1: only two sheets have a use for that.
+            BodyScene::Solid(solid) if solid.is_plane() => &OF_SOLIDS[..5],
+            BodyScene::Solid(_) => &OF_SOLIDS,
+        }
+    }
+
     /// Refuses a name that is no set; those of a mesh are known when its file has been read.
     pub(super) fn check_set_name(&self, path: &str, name: &str) -> Checked {
-        if self.shell().geometry.mesh().is_some() {
+        if self.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
             return Ok(());
         }
-        let known: Vec<&str> = BUILT_IN.into_iter().chain(self.sets.keys().map(String::as_str)).collect();
+        let own = self.sets.keys().map(String::as_str);
+        let known: Vec<&str> = self.built_in().iter().copied().chain(own).collect();
         if known.contains(&name) {
             return Ok(());
         }

@@ -1,0 +1,115 @@
+//! A solid as a body: what can be measured on it, what it keeps, and what it offers analyses without time.
+
+use std::borrow::Cow;
+use std::ops::DerefMut;
+
+use explicit_dynamics::Dynamics;
+use peridynamics::{Solid, StaticSolid};
+use sph_core::Vec3;
+
+use super::fields::fields;
+use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
+use crate::bodies::{Evaluated, Shown};
+use crate::scene::Measured;
+
+impl Body for Solid {
+    fn configuration(&self) -> Configuration<'_> {
+        let block = self.block();
+        let present = (0..self.len()).map(|a| self.position(a)).collect();
+        Configuration { rest: &block.positions, present, cells: &block.cells }
+    }
+
+    fn read(&self, of: Measured, a: usize, along: &Vec3) -> f64 {
+        match of {
+            Measured::Displacement => self.displacement(a).dot(along),
+            Measured::Position => self.position(a).dot(along),
+            Measured::Velocity => self.velocity(a).dot(along),
+            Measured::Reaction => self.reaction(a).dot(along),
+            Measured::Director | Measured::Rotation => self.director(a).map_or(0.0, |d| d.dot(along)),
+            Measured::Damage => self.damage(a),
+            Measured::FractureEnergy => self.fracture_energy(a),
+            Measured::StrainEnergy => self.strain_energy(a),
+        }
+    }
+
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields(self, shown)
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        let [rows, rates] = self.motion().map(<[[f64; 4]]>::as_flattened);
+        let [bonds, energies, works] = self.broken();
+        let owned =
+            |name: &'static str, numbers| StateArray { name: name.into(), numbers: Cow::Owned(numbers) };
+        vec![
+            StateArray::new("positions and directors", rows),
+            StateArray::new("their rates", rates),
+            owned("broken bonds", bonds),
+            owned("energies of broken bonds", energies),
+            owned("work on bonds", works),
+        ]
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        let [rows, rates, broken @ ..] = arrays else { return Err(Mismatch) };
+        let [bonds, energies, works] = broken else { return Err(Mismatch) };
+        let (rows, left) = rows.numbers.as_chunks();
+        let (rates, over) = rates.numbers.as_chunks();
+        let broken = [bonds, energies, works].map(|array| array.numbers.as_ref());
+        let fits = left.is_empty() && over.is_empty() && self.take_up([rows, rates], broken);
+        if fits { Ok(()) } else { Err(Mismatch) }
+    }
+}
+
+impl Marched for Solid {
+    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+        Some(Box::new(StaticSolid::lent(self)))
+    }
+}
+
+impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
+    fn configuration(&self) -> Configuration<'_> {
+        self.solid().configuration()
+    }
+
+    fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
+        self.solid().read(of, particle, along)
+    }
+
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields(self.solid(), shown)
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        self.solid().state()
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        Body::set_state(self.solid_mut(), arrays)
+    }
+}
+
+impl<S: DerefMut<Target = Solid> + Send> Balanced for StaticSolid<S> {
+    fn refresh(&mut self, level: f64) -> f64 {
+        self.evaluate(level);
+        self.solid().internal_energy()
+    }
+
+    /// The thickness of a plate, else the spacing of nodes.
+    fn linear_reach(&self) -> f64 {
+        let block = self.solid().block();
+        match self.solid().director(0) {
+            Some(_) => block.spacing[2],
+            None => block.greatest_spacing(),
+        }
+    }
+
+    fn stable_step(&mut self) -> f64 {
+        Dynamics::stable_step(self.solid_mut(), 1.0).map_or(0.0, |step| step.dt)
+    }
+
+    /// Reactions of all nodes.
+    fn forces(&self) -> Vec<f64> {
+        (0..self.solid().len()).flat_map(|a| <[f64; 3]>::from(self.solid().reaction(a))).collect()
+    }
+}

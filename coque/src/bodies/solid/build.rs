@@ -1,0 +1,147 @@
+//! From a scene to a solid ready to move: nodes, sets, supports, loads.
+
+use peridynamics::{Parts, Solid, SolidError, StaticSolid};
+use sph_core::{Block, BlockLattice};
+
+use super::conditions::{holds, loads, probes, set_out, supports};
+use super::describe::describe;
+use super::doubts::doubts_of;
+use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
+use super::sets::NodeSets;
+use crate::bodies::rigid::free_of;
+use crate::bodies::{Identity, Memory, Model, Probe, Ready, Task};
+use crate::scene::error::SceneError;
+use crate::scene::{Analysis, Scene, SolidScene};
+
+/// A solid with what its curve measures.
+struct Built {
+    solid: Solid,
+    probes: Vec<Probe>,
+    memory: Memory,
+}
+
+impl Scene {
+    /// Builds a solid with what is asked of it.
+    pub(in crate::bodies) fn solid_model(
+        &self,
+        scene: &SolidScene,
+        threads: usize,
+    ) -> Result<Model, SceneError> {
+        let Built { solid, probes, memory } = self.assemble_solid(scene, threads)?;
+        let description = describe(self, scene, &solid);
+        let warnings = doubts_of(self, scene, &solid);
+        let body = match &self.analysis {
+            Analysis::Explicit(_) => Ready::Dynamic(Box::new(solid)),
+            _ => Ready::Static(Box::new(StaticSolid::new(solid))),
+        };
+        Ok(Model {
+            task: Task::of(self),
+            body,
+            description,
+            memory,
+            identity: Identity::default(),
+            probes,
+            driven: None,
+            threads: threads.max(1),
+            warnings,
+            judge: None,
+        })
+    }
+
+    /// Builds the solid alone, for programs that march or solve it themselves.
+    ///
+    /// # Errors
+    /// As [`Scene::build`], and for a body of another kind.
+    pub fn build_solid(&self, threads: usize) -> Result<Solid, SceneError> {
+        self.check()?;
+        let scene = self.as_solid().ok_or_else(|| self.not_a("solid"))?;
+        self.assemble_solid(scene, threads).map(|built| built.solid)
+    }
+
+    fn assemble_solid(&self, scene: &SolidScene, threads: usize) -> Result<Built, SceneError> {
+        let lattice = scene.lattice();
+        let memory =
+            self.room(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
+        let block = self.nodes(scene, &lattice)?;
+        let sets = NodeSets::find(self, &lattice, &block)?;
+        let probes = probes(self, &sets)?;
+        let supports = supports(self, scene.has_directors(), &sets)?;
+        let material = material(scene);
+        let loads = loads(self, material.density, &block, &sets)?;
+        self.refuse_free_motion(|| {
+            let all = Vec::from_iter(0..block.len() as u32);
+            free_of(&block.positions, &all, &holds(scene, &supports))
+        })?;
+        let fracture = fracture(self, scene, &sets)?;
+        let parts = Parts {
+            material,
+            formulation: carrier(scene, &lattice),
+            fracture,
+            cracks: cracks(scene, &lattice),
+            contact: contact(scene),
+            supports,
+            loads,
+            threads: threads.max(1),
+            block,
+        };
+        let mut solid = Solid::new(parts).map_err(|error| self.solid_refusal(scene, &error))?;
+        set_out(scene, &mut solid);
+        self.refuse_freedoms(solid.freedoms())?;
+        self.refuse_pieces(&solid)?;
+        Ok(Built { solid, probes, memory })
+    }
+
+    /// The nodes of the block, holes cut and the imperfection put in.
+    fn nodes(&self, scene: &SolidScene, lattice: &BlockLattice) -> Result<Block, SceneError> {
+        let block = lattice.block().map_err(|e| self.body_error("geometry.block", &e.to_string()))?;
+        let mut block = block.without(&cut_outs(scene, lattice));
+        if block.is_empty() {
+            let (found, bound) = ("all of the block", "less: no node is left");
+            let path = self.body_scope().path("geometry.cut_outs");
+            return Err(SceneError::Choice(self.source.fault(&path, found, bound, "cut less out")));
+        }
+        if let Some(imperfection) = scene.imperfection {
+            let waves = imperfection.half_waves.map(|n| f64::from(n) * std::f64::consts::PI);
+            for x in &mut block.positions {
+                let along = |axis: usize| (x[axis] - lattice.origin[axis]) / lattice.lengths[axis];
+                let shape = libm::sin(waves[0] * along(0)) * libm::sin(waves[1] * along(1));
+                x.z += imperfection.amplitude * shape;
+            }
+        }
+        Ok(block)
+    }
+
+    /// A body in pieces has rigid motions of its own for each: a static answer needs one piece.
+    fn refuse_pieces(&self, solid: &Solid) -> Result<(), SceneError> {
+        let pieces = solid.fragments().len();
+        if self.analysis.kind().floats || pieces == 1 {
+            return Ok(());
+        }
+        let path = self.body_scope().path("cracks");
+        let bound = format!("a body in one piece in {}", self.analysis.kind().name);
+        let repair = "shorten the cracks, or use [analysis.explicit.transient]";
+        let value = format!("solid in {pieces} pieces, each with rigid motions of its own");
+        Err(SceneError::FreeMotion(self.source.fault(&path, &value, &bound, repair)))
+    }
+
+    /// Puts a refusal of the solid where the scene causes it.
+    fn solid_refusal(&self, scene: &SolidScene, error: &SolidError) -> SceneError {
+        let moved = self.supports.iter().position(|support| support.moved.is_some()).unwrap_or(0);
+        let of_body = |path: &str| self.body_scope().path(path);
+        let formulation = format!("formulation.{}", scene.formulation.word());
+        let path = match error {
+            SolidError::Material { .. } | SolidError::Pairwise(..) => of_body("material.elastic"),
+            SolidError::Horizon(_) | SolidError::Alone(_) => of_body(&format!("{formulation}.horizon")),
+            SolidError::Coincident(..) | SolidError::Volume { .. } | SolidError::OneLayer => {
+                of_body("geometry.block")
+            }
+            SolidError::Contradiction { .. } => format!("supports[{moved}].moved"),
+            SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
+            SolidError::Limit { .. } => of_body("fracture"),
+            SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
+            SolidError::NotThin => of_body(&formulation),
+            SolidError::SheetContact => of_body("contact"),
+        };
+        self.model_error(&path, &error.to_string())
+    }
+}

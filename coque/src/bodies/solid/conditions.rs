@@ -1,0 +1,144 @@
+//! Supports, loads, columns and the velocity at the start of a solid.
+
+use peridynamics::{AppliedLoad, Solid, Support, Supported};
+use sph_core::{Block, Vec3};
+
+use super::sets::NodeSets;
+use crate::bodies::Probe;
+use crate::bodies::build::amplitude;
+use crate::bodies::rigid::Hold;
+use crate::scene::error::SceneError;
+use crate::scene::{LoadKind, Scene, SolidScene, SupportKind, Traction};
+
+/// The supports.
+pub(super) fn supports(
+    scene: &Scene,
+    directors: bool,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<Supported>, SceneError> {
+    let mut supports = Vec::new();
+    for (i, support) in scene.supports.iter().enumerate() {
+        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+        for (_, kind) in support.kinds() {
+            let held = |displacement: Vec<Vec3>, director: Vec<Vec3>| Support::Held {
+                displacement,
+                director: if directors { director } else { Vec::new() },
+            };
+            let support = match kind {
+                SupportKind::Clamped => {
+                    held(vec![Vec3::x(), Vec3::y(), Vec3::z()], vec![Vec3::x(), Vec3::y()])
+                }
+                SupportKind::Symmetry(mirror) => {
+                    let normal = Vec3::from(mirror.normal);
+                    held(vec![normal], vec![normal])
+                }
+                SupportKind::Held(given) => held(vectors(&given.displacement), vectors(&given.director)),
+                SupportKind::Moved(moved) => Support::Moved {
+                    direction: Vec3::from(moved.direction),
+                    by: moved.by,
+                    amplitude: amplitude(support.amplitude.as_ref()),
+                },
+                // The checks refuse these on a solid.
+                SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => continue,
+            };
+            supports.push(Supported { nodes: nodes.to_vec(), support });
+        }
+    }
+    Ok(supports)
+}
+
+fn vectors(list: &[[f64; 3]]) -> Vec<Vec3> {
+    list.iter().map(|&v| Vec3::from(v)).collect()
+}
+
+/// What supports hold of rigid motions; of a plane block also what its plane does.
+pub(super) fn holds(solid: &SolidScene, supports: &[Supported]) -> Vec<Hold> {
+    let mut all = Vec::new();
+    if solid.is_plane() {
+        all.extend([Hold::Displacement(0, Vec3::z()), Hold::Turn(Vec3::x()), Hold::Turn(Vec3::y())]);
+    }
+    for Supported { nodes, support } in supports {
+        for &node in nodes {
+            match support {
+                Support::Held { displacement, director } => {
+                    all.extend(displacement.iter().map(|e| Hold::Displacement(node, e.normalize())));
+                    // A director that keeps its component along n, at rest along z, does not turn about z × n.
+                    all.extend(director.iter().map(|n| Hold::Turn(Vec3::z().cross(&n.normalize()))));
+                }
+                Support::Moved { direction, .. } => all.push(Hold::Displacement(node, direction.normalize())),
+            }
+        }
+    }
+    all
+}
+
+/// The loads as forces on nodes \[F\].
+pub(super) fn loads(
+    scene: &Scene,
+    density: f64,
+    block: &Block,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<AppliedLoad>, SceneError> {
+    let mut loads = Vec::new();
+    for (i, load) in scene.loads.iter().enumerate() {
+        let nodes = sets.at(&format!("loads[{i}].on"), &load.on)?;
+        for (_, kind) in load.kinds() {
+            let forces = match kind {
+                LoadKind::Force(force) => by_volume(block, nodes, Vec3::from(force.total)),
+                LoadKind::Gravity(gravity) => {
+                    let acceleration = Vec3::from(gravity.acceleration);
+                    let weight =
+                        |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
+                    nodes.iter().map(weight).collect()
+                }
+                LoadKind::Traction(traction) => tractions(block, sets, &load.on, &traction),
+                // The checks refuse these on a solid.
+                LoadKind::Couple(_) | LoadKind::Pressure(_) => continue,
+            };
+            loads.push(AppliedLoad { forces, amplitude: amplitude(load.amplitude.as_ref()) });
+        }
+    }
+    Ok(loads)
+}
+
+/// A force shared by volume.
+fn by_volume(block: &Block, nodes: &[u32], total: Vec3) -> Vec<(u32, Vec3)> {
+    let whole: f64 = nodes.iter().map(|&node| block.volumes[node as usize]).sum();
+    nodes.iter().map(|&node| (node, total * (block.volumes[node as usize] / whole))).collect()
+}
+
+/// A force by area on the outermost nodes of a face, or the same force spread over the layer under it.
+fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction) -> Vec<(u32, Vec3)> {
+    let (value, shares) = (Vec3::from(traction.value), sets.face(face));
+    match traction.depth {
+        None => shares.iter().map(|&(node, area)| (node, value * area)).collect(),
+        Some(depth) => {
+            let area: f64 = shares.iter().map(|(_, area)| area).sum();
+            by_volume(block, &sets.layer(face, depth), value * area)
+        }
+    }
+}
+
+/// The columns of the curve.
+pub(super) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Vec<Probe>, SceneError> {
+    let probe = |(i, column): (usize, &crate::scene::Probe)| {
+        let nodes = sets.at(&format!("curve[{i}].on"), &column.on)?.to_vec();
+        let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
+        let probe = Probe::new(&column.name, column.of, nodes, direction);
+        Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
+    };
+    scene.curve.iter().enumerate().map(probe).collect()
+}
+
+/// Gives nodes the velocity of the scene, `v + ω × (x − p)`; what is held stays at rest.
+pub(super) fn set_out(scene: &SolidScene, solid: &mut Solid) {
+    let Some(velocity) = &scene.velocity else { return };
+    let linear = Vec3::from(velocity.linear.unwrap_or_default());
+    let (spin, point) = velocity.spin.map_or_else(Default::default, |spin| {
+        (Vec3::from(spin.axis).normalize() * spin.rate, Vec3::from(spin.point))
+    });
+    for node in 0..solid.len() {
+        let about: Vec3 = solid.position(node) - point;
+        solid.set_velocity(node, linear + spin.cross(&about));
+    }
+}

@@ -1,0 +1,129 @@
+//! What is known to make a number of a solid wrong, looked for before it is run.
+
+use peridynamics::Solid;
+use sph_core::Vec3;
+
+use super::sets::NodeSets;
+use crate::scene::{Scene, SolidScene};
+use crate::warning::{Doubt, Warning};
+
+/// A rule: what is doubtful, and whether it is so.
+type Rule = (Doubt, fn(&Look<'_>) -> Option<String>);
+
+/// Every rule, in the order in which warnings are printed.
+const RULES: [Rule; 4] = [
+    (Doubt::OddHorizon, odd_horizon),
+    (Doubt::FlatCells, flat_cells),
+    (Doubt::FewLayers, few_layers),
+    (Doubt::ThinLayer, thin_layer),
+];
+
+/// What the rules look at.
+struct Look<'a> {
+    scene: &'a Scene,
+    body: &'a SolidScene,
+    solid: &'a Solid,
+}
+
+/// What is doubtful about the solid of a scene.
+pub(super) fn doubts_of(scene: &Scene, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
+    let look = Look { scene, body, solid };
+    RULES.iter().filter_map(|(doubt, rule)| Some(Warning::new(*doubt, rule(&look)?))).collect()
+}
+
+/// Horizons over the spacing between which cracks run freely and waves arrive in time.
+const USUAL: [f64; 2] = [2.5, 6.0];
+
+/// Short horizons lead cracks along the lattice, long ones smear; sheets are best at 1.5.
+fn odd_horizon(look: &Look<'_>) -> Option<String> {
+    let horizon = look.body.formulation.horizon();
+    let [low, high] = USUAL;
+    (!look.body.has_directors() && look.body.fracture.is_some() && !(low..=high).contains(&horizon)).then(
+        || {
+            let fault =
+                if horizon < low { "cracks follow the lattice" } else { "cracks and waves are smeared" };
+            format!("the horizon is {horizon} spacings: {fault} outside {low} to {high}; 3.015 is usual")
+        },
+    )
+}
+
+/// Greatest over least spacing from which a family is a flat disc.
+const FLAT: f64 = 1.5;
+
+/// Families are measured in the greatest spacing, and see little across it where another is much narrower.
+fn flat_cells(look: &Look<'_>) -> Option<String> {
+    let spacing = &look.solid.block().spacing[..look.body.dimensions()];
+    let [least, most] = [f64::min, f64::max].map(|pick| spacing.iter().copied().reduce(pick).unwrap_or(1.0));
+    (most / least > FLAT).then(|| {
+        format!(
+            "spacings of {least:.3e} and {most:.3e} differ by a factor of {:.2}: beyond {FLAT} families are flat and their moduli \
+             off; use one spacing along all axes",
+            most / least
+        )
+    })
+}
+
+/// Layers across a bending member below which its deflection is off by tens of percent.
+const LAYERS: f64 = 8.0;
+/// Length over thickness from which a member bends under a load across it.
+const SLENDER: f64 = 4.0;
+
+/// Loads and motions across a slender block bend it.
+fn few_layers(look: &Look<'_>) -> Option<String> {
+    if look.body.has_directors() {
+        return None;
+    }
+    let lattice = look.body.lattice();
+    let (cells, lengths) = (lattice.cells().ok()?, &lattice.lengths[..lattice.dimensions]);
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let slender = |&axis: &usize| (cells[axis] as f64) < LAYERS && longest >= SLENDER * lengths[axis];
+    let axis = (0..lengths.len()).filter(slender).find(|&axis| bends(look.scene, axis))?;
+    Some(format!(
+        "{} layers of nodes across a member that bends, along {}: below {LAYERS} deflections are off by tens of percent; use a \
+         narrower spacing, or formulation.two-sheets for a thin plate",
+        cells[axis],
+        ["x", "y", "z"][axis]
+    ))
+}
+
+/// Whether loads or prescribed motions have a part along an axis.
+fn bends(scene: &Scene, axis: usize) -> bool {
+    let loads = scene.loads.iter().flat_map(|load| {
+        [load.force.map(|f| f.total), load.traction.map(|t| t.value), load.gravity.map(|g| g.acceleration)]
+    });
+    let motions = scene.supports.iter().map(|support| support.moved.map(|moved| moved.direction));
+    loads.chain(motions).flatten().any(|v| across(v, axis))
+}
+
+/// Whether a vector has more than a tenth of its length along an axis.
+fn across(v: [f64; 3], axis: usize) -> bool {
+    v[axis].abs() > 0.1 * Vec3::from(v).norm()
+}
+
+/// A motion that is prescribed on less than the depth of the horizon is felt by part of each family only.
+fn thin_layer(look: &Look<'_>) -> Option<String> {
+    let motions = || look.scene.supports.iter().filter(|support| support.moved.is_some());
+    if look.body.has_directors() || motions().next().is_none() {
+        return None;
+    }
+    let (block, lattice) = (look.solid.block(), look.body.lattice());
+    let horizon = look.body.formulation.horizon() * block.greatest_spacing();
+    let sets = NodeSets::find(look.scene, &lattice, block).ok()?;
+    let depth = |nodes: &[u32], axis: usize| {
+        let along = || nodes.iter().map(|&node| block.positions[node as usize][axis]);
+        let [least, most] = [f64::min, f64::max].map(|pick| along().reduce(pick).unwrap_or_default());
+        most - least + block.spacing[axis]
+    };
+    motions().find_map(|support| {
+        let nodes = sets.at("", &support.on).ok()?;
+        let depth = (0..block.dimensions).map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
+        // A layer as deep as the horizon holds the nodes whose places lie in it.
+        (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {
+            format!(
+                "the motion of `{}` is prescribed on a layer {depth:.3e} deep: below the horizon, {horizon:.3e}, bonds reach past it \
+                 and the motion is felt in part; use a set with layer = {{ face = \"…\", depth = {horizon:.3e} }}",
+                support.on
+            )
+        })
+    })
+}

@@ -1,0 +1,163 @@
+//! What a solid shows of a state: its nodes with their fields, in a plane with the quadrangles between them.
+//!
+//! What a state consists of is written to the last bit, what follows from it in single precision.
+
+use std::io;
+
+use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
+use peridynamics::Solid;
+use sph_core::Vec3;
+
+use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::scene::units::Quantity;
+
+const XYZ: &[&str] = &[];
+const TENSOR: &[&str] = &["xx", "yy", "zz", "xy", "yz", "zx"];
+
+/// What the fields of a solid show of its present state.
+pub(super) fn fields<'a>(solid: &'a Solid, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    Box::new(Content { solid, shown: *shown })
+}
+
+/// What is written of one frame.
+struct Content<'a> {
+    solid: &'a Solid,
+    shown: Shown<'a>,
+}
+
+impl Evaluated for Content<'_> {
+    /// A solid has no other part than its nodes.
+    fn write(&self, _: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
+        self.geometry(to)?;
+        self.motion(to)?;
+        self.forces(to)?;
+        self.bonds(to)
+    }
+}
+
+impl Content<'_> {
+    fn geometry(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let (solid, cells) = (self.solid, &self.solid.block().cells);
+        let points = rows(solid.len(), |a| xyz(solid.position(a)));
+        if cells.is_empty() {
+            let cell = |a: usize| (Kind::Vertex, [a as u32; 8]);
+            return to.geometry(&points, Connectivity { count: solid.len(), cell: &cell });
+        }
+        let cell = |number: usize| {
+            let [a, b, c, d] = cells[number].corners;
+            (Kind::Quadrangle, [a, b, c, d, 0, 0, 0, 0])
+        };
+        to.geometry(&points, Connectivity { count: cells.len(), cell: &cell })
+    }
+
+    fn motion(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let (solid, state) = (self.solid, self.shown.state);
+        // The displacements of a mode have no size.
+        let quantity = if state == State::Mode { Quantity::Ratio } else { Quantity::Length };
+        self.vectors(to, "displacement", quantity, &|a| solid.displacement(a))?;
+        if state == State::Moving {
+            self.vectors(to, "velocity", Quantity::Speed, &|a| solid.velocity(a))?;
+        }
+        if solid.director(0).is_some() {
+            self.vectors(to, "director", Quantity::Ratio, &|a| solid.director(a).unwrap_or_default())?;
+        }
+        self.numbers(to, "volume", Quantity::Volume, |a| solid.block().volumes[a])
+    }
+
+    /// Reactions; where nothing is in balance and nothing moves there are none.
+    fn forces(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let solid = self.solid;
+        let linear = self.shown.forces.filter(|row| row.len() == 3 * solid.len());
+        let force = |a: usize| match linear {
+            Some(row) => Vec3::from_column_slice(&row[3 * a..3 * a + 3]),
+            None => solid.reaction(a),
+        };
+        match self.shown.state {
+            State::Mode => return Ok(()),
+            State::Linear if linear.is_none() => return Ok(()),
+            State::Moving | State::Balance | State::Linear => {}
+        }
+        // Where nothing is held the same difference of forces is what accelerates: no reaction.
+        let reaction = |a: usize| if solid.is_held(a) { force(a) } else { Vec3::zeros() };
+        self.vectors(to, "reaction", Quantity::Force, &reaction)
+    }
+
+    /// What bonds say: damage and, of states of their own size, energy and stress.
+    fn bonds(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let solid = self.solid;
+        self.numbers(to, "damage", Quantity::Ratio, |a| solid.damage(a))?;
+        if matches!(self.shown.state, State::Mode | State::Linear) {
+            return Ok(());
+        }
+        self.numbers(to, "strain_energy", Quantity::Stress, |a| solid.strain_energy(a))?;
+        if !self.shown.stresses {
+            return Ok(());
+        }
+        let stresses: Vec<[f64; 6]> = (0..solid.len())
+            .map(|a| {
+                let s = solid.stress(a);
+                [s[(0, 0)], s[(1, 1)], s[(2, 2)], s[(0, 1)], s[(1, 2)], s[(2, 0)]]
+            })
+            .collect();
+        let all = rows(solid.len(), |a| stresses[a].map(|value| value as f32));
+        self.put(to, "stress", Quantity::Stress, TENSOR, Values::Single(&all))?;
+        self.numbers(to, "von_mises", Quantity::Stress, |a| von_mises(stresses[a]))
+    }
+
+    /// A number for each node, in single precision.
+    fn numbers(
+        &self,
+        to: &mut dyn FieldWriter,
+        name: &str,
+        quantity: Quantity,
+        value: impl Fn(usize) -> f64,
+    ) -> io::Result<()> {
+        let all = rows(self.solid.len(), |a| [value(a) as f32]);
+        self.put(to, name, quantity, &[], Values::Single(&all))
+    }
+
+    fn vectors(
+        &self,
+        to: &mut dyn FieldWriter,
+        name: &str,
+        quantity: Quantity,
+        vector: &dyn Fn(usize) -> Vec3,
+    ) -> io::Result<()> {
+        let all = rows(self.solid.len(), |a| xyz(vector(a)));
+        self.put(to, name, quantity, XYZ, Values::Double(&all))
+    }
+
+    fn put(
+        &self,
+        to: &mut dyn FieldWriter,
+        name: &str,
+        quantity: Quantity,
+        components: &[&str],
+        values: Values<'_>,
+    ) -> io::Result<()> {
+        to.numbers(At::Points, name, &self.shown.units.symbol(quantity), components, values)
+    }
+}
+
+/// `√(½[(xx − yy)² + (yy − zz)² + (zz − xx)²] + 3[xy² + yz² + zx²])` \[F/L²\].
+fn von_mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
+    let square = |x: f64| x * x;
+    let normal = square(xx - yy) + square(yy - zz) + square(zz - xx);
+    (0.5 * normal + 3.0 * (square(xy) + square(yz) + square(zx))).sqrt()
+}
+
+fn xyz(v: Vec3) -> [f64; 3] {
+    v.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_stress_alone_is_its_own_and_pressure_is_none() {
+        assert_eq!(von_mises([-2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 2.0);
+        assert_eq!(von_mises([5.0, 5.0, 5.0, 0.0, 0.0, 0.0]), 0.0);
+        assert_eq!(von_mises([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]), 3.0_f64.sqrt());
+    }
+}

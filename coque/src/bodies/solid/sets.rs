@@ -1,0 +1,77 @@
+//! Named sets of nodes: all of them, the faces of the block, layers under faces, regions.
+
+use std::collections::BTreeMap;
+
+use sph_core::{Block, BlockLattice};
+
+use crate::bodies::sets::{empty, inside};
+use crate::scene::Scene;
+use crate::scene::error::SceneError;
+use crate::scene::sets::OF_SOLIDS;
+
+/// The sets of a solid, by name.
+pub(super) struct NodeSets<'a> {
+    scene: &'a Scene,
+    lattice: &'a BlockLattice,
+    block: &'a Block,
+    members: BTreeMap<String, Vec<u32>>,
+}
+
+impl<'a> NodeSets<'a> {
+    /// Finds every set that the scene declares, and those that every solid has.
+    ///
+    /// # Errors
+    /// [`SceneError::Set`] for a declared set without nodes.
+    pub fn find(scene: &'a Scene, lattice: &'a BlockLattice, block: &'a Block) -> Result<Self, SceneError> {
+        let mut out = Self { scene, lattice, block, members: BTreeMap::new() };
+        out.members.insert(OF_SOLIDS[0].into(), (0..block.len() as u32).collect());
+        for (name, face) in OF_SOLIDS[1..].iter().zip(&block.faces) {
+            out.members.insert((*name).into(), face.iter().map(|&(node, _)| node).collect());
+        }
+        for (name, region) in &scene.sets {
+            let nodes = match &region.layer {
+                Some(layer) => out.layer(&layer.face, layer.depth),
+                None => inside(region, &block.positions, block.greatest_spacing()),
+            };
+            if nodes.is_empty() {
+                return Err(empty(scene, name, &block.positions));
+            }
+            out.members.insert(name.clone(), nodes);
+        }
+        Ok(out)
+    }
+
+    /// Nodes of the set that the scene names at `path`.
+    ///
+    /// # Errors
+    /// [`SceneError::Set`] for a face all of whose nodes are cut out.
+    pub fn at(&self, path: &str, name: &str) -> Result<&[u32], SceneError> {
+        // The checks let no other name through.
+        let nodes = self.members.get(name).map_or(&[][..], Vec::as_slice);
+        if !nodes.is_empty() {
+            return Ok(nodes);
+        }
+        let repair = "cut less out of the block, or use another set";
+        let bound = "but all nodes of this face are cut out";
+        Err(SceneError::Set(self.scene.source.fault(path, &format!("\"{name}\""), bound, repair)))
+    }
+
+    /// The nodes on a face with their shares of its area \[L²\].
+    pub fn face(&self, name: &str) -> &[(u32, f64)] {
+        let number = OF_SOLIDS[1..].iter().position(|known| *known == name);
+        number.map_or(&[], |number| &self.block.faces[number])
+    }
+
+    /// The nodes within a depth of a face of the block.
+    pub fn layer(&self, face: &str, depth: f64) -> Vec<u32> {
+        let number = OF_SOLIDS[1..].iter().position(|known| *known == face).unwrap_or_default();
+        let axis = number / 2;
+        let low = self.lattice.origin[axis];
+        let high = low + self.lattice.lengths[axis];
+        // A node at the depth belongs to the layer, whatever rounding did to it.
+        let reach = depth + 1e-9 * self.block.spacing[axis];
+        let near = |x: f64| if number % 2 == 0 { x - low <= reach } else { high - x <= reach };
+        let positions = self.block.positions.iter().enumerate();
+        positions.filter(|(_, x)| near(x[axis])).map(|(node, _)| node as u32).collect()
+    }
+}

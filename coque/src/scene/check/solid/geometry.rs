@@ -1,0 +1,163 @@
+//! Checks of the nodes of a solid.
+
+use sph_core::{BlockLattice, Vec3};
+
+use super::Checked;
+use crate::scene::error::SceneError;
+use crate::scene::scope::Scope;
+use crate::scene::solid::SolidScene;
+use crate::scene::solid::geometry::{Block, CutOut, NodePlaces};
+
+/// Bounds what a scene may allocate: ten million nodes in space take some fifty gigabytes.
+const MOST_NODES: f64 = 1e7;
+
+impl SolidScene {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+        let at = |key: &str| format!("geometry.block.{key}");
+        let block = &self.geometry.block;
+        let dimensions = block.lengths.len();
+        if !(2..=3).contains(&dimensions) {
+            let value = format!("a list of {dimensions} numbers");
+            let repair = "two lengths make a plane block, three one in space";
+            return Err(s.value(&at("lengths"), value, "a list of 2 or 3", repair));
+        }
+        for (i, &length) in block.lengths.iter().enumerate() {
+            s.positive(&at(&format!("lengths[{i}]")), length)?;
+        }
+        self.check_spacing(s)?;
+        if let Some(origin) = &block.origin {
+            s.coordinates(&at("origin"), origin, dimensions)?;
+        }
+        self.check_thickness(s)?;
+        for (i, &ratio) in block.grading.iter().flatten().enumerate() {
+            let repair = "it is the last spacing over the first: 1 is even, 3 and 0.3 are strong";
+            s.within(&at(&format!("grading[{i}]")), ratio, [0.001, 1000.0], repair)?;
+        }
+        if let Some(grading) = &block.grading {
+            s.coordinates(&at("grading"), grading, dimensions)?;
+        }
+        if let Some(disorder) = block.disorder {
+            let repair = "beyond half a spacing neighbours would change places";
+            s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
+        }
+        self.check_layers(s)?;
+        let cut_outs = self.geometry.cut_outs.iter().enumerate();
+        cut_outs
+            .map(|(i, cut_out)| (format!("geometry.cut_outs[{i}].{}", cut_out.word()), cut_out))
+            .try_for_each(|(at, cut_out)| check_cut_out(&at, cut_out, dimensions, s))
+    }
+
+    fn check_spacing(&self, s: &Scope<'_>) -> Checked {
+        use crate::scene::solid::geometry::Spacing;
+        let (path, block) = ("geometry.block.spacing", &self.geometry.block);
+        match &block.spacing {
+            Spacing::Same(spacing) => s.positive(path, *spacing)?,
+            Spacing::Each(list) => {
+                s.coordinates(path, list, block.lengths.len())?;
+                for (i, &spacing) in list.iter().enumerate() {
+                    s.positive(&format!("{path}[{i}]"), spacing)?;
+                }
+            }
+        }
+        let nodes: f64 =
+            block.lengths.iter().enumerate().map(|(i, l)| (l / block.spacing.along(i)).max(1.0)).product();
+        if nodes <= MOST_NODES {
+            return Ok(());
+        }
+        let bound = format!("wide enough for at most {MOST_NODES:e} nodes");
+        Err(s.value(path, format!("one that asks for {nodes:.3e} nodes"), &bound, "use a wider spacing"))
+    }
+
+    fn check_thickness(&self, s: &Scope<'_>) -> Checked {
+        let (path, block) = ("geometry.block.thickness", &self.geometry.block);
+        match block.thickness {
+            Some(thickness) if block.lengths.len() == 2 => s.positive(path, thickness),
+            Some(_) => {
+                let repair = "remove it, or give two lengths for a plane block";
+                let bound = "none beside three lengths";
+                Err(SceneError::Choice(s.fault(path, "a thickness", bound, repair)))
+            }
+            None if self.has_directors() && block.lengths.len() == 2 => {
+                let repair = "add `thickness = …` in `geometry.block`";
+                let bound = "given: it has no default for two sheets";
+                Err(SceneError::Missing(s.fault(path, "nothing", bound, repair)))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Bonds must leave every line and plane.
+    fn check_layers(&self, s: &Scope<'_>) -> Checked {
+        let lattice = self.lattice();
+        // Lengths and spacings were checked before.
+        let Ok(cells) = lattice.cells() else { return Ok(()) };
+        let rows = |axis: usize| cells[axis] + usize::from(lattice.nodes == sph_core::NodePlaces::Edges);
+        let Some(axis) = (0..lattice.dimensions).find(|&axis| rows(axis) < 2) else { return Ok(()) };
+        let name = ["x", "y", "z"][axis];
+        let repair = match lattice.dimensions {
+            3 => "use a narrower spacing, or two lengths and a thickness for a plane block",
+            _ => "use a narrower spacing",
+        };
+        let value = format!("one that gives one layer of nodes along {name}");
+        let bound = "narrow enough for two: no bond would leave the layer";
+        Err(s.value("geometry.block.spacing", value, bound, repair))
+    }
+
+    /// The lattice of its nodes.
+    pub(crate) fn lattice(&self) -> BlockLattice {
+        let Block { lengths, spacing, origin, thickness, nodes, grading, disorder } = &self.geometry.block;
+        let or = |list: &Option<Vec<f64>>, axis: usize, default: f64| {
+            list.as_ref().and_then(|list| list.get(axis)).copied().unwrap_or(default)
+        };
+        let across = thickness.unwrap_or(1.0);
+        let usual = if self.has_directors() { NodePlaces::Edges } else { NodePlaces::Centres };
+        BlockLattice {
+            dimensions: lengths.len(),
+            lengths: [0, 1, 2].map(|axis| lengths.get(axis).copied().unwrap_or(across)),
+            spacing: [0, 1, 2].map(|axis| spacing.along(axis)),
+            origin: Vec3::from([0, 1, 2].map(|axis| or(origin, axis, 0.0))),
+            nodes: match nodes.unwrap_or(usual) {
+                NodePlaces::Centres => sph_core::NodePlaces::Centres,
+                NodePlaces::Edges => sph_core::NodePlaces::Edges,
+            },
+            grading: [0, 1, 2].map(|axis| or(grading, axis, 1.0)),
+            disorder: disorder.map_or(0.0, |disorder| disorder.fraction),
+            seed: disorder.map_or(0, |disorder| disorder.seed),
+        }
+    }
+}
+
+fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Checked {
+    let at = |key: &str| format!("{at}.{key}");
+    match cut_out {
+        CutOut::Ball(ball) => {
+            s.coordinates(&at("centre"), &ball.centre, dimensions)?;
+            s.positive(&at("radius"), ball.radius)
+        }
+        CutOut::Cylinder(cylinder) => {
+            s.sized_all(&at("point"), &cylinder.point)?;
+            s.direction(&at("axis"), cylinder.axis)?;
+            s.positive(&at("radius"), cylinder.radius)
+        }
+        CutOut::Box(cuboid) => {
+            s.coordinates(&at("min"), &cuboid.min, dimensions)?;
+            s.coordinates(&at("max"), &cuboid.max, dimensions)?;
+            if cuboid.min.iter().zip(&cuboid.max).all(|(min, max)| min <= max) {
+                return Ok(());
+            }
+            let value = format!("{:?} to {:?}", cuboid.min, cuboid.max);
+            let repair = "swap the coordinates";
+            Err(s.value(&at("min"), value, "min ≤ max in every coordinate", repair))
+        }
+        CutOut::Polygon(polygon) => {
+            for (i, corner) in polygon.corners.iter().enumerate() {
+                s.sized_all(&at(&format!("corners[{i}]")), corner)?;
+            }
+            if polygon.corners.len() >= 3 {
+                return Ok(());
+            }
+            let value = format!("a list of {}", polygon.corners.len());
+            Err(s.value(&at("corners"), value, "at least three corners", "add corners, in order"))
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! The checks of a solid: its own keys, relative to where it stands in the scene, and what goes with it.
+
+mod conditions;
+mod fracture;
+mod geometry;
+mod material;
+mod vectors;
+
+use crate::scene::error::SceneError;
+use crate::scene::problem::Scene;
+use crate::scene::scope::Scope;
+use crate::scene::solid::SolidScene;
+
+type Checked = Result<(), SceneError>;
+
+impl SolidScene {
+    /// Refuses the first of its own keys that is out of bounds.
+    pub(super) fn check(&self, s: &Scope<'_>) -> Checked {
+        self.check_geometry(s)?;
+        self.check_formulation(s)?;
+        self.check_material(s)?;
+        self.check_fracture(s)?;
+        self.check_imperfection(s)
+    }
+}
+
+impl Scene {
+    /// Refuses what does not go with a solid.
+    pub(super) fn check_solid(&self, solid: &SolidScene) -> Checked {
+        let s = &self.body_scope();
+        for (i, set) in solid.unbreakable.iter().enumerate() {
+            self.check_set_name(&s.path(&format!("unbreakable[{i}]")), set)?;
+        }
+        if self.output.fields.is_some_and(|fields| fields.extruded) {
+            let fault = self.scope().fault(
+                "output.fields.extruded",
+                "a shell with its thickness",
+                "none of a solid",
+                "remove it: a solid is written as it is",
+            );
+            return Err(SceneError::Choice(fault));
+        }
+        self.check_solid_velocity(solid)
+    }
+}

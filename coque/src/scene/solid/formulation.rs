@@ -1,0 +1,165 @@
+//! How bonds carry a solid.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Peridynamic formulations.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum SolidFormulation {
+    /// A bond feels its own extension alone \[silling2005\]: Poisson's ratio is 1/4, in plane stress 1/3.
+    BondBased(Bonds),
+    /// A bond feels the dilatation at its ends as well \[silling2007\]: any Poisson's ratio.
+    StateBased(Bonds),
+    /// A thin plate as two plane-stress sheets on directors, state-based.
+    TwoSheets(TwoSheets),
+}
+
+/// Options of bonds in a plane or in space.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bonds {
+    /// Horizon over the greatest spacing of nodes \[–\].
+    #[serde(default = "usual_horizon")]
+    pub horizon: f64,
+    /// What acts across the plane of a block of two lengths, which must give it.
+    pub plane: Option<Plane>,
+    /// How much a bond counts by its length.
+    #[serde(default = "linear")]
+    pub influence: Influence,
+    /// What corrects lattices and surfaces.
+    #[serde(default)]
+    pub correction: Correction,
+}
+
+/// Options of [`SolidFormulation::TwoSheets`].
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TwoSheets {
+    /// Horizon over the greatest spacing of nodes \[–\].
+    #[serde(default = "horizon_of_sheets")]
+    pub horizon: f64,
+    /// How much a bond counts by its length.
+    #[serde(default = "inverse")]
+    pub influence: Influence,
+    /// What corrects lattices and surfaces.
+    #[serde(default)]
+    pub correction: Correction,
+}
+
+/// What acts across a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Plane {
+    /// No stress: a thin plate.
+    Stress,
+    /// No strain: a slice of a long body.
+    Strain,
+}
+
+/// How much a bond counts by its length r.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Influence {
+    /// All bonds alike.
+    Constant,
+    /// As 1/r.
+    Inverse,
+    /// Falling along a straight line to zero at the reach of a family.
+    Linear,
+}
+
+/// What corrects the moduli of nodes whose family is a lattice's, or cut by a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Correction {
+    /// Weights for which the energy of the six unit strains is exact at every node.
+    #[default]
+    Even,
+    /// One factor a bond, from the energies of unit strains along the axes.
+    EnergyFactor,
+    /// Nothing.
+    None,
+}
+
+impl SolidFormulation {
+    /// Key of the formulation in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::BondBased(_) => "bond-based",
+            Self::StateBased(_) => "state-based",
+            Self::TwoSheets(_) => "two-sheets",
+        }
+    }
+
+    /// Horizon over the greatest spacing of nodes \[–\].
+    pub fn horizon(&self) -> f64 {
+        match self {
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon,
+            Self::TwoSheets(sheets) => sheets.horizon,
+        }
+    }
+
+    /// What acts across a plane; nothing is said in space and of two sheets.
+    pub fn plane(&self) -> Option<Plane> {
+        match self {
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.plane,
+            Self::TwoSheets(_) => None,
+        }
+    }
+
+    /// How much a bond counts by its length.
+    pub fn influence(&self) -> Influence {
+        match self {
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.influence,
+            Self::TwoSheets(sheets) => sheets.influence,
+        }
+    }
+
+    /// What corrects lattices and surfaces.
+    pub fn correction(&self) -> Correction {
+        match self {
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.correction,
+            Self::TwoSheets(sheets) => sheets.correction,
+        }
+    }
+
+    /// One line that names the formulation with its options.
+    pub fn describe(&self) -> String {
+        let plane = match self.plane() {
+            None => "",
+            Some(Plane::Stress) => ", plane stress",
+            Some(Plane::Strain) => ", plane strain",
+        };
+        let influence = match self.influence() {
+            Influence::Constant => "constant",
+            Influence::Inverse => "inverse",
+            Influence::Linear => "linear",
+        };
+        let correction = match self.correction() {
+            Correction::Even => "even correction",
+            Correction::EnergyFactor => "energy factors",
+            Correction::None => "no correction",
+        };
+        let (word, horizon) = (self.word(), self.horizon());
+        format!("{word}{plane}, horizon {horizon}, {influence} influence, {correction}")
+    }
+}
+
+/// The fraction keeps nodes at three spacings inside.
+fn usual_horizon() -> f64 {
+    3.015
+}
+
+/// Eight neighbours: larger horizons are worse on plates.
+fn horizon_of_sheets() -> f64 {
+    1.5
+}
+
+fn linear() -> Influence {
+    Influence::Linear
+}
+
+fn inverse() -> Influence {
+    Influence::Inverse
+}

@@ -1,0 +1,83 @@
+//! A peridynamic solid in a scene: its nodes, its material, how bonds carry it, when they break.
+
+pub(crate) mod formulation;
+pub(crate) mod fracture;
+pub(crate) mod geometry;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::shell::material::Elastic;
+use super::velocity::Velocity;
+use formulation::SolidFormulation;
+use fracture::{Contact, Crack, Fracture};
+use geometry::SolidGeometry;
+
+/// A solid of nodes joined by bonds: in space, in a plane, or a thin plate of two sheets.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidScene {
+    /// Its nodes.
+    pub geometry: SolidGeometry,
+    /// What it is made of.
+    pub material: SolidMaterial,
+    /// How bonds carry it.
+    pub formulation: SolidFormulation,
+    /// When bonds break; left out, never.
+    pub fracture: Option<Fracture>,
+    /// Cracks that are there at the start.
+    #[serde(default)]
+    pub cracks: Vec<Crack>,
+    /// Sets of nodes whose bonds never break, such as those where loads enter.
+    #[serde(default)]
+    pub unbreakable: Vec<String>,
+    /// Contact of fragments with each other and with walls; left out, there is none.
+    pub contact: Option<Contact>,
+    /// Deflection of a plate of two sheets at the start.
+    pub imperfection: Option<Imperfection>,
+    /// Velocity at the start, in transient runs.
+    pub velocity: Option<Velocity>,
+}
+
+/// Materials of solids.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum SolidMaterial {
+    /// Isotropic linear elasticity.
+    Elastic(Elastic),
+}
+
+impl SolidMaterial {
+    /// Its constants.
+    pub fn elastic(&self) -> Elastic {
+        let Self::Elastic(elastic) = self;
+        elastic.clone()
+    }
+}
+
+/// Deflection without stress of a plate of two sheets: a product of sines, zero on its edges.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Imperfection {
+    /// Half-waves along x and y.
+    pub half_waves: [u32; 2],
+    /// Greatest deflection, along z \[L\].
+    pub amplitude: f64,
+}
+
+impl SolidScene {
+    /// Dimensions of its block, two or three.
+    pub fn dimensions(&self) -> usize {
+        self.geometry.block.lengths.len()
+    }
+
+    /// Whether it is a plate of two sheets, which has directors.
+    pub fn has_directors(&self) -> bool {
+        matches!(self.formulation, SolidFormulation::TwoSheets(_))
+    }
+
+    /// Whether its nodes move in a plane only.
+    pub fn is_plane(&self) -> bool {
+        self.dimensions() == 2 && !self.has_directors()
+    }
+}

@@ -1,0 +1,102 @@
+//! The sweep over columns: what the sheets, the shear of pairs and the thickness ask of places and directors.
+
+use rayon::prelude::*;
+
+use super::shear::Shear;
+use crate::bonds::forces::NODE_CHUNK;
+use crate::bonds::network::Row;
+
+/// What columns store by themselves.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    /// Height z₀ of the upper sheet above the mid-surface \[L\].
+    pub height: f64,
+    /// `E t Aᵢ` \[F L\].
+    pub stiffness: Vec<f64>,
+    /// `½ d₀·d₀` at rest \[–\].
+    pub rest: Vec<f64>,
+    pub shear: Shear,
+    /// Energy of each chunk of columns.
+    pub energies: Vec<f64>,
+}
+
+impl Columns {
+    /// The points of a sheet, `x + z₀ d` of the upper side 1 or `x − z₀ d` of the lower side −1.
+    pub fn points(&self, rows: &[Row], side: f64) -> Vec<Row> {
+        let (places, directors) = rows.split_at(self.rest.len());
+        let z = side * self.height;
+        let point = |(x, d): (&Row, &Row)| [x[0] + z * d[0], x[1] + z * d[1], x[2] + z * d[2], 0.0];
+        places.iter().zip(directors).map(point).collect()
+    }
+
+    /// The strain `½ (d·d − d₀·d₀)` of the thickness.
+    #[inline(always)]
+    pub fn thickening(&self, column: usize, d: &Row) -> f64 {
+        0.5 * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - self.rest[column]
+    }
+
+    /// Forces on all rows from those of the two sheets on their nodes; returns the energy of shear and thickness \[F L\].
+    pub fn gather(&mut self, rows: &[Row], sheets: [&[Row]; 2], forces: &mut [Row], threads: usize) -> f64 {
+        let mut energies = std::mem::take(&mut self.energies);
+        let (places, directors) = forces.split_at_mut(self.rest.len());
+        let chunk = |(number, ((places, directors), energy)): (usize, Chunk<'_>)| {
+            *energy = 0.0;
+            for (i, (of_x, of_d)) in places.iter_mut().zip(directors).enumerate() {
+                let column = number * NODE_CHUNK + i;
+                *energy += self.column(column, rows, sheets.map(|forces| &forces[column]), of_x, of_d);
+            }
+        };
+        if threads > 1 {
+            places
+                .par_chunks_mut(NODE_CHUNK)
+                .zip(directors.par_chunks_mut(NODE_CHUNK))
+                .zip(energies.par_iter_mut())
+                .enumerate()
+                .for_each(chunk);
+        } else {
+            places
+                .chunks_mut(NODE_CHUNK)
+                .zip(directors.chunks_mut(NODE_CHUNK))
+                .zip(energies.iter_mut())
+                .enumerate()
+                .for_each(chunk);
+        }
+        let stored = energies.iter().sum();
+        self.energies = energies;
+        stored
+    }
+
+    /// Energy of the thickness of a column, and half of that of its pairs \[F L\].
+    pub fn stored(&self, rows: &[Row], column: usize) -> f64 {
+        let mut unused = [[0.0; 4]; 4];
+        let [up, down, of_x, of_d] = &mut unused;
+        self.column(column, rows, [up, down], of_x, of_d)
+    }
+
+    /// Forces on one column; returns its thickness' energy and half of that of its pairs.
+    #[inline(always)]
+    fn column(&self, i: usize, rows: &[Row], [up, down]: [&Row; 2], of_x: &mut Row, of_d: &mut Row) -> f64 {
+        let (x, d) = (&rows[i], &rows[self.rest.len() + i]);
+        let (mut on_x, mut on_d, mut stored) = ([0.0; 3], [0.0; 3], 0.0);
+        for pair in self.shear.of(i) {
+            let j = pair.other as usize;
+            let bond = pair.sheared((x, d), (&rows[j], &rows[self.rest.len() + j]));
+            let force = pair.stiffness * bond.strain;
+            for k in 0..3 {
+                on_x[k] -= force * bond.across[k];
+                on_d[k] += force * bond.along[k];
+            }
+            stored += force * bond.strain;
+        }
+        let thickening = self.thickening(i, d);
+        let pressure = self.stiffness[i] * thickening;
+        for k in 0..3 {
+            of_x[k] = (up[k] + down[k]) + on_x[k];
+            of_d[k] = self.height * (up[k] - down[k]) + (on_d[k] + pressure * d[k]);
+        }
+        0.25 * stored + 0.5 * pressure * thickening
+    }
+}
+
+/// Forces on places, on directors, and the energy of a chunk.
+type Chunk<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut f64);
