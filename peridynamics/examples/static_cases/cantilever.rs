@@ -127,9 +127,9 @@ impl Cantilever {
     pub fn grown(&self) -> Result<Grown, Box<dyn Error>> {
         let table = self.compliances()?;
         let (mut parts, [up, down]) = self.parts(START)?;
-        let start = (START - 0.5 * self.spacing()) / ARM;
-        // The opening at which a beam releases the energy at the start.
-        let opening = (16.0 * TOUGHNESS * start.powi(4) * ARM / (3.0 * YOUNG)).sqrt();
+        // The opening at which the energy is released at the start; its crack is the second of the table.
+        let slope = (table[2][1] - table[0][1]) / (table[2][0] - table[0][0]);
+        let opening = table[1][1] * (2.0 * ARM * TOUGHNESS / slope).sqrt();
         parts.supports.push(moved(up.clone(), Vec3::y(), 0.5 * opening));
         parts.supports.push(moved(down, Vec3::y(), -0.5 * opening));
         let criterion = Criterion::EnergyByStretch(TOUGHNESS);
@@ -148,7 +148,7 @@ impl Cantilever {
         };
         let mut newton = Newton::new(&system, &NewtonOptions::default())?;
         let (from, spent_before) = (tip(&system), spent(&system));
-        let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.8);
+        let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.98);
         while tip(&system) < from + 0.5 * ARM {
             let mut broke = false;
             loop {

@@ -63,8 +63,7 @@ fn cantilevers() -> Result<(), Box<dyn Error>> {
     println!(
         "Double cantilever: G by compliance over the closed form at a/h; G over the input where the crack grows"
     );
-    let cases =
-        [(12, 3.015), (16, 3.015), (24, 3.015), (16, 4.015), (24, 6.015)].map(|case| (Law::BondBased, case));
+    let cases = [(12, 3.015), (16, 4.015), (16, 3.015), (24, 6.015)].map(|case| (Law::BondBased, case));
     for (law, (across, horizon)) in cases.into_iter().chain([(Law::StateBased, (12, 3.015))]) {
         let case = Cantilever { law, across, horizon };
         print!("{law:?}, {across} across an arm, m = {horizon}:");
