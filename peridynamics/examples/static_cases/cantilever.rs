@@ -16,11 +16,11 @@ use crate::blocks::{formulation, held, lattice, moved, nodes, parts, pulled, sys
 const YOUNG: f64 = 1.0;
 /// Height of an arm, and the thickness.
 const ARM: f64 = 1.0;
-const LENGTH: f64 = 12.0;
+const LENGTH: f64 = 6.0;
 /// Energy of a unit area of crack; so little that arms hardly turn.
 const TOUGHNESS: f64 = 1e-7;
 /// Crack at the start.
-const START: f64 = 4.0;
+const START: f64 = 2.0;
 
 /// A double cantilever and how it is resolved.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,12 @@ pub struct Cantilever {
     pub law: Law,
     /// Spacings across an arm.
     pub across: usize,
+    /// Horizon over the spacing.
+    pub horizon: f64,
 }
+
+/// Nodes of the upper and of the lower end.
+type Ends = [Vec<u32>; 2];
 
 /// The energy release rate by compliance, over that of the closed form, at one crack length.
 #[derive(Clone, Copy, Debug)]
@@ -64,14 +69,15 @@ impl Cantilever {
     }
 
     /// The body with a crack, and the ends of its upper and lower arm.
-    fn parts(&self, crack: f64) -> Result<(Parts, [Vec<u32>; 2]), Box<dyn Error>> {
+    fn parts(&self, crack: f64) -> Result<(Parts, Ends), Box<dyn Error>> {
         let (block, dx) = (self.block()?, self.spacing());
         let end = |side: f64| nodes(&block, |x| x.x < dx && side * x.y > 0.0);
         let ends = [end(1.0), end(-1.0)];
         let far = nodes(&block, |x| x.x > LENGTH - dx);
         let poisson = if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.3 };
         let material = Elastic { young: YOUNG, poisson, density: 1.0 };
-        let formulation = formulation(Space::PlaneStress, self.law, Correction::Even);
+        let mut formulation = formulation(Space::PlaneStress, self.law, Correction::Even);
+        formulation.horizon = self.horizon;
         let mut parts = parts(block, material, formulation);
         parts.supports = vec![held(far, &[Vec3::x(), Vec3::y()])];
         parts.cracks = vec![Crack::Segment([Vec3::new(-1.0, 0.0, 0.0), Vec3::new(crack, 0.0, 0.0)])];
@@ -92,7 +98,7 @@ impl Cantilever {
 
     /// Compliances at crack lengths from the start, half an arm apart.
     fn compliances(&self) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
-        (0..9)
+        (0..7)
             .map(|k| START - 0.5 + 0.5 * f64::from(k))
             .map(|crack| Ok([crack, self.compliance(crack)?]))
             .collect()
@@ -114,20 +120,22 @@ impl Cantilever {
         Ok(table.windows(3).map(one).collect())
     }
 
-    /// Opens the ends until the crack has grown by an arm, breaking bonds whose stretch asks for the given energy.
+    /// Opens the ends until the crack has grown by half an arm, breaking bonds whose stretch asks for the given energy.
     ///
     /// # Errors
     /// A body or a system that is refused, an equilibrium that is not found.
     pub fn grown(&self) -> Result<Grown, Box<dyn Error>> {
         let table = self.compliances()?;
         let (mut parts, [up, down]) = self.parts(START)?;
-        let start = (START - 0.5 * self.spacing()) / ARM;
-        // The opening at which a beam releases the energy at the start.
-        let opening = (16.0 * TOUGHNESS * start.powi(4) * ARM / (3.0 * YOUNG)).sqrt();
+        // The opening at which the energy is released at the start; its crack is the second of the table.
+        let slope = (table[2][1] - table[0][1]) / (table[2][0] - table[0][0]);
+        let opening = table[1][1] * (2.0 * ARM * TOUGHNESS / slope).sqrt();
         parts.supports.push(moved(up.clone(), Vec3::y(), 0.5 * opening));
         parts.supports.push(moved(down, Vec3::y(), -0.5 * opening));
         let criterion = Criterion::EnergyByStretch(TOUGHNESS);
-        parts.fracture = Some(Fracture { criterion, unbreakable: Vec::new() });
+        // Where the ends are pulled and held bonds are stretched as well.
+        let unbreakable = nodes(&parts.block, |x| x.x < START - ARM || x.x > LENGTH - ARM);
+        parts.fracture = Some(Fracture { criterion, unbreakable });
         let mut system = StaticSolid::new(Solid::new(parts)?);
         let tip = |system: &StaticSolid| {
             let body = system.solid();
@@ -140,8 +148,8 @@ impl Cantilever {
         };
         let mut newton = Newton::new(&system, &NewtonOptions::default())?;
         let (from, spent_before) = (tip(&system), spent(&system));
-        let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.8);
-        while tip(&system) < from + ARM {
+        let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.98);
+        while tip(&system) < from + 0.5 * ARM {
             let mut broke = false;
             loop {
                 let broken = system.solid().broken()[0].len();
@@ -158,13 +166,7 @@ impl Cantilever {
                     break;
                 }
             }
-            eprintln!(
-                "level {level:.3} tip {:.3} broken {} solved {solved} rates {:?}",
-                tip(&system),
-                system.solid().broken()[0].len(),
-                rates.last()
-            );
-            level *= 1.005;
+            level *= 1.01;
         }
         let advance = tip(&system) - from;
         let spent = (spent(&system) - spent_before) / (TOUGHNESS * ARM * advance);

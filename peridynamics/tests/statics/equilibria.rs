@@ -28,7 +28,7 @@ fn residuals_fall_quadratically() {
         for law in LAWS {
             let cells = if space == Space::Solid { [14, 3, 3] } else { [20, 4, 1] };
             let (mut parts, tip) = cantilever(space, law, cells);
-            let force = if space == Space::Solid { 1.6e-2 } else { 2e-3 };
+            let force = if space == Space::Solid { 1.6e-2 } else { 3e-3 };
             parts.loads = vec![pulled(&tip, Vec3::new(0.0, force, 0.0))];
             let mut system = StaticSolid::new(Solid::new(parts).unwrap());
             let options = NewtonOptions { tolerance: 1e-12, line_search: false, ..NewtonOptions::default() };
