@@ -8,6 +8,8 @@
 //! θᵢ = (d/mᵢ) Σⱼ w r e V̄ⱼ          mᵢ = Σⱼ w r² V̄ⱼ          V̄ the partial volume inside the horizon
 //! U  = Σᵢ Vᵢ [ ½(λ − μ) θᵢ² + ½ d(d+2) (μ/mᵢ) Σⱼ w e² V̄ⱼ ]
 //! ```
+//!
+//! A thin plate is two networks in plane stress on directors, with transverse shear between columns ([`Sheets`]).
 #![warn(missing_docs)]
 
 mod bonds;

@@ -103,8 +103,7 @@ fn relaxation_finds_what_newton_finds() {
         }
         let options =
             RelaxationOptions { tolerance: 1e-5, damping, ramp: 1, iterations, ..Default::default() };
-        let relaxed =
-            relax(&mut plate, &options, (1.0, 1.0), |_| ControlFlow::Continue(())).expect("at rest");
+        relax(&mut plate, &options, (1.0, 1.0), |_| ControlFlow::Continue(())).expect("at rest");
         let load = end_force(&mut plate, 1, 1.0);
         // 7e-6 and 5e-5, what a residual of 1e-5 leaves.
         assert!((load / exact - 1.0).abs() <= 1e-4, "{load} against {exact}");

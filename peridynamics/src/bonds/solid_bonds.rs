@@ -98,9 +98,8 @@ impl Mechanics for SolidBonds {
         stored
     }
 
-    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) -> bool {
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) {
         self.network.tangent(rows, along, out, &mut self.scratch, threads);
-        true
     }
 
     fn noted(&self) -> bool {

@@ -66,6 +66,36 @@ impl Columns {
         stored
     }
 
+    /// Second derivatives at `rows` times the motions of `along` of all rows, from those of the two sheets on their nodes.
+    pub fn gather_tangent(&self, rows: &[Row], along: &[Row], sheets: [&[Row]; 2], out: &mut [Row]) {
+        let count = self.rest.len();
+        let (places, directors) = out.split_at_mut(count);
+        for i in 0..count {
+            let (x, d, u, e) = (&rows[i], &rows[count + i], &along[i], &along[count + i]);
+            let (mut on_x, mut on_d) = ([0.0; 3], [0.0; 3]);
+            for pair in self.shear.of(i) {
+                let j = pair.other as usize;
+                let bond = pair.sheared((x, d), (&rows[j], &rows[count + j]));
+                let sum: [f64; 3] = std::array::from_fn(|k| e[k] + along[count + j][k]);
+                let apart: [f64; 3] = std::array::from_fn(|k| along[j][k] - u[k]);
+                let strain: f64 = (0..3).map(|k| bond.across[k] * apart[k] + bond.along[k] * sum[k]).sum();
+                let (change, twist) = (pair.stiffness * strain, pair.stiffness * bond.strain * pair.half);
+                for k in 0..3 {
+                    on_x[k] -= change * bond.across[k] + twist * sum[k];
+                    on_d[k] += change * bond.along[k] + twist * apart[k];
+                }
+            }
+            let pressure = self.stiffness[i] * self.thickening(i, d);
+            let change = self.stiffness[i] * (d[0] * e[0] + d[1] * e[1] + d[2] * e[2]);
+            let [up, down] = sheets.map(|products| &products[i]);
+            for k in 0..3 {
+                places[i][k] = (up[k] + down[k]) + on_x[k];
+                directors[i][k] =
+                    self.height * (up[k] - down[k]) + (on_d[k] + change * d[k] + pressure * e[k]);
+            }
+        }
+    }
+
     /// Energy of the thickness of a column, and half of that of its pairs \[F L\].
     pub fn stored(&self, rows: &[Row], column: usize) -> f64 {
         let mut unused = [[0.0; 4]; 4];

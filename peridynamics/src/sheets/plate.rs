@@ -117,6 +117,14 @@ impl Mechanics for Plate {
         if wanted.energy { stored + of_columns } else { 0.0 }
     }
 
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) {
+        let [upper, lower] = &mut self.sheets;
+        let z = self.columns.height;
+        upper.tangent(rows, along, z, threads);
+        lower.tangent(rows, along, -z, threads);
+        self.columns.gather_tangent(rows, along, [&upper.forces, &lower.forces], out);
+    }
+
     fn noted(&self) -> bool {
         self.sheets.iter().any(Sheet::noted)
     }

@@ -88,6 +88,14 @@ impl Sheet {
         stored
     }
 
+    /// Second derivatives at the points of `rows` times the motions of `along`, into the forces.
+    pub fn tangent(&mut self, rows: &[Row], along: &[Row], z: f64, threads: usize) {
+        put(&mut self.points, rows, z);
+        let mut motions = vec![[0.0; 4]; self.points.len()];
+        put(&mut motions, along, z);
+        self.network.tangent(&mut self.points, &mut motions, &mut self.forces, &mut self.scratch, threads);
+    }
+
     /// Whether bonds were beyond their limit in the last evaluation.
     pub fn noted(&self) -> bool {
         self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
