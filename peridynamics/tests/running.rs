@@ -124,8 +124,8 @@ fn cracks_do_not_know_the_axes() {
     }
 }
 
-/// Ten thousand steps of a block that vibrates with strains of a thousandth keep its energy. At six times the strain 1.2e-3 of
-/// it seem to be lost: it has gone into the fastest modes, which central differences count short near the limit of the step.
+/// Ten thousand steps of a block that vibrates with strains of a thousandth keep its energy. Single records swing, since central
+/// differences count fast modes short while they turn; means over many do not.
 #[test]
 fn ten_thousand_steps_keep_the_energy() {
     let material = Elastic { young: 32e9, poisson: 0.25, density: 2500.0 };
@@ -136,12 +136,12 @@ fn ten_thousand_steps_keep_the_energy() {
         body.set_velocity(node, Vec3::new(x.x - 4.0, 0.6 * (x.z - 2.0), 0.0));
     }
     let mut seen = Records::default();
-    let steps = Transient { duration: 2e-3, record_every: 1e-5, damping: 0.0, safety: 0.9 };
+    let steps = Transient { duration: 2e-3, record_every: 1e-6, damping: 0.0, safety: 0.9 };
     let clock = steps.march(&mut body, &mut seen).unwrap();
     let total = seen.all[0].energy.kinetic;
     let mean =
         |part: &[Record]| part.iter().map(|r| r.balance_error / total).sum::<f64>() / part.len() as f64;
-    let drift = mean(&seen.all[150..]) - mean(&seen.all[1..50]);
+    let drift = mean(&seen.all[1000..]) - mean(&seen.all[1..1000]);
     println!("{} steps, drift {drift:e}", clock.steps);
     assert!(clock.steps > 10_000 && drift.abs() < 1e-3);
 }

@@ -231,8 +231,8 @@ mod tests {
                     let [along, across, diagonal] =
                         [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|along| spent(&shape, along, by_work));
                     assert!((along - 1.0).abs() < 1e-9 && (across - 1.0).abs() < 1e-9);
-                    // Measured: 0.2 to 2.8 % more, most with the shortest horizon and by work.
-                    assert!((1.0..1.04).contains(&diagonal), "{shape:?}: {diagonal}");
+                    // Measured: 0.2 to 1.8 % more at 3.015 and beyond, up to 4.7 % at 2.015, most by work.
+                    assert!((1.0..1.06).contains(&diagonal), "{shape:?}: {diagonal}");
                 }
             }
             let moduli = Elastic { young: 2.5, poisson: space.pairwise_poisson(), density: 1.0 }
@@ -261,8 +261,8 @@ mod tests {
             };
             // Measured at 3.015: 0.991 and 1.009 in a plane, 0.994 and 0.978 in space; at 2.015 0.963 and 0.956.
             if influence == Inverse {
-                assert!((0.95..1.03).contains(&(tension / stretch)), "{shape:?}");
-                assert!((0.95..1.03).contains(&(density / work)), "{shape:?}");
+                assert!((0.95..1.03).contains(&(tension / stretch)), "{shape:?} {}", tension / stretch);
+                assert!((0.95..1.03).contains(&(density / work)), "{shape:?} {}", density / work);
             }
         }
     }
