@@ -2,9 +2,13 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
 use std::fs;
 use std::path::Path;
 
+use common::solids::{BAR, PLATE, SHEETS};
+use coque::scene::BodyScene;
 use coque::{Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 
@@ -31,8 +35,13 @@ const NUMBERS: [&str; 16] = [
     "3.5",
 ];
 
+/// Scenes of files and, after them, small ones of solids.
 fn scene(number: usize) -> String {
-    let name = SCENES[number % SCENES.len()];
+    let solids = [BAR, PLATE, SHEETS];
+    if let Some(solid) = number.checked_sub(SCENES.len()) {
+        return solids[solid % solids.len()].into();
+    }
+    let name = SCENES[number];
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
 }
 
@@ -124,12 +133,18 @@ proptest! {
     })]
 
     #[test]
-    fn damaged_scenes_never_panic(number in 0..SCENES.len(), damages in prop::collection::vec(damage(), 1..4)) {
+    fn damaged_scenes_never_panic(number in 0..SCENES.len() + 3, damages in prop::collection::vec(damage(), 1..4)) {
         let text = damages.iter().fold(scene(number), |text, damage| apply(&text, damage));
         match Scene::parse(&text, "damaged.toml") {
             Ok(scene) => {
-                let counts = scene.as_shell().and_then(|shell| shell.geometry.particles());
-    let small = counts.is_some_and(|[n1, n2]| n1 * n2 <= 500);
+                let small = match scene.body() {
+                    BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
+                    BodyScene::Solid(solid) => {
+                        let block = &solid.geometry.block;
+                        let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
+                        block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
+                    }
+                };
                 let built = if small { scene.build(1).map(|_| ()) } else { Ok(()) };
                 if let Err(error) = built {
                     prop_assert!(!drawn(&error).is_empty());

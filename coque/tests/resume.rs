@@ -159,6 +159,19 @@ fn transient_runs_go_on_to_the_same_bits() {
 }
 
 #[test]
+fn a_breaking_solid_goes_on_to_the_same_bits() {
+    let replaced = [
+        ("bodies.glass.solid.geometry.block.spacing", "1e-3"),
+        ("analysis.explicit.transient.duration", "3.5e-5"),
+        ("sets.lower.layer.depth", "3e-3"),
+        ("sets.upper.layer.depth", "3e-3"),
+    ];
+    stopped_again_and_again("by-stretch", &text("crack-branching.toml"), &replaced, 5);
+    let work = [replaced.as_slice(), &[("bodies.glass.solid.fracture.by", "\"work\"")]].concat();
+    stopped_again_and_again("by-work", &text("crack-branching.toml"), &work, 5);
+}
+
+#[test]
 fn static_runs_go_on_from_the_last_level_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");
     let levels = ("analysis.static.levels", "8");

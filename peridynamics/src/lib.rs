@@ -19,6 +19,7 @@ mod dispatch;
 mod error;
 mod formulation;
 mod fracture;
+mod lanes;
 mod material;
 mod mechanics;
 mod parts;

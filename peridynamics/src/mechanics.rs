@@ -14,6 +14,12 @@ pub(crate) trait Mechanics: Send + Sync {
     /// [`Mechanics::break_bonds`].
     fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
 
+    /// Second derivatives at `rows` times the displacements `along`, into `out`; the last places of all are its own. False,
+    /// with nothing done, where a mechanics has forces alone.
+    fn tangent(&mut self, _rows: &mut [Row], _along: &mut [Row], _out: &mut [Row], _threads: usize) -> bool {
+        false
+    }
+
     /// Whether bonds were beyond their limit in the last evaluation.
     fn noted(&self) -> bool;
 

@@ -1,6 +1,6 @@
 //! A body of nodes: what moves, what holds it, and what it resists with.
 
-use explicit_dynamics::Instant;
+use explicit_dynamics::{Instant, Work};
 use sph_core::{Block, Vec3};
 
 use crate::bonds::network::Row;
@@ -34,10 +34,10 @@ pub struct Solid {
     pub(crate) loads: Vec<AppliedLoad>,
     pub(crate) mechanics: Box<dyn Mechanics>,
     pub(crate) internal_energy: f64,
-    /// Energy of bonds broken since the last kick \[F L\].
-    pub(crate) released: f64,
     /// Rows in the middle of a step in which bonds break; empty until one does.
     pub(crate) breaking: Vec<Row>,
+    /// What each chunk of rows booked in the last kick.
+    pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
     pub(crate) threads: usize,
@@ -83,8 +83,8 @@ impl Solid {
             loads,
             mechanics,
             internal_energy: 0.0,
-            released: 0.0,
             breaking: Vec::new(),
+            works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             threads: threads.max(1),
             rest,
@@ -210,7 +210,7 @@ impl Solid {
     pub(crate) fn break_beyond_limits(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        self.released += self.mechanics.break_bonds(&self.rows);
+        self.mechanics.break_bonds(&self.rows);
     }
 
     /// The loads at an instant.

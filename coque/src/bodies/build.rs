@@ -71,7 +71,8 @@ impl Scene {
             }
             BodyScene::Solid(_) => "hold it: clamp a face, add a symmetry plane, or hold nodes out of line",
         };
-        Err(SceneError::FreeMotion(self.source.fault(path, &free.join(", "), &bound, repair)))
+        let value = format!("{} free to move: {}", self.body().word(), free.join(", "));
+        Err(SceneError::FreeMotion(self.source.fault(path, &value, &bound, repair)))
     }
 
     /// Messages from below end with their repair, after the last semicolon.

@@ -88,12 +88,12 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    // A particle with a volume is drawn as wide as the cube that it fills.
+    // Particles with volumes are drawn as wide as the cube that the largest fills: those on a face have but a part of theirs.
     let volumes = sheet.point_data.get("volume").filter(|volume| volume.width == 1);
-    let side = |a: usize| volumes.and_then(|volume| volume.numbers.get(a)).map(|volume| libm::cbrt(*volume));
+    let side = volumes.and_then(|volume| volume.numbers.iter().copied().reduce(f64::max)).map(libm::cbrt);
     let faces = order.into_iter().map(|(_, i)| {
         let corners = cells[i].iter().map(|&a| &now[a]).collect();
-        (corners, side(cells[i][0] % start.len()), colour(of_cells[i % of_cells.len()], range))
+        (corners, side, colour(of_cells[i % of_cells.len()], range))
     });
     canvas.cells(faces, cells.len() <= MOST_EDGED);
     canvas.axes(&camera);

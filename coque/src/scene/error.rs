@@ -62,8 +62,8 @@ pub enum SceneError {
     /// The file of the surface cannot be read, or holds no sound surface.
     #[error("`{}`: {}", .0.key, .0.value)]
     Mesh(Box<Fault>),
-    /// The supports leave a rigid motion free that a static answer cannot do without.
-    #[error("the supports leave the shell free to move: {}", .0.value)]
+    /// The supports leave a rigid motion free that a static answer cannot do without; the value names the body as well.
+    #[error("the supports leave the {}", .0.value)]
     FreeMotion(Box<Fault>),
     /// A layer below refused the model.
     #[error("the model cannot be built: {}", .0.value)]

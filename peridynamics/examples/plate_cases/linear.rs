@@ -1,9 +1,14 @@
 //! The flat plate: its forces at 1.2 mm of small displacements, and the loads at which it buckles.
 
-use implicit_statics::{BucklingOptions, EquilibriumError, Newton, NewtonOptions, linear_buckling};
+use std::ops::ControlFlow;
+
+use implicit_statics::{
+    BucklingOptions, Equilibrium, EquilibriumError, Newton, NewtonOptions, linear_buckling,
+};
+use peridynamics::{Parts, StaticSolid};
 use sph_core::Block;
 
-use crate::plate::{Edges, WAY, block, end_force, half_waves, plate, supports};
+use crate::plate::{Edges, WAY, block, end_force, half_waves, parts, plate, supports};
 
 /// Part of the way at which the plate is still linear to six digits.
 const SMALL: f64 = 1e-4;
@@ -16,31 +21,39 @@ pub struct Critical {
     pub shape: Vec<f64>,
 }
 
-/// Forces at both ends for the whole way, by a small part of it \[kN\].
-pub fn stiffness(spacing: f64, edges: Edges, way: f64) -> Result<[f64; 2], EquilibriumError> {
-    let block = block(spacing);
-    let supports = supports(&block, edges, way * SMALL);
-    let mut plate = plate(block, supports);
-    Newton::new(&plate, &NewtonOptions::default())?.at_level(&mut plate, 1.0)?;
-    plate.evaluate(1.0);
+/// Forces at both ends of a plate for the whole way, by a small part of it \[kN\].
+pub fn stiffness(mut plate: StaticSolid) -> Result<[f64; 2], EquilibriumError> {
+    Newton::new(&plate, &NewtonOptions::default())?.at_level(&mut plate, SMALL)?;
+    plate.evaluate(SMALL);
     Ok([0, 1].map(|end| end_force(plate.solid(), end) / SMALL))
 }
 
-/// The first critical load of a plate that is shortened.
-pub fn buckling(spacing: f64, edges: Edges) -> Result<Critical, EquilibriumError> {
-    let flat = block(spacing);
-    let supports = supports(&flat, edges, -WAY);
-    let mut plate = plate(flat, supports);
-    let modes = linear_buckling(&mut plate, 0.0, &BucklingOptions::new(1), &mut |_| {
-        std::ops::ControlFlow::Continue(())
-    })?;
+/// The same of the whole flat plate.
+pub fn flat(spacing: f64, edges: Edges, way: f64) -> Result<[f64; 2], EquilibriumError> {
+    let block = block(spacing);
+    let supports = supports(&block, edges, way);
+    stiffness(plate(parts(block, supports)))
+}
+
+/// The first critical load of a plate.
+pub fn critical(parts: &Parts) -> Result<Critical, EquilibriumError> {
+    let force = stiffness(plate(parts.clone()))?[1];
+    let mut plate = plate(parts.clone());
+    let options = BucklingOptions::new(1);
+    let modes = linear_buckling(&mut plate, 0.0, &options, &mut |_| ControlFlow::Continue(()))?;
     let mode = &modes.modes[0];
-    let force = stiffness(spacing, edges, -WAY)?[1];
-    implicit_statics::Equilibrium::update(&mut plate, &mode.shape);
+    plate.update(&mode.shape);
     let solid = plate.solid();
     let deflections: Vec<f64> = (0..solid.len()).map(|node| solid.displacement(node).z).collect();
     let most = deflections.iter().fold(0.0_f64, |most, &w| if w.abs() > most.abs() { w } else { most });
     Ok(Critical { load: mode.level * force.abs(), shape: deflections.iter().map(|w| w / most).collect() })
+}
+
+/// The first critical load of the whole flat plate that is shortened.
+pub fn buckling(spacing: f64, edges: Edges) -> Result<Critical, EquilibriumError> {
+    let block = block(spacing);
+    let supports = supports(&block, edges, -WAY);
+    critical(&parts(block, supports))
 }
 
 /// Half-waves of a mode.
@@ -55,9 +68,9 @@ pub fn table(spacings: &[f64]) -> Result<(), EquilibriumError> {
     );
     println!("theory        110.40   112.3      123.89 | 6.863    8.935      11.057 | 1 1 2");
     for &spacing in spacings {
-        let flat = [(Edges::Free, WAY), (Edges::EndsKept, WAY), (Edges::Held, -WAY)];
+        let cases = [(Edges::Free, WAY), (Edges::EndsKept, WAY), (Edges::Held, -WAY)];
         let forces =
-            flat.iter().map(|&(edges, way)| stiffness(spacing, edges, way)).collect::<Result<Vec<_>, _>>()?;
+            cases.iter().map(|&(edges, way)| flat(spacing, edges, way)).collect::<Result<Vec<_>, _>>()?;
         let buckled = [Edges::Held, Edges::Clamped, Edges::Free]
             .iter()
             .map(|&edges| buckling(spacing, edges))

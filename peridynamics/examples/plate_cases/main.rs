@@ -8,9 +8,11 @@
 //! The plate is 300 × 200 × 2 mm, E = 69 kN/mm², ν = 0.33. Its ends x = 0 and x = 300 are drawn apart or together by 1.2 mm;
 //! each table has the figures of plate theory beside its own.
 
+mod cracked;
 mod linear;
 mod path;
 mod plate;
+mod tear;
 
 use implicit_statics::EquilibriumError;
 
@@ -31,6 +33,12 @@ fn main() -> Result<(), EquilibriumError> {
     }
     if wanted("relax") {
         path::relaxation(spacings[0])?;
+    }
+    if wanted("cracked") {
+        cracked::table(&spacings)?;
+    }
+    if wanted("tear") {
+        tear::run(spacings[0])?;
     }
     Ok(())
 }

@@ -9,11 +9,11 @@ use implicit_statics::{
 use peridynamics::{Solid, StaticSolid};
 use sph_core::Vec3;
 
-use crate::linear::{Critical, buckling, stiffness};
-use crate::plate::{Edges, LENGTHS, WAY, block, end_force, half_waves, nearest, plate, supports};
+use crate::linear::{self, Critical, buckling};
+use crate::plate::{Edges, LENGTHS, WAY, block, end_force, half_waves, nearest, parts, plate, supports};
 
 /// Largest deflection of the mode that the plate has at rest \[mm\].
-const IMPERFECTION: f64 = 0.2;
+pub const IMPERFECTION: f64 = 0.2;
 /// Levels from nothing to the whole way.
 const LEVELS: usize = 60;
 /// Residual at which a relaxation ends, over the force that shortens the plate.
@@ -45,7 +45,7 @@ pub fn bent(spacing: f64, edges: Edges, mode: &Critical, amplitude: f64) -> Stat
     for (x, w) in block.positions.iter_mut().zip(&mode.shape) {
         x.z = amplitude * w;
     }
-    plate(block, supports)
+    plate(parts(block, supports))
 }
 
 /// What is read from a state whose forces are those last evaluated; deflections count from the flat plate.
@@ -103,7 +103,7 @@ fn tangent(states: &[State], place: usize, flat: f64) -> f64 {
 /// The path of one spacing, with the figures of plate theory.
 pub fn table(spacing: f64) -> Result<(), EquilibriumError> {
     let critical = buckling(spacing, Edges::Held)?;
-    let flat = stiffness(spacing, Edges::Held, -WAY)?[1].abs();
+    let flat = linear::flat(spacing, Edges::Held, -WAY)?[1].abs();
     let mut plate = bent(spacing, Edges::Held, &critical, IMPERFECTION);
     let states = shorten(&mut plate, 1.0)?;
     println!(
@@ -198,7 +198,7 @@ pub fn relaxation(spacing: f64) -> Result<(), EquilibriumError> {
     for (name, edges, way) in flat {
         let block = block(spacing);
         let supports = supports(&block, edges, way);
-        compare(name, &mut plate(block, supports), 1.0, way, Damping::Rayleigh)?;
+        compare(name, &mut plate(parts(block, supports)), 1.0, way, Damping::Rayleigh)?;
     }
     let critical = buckling(spacing, Edges::Held)?;
     let mut bent = bent(spacing, Edges::Held, &critical, IMPERFECTION);

@@ -29,10 +29,15 @@ pub enum Edges {
 
 /// Columns on the edges.
 pub fn block(spacing: f64) -> Block {
+    divided([spacing; 2])
+}
+
+/// The same with a spacing along each edge.
+pub fn divided(spacing: [f64; 2]) -> Block {
     let lattice = BlockLattice {
         dimensions: 2,
         lengths: LENGTHS,
-        spacing: [spacing, spacing, LENGTHS[2]],
+        spacing: [spacing[0], spacing[1], LENGTHS[2]],
         origin: Vec3::zeros(),
         nodes: NodePlaces::Edges,
         grading: [1.0; 3],
@@ -66,8 +71,8 @@ pub fn supports(block: &Block, edges: Edges, way: f64) -> Vec<Supported> {
     out
 }
 
-/// A plate of columns at the places of a block.
-pub fn plate(block: Block, supports: Vec<Supported>) -> StaticSolid {
+/// A plate of columns at the places of a block, whole.
+pub fn parts(block: Block, supports: Vec<Supported>) -> Parts {
     let formulation = Formulation {
         space: Space::PlaneStress,
         law: Law::StateBased,
@@ -76,7 +81,7 @@ pub fn plate(block: Block, supports: Vec<Supported>) -> StaticSolid {
         influence: Influence::Inverse,
         correction: Correction::Even,
     };
-    let parts = Parts {
+    Parts {
         block,
         material: ALUMINIUM,
         formulation: Carrier::Sheets(Sheets { thickness: LENGTHS[2], formulation }),
@@ -86,7 +91,11 @@ pub fn plate(block: Block, supports: Vec<Supported>) -> StaticSolid {
         supports,
         loads: Vec::new(),
         threads: 2,
-    };
+    }
+}
+
+/// The plate of these parts.
+pub fn plate(parts: Parts) -> StaticSolid {
     StaticSolid::new(Solid::new(parts).expect("a sound plate"))
 }
 

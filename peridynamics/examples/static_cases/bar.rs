@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use implicit_statics::{Equilibrium, linear_response};
-use peridynamics::{Correction, Elastic, Law, Space};
+use peridynamics::{Correction, Elastic, Influence, Law, Space};
 use sph_core::Vec3;
 
 use crate::blocks::{formulation, held, lattice, nodes, parts, pulled, system};
@@ -40,7 +40,11 @@ pub fn stretched(law: Law, correction: Correction, across: usize) -> Result<Stre
     // Ghosts hold the bar along itself only; what keeps it from moving aside bears nothing.
     let line = |axis: usize| nodes(&block, |x| x.x < -2.5 * dx + 0.1 * dx && x[axis].abs() < 0.6 * dx);
     let (in_y, in_z) = (line(1), line(2));
-    let mut parts = parts(block.clone(), material, formulation(Space::Solid, law, correction));
+    let mut formulation = formulation(Space::Solid, law, correction);
+    if law == Law::StateBased {
+        formulation.influence = Influence::Linear;
+    }
+    let mut parts = parts(block.clone(), material, formulation);
     parts.supports = vec![held(ghosts, &[Vec3::x()]), held(in_y, &[Vec3::y()]), held(in_z, &[Vec3::z()])];
     parts.loads = vec![pulled(&last, Vec3::new(FORCE, 0.0, 0.0))];
     let mut system = system(parts)?;
@@ -55,10 +59,14 @@ pub fn stretched(law: Law, correction: Correction, across: usize) -> Result<Stre
     let centre =
         |set: &[u32]| set.iter().map(|&a| block.positions[a as usize].x).sum::<f64>() / set.len() as f64;
     let axial = (mean(&to, 0) - mean(&from, 0)) / (centre(&to) - centre(&from));
-    let middle = |side: f64| {
-        nodes(&block, |x| (x.x - 0.5 * LENGTH).abs() < 0.1 * LENGTH && side * x.y > 0.5 * WIDTH - 0.6 * dx)
-    };
-    let lateral = (mean(&middle(1.0), 1) - mean(&middle(-1.0), 1)) / (WIDTH - dx);
+    // The slope of the lateral displacement over the whole section.
+    let middle = nodes(&block, |x| (x.x - 0.5 * LENGTH).abs() < 0.1 * LENGTH);
+    let (mut above, mut below) = (0.0, 0.0);
+    for &a in &middle {
+        let y = block.positions[a as usize].y;
+        (above, below) = (above + y * u(a).y, below + y * y);
+    }
+    let lateral = above / below;
     let strain = FORCE / (YOUNG * WIDTH * WIDTH);
     Ok(Stretched {
         tip: mean(&last, 0) / (strain * LENGTH),

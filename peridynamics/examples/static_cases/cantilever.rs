@@ -7,7 +7,7 @@
 
 use std::error::Error;
 
-use implicit_statics::{Equilibrium, Newton, NewtonOptions, linear_response};
+use implicit_statics::{Newton, NewtonOptions, linear_response};
 use peridynamics::{Correction, Crack, Criterion, Elastic, Fracture, Law, Parts, Solid, Space, StaticSolid};
 use sph_core::{Block, Vec3};
 
@@ -158,6 +158,12 @@ impl Cantilever {
                     break;
                 }
             }
+            eprintln!(
+                "level {level:.3} tip {:.3} broken {} solved {solved} rates {:?}",
+                tip(&system),
+                system.solid().broken()[0].len(),
+                rates.last()
+            );
             level *= 1.005;
         }
         let advance = tip(&system) - from;

@@ -6,13 +6,13 @@
 
 use rayon::prelude::*;
 
-use super::network::{LANES, Network, Pack, Row};
-use crate::dispatch::widest;
+use super::network::{LANES, Network, Row};
+use super::present::{present, spread};
+use crate::dispatch::{Sweep, widest};
+use crate::lanes::Lanes;
 
 /// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
 pub(crate) const NODE_CHUNK: usize = 256;
-/// Least length of a present bond \[L\]: one that has collapsed pulls nowhere.
-const COLLAPSED: f64 = 1e-300;
 
 /// Which bonds may break, and beyond which stretch.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub(crate) struct Watch {
 #[derive(Clone, Debug)]
 pub(crate) struct Scratch {
     /// `(λ − μ) V θ` of each node; empty without a dilatation.
-    dilatations: Vec<f64>,
+    pub(super) dilatations: Vec<f64>,
     /// Energy of each chunk.
     energies: Vec<f64>,
     /// Lanes of packs that go beyond their limit, of each chunk.
@@ -52,8 +52,8 @@ impl Scratch {
     }
 }
 
-/// Adds up one chunk of nodes.
-struct Chunk<'a, const ENERGY: bool, const WATCH: bool> {
+/// Adds up one chunk of nodes; `DILATATION` where the law has one.
+struct Chunk<'a, const DILATATION: bool, const ENERGY: bool, const WATCH: bool> {
     network: &'a Network,
     rows: &'a [Row],
     first: usize,
@@ -62,82 +62,65 @@ struct Chunk<'a, const ENERGY: bool, const WATCH: bool> {
     beyond: &'a mut Vec<u32>,
 }
 
-/// Four bonds at the present: extension, and components of the direction.
-struct Present {
-    extension: Pack,
-    direction: [Pack; 3],
-    dilatation: Pack,
-}
+impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
+    for Chunk<'_, DILATATION, ENERGY, WATCH>
+{
+    /// Stored energy.
+    type Output = f64;
 
-#[inline(always)]
-fn present(own: &Row, others: &[u32; LANES], lengths: &Pack, rows: &[Row]) -> Present {
-    let far: [Row; LANES] = std::array::from_fn(|lane| rows[others[lane] as usize]);
-    let mut out = Present { extension: [0.0; LANES], direction: [[0.0; LANES]; 3], dilatation: [0.0; LANES] };
-    for lane in 0..LANES {
-        let [x, y, z] = [far[lane][0] - own[0], far[lane][1] - own[1], far[lane][2] - own[2]];
-        let length = (x * x + y * y + z * z).sqrt().max(COLLAPSED);
-        out.extension[lane] = length - lengths[lane];
-        out.direction[0][lane] = x / length;
-        out.direction[1][lane] = y / length;
-        out.direction[2][lane] = z / length;
-        out.dilatation[lane] = far[lane][3];
-    }
-    out
-}
-
-impl<const ENERGY: bool, const WATCH: bool> Chunk<'_, ENERGY, WATCH> {
     #[inline(always)]
-    fn run(self) -> f64 {
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
         let Self { network, rows, first, forces, watch, beyond } = self;
         let mut energy = 0.0;
+        let none = lanes.splat(0.0);
+        let [low, high] =
+            watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.splat(s)));
         for (i, force) in forces.iter_mut().enumerate() {
             let node = first + i;
-            let own = rows[node];
-            let mut sum = [[0.0; LANES]; 3];
-            let mut stored = [0.0; LANES];
-            for pack in network.packs_of(node) {
-                let lengths = &network.lengths[pack];
-                let bond = present(&own, &network.others[pack], lengths, rows);
-                let stiffness = &network.stiffness[pack];
-                let mut pull = [0.0; LANES];
-                for lane in 0..LANES {
-                    pull[lane] = stiffness[lane] * bond.extension[lane];
-                    if ENERGY {
-                        stored[lane] += pull[lane] * bond.extension[lane];
-                    }
+            let own = spread(lanes, &rows[node]);
+            let mut sum = [none; 3];
+            let mut stored = none;
+            let packs = network.packs_of(node);
+            let start = packs.start;
+            let [here, there] = network.shares(packs.clone());
+            let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
+            let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there)).enumerate();
+            for (k, ((others, (rest, stiffness)), (here, there))) in bonds {
+                let bond = present(lanes, &own, others, rows);
+                let rest = lanes.load(rest);
+                let extension = lanes.sub(bond.length, rest);
+                let mut pull = lanes.mul(lanes.load(stiffness), extension);
+                if ENERGY {
+                    stored = lanes.add(stored, lanes.mul(pull, extension));
                 }
-                if let Some(dilatation) = &network.dilatation {
-                    let (here, there) = (&dilatation.own[pack], &dilatation.twin[pack]);
-                    for lane in 0..LANES {
-                        // The sum of the two products first: the same from both ends.
-                        pull[lane] += own[3] * here[lane] + bond.dilatation[lane] * there[lane];
-                    }
+                if DILATATION {
+                    // The sum of the two products first: the same from both ends.
+                    let (here, there) = (lanes.load(here), lanes.load(there));
+                    let both = lanes.add(lanes.mul(own[3], here), lanes.mul(bond.last, there));
+                    pull = lanes.add(pull, both);
                 }
+                // One quotient in place of three: the pull over the length, times the reach along each axis.
+                let pull = lanes.div(pull, bond.length);
                 for axis in 0..3 {
-                    for lane in 0..LANES {
-                        sum[axis][lane] += pull[lane] * bond.direction[axis][lane];
-                    }
+                    sum[axis] = lanes.add(sum[axis], lanes.mul(pull, bond.reach[axis]));
                 }
                 if WATCH && let Some(watch) = watch {
-                    let mut any = false;
-                    for lane in 0..LANES {
-                        let (e, r) = (bond.extension[lane], lengths[lane]);
-                        any |= e > watch.tension * r || e < watch.compression * r;
-                    }
-                    if any {
-                        note(watch, pack, &bond.extension, lengths, beyond);
+                    let over = lanes.outside(extension, lanes.mul(low, rest), lanes.mul(high, rest));
+                    let over = over & watch.lanes[start + k];
+                    if over != 0 {
+                        note(over, start + k, beyond);
                     }
                 }
             }
             // ∂U/∂x of the node is minus the pull of its bonds.
-            *force = [-total(&sum[0]), -total(&sum[1]), -total(&sum[2]), 0.0];
+            *force = [-lanes.total(sum[0]), -lanes.total(sum[1]), -lanes.total(sum[2]), 0.0];
             if ENERGY {
                 // Half of each bond's energy belongs to each of its ends, and each bond is met at both.
-                energy += 0.25 * total(&stored);
+                energy += 0.25 * lanes.total(stored);
                 if let Some(dilatation) = &network.dilatation
                     && dilatation.factors[node] != 0.0
                 {
-                    energy += 0.5 * own[3] * own[3] / dilatation.factors[node];
+                    energy += 0.5 * rows[node][3] * rows[node][3] / dilatation.factors[node];
                 }
             }
         }
@@ -145,60 +128,11 @@ impl<const ENERGY: bool, const WATCH: bool> Chunk<'_, ENERGY, WATCH> {
     }
 }
 
-/// Notes whole bonds of a pack that are beyond their limit.
+/// Notes the bonds of a pack that are beyond their limit.
 #[cold]
 #[inline(never)]
-fn note(watch: &Watch, pack: usize, extension: &Pack, lengths: &Pack, beyond: &mut Vec<u32>) {
-    for lane in 0..LANES {
-        let (e, r) = (extension[lane], lengths[lane]);
-        let over = e > watch.tension * r || e < watch.compression * r;
-        if over && watch.lanes[pack] & (1 << lane) != 0 {
-            beyond.push((LANES * pack + lane) as u32);
-        }
-    }
-}
-
-#[inline(always)]
-fn total(pack: &Pack) -> f64 {
-    (pack[0] + pack[1]) + (pack[2] + pack[3])
-}
-
-impl<const ENERGY: bool, const WATCH: bool> pulp::NullaryFnOnce for Chunk<'_, ENERGY, WATCH> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn call(self) -> f64 {
-        self.run()
-    }
-}
-
-/// Dilatations of one chunk of nodes.
-struct Dilate<'a> {
-    network: &'a Network,
-    rows: &'a [Row],
-    first: usize,
-    out: &'a mut [f64],
-}
-
-impl pulp::NullaryFnOnce for Dilate<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { network, rows, first, out } = self;
-        let Some(dilatation) = &network.dilatation else { return };
-        for (i, value) in out.iter_mut().enumerate() {
-            let node = first + i;
-            let mut sum = [0.0; LANES];
-            for pack in network.packs_of(node) {
-                let bond = present(&rows[node], &network.others[pack], &network.lengths[pack], rows);
-                for lane in 0..LANES {
-                    sum[lane] += dilatation.own[pack][lane] * bond.extension[lane];
-                }
-            }
-            *value = dilatation.factors[node] * total(&sum);
-        }
-    }
+fn note(over: u8, pack: usize, beyond: &mut Vec<u32>) {
+    beyond.extend((0..LANES).filter(|lane| over & (1 << lane) != 0).map(|lane| (LANES * pack + lane) as u32));
 }
 
 /// What one sweep does.
@@ -225,30 +159,21 @@ impl Network {
         if self.dilatation.is_some() {
             self.dilate(rows, &mut scratch.dilatations, wanted.threads);
         }
-        match (wanted.energy, wanted.watch.is_some()) {
-            (false, false) => self.sweep::<false, false>(rows, forces, scratch, wanted),
-            (true, false) => self.sweep::<true, false>(rows, forces, scratch, wanted),
-            (false, true) => self.sweep::<false, true>(rows, forces, scratch, wanted),
-            (true, true) => self.sweep::<true, true>(rows, forces, scratch, wanted),
-        }
+        let sweep = match (self.dilatation.is_some(), wanted.energy, wanted.watch.is_some()) {
+            (false, false, false) => Self::sweep::<false, false, false>,
+            (false, true, false) => Self::sweep::<false, true, false>,
+            (false, false, true) => Self::sweep::<false, false, true>,
+            (false, true, true) => Self::sweep::<false, true, true>,
+            (true, false, false) => Self::sweep::<true, false, false>,
+            (true, true, false) => Self::sweep::<true, true, false>,
+            (true, false, true) => Self::sweep::<true, false, true>,
+            (true, true, true) => Self::sweep::<true, true, true>,
+        };
+        sweep(self, rows, forces, scratch, wanted);
         scratch.energies.iter().sum()
     }
 
-    fn dilate(&self, rows: &mut [Row], out: &mut [f64], threads: usize) {
-        let chunk = |(number, out): (usize, &mut [f64])| {
-            widest(Dilate { network: self, rows, first: number * NODE_CHUNK, out });
-        };
-        if threads > 1 {
-            out.par_chunks_mut(NODE_CHUNK).enumerate().for_each(chunk);
-        } else {
-            out.chunks_mut(NODE_CHUNK).enumerate().for_each(chunk);
-        }
-        for (row, value) in rows.iter_mut().zip(out) {
-            row[3] = *value;
-        }
-    }
-
-    fn sweep<const ENERGY: bool, const WATCH: bool>(
+    fn sweep<const DILATATION: bool, const ENERGY: bool, const WATCH: bool>(
         &self,
         rows: &[Row],
         forces: &mut [Row],
@@ -259,7 +184,7 @@ impl Network {
         let chunk = |(number, ((forces, energy), beyond)): Parts<'_>| {
             beyond.clear();
             let first = number * NODE_CHUNK;
-            *energy = widest(Chunk::<ENERGY, WATCH> {
+            *energy = widest(Chunk::<DILATATION, ENERGY, WATCH> {
                 network: self,
                 rows,
                 first,
@@ -283,6 +208,87 @@ impl Network {
                 .zip(beyond.iter_mut())
                 .enumerate()
                 .for_each(chunk);
+        }
+    }
+}
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+    use crate::lanes::Plain;
+    use pulp::x86::V3;
+
+    /// Bonds of uneven families, some of them broken, one of these between nodes that coincide.
+    fn network(nodes: usize, state_based: bool) -> Network {
+        let share = |k: usize| 0.1 + ((k * 7919) % 1000) as f64 / 1000.0;
+        let mut out = Network {
+            starts: vec![0],
+            others: Vec::new(),
+            lengths: Vec::new(),
+            stiffness: Vec::new(),
+            dilatation: None,
+            bonds: 0,
+        };
+        let (mut own, mut twin) = (Vec::new(), Vec::new());
+        for node in 0..nodes {
+            for pack in 0..1 + node % 5 {
+                let at = |lane: usize| (node + 1 + 3 * pack + lane) % nodes;
+                let number = |lane: usize| 31 * node + 4 * pack + lane;
+                let whole =
+                    |lane: usize| if number(lane).is_multiple_of(6) { 0.0 } else { share(number(lane)) };
+                out.others.push(std::array::from_fn(|lane| at(lane) as u32));
+                out.lengths.push(std::array::from_fn(|lane| share(at(lane))));
+                out.stiffness.push(std::array::from_fn(whole));
+                own.push(std::array::from_fn(whole));
+                twin.push(std::array::from_fn(|lane| 1.1 * whole(lane)));
+                out.bonds += LANES;
+            }
+            out.starts.push(out.others.len() as u32);
+        }
+        if state_based {
+            let factors = (0..nodes).map(share).collect();
+            out.dilatation = Some(super::super::network::Dilatation { own, twin, factors });
+        }
+        out
+    }
+
+    fn swept<L: Lanes, const DILATATION: bool>(
+        lanes: L,
+        network: &Network,
+        rows: &[Row],
+    ) -> (Vec<u64>, Vec<u32>) {
+        let lanes_of = vec![0b1011; network.others.len()];
+        let watch = Watch { lanes: lanes_of, tension: 0.2, compression: -0.1 };
+        let (mut forces, mut beyond) = (vec![[0.0; 4]; rows.len()], Vec::new());
+        let energy = Chunk::<DILATATION, true, true> {
+            network,
+            rows,
+            first: 0,
+            forces: &mut forces,
+            watch: Some(&watch),
+            beyond: &mut beyond,
+        }
+        .run(lanes);
+        (forces.iter().flatten().chain([&energy]).map(|x| x.to_bits()).collect(), beyond)
+    }
+
+    #[test]
+    fn avx2_gives_the_bits_of_plain_loops_and_broken_bonds_are_harmless() {
+        let nodes = 60;
+        let mut rows: Vec<Row> =
+            (0..nodes).map(|k| [0.3, 0.7, 0.9, 0.1].map(|part| libm::sin(part * (k * k) as f64))).collect();
+        // Node 1 is at the other end of the first bond of node 0, which is broken.
+        rows[1] = rows[0];
+        let (pairwise, state_based) = (network(nodes, false), network(nodes, true));
+        let plain =
+            [swept::<_, false>(Plain, &pairwise, &rows), swept::<_, true>(Plain, &state_based, &rows)];
+        for (bits, beyond) in &plain {
+            assert!(bits.iter().all(|&bits| f64::from_bits(bits).is_finite()));
+            assert!(!beyond.is_empty());
+        }
+        if let Some(wide) = V3::try_new() {
+            assert!(plain[0] == swept::<_, false>(wide, &pairwise, &rows));
+            assert!(plain[1] == swept::<_, true>(wide, &state_based, &rows));
         }
     }
 }

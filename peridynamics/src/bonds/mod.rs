@@ -1,5 +1,6 @@
 //! Bonds: families of nodes, what corrects their weights, the forces they carry, and how they break.
 
+mod applied;
 pub(crate) mod breaking;
 pub(crate) mod correction;
 pub(crate) mod couplings;
@@ -9,6 +10,7 @@ pub(crate) mod fragments;
 pub(crate) mod limits;
 mod linearised;
 pub(crate) mod network;
+mod present;
 pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;
 mod tangent;

@@ -4,10 +4,8 @@ use super::correction::Weights;
 use super::families::Families;
 use crate::material::Moduli;
 
-/// Bonds of a pack.
-pub(crate) const LANES: usize = 4;
-/// One number for each bond of a pack.
-pub(crate) type Pack = [f64; LANES];
+pub(crate) use crate::lanes::{LANES, Pack};
+
 /// A node on its way through a sweep: position \[L\], and `(λ − μ) V θ` \[F L\].
 pub(crate) type Row = [f64; 4];
 
@@ -90,6 +88,15 @@ impl Network {
     #[inline(always)]
     pub fn packs_of(&self, node: usize) -> std::ops::Range<usize> {
         self.starts[node] as usize..self.starts[node + 1] as usize
+    }
+
+    /// Shares of packs in the dilatations of the near and the far node; any numbers without a dilatation, to be ignored.
+    #[inline(always)]
+    pub(super) fn shares(&self, packs: std::ops::Range<usize>) -> [&[Pack]; 2] {
+        match &self.dilatation {
+            Some(dilatation) => [&dilatation.own[packs.clone()], &dilatation.twin[packs]],
+            None => [&self.lengths[packs.clone()], &self.lengths[packs]],
+        }
     }
 
     /// Memory of the packs \[bytes\].

@@ -98,6 +98,11 @@ impl Mechanics for SolidBonds {
         stored
     }
 
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) -> bool {
+        self.network.tangent(rows, along, out, &mut self.scratch, threads);
+        true
+    }
+
     fn noted(&self) -> bool {
         self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
     }

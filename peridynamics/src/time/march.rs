@@ -20,38 +20,11 @@ impl Dynamics for Solid {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let half = 0.5 * step.damping * step.kick;
-        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
-        let mut work = Work::default();
-        for row in 0..self.rows.len() {
-            let (mass, internal) = (self.masses[row], vector(&self.internal[row]));
-            let external = self.external.get(row).copied().unwrap_or_default();
-            let (force, old) = (external - internal, vector(&self.rates[row]));
-            let mut new = (old * before + force * (step.kick / mass)) * after;
-            let mut moved = false;
-            if let Some(constraint) = self.constraints.get(row) {
-                new = constraint.free_part(new.into()).into();
-                if constraint.moves() {
-                    new += constraint.velocity(step);
-                    moved = true;
-                }
-            }
-            let mean = 0.5 * (old + new);
-            work.kinetic += 0.5 * mass * mean.norm_squared();
-            work.external += step.kick * external.dot(&mean);
-            if moved && step.kick > 0.0 {
-                // The force of a support that moves its row is what the balance of the row lacks.
-                let lack = (new - old) * (mass / step.kick) - force + mean * (mass * step.damping);
-                work.external += step.kick * lack.dot(&mean);
-            }
-            self.rates[row][..3].copy_from_slice(new.as_slice());
-        }
+        let mut work = self.pass::<false>(step);
         // A kick of no span shows a state: what breaks in it is booked by the kick that follows.
         if step.kick > 0.0 && self.mechanics.noted() {
-            self.released += self.break_noted(0.5 * step.drift());
+            work.dissipated += self.break_noted(0.5 * step.drift());
         }
-        work.dissipated = 2.0 * step.kick * step.damping * work.kinetic + self.released;
-        self.released = 0.0;
         work
     }
 
@@ -68,9 +41,12 @@ impl Dynamics for Solid {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
         self.evaluate_external(step.from);
-        let work = self.kick(step);
-        self.drift(step);
-        work
+        if self.mechanics.noted() {
+            let work = self.kick(step);
+            self.drift(step);
+            return work;
+        }
+        self.pass::<true>(step)
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {

@@ -1,9 +1,10 @@
-//! The body in mass-scaled coordinates: its tangent applied to a vector, by differences of the internal force.
+//! The body in mass-scaled coordinates: its tangent applied to a vector.
 
 use explicit_dynamics::{LinearisedDynamics, MassScaled};
 use sph_core::Vec3;
 
 use crate::Solid;
+use crate::bonds::network::Row;
 use crate::solid::vector;
 
 /// Greatest perturbation in spacings: central differences lose 1e-10 to truncation and about as much to rounding.
@@ -15,26 +16,14 @@ impl LinearisedDynamics for Solid {
     }
 
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
-        let direction: Vec<Vec3> = (0..self.rows.len()).map(|row| self.scaled(row, at(v, row))).collect();
-        let greatest = direction.iter().fold(0.0_f64, |most, u| most.max(u.amax()));
-        if greatest == 0.0 {
-            return out.fill(0.0);
+        let scaled = |row: usize| self.scaled(row, Vec3::new(v[3 * row], v[3 * row + 1], v[3 * row + 2]));
+        let mut along: Vec<Row> = (0..self.rows.len()).map(|row| scaled(row).push(0.0).into()).collect();
+        if !self.mechanics.tangent(&mut self.rows, &mut along, &mut self.internal, self.threads) {
+            self.differences(&along);
         }
-        let eps = PERTURBATION * self.block.greatest_spacing() / greatest;
-        let home = self.rows.clone();
-        let mut forces = [vec![Vec3::zeros(); home.len()], vec![Vec3::zeros(); home.len()]];
-        for (sign, force) in [1.0, -1.0].into_iter().zip(&mut forces) {
-            for (row, (old, u)) in self.rows.iter_mut().zip(home.iter().zip(&direction)) {
-                (0..3).for_each(|k| row[k] = old[k] + sign * eps * u[k]);
-            }
-            self.evaluate_internal(false);
-            force.iter_mut().zip(&self.internal).for_each(|(force, row)| *force = vector(row));
-        }
-        self.rows = home;
-        for row in 0..self.rows.len() {
-            let change = (forces[0][row] - forces[1][row]) / (2.0 * eps);
-            let scaled = self.scaled(row, change);
-            out[3 * row..3 * row + 3].copy_from_slice(scaled.as_slice());
+        for (row, out) in out.chunks_exact_mut(3).enumerate() {
+            let scaled = self.scaled(row, vector(&self.internal[row]));
+            out.copy_from_slice(scaled.as_slice());
         }
     }
 }
@@ -67,9 +56,25 @@ impl Solid {
     fn scaled(&self, row: usize, v: Vec3) -> Vec3 {
         self.free_part(row, v) / self.masses[row].sqrt()
     }
-}
 
-/// The part of a long vector that belongs to a row.
-fn at(v: &[f64], row: usize) -> Vec3 {
-    Vec3::new(v[3 * row], v[3 * row + 1], v[3 * row + 2])
+    /// Central differences of the internal forces along a displacement, in their place.
+    fn differences(&mut self, along: &[Row]) {
+        let greatest = along.iter().flatten().fold(0.0_f64, |most, u| most.max(u.abs()));
+        if greatest == 0.0 {
+            return self.internal.fill([0.0; 4]);
+        }
+        let eps = PERTURBATION * self.block.greatest_spacing() / greatest;
+        let home = self.rows.clone();
+        let forces = [1.0, -1.0].map(|sign| {
+            for (row, (old, u)) in self.rows.iter_mut().zip(home.iter().zip(along)) {
+                (0..3).for_each(|k| row[k] = old[k] + sign * eps * u[k]);
+            }
+            self.evaluate_internal(false);
+            self.internal.clone()
+        });
+        self.rows = home;
+        for (change, (up, down)) in self.internal.iter_mut().zip(forces[0].iter().zip(&forces[1])) {
+            *change = std::array::from_fn(|k| (up[k] - down[k]) / (2.0 * eps));
+        }
+    }
 }

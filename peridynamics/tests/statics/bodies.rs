@@ -96,3 +96,8 @@ pub fn product(system: &mut StaticSolid, v: &[f64]) -> Vec<f64> {
 pub fn norm(v: &[f64]) -> f64 {
     v.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
+
+/// Numbers for a message.
+pub fn short(v: &[f64]) -> String {
+    v.iter().map(|v| format!("{v:.1e} ")).collect()
+}

@@ -4,12 +4,14 @@ pub mod option_cost;
 
 mod hard;
 mod shell;
+mod solid;
 
 use crate::Case;
 
 /// Every usual case, in the order of table and report.
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
+    cases.extend(solid::all());
     cases.push(option_cost::case());
     cases
 }

@@ -120,7 +120,7 @@ impl Scene {
         let path = self.body_scope().path("cracks");
         let bound = format!("a body in one piece in {}", self.analysis.kind().name);
         let repair = "shorten the cracks, or use [analysis.explicit.transient]";
-        let value = format!("a body in {pieces} pieces, each with rigid motions of its own");
+        let value = format!("solid in {pieces} pieces, each with rigid motions of its own");
         Err(SceneError::FreeMotion(self.source.fault(&path, &value, &bound, repair)))
     }
 
@@ -140,6 +140,7 @@ impl Scene {
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
             SolidError::NotThin => of_body(&formulation),
+            SolidError::SheetContact => of_body("contact"),
         };
         self.model_error(&path, &error.to_string())
     }

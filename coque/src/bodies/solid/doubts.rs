@@ -3,6 +3,7 @@
 use peridynamics::Solid;
 use sph_core::Vec3;
 
+use super::sets::NodeSets;
 use crate::scene::{Scene, SolidScene};
 use crate::warning::{Doubt, Warning};
 
@@ -67,36 +68,31 @@ const LAYERS: f64 = 8.0;
 /// Length over thickness from which a member bends under a load across it.
 const SLENDER: f64 = 4.0;
 
-/// Loads and motions across the shortest edge of a slender block bend it.
+/// Loads and motions across a slender block bend it.
 fn few_layers(look: &Look<'_>) -> Option<String> {
-    let (lattice, dimensions) = (look.body.lattice(), look.body.dimensions());
     if look.body.has_directors() {
         return None;
     }
-    let lengths = &lattice.lengths[..dimensions];
-    let axis = (0..dimensions).min_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+    let lattice = look.body.lattice();
+    let (cells, lengths) = (lattice.cells().ok()?, &lattice.lengths[..lattice.dimensions]);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
-    let layers = lattice.cells().ok()?[axis] as f64;
-    if layers >= LAYERS || longest < SLENDER * lengths[axis] {
-        return None;
-    }
-    let force = |load: &crate::scene::Load| {
-        let all = [
-            load.force.map(|f| f.total),
-            load.traction.map(|t| t.value),
-            load.gravity.map(|g| g.acceleration),
-        ];
-        all.into_iter().flatten().any(|v| across(v, axis))
-    };
-    let moved = |support: &crate::scene::Support| support.moved.is_some_and(|m| across(m.direction, axis));
-    let bends = look.scene.loads.iter().any(force) || look.scene.supports.iter().any(moved);
-    bends.then(|| {
-        let name = ["x", "y", "z"][axis];
-        format!(
-            "{layers} layers of nodes across a member that bends, along {name}: below {LAYERS} deflections are off by tens of \
-             percent; use a narrower spacing, or formulation.two-sheets for a thin plate"
-        )
-    })
+    let slender = |&axis: &usize| (cells[axis] as f64) < LAYERS && longest >= SLENDER * lengths[axis];
+    let axis = (0..lengths.len()).filter(slender).find(|&axis| bends(look.scene, axis))?;
+    Some(format!(
+        "{} layers of nodes across a member that bends, along {}: below {LAYERS} deflections are off by tens of percent; use a \
+         narrower spacing, or formulation.two-sheets for a thin plate",
+        cells[axis],
+        ["x", "y", "z"][axis]
+    ))
+}
+
+/// Whether loads or prescribed motions have a part along an axis.
+fn bends(scene: &Scene, axis: usize) -> bool {
+    let loads = scene.loads.iter().flat_map(|load| {
+        [load.force.map(|f| f.total), load.traction.map(|t| t.value), load.gravity.map(|g| g.acceleration)]
+    });
+    let motions = scene.supports.iter().map(|support| support.moved.map(|moved| moved.direction));
+    loads.chain(motions).flatten().any(|v| across(v, axis))
 }
 
 /// Whether a vector has more than a tenth of its length along an axis.
@@ -106,31 +102,28 @@ fn across(v: [f64; 3], axis: usize) -> bool {
 
 /// A motion that is prescribed on less than the depth of the horizon is felt by part of each family only.
 fn thin_layer(look: &Look<'_>) -> Option<String> {
-    if look.body.has_directors() {
+    let motions = || look.scene.supports.iter().filter(|support| support.moved.is_some());
+    if look.body.has_directors() || motions().next().is_none() {
         return None;
     }
-    let block = look.solid.block();
+    let (block, lattice) = (look.solid.block(), look.body.lattice());
     let horizon = look.body.formulation.horizon() * block.greatest_spacing();
-    for support in look.scene.supports.iter().filter(|support| support.moved.is_some()) {
-        let sets = super::sets::NodeSets::find(look.scene, &look.body.lattice(), block)
-            .ok()?
-            .at("", &support.on)
-            .ok()?
-            .to_vec();
-        let depth = (0..block.dimensions)
-            .map(|axis| {
-                let along = || sets.iter().map(|&node| block.positions[node as usize][axis]);
-                along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-                    + block.spacing[axis]
-            })
-            .fold(f64::INFINITY, f64::min);
-        if depth < (1.0 - 1e-6) * (horizon - 0.5 * block.greatest_spacing()) {
-            return Some(format!(
+    let sets = NodeSets::find(look.scene, &lattice, block).ok()?;
+    let depth = |nodes: &[u32], axis: usize| {
+        let along = || nodes.iter().map(|&node| block.positions[node as usize][axis]);
+        let [least, most] = [f64::min, f64::max].map(|pick| along().reduce(pick).unwrap_or_default());
+        most - least + block.spacing[axis]
+    };
+    motions().find_map(|support| {
+        let nodes = sets.at("", &support.on).ok()?;
+        let depth = (0..block.dimensions).map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
+        // A layer as deep as the horizon holds the nodes whose places lie in it.
+        (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {
+            format!(
                 "the motion of `{}` is prescribed on a layer {depth:.3e} deep: below the horizon, {horizon:.3e}, bonds reach past it \
                  and the motion is felt in part; use a set with layer = {{ face = \"…\", depth = {horizon:.3e} }}",
                 support.on
-            ));
-        }
-    }
-    None
+            )
+        })
+    })
 }

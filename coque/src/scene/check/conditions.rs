@@ -20,6 +20,9 @@ impl Scene {
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "condition", &given, &Support::WORDS)?;
+        if let Some(solid) = self.as_solid() {
+            self.check_solid_support(at, support, solid)?;
+        }
         if support.amplitude.is_some() && support.motion().is_none() {
             let repair = "remove it: only `moved` and `rotated` have a course in time";
             let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
@@ -116,6 +119,9 @@ impl Scene {
         let kinds = load.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        if let Some(solid) = self.as_solid() {
+            self.check_solid_load(at, load, solid)?;
+        }
         for (word, kind) in kinds {
             match kind {
                 LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
@@ -124,9 +130,7 @@ impl Scene {
                     if let Axis::Fixed(axis) = couple.axis {
                         s.direction(&format!("{at}.couple.axis"), axis)?;
                     }
-                    if self.as_shell().is_some() {
-                        self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
-                    }
+                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
                 }
                 LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
                 LoadKind::Gravity(g) => {

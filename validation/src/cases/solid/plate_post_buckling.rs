@@ -89,9 +89,10 @@ fn force_at(points: &[(f64, f64)], shortening: f64) -> Option<f64> {
 fn compared(run: &Run, runs: &Runs) -> Result<Vec<Metric>, JudgeError> {
     let Some(elements) = runs.get(ELEMENTS, "31×21")? else { return Ok(Vec::new()) };
     let (own, theirs) = (points(run)?, points(elements)?);
-    let worst = theirs.iter().skip(1).filter_map(|&(u, force)| {
-        Some((100.0 * (force_at(&own, u)? / force - 1.0)).abs())
-    });
+    let worst = theirs
+        .iter()
+        .skip(1)
+        .filter_map(|&(u, force)| Some((100.0 * (force_at(&own, u)? / force - 1.0)).abs()));
     let worst = worst.reduce(f64::max).filter(|_| run.done());
     let reason = "one plate by three methods: what is left is their spacings";
     Ok(vec![Metric::error(NAME, worst, "%").within(2.0, reason)])

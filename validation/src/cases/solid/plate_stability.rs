@@ -81,9 +81,13 @@ fn variants() -> Vec<Variant> {
     // The force of a clamped plate at the shortening: asked of nothing, it scales the critical level.
     for spacing in [10.0, 5.0, 2.5] {
         let plate = supported(Edges::Clamped).named(grid("compression, ends clamped", spacing));
-        let plate = plate.set("bodies.plate.solid.geometry.block.spacing", spacing).set("analysis.linear", "{}");
+        let plate =
+            plate.set("bodies.plate.solid.geometry.block.spacing", spacing).set("analysis.linear", "{}");
         variants.push(plate.quick_if(spacing == 10.0).judged(|run, _| {
-            Ok(vec![Metric::compared(NAME, force(run)?, "kN", 123.89).shown("as with hinged ends: the plate is flat")])
+            Ok(vec![
+                Metric::compared(NAME, force(run)?, "kN", 123.89)
+                    .shown("as with hinged ends: the plate is flat"),
+            ])
         }));
     }
     variants
@@ -111,8 +115,8 @@ fn supported(edges: Edges) -> Variant {
         Edges::Free => plate
             .set("supports[3].held.displacement", format!("[{up}]"))
             .set("supports[4].held.displacement", format!("[{up}]"))
-            .set("sets.middle", "{ plane = { point = [0.0, 100.0, 0.0], normal = [0.0, 1.0, 0.0] } }")
-            .set("supports[+]", format!("{{ on = \"middle\", held = {{ displacement = [{across}] }} }}")),
+            .set("sets.line", "{ plane = { point = [0.0, 100.0, 0.0], normal = [0.0, 1.0, 0.0] } }")
+            .set("supports[+]", format!("{{ on = \"line\", held = {{ displacement = [{across}] }} }}")),
     }
 }
 
@@ -149,7 +153,9 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     series.push(Series::line("classical plate", vec![(2.0, 0.0), (10.0, 0.0)], GREEN, Line::Dashed));
     Ok(vec![Figure::Chart(Chart {
         title: "Error of the forces against the spacing".into(),
-        caption: "Two sheets with corrected weights; without the correction the errors stay at 6 % at any spacing.".into(),
+        caption:
+            "Two sheets with corrected weights; without the correction the errors stay at 6 % at any spacing."
+                .into(),
         x: Axis::linear("spacing [mm]"),
         y: Axis::linear("error [%]"),
         series,

@@ -1,4 +1,4 @@
-//! Checks of supports, loads and velocities of a solid.
+//! Checks of supports, loads and the velocity of a solid.
 
 use super::Checked;
 use crate::scene::error::SceneError;
@@ -8,14 +8,8 @@ use crate::scene::solid::SolidScene;
 use crate::scene::supports::{Support, SupportKind};
 
 impl Scene {
-    /// Refuses what nodes cannot be held by, carry or set out with.
-    pub(super) fn check_solid_conditions(&self, solid: &SolidScene) -> Checked {
-        for (i, support) in self.supports.iter().enumerate() {
-            self.check_solid_support(&format!("supports[{i}]"), support, solid)?;
-        }
-        for (i, load) in self.loads.iter().enumerate() {
-            self.check_solid_load(&format!("loads[{i}]"), load, solid)?;
-        }
+    /// Refuses a velocity out of the plane of a plane block.
+    pub(super) fn check_solid_velocity(&self, solid: &SolidScene) -> Checked {
         let (s, plane) = (&self.body_scope(), solid.is_plane());
         let Some(velocity) = solid.velocity else { return Ok(()) };
         s.in_plane("velocity.linear", velocity.linear.unwrap_or_default(), plane)?;
@@ -28,7 +22,13 @@ impl Scene {
         }
     }
 
-    fn check_solid_support(&self, at: &str, support: &Support, solid: &SolidScene) -> Checked {
+    /// Refuses what nodes cannot be held by.
+    pub(in crate::scene::check) fn check_solid_support(
+        &self,
+        at: &str,
+        support: &Support,
+        solid: &SolidScene,
+    ) -> Checked {
         let (s, plane) = (&self.scope(), solid.is_plane());
         for (word, kind) in support.kinds() {
             match kind {
@@ -60,7 +60,13 @@ impl Scene {
         Ok(())
     }
 
-    fn check_solid_load(&self, at: &str, load: &Load, solid: &SolidScene) -> Checked {
+    /// Refuses what nodes cannot carry.
+    pub(in crate::scene::check) fn check_solid_load(
+        &self,
+        at: &str,
+        load: &Load,
+        solid: &SolidScene,
+    ) -> Checked {
         let (s, plane) = (&self.scope(), solid.is_plane());
         for (word, kind) in load.kinds() {
             match kind {

@@ -40,6 +40,6 @@ impl Scene {
             );
             return Err(SceneError::Choice(fault));
         }
-        self.check_solid_conditions(solid)
+        self.check_solid_velocity(solid)
     }
 }

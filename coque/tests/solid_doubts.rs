@@ -1,0 +1,43 @@
+//! Doubts about solids: each rule fires on a scene made to break it and keeps still on sound ones.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::solids::{BAR, PLATE, SHEETS};
+use common::{Replaced, overridden};
+use coque::Doubt;
+
+fn doubts(text: &str, replaced: Replaced) -> Vec<Doubt> {
+    let model = overridden(text, "scene.toml", replaced).unwrap().build(1).unwrap();
+    model.warnings().iter().map(|warning| warning.doubt).collect()
+}
+
+#[test]
+fn sound_solids_raise_no_doubt() {
+    for text in [BAR, PLATE, SHEETS] {
+        assert_eq!(doubts(text, &[]), []);
+    }
+    // Waves and forces do not mind a short horizon, sheets are best with one.
+    assert_eq!(doubts(BAR, &[("bodies.bar.solid.formulation.state-based.horizon", "1.5")]), []);
+}
+
+#[test]
+fn each_rule_fires_on_a_solid_that_breaks_it() {
+    let plate = "bodies.plate.solid";
+    let horizon = format!("{plate}.formulation.bond-based.horizon");
+    assert_eq!(doubts(PLATE, &[(&horizon, "2.015")]), [Doubt::OddHorizon]);
+    assert_eq!(doubts(PLATE, &[(&horizon, "7.0")]), [Doubt::OddHorizon]);
+    let spacing = format!("{plate}.geometry.block.spacing");
+    assert_eq!(doubts(PLATE, &[(&spacing, "[0.25, 0.1]")]), [Doubt::FlatCells]);
+    assert_eq!(doubts(PLATE, &[(&spacing, "[0.25, 0.2]")]), []);
+    let across = ("loads[0].traction.value", "[0.0, 0.0, 1.0]");
+    assert_eq!(doubts(BAR, &[across]), [Doubt::FewLayers]);
+    let fine = ("bodies.bar.solid.geometry.block.spacing", "0.125");
+    assert_eq!(doubts(BAR, &[across, fine]), []);
+    let moved =
+        |on: &str| format!("{{ on = \"{on}\", moved = {{ direction = [1.0, 0.0, 0.0], by = 0.1 }} }}");
+    let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");
+    assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("x1"))]), [Doubt::ThinLayer]);
+    assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("end"))]), []);
+}

@@ -1,0 +1,88 @@
+//! Kick and drift in one pass over the rows, by chunks of a fixed size: sums do not depend on threads.
+
+use explicit_dynamics::{Step, Work};
+use rayon::prelude::*;
+use sph_core::Vec3;
+
+use crate::Solid;
+use crate::bonds::network::Row;
+use crate::constraint::Constraints;
+use crate::solid::vector;
+
+/// Rows of a chunk.
+const ROWS: usize = 512;
+
+/// What a kick reads.
+struct Kick<'a> {
+    step: &'a Step,
+    masses: &'a [f64],
+    internal: &'a [Row],
+    external: &'a [Vec3],
+    constraints: &'a Constraints,
+}
+
+impl Kick<'_> {
+    /// Kicks a chunk of rows, and with `DRIFT` moves them.
+    fn chunk<const DRIFT: bool>(&self, first: usize, rates: &mut [Row], rows: &mut [Row]) -> Work {
+        let Self { step, masses, internal, external, constraints } = *self;
+        let half = 0.5 * step.damping * step.kick;
+        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
+        let dt = step.drift();
+        let mut work = Work::default();
+        for (i, (rate, place)) in rates.iter_mut().zip(rows).enumerate() {
+            let row = first + i;
+            let mass = masses[row];
+            let external = external.get(row).copied().unwrap_or_default();
+            let (force, old) = (external - vector(&internal[row]), vector(rate));
+            let mut new = (old * before + force * (step.kick / mass)) * after;
+            let mut moved = false;
+            if let Some(constraint) = constraints.get(row) {
+                new = constraint.free_part(new.into()).into();
+                if constraint.moves() {
+                    new += constraint.velocity(step);
+                    moved = true;
+                }
+            }
+            let mean = 0.5 * (old + new);
+            work.kinetic += 0.5 * mass * mean.norm_squared();
+            work.external += step.kick * external.dot(&mean);
+            if moved && step.kick > 0.0 {
+                // The force of a support that moves its row is what the balance of the row lacks.
+                let lack = (new - old) * (mass / step.kick) - force + mean * (mass * step.damping);
+                work.external += step.kick * lack.dot(&mean);
+            }
+            rate[..3].copy_from_slice(new.as_slice());
+            if DRIFT {
+                (0..3).for_each(|k| place[k] += dt * new[k]);
+            }
+        }
+        work
+    }
+}
+
+impl Solid {
+    /// The kick, and with `DRIFT` the drift behind it.
+    pub(super) fn pass<const DRIFT: bool>(&mut self, step: &Step) -> Work {
+        let Self { rates, rows, masses, internal, external, constraints, works, .. } = self;
+        works.resize(rates.len().div_ceil(ROWS), Work::default());
+        let kick = Kick { step, masses, internal, external, constraints };
+        type Parts<'a> = (usize, ((&'a mut [Row], &'a mut [Row]), &'a mut Work));
+        let one = |(number, ((rates, rows), work)): Parts<'_>| {
+            *work = kick.chunk::<DRIFT>(number * ROWS, rates, rows);
+        };
+        if self.threads > 1 {
+            let parts = rates.par_chunks_mut(ROWS).zip(rows.par_chunks_mut(ROWS));
+            parts.zip(works.par_iter_mut()).enumerate().for_each(one);
+        } else {
+            let parts = rates.chunks_mut(ROWS).zip(rows.chunks_mut(ROWS));
+            parts.zip(works.iter_mut()).enumerate().for_each(one);
+        }
+        let mut work = self.works.iter().fold(Work::default(), |sum, chunk| Work {
+            kinetic: sum.kinetic + chunk.kinetic,
+            external: sum.external + chunk.external,
+            ..sum
+        });
+        work.dissipated = 2.0 * step.kick * step.damping * work.kinetic;
+        work
+    }
+}

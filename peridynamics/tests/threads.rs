@@ -1,0 +1,100 @@
+//! The same bits for 1, 2 and 4 threads, and no allocation inside a step.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+mod lattices;
+
+use std::alloc::System;
+use std::sync::Mutex;
+
+use explicit_dynamics::{Amplitude, Clock, Dynamics};
+use lattices::{ALL, formulation, lattice, parts, poisson};
+use peridynamics::{AppliedLoad, Elastic, Law, Solid, Space, Support, Supported};
+use sph_core::Vec3;
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// Tests of this file run one at a time: the counter belongs to the whole process.
+static ALONE: Mutex<()> = Mutex::new(());
+
+/// A block of several chunks of nodes, held at one end, pulled at the other by a prescribed motion and a load.
+fn body(space: Space, law: Law, threads: usize) -> Solid {
+    let block = match space {
+        Space::Solid => lattice(3, [17, 9, 8], [0.1; 3]),
+        Space::PlaneStress | Space::PlaneStrain => lattice(2, [41, 31, 1], [0.1; 3]),
+    };
+    let (count, layer) = (block.len() as u32, (block.len() / 17) as u32);
+    let material = Elastic { young: 100.0, poisson: poisson(space, law), density: 1.0 };
+    let amplitude = Amplitude::Ramp(0.1);
+    let held = Support::Held { displacement: vec![Vec3::x(), Vec3::y()], director: Vec::new() };
+    let moved = Support::Moved { direction: Vec3::x(), by: 0.02, amplitude: amplitude.clone() };
+    let load = (count / 2..count / 2 + layer).map(|node| (node, Vec3::new(0.01, 0.002, 0.0))).collect();
+    Solid::new(peridynamics::Parts {
+        supports: vec![
+            Supported { nodes: (0..layer).collect(), support: held },
+            Supported { nodes: (count - layer..count).collect(), support: moved },
+        ],
+        loads: vec![AppliedLoad { forces: load, amplitude }],
+        threads,
+        ..parts(block, material, formulation(space, law))
+    })
+    .unwrap()
+}
+
+/// Positions and energies after some steps, as bits.
+fn bits(space: Space, law: Law, threads: usize) -> Vec<u64> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let mut solid = body(space, law, threads);
+        let mut clock = Clock::start(&mut solid, 1.0, 0.7, 0.01).unwrap();
+        for _ in 0..40 {
+            clock.step(&mut solid, f64::INFINITY, |_| 1.0).unwrap();
+        }
+        let energy = solid.evaluate(clock.now);
+        let places = (0..solid.len()).flat_map(|node| <[f64; 3]>::from(solid.position(node)));
+        places.chain([energy, clock.kinetic, clock.now.time]).map(f64::to_bits).collect()
+    })
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let _alone = ALONE.lock().unwrap();
+    for (space, law) in ALL {
+        let one = bits(space, law, 1);
+        for threads in [2, 4] {
+            assert!(bits(space, law, threads) == one, "{space:?} {law:?}: {threads} threads give other bits");
+        }
+    }
+}
+
+/// Allocations of 200 steps after a few to warm up.
+fn allocations(law: Law, threads: usize) -> usize {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let mut solid = body(Space::PlaneStress, law, threads);
+        let mut clock = Clock::start(&mut solid, 1.0, 0.7, 0.01).unwrap();
+        let mut march = |steps: usize| {
+            for _ in 0..steps {
+                clock.step(&mut solid, f64::INFINITY, |_| 1.0).unwrap();
+            }
+        };
+        march(20);
+        let region = Region::new(ALLOCATOR);
+        march(200);
+        region.change().allocations
+    })
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    for law in [Law::BondBased, Law::StateBased] {
+        for threads in [1, 2] {
+            // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
+            let counted = allocations(law, threads);
+            assert!(counted < 20, "{law:?}: {counted} allocations in 200 steps on {threads} threads");
+        }
+    }
+}
