@@ -148,7 +148,7 @@ mod tests {
         let poisson =
             if formulation.law == Law::StateBased { 0.22 } else { formulation.space.pairwise_poisson() };
         let moduli = Elastic { young: 72e9, poisson, density: 1.0 }.moduli(formulation.space).unwrap();
-        let (n, layers) = (26, if moduli.dimensions == 3 { 15 } else { 1 });
+        let (n, layers) = (26, if moduli.dimensions == 3 { 11 } else { 1 });
         let mut positions = Vec::new();
         for i in 0..n {
             for j in 0..n {
@@ -217,7 +217,7 @@ mod tests {
     fn a_crack_takes_its_energy() {
         use Influence::{Inverse, Linear};
         for (space, influence, horizon) in [
-            (Space::Solid, Inverse, 3.015),
+            (Space::Solid, Inverse, 2.015),
             (Space::PlaneStress, Inverse, 2.015),
             (Space::PlaneStress, Inverse, 3.015),
             (Space::PlaneStress, Inverse, 4.015),
@@ -230,10 +230,9 @@ mod tests {
                 for by_work in [false, true] {
                     let [along, across, diagonal] =
                         [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|along| spent(&shape, along, by_work));
-                    println!(
-                        "{space:?} {law:?} {influence:?} {horizon} {by_work} {along:.5} {across:.5} {diagonal:.4}"
-                    );
                     assert!((along - 1.0).abs() < 1e-9 && (across - 1.0).abs() < 1e-9);
+                    // Measured: 0.2 to 1.8 % more at 3.015 and beyond, up to 4.7 % at 2.015, most by work.
+                    assert!((1.0..1.06).contains(&diagonal), "{shape:?}: {diagonal}");
                 }
             }
             let moduli = Elastic { young: 2.5, poisson: space.pairwise_poisson(), density: 1.0 }
@@ -260,11 +259,11 @@ mod tests {
             } else {
                 ((pi / (6.0 * moduli.mu * delta)).sqrt(), 1.5 / (SPACING * delta.powi(3)))
             };
-            println!(
-                "{space:?} {influence:?} {horizon} over continuum: {:.4} {:.4}",
-                tension / stretch,
-                density / work
-            );
+            // Measured at 3.015: 0.991 and 1.009 in a plane, 0.994 and 0.978 in space; at 2.015 0.963 and 0.956.
+            if influence == Inverse {
+                assert!((0.95..1.03).contains(&(tension / stretch)), "{shape:?} {}", tension / stretch);
+                assert!((0.95..1.03).contains(&(density / work)), "{shape:?} {}", density / work);
+            }
         }
     }
 }

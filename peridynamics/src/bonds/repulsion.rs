@@ -1,11 +1,12 @@
 //! Contact of fragments: nodes without a whole bond repel each other at short range, and walls repel nodes.
 //!
 //! ```text
-//! U = ½ k (d − Y)²  of two nodes at a distance Y < d        k = 15 c Vᵢ Vⱼ/δ,  c = 2d(d+2) μ/m
+//! U = ½ k (d − Y)²  of two nodes at a distance Y < d        k = c Vᵢ Vⱼ/d,  c = 2n(n+2) μ/m
 //! ```
 //!
-//! with c the constant of pairwise bonds, `m = ∫ r dV` of a whole family (\[silling2005\]; 15 as in programs of particles),
-//! and d the distance of contact, at most the length that a broken bond had. A wall is a mirror: a node at a height z over
+//! with c the constant of pairwise bonds in n dimensions, `m = ∫ r dV` of a whole family (\[silling2005\]), and d the distance
+//! of contact, at most the length that a broken bond had: two nodes that touch resist as a bond of that length would. Programs
+//! of particles take `15 c Vᵢ Vⱼ/δ`, five times as much where `δ = 3d`, and with it nearly half of the step. A wall is a mirror: a node at a height z over
 //! it is repelled by its image at Y = 2z. It gives way and never lets go: the force grows on the other side.
 //!
 //! Two equal masses M that touch add at most `2k/M` to an eigenvalue of the mass-scaled stiffness. Of nodes no closer to each
@@ -22,8 +23,6 @@ use crate::contact::Contact;
 use crate::error::SolidError;
 use crate::material::{Elastic, Moduli};
 
-/// Peers' stiffness of contact over that of a bond as long as the horizon.
-const STIFFNESS: f64 = 15.0;
 /// How far beyond contact pairs are listed, over the distance of contact: a wide list is made anew less often.
 const SKIN: f64 = 0.5;
 
@@ -96,13 +95,14 @@ impl Repulsion {
         } else {
             thickness * 2.0 / 3.0 * pi * horizon.powi(3)
         };
-        let stiffness = STIFFNESS * 2.0 * d * (d + 2.0) * moduli.mu / (m * horizon);
+        let distance = contact.distance * spacing;
+        let stiffness = 2.0 * d * (d + 2.0) * moduli.mu / (m * distance);
         // The stiffest pair over the lighter mass.
         let greatest = volumes.iter().fold(0.0_f64, |most, &volume| most.max(volume));
         let pairs = if moduli.dimensions == 3 { 8.0 } else { 6.0 };
         let factor = pairs + 4.0 * walls.len() as f64;
         Ok(Self {
-            distance: contact.distance * spacing,
+            distance,
             stiffness,
             spectrum: factor * stiffness * greatest / material.density,
             walls,
