@@ -1,57 +1,11 @@
-//! Closed forms: a bar in tension, a plate with a hole, modes of a bar.
+//! Closed forms: modes of a bar, Poisson's ratios.
 
 use implicit_statics::{linear_response, natural_modes, unwatched};
 use peridynamics::{Correction, Elastic, Formulation, Law, Solid, Space, StaticSolid};
 use sph_core::Vec3;
 
-use crate::bar::{Stretched, stretched};
 use crate::blocks::{formulation, held, lattice, moved, nodes, parts};
 use crate::bodies::{LAWS, block_parts};
-use crate::hole::holed;
-
-/// Even weights make the gauge strain and Poisson's ratio those of the solid, however few nodes lie across.
-#[test]
-fn a_bar_in_tension_with_even_weights() {
-    for law in LAWS {
-        let nu = if law == Law::BondBased { 0.25 } else { 0.3 };
-        for across in [3, 4] {
-            let Stretched { tip, gauge, poisson } = stretched(law, Correction::Even, across).unwrap();
-            println!("{law:?}, {across} across: {tip:.4} / {gauge:.4}, {poisson:.4}");
-            assert!((gauge - 1.0).abs() < 0.015, "{law:?}, {across}: gauge {gauge}");
-            // Four across: 2.3 % in bonds alone, 1.8 % with a dilatation; three: 0.1 %.
-            assert!((poisson / nu - 1.0).abs() < 0.03, "{law:?}, {across}: ν {poisson}");
-            assert!((tip - 1.0).abs() < 0.02, "{law:?}, {across}: tip {tip}");
-        }
-    }
-}
-
-/// What surfaces cost without a correction, and with factors of the energy: figures to notice a change by.
-#[test]
-fn a_bar_in_tension_without_even_weights() {
-    let known = [
-        (Law::BondBased, Correction::None, 1.584),
-        (Law::BondBased, Correction::EnergyFactor, 0.849),
-        (Law::StateBased, Correction::None, 0.589),
-        (Law::StateBased, Correction::EnergyFactor, 0.832),
-    ];
-    for (law, correction, gauge) in known {
-        let found = stretched(law, correction, 3).unwrap();
-        println!("{law:?}, {correction:?}: {found:.4?}");
-        assert!((found.gauge - gauge).abs() < 2e-3, "{law:?}, {correction:?}: {found:?}");
-    }
-}
-
-/// Displacements near a hole; the first row's strain is the example's to print.
-#[test]
-fn a_plate_with_a_hole() {
-    for law in LAWS {
-        for (resolution, bound) in [(5, 0.02), (10, 0.01)] {
-            let found = holed(law, Correction::Even, 3.015, resolution).unwrap();
-            println!("{law:?}, R/Δx {resolution}: {found:.4?}");
-            assert!(found.displacement < bound, "{law:?}, {resolution}: {found:?}");
-        }
-    }
-}
 
 /// `ω = nπc/L`, `ρc² = λ + 2μ`, of a free bar whose nodes move along it only.
 #[test]

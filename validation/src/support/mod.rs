@@ -6,6 +6,7 @@ pub mod meshes;
 pub mod path;
 pub mod scenes;
 pub mod sheets;
+pub mod solids;
 pub mod strip;
 pub mod studies;
 pub mod table;

@@ -2,8 +2,8 @@
 
 use explicit_dynamics::Amplitude;
 use peridynamics::{
-    AppliedLoad, Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, SolidError, Space,
-    StaticSolid, Support, Supported, Volumes,
+    AppliedLoad, Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Space, Support, Supported,
+    Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 
@@ -61,12 +61,4 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
         loads: Vec::new(),
         threads: 1,
     }
-}
-
-/// The system of a body.
-///
-/// # Errors
-/// [`SolidError`] for the first part that is unsound.
-pub fn system(parts: Parts) -> Result<StaticSolid, SolidError> {
-    Ok(StaticSolid::new(Solid::new(parts)?))
 }
