@@ -41,7 +41,7 @@ pub enum Volumes {
     Whole,
 }
 
-/// The influence w of a bond by its length r, `δ' = δ + ½Δx` the search radius.
+/// The influence w of a bond by its length r, `δ' = δ + ½Δx`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Influence {
     /// 1.

@@ -97,10 +97,8 @@ fn corrected_energies_are_exact_at_every_node() {
                 let whole: f64 = (0..count).map(|node| body.strain_energy(node)).sum();
                 // Of the whole body, since half of a bond is the other end's.
                 let error = whole / (count as f64 * wanted) - 1.0;
-                // The square of the strain, 1e-7, but for shear of a state-based body: families at its edges see the shear as a
-                // dilatation, since only its direct terms are corrected. Measured 1.8e-3 of the whole.
-                let bound = if a != b && law == Law::StateBased { 5e-3 } else { 1e-7 };
-                assert!(error.abs() < bound, "{space:?} {law:?} {a}{b}: {error}");
+                // The square of the strain.
+                assert!(error.abs() < 1e-7, "{space:?} {law:?} {a}{b}: {error}");
                 let mut stress = strain * (2.0 * moduli.mu);
                 (0..d).for_each(|k| stress[(k, k)] += moduli.lambda * trace);
                 let error = (body.stress(middle) - stress).norm() / stress.norm();

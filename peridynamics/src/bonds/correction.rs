@@ -8,10 +8,11 @@
 //!
 //! ```text
 //! Σ_q [ Σⱼ w r² φ_p φ_q V̄ ] c_q = m T_p          T(n_a⁴) = 3/(d(d+2)),  T(n_a² n_b²) = 1/(d(d+2))
-//! w_θ = w Σ_a c_a n_a²,    Σⱼ w_θ r² n_a² V̄ = m/d
+//! w_θ = w Σ_{a≤b} c_ab n_a n_b,    Σⱼ w_θ r² n_a n_b V̄ = δ_ab m/d
 //! ```
 //!
-//! The energy of all unit strains along the axes is then that of the solid at every node whose family spans them.
+//! The energy of each of the six unit strains along the axes is then that of the solid at every node whose family spans them;
+//! without the products n_a n_b families at edges would take a shear for a dilatation.
 
 use nalgebra::{DMatrix, DVector};
 use sph_core::Vec3;
@@ -113,7 +114,7 @@ impl Plain<'_> {
         let unit = 1.0 / (d * (d + 2)) as f64;
         for node in 0..f.len() {
             let mut moments = DMatrix::<f64>::zeros(terms, terms);
-            let mut squares = DMatrix::<f64>::zeros(d, d);
+            let mut squares = DMatrix::<f64>::zeros(terms, terms);
             for bond in f.of(node) {
                 let share = self.influence(bond) * f.lengths[bond].powi(2) * f.volumes[bond];
                 let phi = even_products(&self.direction(node, bond), d);
@@ -122,23 +123,25 @@ impl Plain<'_> {
                         moments[(p, q)] += share * phi[p] * phi[q];
                     }
                 }
-                let n = self.direction(node, bond).component_mul(&self.direction(node, bond));
-                for a in 0..d {
-                    for b in 0..d {
-                        squares[(a, b)] += share * n[a] * n[b];
+                let products = products(&self.direction(node, bond), d);
+                for p in 0..terms {
+                    for q in 0..terms {
+                        squares[(p, q)] += share * products[p] * products[q];
                     }
                 }
             }
             let m = self.weighted_volume(node);
             let wanted = DVector::from_fn(terms, |p, _| m * unit * if p < d { 3.0 } else { 1.0 });
             let c = solve(&moments, &wanted);
-            let of_dilatation = solve(&squares, &DVector::from_element(d, m / d as f64));
+            let of_dilatation =
+                solve(&squares, &DVector::from_fn(terms, |p, _| if p < d { m / d as f64 } else { 0.0 }));
             for bond in f.of(node) {
                 let n = self.direction(node, bond);
                 let phi = even_products(&n, d);
                 out.deviatoric[bond] *= (0..terms).map(|q| c[q] * phi[q]).sum::<f64>();
                 if let Some(own) = out.dilatation.get_mut(bond) {
-                    *own *= (0..d).map(|a| of_dilatation[a] * n[a] * n[a]).sum::<f64>();
+                    let products = products(&n, d);
+                    *own *= (0..terms).map(|p| of_dilatation[p] * products[p]).sum::<f64>();
                 }
             }
         }
@@ -177,6 +180,14 @@ impl Plain<'_> {
             }
         }
     }
+}
+
+/// `n_a²`, then `n_a n_b` for a < b.
+fn products(n: &Vec3, d: usize) -> [f64; 6] {
+    if d == 2 {
+        return [n.x * n.x, n.y * n.y, n.x * n.y, 0.0, 0.0, 0.0];
+    }
+    [n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z]
 }
 
 /// `n_a⁴`, then `n_a² n_b²` for a < b.

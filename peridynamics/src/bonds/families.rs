@@ -21,7 +21,7 @@ pub(crate) struct Families {
     pub volumes: Vec<f64>,
     /// Horizon δ \[L\].
     pub horizon: f64,
-    /// Search radius δ' beyond which no part of a volume lies inside the horizon \[L\].
+    /// δ' = δ + ½Δx, beyond which no part of a volume lies inside the horizon \[L\].
     pub reach: f64,
 }
 
@@ -47,8 +47,9 @@ impl Families {
             return Err(SolidError::Volume { node: node as u32, volume: nodes.volumes[node] });
         }
         let (dx, delta) = (nodes.spacing, horizon * nodes.spacing);
-        let reach = if volumes == Volumes::Partial { delta + 0.5 * dx } else { delta };
-        let list = CellList::new(nodes.positions, reach);
+        let reach = delta + 0.5 * dx;
+        let search = if volumes == Volumes::Partial { reach } else { delta };
+        let list = CellList::new(nodes.positions, search);
         let mut out = Self {
             starts: vec![0],
             others: Vec::new(),
@@ -59,7 +60,7 @@ impl Families {
         };
         let mut near = Vec::new();
         for (i, x) in nodes.positions.iter().enumerate() {
-            list.within(x, reach, &mut near);
+            list.within(x, search, &mut near);
             for &j in near.iter().filter(|&&j| j as usize != i) {
                 let r = (nodes.positions[j as usize] - x).norm();
                 if r < COINCIDENT * dx {

@@ -17,7 +17,7 @@ const YOUNG: &str = "E over that asked for";
 const POISSON: &str = "Poisson's ratio";
 const SHEAR: &str = "G over that asked for";
 /// Small enough that the square of a rotation does not count, large enough that rounding does not.
-const STRAIN: f64 = 1e-5;
+const STRAIN: f64 = 1e-7;
 
 /// Rows of the table that the program has: the influence `exp(−r²/δ²)` is left out.
 fn rows() -> Result<Vec<(Formulation, [f64; 3])>, JudgeError> {
