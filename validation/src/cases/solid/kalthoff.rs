@@ -44,6 +44,8 @@ struct Plate {
     space: Space,
     law: Law,
     horizon: f64,
+    /// Spacing \[mm\].
+    spacing: f64,
     correction: Correction,
     by_work: bool,
     speed: f64,
@@ -70,24 +72,26 @@ fn variants() -> Vec<Variant> {
     use Law::{BondBased, StateBased};
     use Space::{PlaneStrain, PlaneStress, Solid};
     [
-        (PlaneStress, BondBased, 3.015, Bare, false, HALF, true),
-        (PlaneStress, BondBased, 4.015, Bare, false, HALF, false),
-        (PlaneStress, StateBased, 3.015, Bare, false, HALF, true),
-        (PlaneStress, StateBased, 4.015, Bare, false, HALF, false),
-        (PlaneStress, StateBased, 4.015, Bare, true, HALF, false),
-        (PlaneStress, BondBased, 3.015, Even, false, HALF, false),
-        (PlaneStress, StateBased, 3.015, Even, false, HALF, false),
-        (PlaneStress, BondBased, 4.015, Bare, false, WHOLE, false),
-        (PlaneStress, StateBased, 4.015, Bare, false, WHOLE, false),
-        (PlaneStrain, BondBased, 4.015, Bare, false, WHOLE, false),
-        (Solid, BondBased, 3.015, Bare, false, HALF, false),
+        (PlaneStress, BondBased, 3.015, 2.0, Bare, false, HALF),
+        (PlaneStress, StateBased, 3.015, 2.0, Bare, false, HALF),
+        (PlaneStress, BondBased, 3.015, 1.0, Bare, false, HALF),
+        (PlaneStress, BondBased, 4.015, 1.0, Bare, false, HALF),
+        (PlaneStress, StateBased, 3.015, 1.0, Bare, false, HALF),
+        (PlaneStress, StateBased, 4.015, 1.0, Bare, false, HALF),
+        (PlaneStress, StateBased, 4.015, 1.0, Bare, true, HALF),
+        (PlaneStress, BondBased, 3.015, 1.0, Even, false, HALF),
+        (PlaneStress, StateBased, 3.015, 1.0, Even, false, HALF),
+        (PlaneStress, BondBased, 4.015, 1.0, Bare, false, WHOLE),
+        (PlaneStress, StateBased, 4.015, 1.0, Bare, false, WHOLE),
+        (PlaneStrain, BondBased, 4.015, 1.0, Bare, false, WHOLE),
+        (Solid, BondBased, 3.015, 1.5, Bare, false, HALF),
     ]
     .into_iter()
-    .map(|(space, law, horizon, correction, by_work, speed, quick)| {
-        let plate = Plate { space, law, horizon, correction, by_work, speed };
+    .map(|(space, law, horizon, spacing, correction, by_work, speed)| {
+        let plate = Plate { space, law, horizon, spacing, correction, by_work, speed };
         let run = move || plate.run().map_err(|e| e.to_string());
         let variant = Variant::study(method(law), &plate.grid(), run);
-        variant.quick_if(quick).judged(move |run, _| judged(&plate, run))
+        variant.quick_if(spacing == 2.0).judged(move |run, _| judged(&plate, run))
     })
     .collect()
 }
@@ -101,16 +105,12 @@ impl Plate {
         };
         let corrected = if self.correction == Correction::Even { ", corrected" } else { "" };
         let criterion = if self.by_work { ", by work" } else { "" };
-        format!("{space}, δ/Δx {}, {} m/s{corrected}{criterion}", self.horizon, self.speed)
-    }
-
-    /// Spacing \[m\].
-    fn spacing(&self) -> f64 {
-        if self.space == Space::Solid { 1.5e-3 } else { 1e-3 }
+        let Self { horizon, spacing, speed, .. } = self;
+        format!("{space}, {spacing} mm, δ/Δx {horizon}, {speed} m/s{corrected}{criterion}")
     }
 
     fn body(&self) -> Result<Solid, Box<dyn Error>> {
-        let dx = self.spacing();
+        let dx = 1e-3 * self.spacing;
         let block = lattice(self.space.dimensions(), Vec3::zeros(), SIZE, dx).block()?;
         let struck = nodes(&block, |x| x.x < dx && x.y > HEIGHTS[0] && x.y < HEIGHTS[1]);
         let cracks = HEIGHTS.map(|y| {
@@ -148,7 +148,7 @@ impl Plate {
             balanced.see(record);
             ControlFlow::Continue(())
         })?;
-        let margin = self.horizon * self.spacing();
+        let margin = 1e-3 * self.horizon * self.spacing;
         let [below, above] = [0, 1].map(|side| {
             let y = HEIGHTS[side];
             let outward = |x: &Vec3| if side == 0 { y - x.y } else { x.y - y };
