@@ -2,6 +2,7 @@
 
 pub mod clouds;
 pub mod linear;
+pub mod marched;
 pub mod meshes;
 pub mod path;
 pub mod scenes;

@@ -1,4 +1,4 @@
-//! The hard cases: every known way to break a shell or a particle method, with the defaults everywhere.
+//! The hard cases: every known way to break a shell, a solid or a particle method, with the defaults everywhere.
 //!
 //! A case that fails stays in the table, asserted as it is, with the cause.
 
@@ -15,6 +15,7 @@ mod noise;
 mod numbers;
 mod point_driven;
 mod same_bits;
+mod solids;
 mod spin;
 mod step_estimate;
 mod step_limit;
@@ -50,5 +51,8 @@ pub fn all() -> Vec<Case> {
         numbers::case(),
         same_bits::case(),
         strong_form::case(),
+        solids::tension::case(),
+        solids::same_damage::case(),
+        solids::pieces::case(),
     ]
 }

@@ -1,11 +1,18 @@
 //! Peridynamic solids and plates; a new case is a file, a line here, and one in the list.
 
 mod bar;
+mod branching;
 mod double_cantilever;
+mod drift;
 mod hole;
+mod kalthoff;
+mod measure;
+mod mode_one;
 mod moduli;
 mod plate_post_buckling;
 mod plate_stability;
+mod torsion;
+mod wave;
 
 use crate::Case;
 
@@ -16,6 +23,12 @@ pub fn all() -> Vec<Case> {
         bar::case(),
         hole::case(),
         double_cantilever::case(),
+        wave::case(),
+        torsion::case(),
+        drift::case(),
+        mode_one::case(),
+        branching::case(),
+        kalthoff::case(),
         plate_stability::case(),
         plate_post_buckling::case(),
     ]

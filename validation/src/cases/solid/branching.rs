@@ -1,0 +1,232 @@
+//! crack-branching: a notched glass plate 100 × 40 mm under sudden tension; its crack runs and branches.
+
+use std::error::Error;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use benchmarks_ref::waves::rayleigh_in_plane_stress;
+use explicit_dynamics::Amplitude;
+use peridynamics::{AppliedLoad, Correction, Crack, Criterion, Elastic, Formulation, Fracture, Law, Parts};
+use peridynamics::{Solid, Space};
+use sph_core::Vec3;
+
+use super::measure::{bands, between, greatest_speed, length, mean_speed, speeds, tip};
+use crate::figures::{Axis, Chart, Colour, Figure, GREY, Line, SKY, Series, VERMILION};
+use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::methods::PAIRWISE;
+use crate::support::marched::{Balanced, fracture_energy, in_time, march, marched, method};
+use crate::support::solids::{formulation, lattice, nodes, parts};
+use crate::support::studies::figure;
+use crate::{JudgeError, Metric};
+
+/// Energy of a unit area of crack \[J/m²\].
+const ENERGY: f64 = 135.0;
+/// Traction on the long edges \[Pa\].
+const TENSION: f64 = 12e6;
+const NOTCH: f64 = 0.05;
+const SIZE: [f64; 2] = [0.1, 0.04];
+const THICKNESS: f64 = 1e-3;
+/// Time over which a speed is taken \[µs\].
+const WINDOW: f64 = 3.0;
+
+const TIP: &str = "tip";
+const BRANCH: &str = "branch";
+const BRANCHES: &str = "branches";
+const SPENT: &str = "energy of broken bonds over the input";
+const SKEW: &str = "asymmetry";
+const BALANCE: &str = "balance";
+const SPEED: &str = "mean speed over c_R";
+
+#[derive(Clone, Copy)]
+struct Plate {
+    law: Law,
+    horizon: f64,
+    /// Spacing \[mm\].
+    spacing: f64,
+    correction: Correction,
+    by_work: bool,
+}
+
+/// The plate, what is known of its crack, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "crack-branching",
+        title: "Notched glass plate under sudden tension: the crack branches",
+        about: "A traction of 12 MPa is put on the long edges at once. The crack has to branch once, at 65 to 78 mm from the \
+                left edge, and to run at .34 to .38 of the speed of surface waves: places and speeds of published peridynamic \
+                answers to this plate. A branch is a column of nodes with two bands of damage. The energy of all broken bonds \
+                is more than that of the length of crack: damage is wider than one row, and the wider the faster it runs.",
+        citation: "Ha and Bobaru 2010; Bobaru and Zhang 2015; speeds over Rayleigh's",
+        variants: variants(),
+        headline: Some(Headline::new(SPEED, 0.005)),
+        figures,
+        ..Case::default()
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    use Correction::{Even, None as Bare};
+    use Law::{BondBased, StateBased};
+    [
+        (BondBased, 3.015, 1.0, Bare, false),
+        (StateBased, 3.015, 1.0, Bare, false),
+        (BondBased, 3.015, 0.5, Bare, false),
+        (BondBased, 4.015, 0.5, Bare, false),
+        (BondBased, 3.015, 0.5, Even, false),
+        (StateBased, 3.015, 0.5, Bare, false),
+        (StateBased, 3.015, 0.5, Bare, true),
+        (StateBased, 3.015, 0.5, Even, false),
+        (StateBased, 4.015, 0.5, Even, false),
+        (BondBased, 3.015, 0.25, Bare, false),
+        (BondBased, 3.015, 0.25, Even, false),
+        (BondBased, 4.015, 0.25, Even, false),
+        (StateBased, 3.015, 0.25, Even, false),
+    ]
+    .into_iter()
+    .map(|(law, horizon, spacing, correction, by_work)| {
+        let plate = Plate { law, horizon, spacing, correction, by_work };
+        let run = move || plate.run().map_err(|e| e.to_string());
+        let variant = Variant::study(method(plate.law), &plate.grid(), run);
+        variant.quick_if(spacing == 1.0).judged(move |run, _| judged(&plate, run))
+    })
+    .collect()
+}
+
+impl Plate {
+    fn grid(&self) -> String {
+        let corrected = if self.correction == Correction::Even { ", corrected" } else { "" };
+        let criterion = if self.by_work { ", by work" } else { "" };
+        format!("{} mm, δ/Δx {}{corrected}{criterion}", self.spacing, self.horizon)
+    }
+
+    fn material(&self) -> Elastic {
+        let poisson = if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.22 };
+        Elastic { young: 72e9, poisson, density: 2440.0 }
+    }
+
+    /// Speed of surface waves \[m/s\].
+    fn rayleigh(&self) -> f64 {
+        let Elastic { young, poisson, density } = self.material();
+        rayleigh_in_plane_stress(young, poisson, density)
+    }
+
+    fn body(&self) -> Result<Solid, Box<dyn Error>> {
+        let (dx, middle) = (1e-3 * self.spacing, 0.5 * SIZE[1]);
+        let block = lattice(2, Vec3::zeros(), [SIZE[0], SIZE[1], THICKNESS], dx).block()?;
+        let edge = self.horizon * dx;
+        let pull = TENSION * dx * THICKNESS;
+        let forces = (0..block.len())
+            .filter_map(|node| {
+                let y = block.positions[node].y;
+                let sign = if y < dx { -1.0 } else { 1.0 };
+                (y < dx || y > SIZE[1] - dx).then_some((node as u32, Vec3::y() * (sign * pull)))
+            })
+            .collect();
+        let unbreakable = nodes(&block, |x| x.y < edge || x.y > SIZE[1] - edge);
+        let criterion =
+            if self.by_work { Criterion::EnergyByWork(ENERGY) } else { Criterion::EnergyByStretch(ENERGY) };
+        let bonds = Formulation {
+            horizon: self.horizon,
+            ..formulation(Space::PlaneStress, self.law, self.correction)
+        };
+        Ok(Solid::new(Parts {
+            fracture: Some(Fracture { criterion, unbreakable }),
+            cracks: vec![Crack::Segment([Vec3::new(-dx, middle, 0.0), Vec3::new(NOTCH, middle, 0.0)])],
+            loads: vec![AppliedLoad { forces, amplitude: Amplitude::Constant }],
+            ..parts(block, self.material(), bonds)
+        })?)
+    }
+
+    fn run(&self) -> Result<Outcome, Box<dyn Error>> {
+        let started = Instant::now();
+        let dx = 1e-3 * self.spacing;
+        let edge = self.horizon * dx;
+        let mut body = self.body()?;
+        let inside = |x: &Vec3| x.y > edge && x.y < SIZE[1] - edge && x.x < SIZE[0] - edge;
+        let mut balanced = Balanced::default();
+        let mut rows = Vec::new();
+        let steps = march(&mut body, 6e-5, 5e-7, |body, record| {
+            balanced.see(record);
+            let tip = tip(body, inside).unwrap_or(NOTCH).max(NOTCH);
+            let mut row = vec![1e6 * record.at.time, 1e3 * tip];
+            row.extend(crack(body, dx, inside));
+            row.push(balanced.percent());
+            rows.push(row);
+            if tip > SIZE[0] - edge - dx { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        let columns = [
+            ("time", "µs"),
+            (TIP, "mm"),
+            (BRANCH, "mm"),
+            (BRANCHES, "-"),
+            (SPENT, "-"),
+            (SKEW, "Δx"),
+            (BALANCE, "%"),
+        ];
+        Ok(Outcome { curve: in_time(&columns, rows), ..marched(&body, steps, started, &[]) })
+    }
+}
+
+/// Where the crack branches \[mm\], zero where it does not; how many branches reach farthest; energy of broken bonds over
+/// that of the crack's length; how far its two sides are from symmetric, in spacings.
+fn crack(body: &Solid, dx: f64, inside: impl Fn(&Vec3) -> bool) -> [f64; 4] {
+    let bands = bands(body, dx, |x| inside(x) && x.x > NOTCH);
+    let Some(&(last, _)) = bands.last() else { return [0.0, 1.0, 0.0, 0.0] };
+    let branch = bands.iter().find(|(_, bands)| bands.len() > 1).map(|(x, _)| *x);
+    let near_end = bands.iter().filter(|(x, _)| *x > last - 0.005).map(|(_, bands)| bands.len());
+    let side = |of: fn(&[f64]) -> f64| -> Vec<(f64, f64)> {
+        bands.iter().map(|(x, heights)| (*x, of(heights))).collect()
+    };
+    let (bottom, top) = (side(|heights| heights[0]), side(|heights| heights[heights.len() - 1]));
+    let joint: Vec<_> =
+        top.iter().copied().filter(|(x, _)| branch.is_none_or(|branch| *x <= branch)).collect();
+    let total = length(&top) + length(&bottom) - length(&joint);
+    let spent = if total > 0.0 { fracture_energy(body) / (ENERGY * THICKNESS * total) } else { 0.0 };
+    let skew = top.iter().zip(&bottom).map(|(a, b)| (a.1 + b.1 - SIZE[1]).abs()).fold(0.0, f64::max);
+    [1e3 * branch.unwrap_or(0.0), near_end.max().unwrap_or(1) as f64, spent, skew / dx]
+}
+
+/// The tip in time \[µs, mm\].
+fn path(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
+    Ok(run.column("time")?.into_iter().zip(run.column(TIP)?).collect())
+}
+
+fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let path = path(run)?;
+    // Millimetres a microsecond are kilometres a second.
+    let rayleigh = 1e-3 * plate.rayleigh();
+    let speed = run.done().then(|| mean_speed(&path) / rayleigh);
+    let most = run.done().then(|| greatest_speed(&path, WINDOW) / rayleigh);
+    Ok(vec![
+        between(BRANCH, run.last(BRANCH)?, "mm", [65.0, 78.0], "where published answers branch", None),
+        Metric::compared(BRANCHES, run.last(BRANCHES)?, "-", 2.0).within(0.0, "it branches once, into two"),
+        between(SPEED, speed, "-", [0.34, 0.38], "the mean speed of published answers", None),
+        Metric::compared("greatest speed over c_R", most, "-", 1.0)
+            .shown("over 3 µs; what a tip that jumps from row to row does is no speed of a crack"),
+        Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
+            .shown("a running crack damages more rows than it opens: asked only where it grows slowly"),
+        figure(run, SKEW, "Δx")?
+            .shown("of symmetric plates no more than rounding parts the branches, yet it grows"),
+        figure(run, BALANCE, "%")?.near(0.1, "bonds that break are booked in the middle of a step"),
+    ])
+}
+
+fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
+    let mut series = Vec::new();
+    for run in runs.iter() {
+        let plate = run.variant.grid.as_str();
+        let colour: Colour = if run.is(PAIRWISE) { SKY } else { VERMILION };
+        let line = if plate.starts_with("0.25") { Line::Solid } else { Line::Dashed };
+        let points = speeds(&path(run)?, WINDOW);
+        series.push(Series::line(&format!("{}, {plate}", run.variant.method), points, colour, line));
+    }
+    let rayleigh = 1e-3 * rayleigh_in_plane_stress(72e9, 0.22, 2440.0);
+    series.push(Series::line("surface waves", vec![(0.0, rayleigh), (50.0, rayleigh)], GREY, Line::Dashed));
+    Ok(vec![Figure::Chart(Chart {
+        title: "Speed of the tip".into(),
+        caption: "Over windows of 3 µs. It drops where the crack branches and stays below the speed of surface waves.".into(),
+        x: Axis::linear("time [µs]"),
+        y: Axis::linear("speed [km/s]"),
+        series,
+    })])
+}
