@@ -87,7 +87,7 @@ fn variants() -> Vec<Variant> {
         let plate = Plate { law, horizon, spacing, correction, by_work };
         let run = move || plate.run().map_err(|e| e.to_string());
         let variant = Variant::study(method(plate.law), &plate.grid(), run);
-        variant.quick_if(spacing == 1.0).judged(move |run, _| judged(&plate, run))
+        variant.quick_if(spacing == 1.0 && law == StateBased).judged(move |run, _| judged(&plate, run))
     })
     .collect()
 }
@@ -207,7 +207,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
             .shown("a running crack damages more rows than it opens: asked only where it grows slowly"),
         figure(run, SKEW, "Δx")?
             .shown("of symmetric plates no more than rounding parts the branches, yet it grows"),
-        figure(run, BALANCE, "%")?.near(0.1, "bonds that break are booked in the middle of a step"),
+        figure(run, BALANCE, "%")?.near(0.2, "bonds that break are booked in the middle of a step"),
     ])
 }
 

