@@ -200,7 +200,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let meets =
         plate.law == Law::StateBased && plate.horizon == 3.015 && plate.spacing >= 0.5 && !plate.by_work;
     let slow = (!meets).then_some(
-        ".31 to .34: counted from the first growth, along the plate, to which the start is slow and branches slant",
+        ".31 to .34, counted from the first growth to the end and along the plate; the cause is not isolated",
     );
     let twice = plate.law == Law::BondBased && plate.spacing == 0.25 && plate.correction == Correction::None;
     let branches = Metric::compared(BRANCHES, run.last(BRANCHES)?, "-", 2.0);
@@ -219,8 +219,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
             .shown("over 3 µs; what a tip that jumps from row to row does is no speed of a crack"),
         Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
             .shown("a running crack damages more rows than it opens: asked only where it grows slowly"),
-        figure(run, SKEW, "Δx")?
-            .shown("of symmetric plates no more than rounding parts the branches, yet it grows"),
+        figure(run, SKEW, "Δx")?.shown("how far the branches are from mirror images: rounding"),
         figure(run, BALANCE, "%")?.near(0.2, "bonds that break are booked in the middle of a step"),
     ])
 }
