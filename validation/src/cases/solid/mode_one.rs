@@ -77,8 +77,7 @@ fn variants() -> Vec<Variant> {
         .into_iter()
         .map(|(method, strip)| {
             let run = move || strip.run().map_err(|e| e.to_string());
-            let quick = strip.law == Law::StateBased && strip.spacing == 1.0;
-            Variant::study(method, &strip.grid(), run).quick_if(quick).judged(move |run, _| strip.judged(run))
+            Variant::study(method, &strip.grid(), run).judged(move |run, _| strip.judged(run))
         })
         .collect()
 }
