@@ -50,7 +50,7 @@ fn variants() -> Vec<Variant> {
         (BondBased, 4, Even, None, true),
         (StateBased, 4, Even, None, false),
         (BondBased, 4, Bare, Some(-14.7), false),
-        (StateBased, 4, Bare, Some(17.3), false),
+        (StateBased, 4, Bare, Some(20.6), false),
         (StateBased, 8, Even, None, false),
     ]
     .into_iter()
