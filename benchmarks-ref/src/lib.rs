@@ -65,7 +65,7 @@
 //!
 //! **Cantilever**, [`vibration`]: `ω₁ = (β₁L)² √(EI/(ρA))/L²`, β₁L the first root of `cos β cosh β = −1`.
 //!
-//! Plates of the catalogue follow \[timoshenko1959\] and \[timoshenko1961\], the linear obstacle course
+//! The struck plate is that of \[kalthoff1988\]. Plates of the catalogue follow \[timoshenko1959\] and \[timoshenko1961\], the linear obstacle course
 //! \[macneal1985\], large displacements \[sze2004\]. Each JSON file in `data/` says how its numbers were obtained, how
 //! solid they are held to be, and against what that was checked ([`Reference`]).
 //!

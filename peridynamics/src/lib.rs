@@ -1,4 +1,4 @@
-//! Peridynamic solids: nodes joined by bonds that break.
+//! Peridynamic solids \[silling2000\]: nodes joined by bonds that break.
 //!
 //! Each node owns a volume V and has a **family**: the nodes within a horizon δ at the start. A bond ξ of length r has the
 //! extension `e = |ξ + η| − r`. One energy serves two and three dimensions (\[silling2007\], with the dilatation left to
@@ -23,7 +23,6 @@ mod formulation;
 mod fracture;
 mod lanes;
 mod material;
-mod mechanics;
 mod parts;
 mod results;
 mod sheets;

@@ -26,7 +26,7 @@ pub enum Space {
 
 /// Lamé's constants of a space of two or three dimensions \[F/L²\].
 ///
-/// In plane stress λ is `Eν/(1 − ν²)`, so that one law serves all spaces.
+/// In plane stress λ is `Eν/(1 − ν²)`, so that one law serves all spaces; \[le2014\] has laws of their own for planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moduli {
     /// Dimensions d, two or three.

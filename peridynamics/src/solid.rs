@@ -3,13 +3,13 @@
 use explicit_dynamics::{Instant, Work};
 use sph_core::{Block, Vec3};
 
+use crate::bonds::mechanics::{Evaluation, Mechanics};
 use crate::bonds::network::Row;
 use crate::bonds::solid_bonds::SolidBonds;
 use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
-use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
 

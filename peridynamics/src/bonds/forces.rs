@@ -6,13 +6,10 @@
 
 use rayon::prelude::*;
 
-use super::network::{LANES, Network, Row};
+use super::network::{LANES, NODE_CHUNK, Network, Row};
 use super::present::{present, spread};
 use crate::dispatch::{Sweep, widest};
 use crate::lanes::Lanes;
-
-/// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
-pub(crate) const NODE_CHUNK: usize = 256;
 
 /// Which bonds may break, and beyond which stretch.
 #[derive(Clone, Debug)]

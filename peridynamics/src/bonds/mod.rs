@@ -9,6 +9,7 @@ pub(crate) mod forces;
 pub(crate) mod fragments;
 pub(crate) mod limits;
 mod linearised;
+pub(crate) mod mechanics;
 pub(crate) mod network;
 mod present;
 pub(crate) mod repulsion;

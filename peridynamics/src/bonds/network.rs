@@ -6,6 +6,9 @@ use crate::material::Moduli;
 
 pub(crate) use crate::lanes::{LANES, Pack};
 
+/// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
+pub(crate) const NODE_CHUNK: usize = 256;
+
 /// A node on its way through a sweep: position \[L\], and `(λ − μ) V θ` \[F L\].
 pub(crate) type Row = [f64; 4];
 

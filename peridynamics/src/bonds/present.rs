@@ -2,8 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::forces::NODE_CHUNK;
-use super::network::{LANES, Network, Row};
+use super::network::{LANES, NODE_CHUNK, Network, Row};
 use crate::dispatch::{Sweep, widest};
 use crate::lanes::Lanes;
 

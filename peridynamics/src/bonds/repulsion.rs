@@ -16,7 +16,7 @@
 use rayon::prelude::*;
 use sph_core::{CellList, Vec3};
 
-use super::forces::NODE_CHUNK;
+use super::network::NODE_CHUNK;
 use super::network::{Network, Row};
 use super::whole::Whole;
 use crate::contact::Contact;

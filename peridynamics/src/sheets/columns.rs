@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::shear::Shear;
-use crate::bonds::forces::NODE_CHUNK;
+use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 
 /// What columns store by themselves.

@@ -10,14 +10,14 @@ use super::sheet::{Cloth, Sheet};
 use crate::bonds::correction::weights;
 use crate::bonds::couplings::{Coupling, Couplings};
 use crate::bonds::families::{Families, Nodes};
-use crate::bonds::forces::NODE_CHUNK;
 use crate::bonds::fragments::fragments;
 use crate::bonds::limits::Lattice;
+use crate::bonds::mechanics::{Evaluation, Mechanics};
+use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::material::{Elastic, Moduli, Space};
-use crate::mechanics::{Evaluation, Mechanics};
 use crate::parts::Sheets;
 
 /// Two sheets on directors; rows are places, then directors.

@@ -7,11 +7,11 @@ use crate::bonds::correction::Weights;
 use crate::bonds::families::Families;
 use crate::bonds::forces::{Scratch, Wanted};
 use crate::bonds::limits::Limit;
+use crate::bonds::mechanics::Evaluation;
 use crate::bonds::network::{Network, Row};
 use crate::error::SolidError;
 use crate::fracture::{Breakage, Crack};
 use crate::material::Moduli;
-use crate::mechanics::Evaluation;
 
 /// A sheet with its points at the present.
 pub(crate) struct Sheet {

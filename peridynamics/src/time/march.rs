@@ -6,8 +6,8 @@ use explicit_dynamics::{
 use sph_core::Vec3;
 
 use crate::Solid;
+use crate::bonds::mechanics::Evaluation;
 use crate::bonds::network::Row;
-use crate::mechanics::Evaluation;
 use crate::solid::vector;
 
 impl Dynamics for Solid {

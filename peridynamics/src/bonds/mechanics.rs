@@ -2,8 +2,8 @@
 
 use nalgebra::Matrix3;
 
-use crate::bonds::couplings::{Coupling, Couplings};
-use crate::bonds::network::Row;
+use super::couplings::{Coupling, Couplings};
+use super::network::Row;
 use crate::unknowns::Unknowns;
 
 /// The stored energy of a body as a function of its rows, and how bonds break.
