@@ -49,9 +49,9 @@ pub struct Setting {
     pub mark: Mark,
 }
 
-/// All of them, finite elements beside. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
+/// All of shells, finite elements beside. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const METHODS: [Setting; 15] = [
+pub const METHODS: [Setting; 12] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
     Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
     Setting { method: RELAXED, set: None, colour: BLUE, mark: Mark::Triangle },
@@ -63,15 +63,20 @@ pub const METHODS: [Setting; 15] = [
     Setting { method: NODAL_2, set: Some(("nodal.order", "2")), colour: PURPLE, mark: Mark::Square },
     Setting { method: NODAL_3, set: Some(("nodal.order", "3")), colour: GREEN, mark: Mark::Triangle },
     Setting { method: STRONG_12, set: Some(("strong-form.smoothing", "1.2")), colour: VERMILION, mark: Mark::Cross },
+    Setting { method: STRONG_085, set: Some(("strong-form.smoothing", "0.85")), colour: BLACK, mark: Mark::Cross },
+];
+
+/// Those of peridynamic bodies.
+#[rustfmt::skip]
+pub const OF_BONDS: [Setting; 3] = [
     Setting { method: PAIRWISE, set: None, colour: SKY, mark: Mark::Disc },
     Setting { method: STATE, set: None, colour: VERMILION, mark: Mark::Disc },
     Setting { method: SHEETS, set: None, colour: VERMILION, mark: Mark::Square },
-    Setting { method: STRONG_085, set: Some(("strong-form.smoothing", "0.85")), colour: BLACK, mark: Mark::Cross },
 ];
 
 /// The settings of a method.
 pub fn setting(method: &str) -> Option<&'static Setting> {
-    METHODS.iter().find(|setting| setting.method == method)
+    METHODS.iter().chain(&OF_BONDS).find(|setting| setting.method == method)
 }
 
 #[cfg(test)]
@@ -84,7 +89,11 @@ mod tests {
             CELL, STATIC, RELAXED, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
             STRONG_085, PAIRWISE, STATE, SHEETS,
         ] {
-            assert_eq!(METHODS.iter().filter(|setting| setting.method == method).count(), 1, "{method}");
+            assert_eq!(
+                METHODS.iter().chain(&OF_BONDS).filter(|setting| setting.method == method).count(),
+                1,
+                "{method}"
+            );
         }
     }
 }

@@ -99,6 +99,8 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
         return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
     };
     let sheet = Sheet::read(path).map_err(unread)?;
+    // Six digits: what a sum of steps adds beyond them is rounding.
+    let along: f64 = format!("{along:.5e}").parse().unwrap_or(*along);
     let title = format!("{}, frame {number} at {along}", name(&plot.folder));
     let wanted = Picture {
         field: plot.field.as_deref(),
