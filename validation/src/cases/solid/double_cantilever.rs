@@ -72,7 +72,7 @@ fn judged(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
             .within(0.1, "a tenth is asked: bonds of a crack hold the energy asked for"),
         Metric::compared(GROWS, run.last(GROWS)?, "-", 1.0).shown(
-            "a tenth is missed: the crack waits on every row of the lattice for a quarter more than it takes, whatever the spacing",
+            "a tenth is missed: the crack waits on every row of the lattice for a fifth to a quarter more than it takes",
         ),
         Metric::error(MOST, run.last(MOST)?, "-").shown("how long a row holds the crack"),
     ])

@@ -185,7 +185,7 @@ impl Strip {
         let grows = if self.release < 1.0 {
             let late = grown.zip(path.get(2 * path.len() / 3)).map(|(end, then)| end - then.1);
             Metric::error("growth in the last third", late, "mm")
-                .shown("asked that it stop; known to miss it: the vibration of the sudden cut does not die, and carries it on")
+                .shown("asked that it stop; known to miss it: it slows but goes on; why is not isolated")
         } else if self.release > 1.0 {
             Metric::at_least(GROWN, grown, "mm", 20.0)
                 .within(0.0, "it runs: more is released than a crack takes")

@@ -139,7 +139,7 @@ fn judged(rod: &Rod, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let bound = if rod.across == 4 { 8.0 } else { 5.0 };
     let bounds = [1.0 - 0.01 * bound, 1.0 + 0.01 * bound];
     let miss = (rod.across == 4 && rod.influence == Influence::Inverse)
-        .then_some("8.6 %: near bonds count more, and sections of four nodes warp the more freely");
+        .then_some("8.6 %; .5 to 1 % less with the linear influence: why is not isolated");
     let reason = "sections of few nodes are too soft in torsion: 8 % at four across, 5 % at eight are asked";
     Ok(vec![
         between(FREQUENCY, run.last(FREQUENCY)?, "-", bounds, reason, miss),
