@@ -123,6 +123,7 @@ mod clock;
 mod damping;
 mod dynamics;
 mod error;
+mod interface;
 mod linearised;
 mod march_state;
 mod observer;
@@ -138,6 +139,9 @@ pub use clock::Clock;
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};
+pub use interface::{
+    BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted,
+};
 pub use linearised::{LinearisedDynamics, MassScaled};
 pub use march_state::{Dwell, MarchState, Stage};
 pub use observer::Observer;

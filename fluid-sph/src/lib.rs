@@ -1,0 +1,1 @@
+//! Weakly compressible fluids of SPH particles, their walls and wet boundaries.
