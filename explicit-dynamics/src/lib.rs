@@ -139,9 +139,7 @@ pub use clock::Clock;
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};
-pub use interface::{
-    BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted,
-};
+pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 pub use linearised::{LinearisedDynamics, MassScaled};
 pub use march_state::{Dwell, MarchState, Stage};
 pub use observer::Observer;

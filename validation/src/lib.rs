@@ -119,6 +119,6 @@ mod support;
 
 pub use error::JudgeError;
 pub use judge::{
-    Case, CaseResult, Found, Metric, Outcome, Record, Run, Runs, Selection, Solver, Variant, Verdict,
+    Case, CaseResult, Effort, Found, Metric, Outcome, Record, Run, Runs, Selection, Solver, Variant, Verdict,
     exit_code, judge,
 };

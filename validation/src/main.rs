@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use validation::cases::{self, option_cost};
-use validation::{Case, JudgeError, Record, Selection, exit_code, judge, report, tables};
+use validation::{Case, Effort, JudgeError, Record, Selection, exit_code, judge, report, tables};
 
 /// Counts what is allocated, for the memory that each option costs.
 #[global_allocator]
@@ -24,6 +24,9 @@ struct Cli {
     /// Only the runs that are fast enough for every commit
     #[arg(long)]
     quick: bool,
+    /// Only the runs that take more than ten minutes each; no other set has them
+    #[arg(long, conflicts_with = "quick")]
+    heavy: bool,
     /// The hard cases in place of the usual ones: where shells and particles break
     #[arg(long)]
     hard: bool,
@@ -49,6 +52,7 @@ Examples:
   validate --list                      what there is
   validate --quick                     what every commit has to pass
   validate --hard                      the survival table
+  validate --heavy --case baffle       the runs that take more than ten minutes
   validate --case ring --case panel    the two cases of Lin et al. 2013
   validate --case option-cost          what each option of a scene costs
   validate --json records.json         for further analysis
@@ -65,8 +69,14 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     if cli.list {
         for case in cli.all() {
-            let quick = case.variants.iter().filter(|variant| variant.quick).count();
-            println!("{:<22} {} ({} runs, {quick} quick)", case.name, case.title, case.variants.len());
+            let of = |effort| case.variants.iter().filter(|variant| variant.effort == effort).count();
+            let (quick, heavy) = (of(Effort::Quick), of(Effort::Heavy));
+            println!(
+                "{:<22} {} ({} runs, {quick} quick, {heavy} heavy)",
+                case.name,
+                case.title,
+                case.variants.len()
+            );
         }
         return ExitCode::SUCCESS;
     }
@@ -89,7 +99,11 @@ impl Cli {
 fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let selection = Selection {
-        quick: cli.quick,
+        set: match (cli.quick, cli.heavy) {
+            (true, _) => Effort::Quick,
+            (_, true) => Effort::Heavy,
+            _ => Effort::Full,
+        },
         hard: cli.hard,
         names: cli.cases.clone(),
         jobs: cli.jobs.unwrap_or_else(cores),

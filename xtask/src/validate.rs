@@ -10,6 +10,9 @@ pub struct Options {
     /// Only the cases that are fast enough for every commit
     #[arg(long)]
     pub quick: bool,
+    /// Only the runs that take more than ten minutes each; no other set has them
+    #[arg(long, conflicts_with = "quick")]
+    pub heavy: bool,
     /// The hard cases in place of the usual ones: where shells and particles break
     #[arg(long)]
     pub hard: bool,
@@ -48,6 +51,9 @@ impl Options {
         if self.quick {
             words.push("--quick".to_owned());
         }
+        if self.heavy {
+            words.push("--heavy".to_owned());
+        }
         if self.hard {
             words.push("--hard".to_owned());
         }
@@ -70,6 +76,7 @@ mod tests {
     fn every_argument_is_passed_on() {
         let options = Options {
             quick: true,
+            heavy: true,
             hard: true,
             cases: cargo::words(&["ring", "panel"]),
             json: Some("a.json".to_owned()),
@@ -79,7 +86,7 @@ mod tests {
         assert_eq!(
             cargo::spelled(&options.words()),
             "cargo run --release --package validation --bin validate -- \
-             --quick --hard --case ring --case panel --json a.json --report out --threads 2"
+             --quick --heavy --hard --case ring --case panel --json a.json --report out --threads 2"
         );
     }
 }

@@ -17,4 +17,4 @@ pub use outcome::{Outcome, Solver};
 pub use pictured::Pictured;
 pub use record::{Found, Metric, Record, Verdict};
 pub use run::{CaseResult, Selection, exit_code, judge};
-pub use variant::{LOST, MET, Problem, Run, Runs, Study, Variant};
+pub use variant::{Effort, LOST, MET, Problem, Run, Runs, Study, Variant};

@@ -10,14 +10,14 @@ use super::case::Case;
 use super::outcome::Outcome;
 use super::pictured::{Kept, Pictured, chosen, planes};
 use super::record::Record;
-use super::variant::{Problem, Run, Runs, Study, Variant};
+use super::variant::{Effort, Problem, Run, Runs, Study, Variant};
 use crate::JudgeError;
 
 /// What is run, and how.
 #[derive(Clone, Debug)]
 pub struct Selection {
-    /// Only the quick runs.
-    pub quick: bool,
+    /// Which runs of each case.
+    pub set: Effort,
     /// Whether the cases are those that are to break: no picture is drawn of them.
     pub hard: bool,
     /// Only these cases; all if empty.
@@ -95,7 +95,7 @@ fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<(Case, Vec<Varian
     let named =
         |case: &Case| selection.names.is_empty() || selection.names.iter().any(|name| case.name == name);
     let split = |mut case: Case| {
-        let (chosen, left_out) = case.variants.drain(..).partition(|v| v.quick || !selection.quick);
+        let (chosen, left_out) = case.variants.drain(..).partition(|v| v.effort.belongs_to(selection.set));
         case.variants = chosen;
         (case, left_out)
     };
@@ -308,28 +308,34 @@ mod tests {
     }
 
     #[test]
-    fn cases_are_chosen_by_name_and_by_what_is_quick() {
-        let selection = |quick, names: &[&str]| Selection {
-            quick,
+    fn cases_are_chosen_by_name_and_by_what_they_cost() {
+        use Effort::{Full, Heavy, Quick};
+        let selection = |set, names: &[&str]| Selection {
+            set,
             hard: false,
             names: names.iter().map(ToString::to_string).collect(),
             jobs: 1,
         };
         let all = || {
-            let mut slow = case(|_| Ok(Vec::new()));
-            slow.name = "slow";
-            slow.variants[0].quick = false;
-            vec![case(|_| Ok(Vec::new())), slow]
+            [("made-up", Quick), ("slow", Full), ("dear", Heavy)]
+                .map(|(name, effort)| {
+                    let mut case = case(|_| Ok(Vec::new()));
+                    case.name = name;
+                    case.variants[0].effort = effort;
+                    case
+                })
+                .into()
         };
-        let chosen = |quick, names: &[&str]| {
-            choose(all(), &selection(quick, names))
+        let chosen = |set, names: &[&str]| {
+            choose(all(), &selection(set, names))
                 .map(|cases| cases.iter().map(|(case, _)| case.name).collect::<Vec<_>>())
         };
-        assert_eq!(chosen(false, &[]).unwrap(), ["made-up", "slow"]);
-        assert_eq!(chosen(true, &[]).unwrap(), ["made-up"]);
-        assert_eq!(chosen(false, &["slow"]).unwrap(), ["slow"]);
-        assert!(matches!(chosen(true, &["slow"]), Err(JudgeError::NothingToRun)));
-        let error = chosen(false, &["fast"]).unwrap_err().to_string();
+        assert_eq!(chosen(Full, &[]).unwrap(), ["made-up", "slow"]);
+        assert_eq!(chosen(Quick, &[]).unwrap(), ["made-up"]);
+        assert_eq!(chosen(Heavy, &[]).unwrap(), ["dear"]);
+        assert_eq!(chosen(Full, &["slow"]).unwrap(), ["slow"]);
+        assert!(matches!(chosen(Quick, &["slow"]), Err(JudgeError::NothingToRun)));
+        let error = chosen(Full, &["fast"]).unwrap_err().to_string();
         assert!(error.contains("made-up, slow"), "{error}");
     }
 }

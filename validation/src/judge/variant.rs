@@ -19,8 +19,8 @@ pub struct Variant {
     pub grid: String,
     /// What is run.
     pub source: Problem,
-    /// Whether the run belongs to the quick set.
-    pub quick: bool,
+    /// Which set of runs it belongs to.
+    pub effort: Effort,
     /// Whether every load level has to come to rest; false for methods known to flutter.
     pub settles: bool,
     /// Whether it runs by itself, when all others are done: its times are the result.
@@ -48,6 +48,25 @@ pub type Judged = Arc<dyn Fn(&Run, &Runs) -> Result<Vec<Metric>, JudgeError> + S
 pub const MET: f64 = 0.0;
 /// In a table of known misses: this run does not reach its end.
 pub const LOST: f64 = f64::NAN;
+
+/// How much a run costs, and so when it is made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Effort {
+    /// Seconds: judged with every commit.
+    Quick,
+    /// Minutes: judged in the full set.
+    #[default]
+    Full,
+    /// More than ten minutes: run by hand, its table kept in docs/.
+    Heavy,
+}
+
+impl Effort {
+    /// Whether a run of this effort is made where runs of the other are asked for: the full set holds the quick one.
+    pub fn belongs_to(self, set: Self) -> bool {
+        self == set || (self, set) == (Self::Quick, Self::Full)
+    }
+}
 
 /// How far off a run may be.
 #[derive(Clone, Debug)]
@@ -122,7 +141,7 @@ impl Variant {
             method: method.into(),
             grid,
             source,
-            quick: false,
+            effort: Effort::Full,
             settles,
             alone: false,
             usual: false,
@@ -177,7 +196,14 @@ impl Variant {
     /// The same on a condition.
     #[must_use]
     pub fn quick_if(mut self, quick: bool) -> Self {
-        self.quick = quick;
+        self.effort = if quick { Effort::Quick } else { Effort::Full };
+        self
+    }
+
+    /// Leaves the run to the heavy set, which is run by hand.
+    #[must_use]
+    pub fn heavy(mut self) -> Self {
+        self.effort = Effort::Heavy;
         self
     }
 

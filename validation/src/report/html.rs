@@ -4,7 +4,7 @@ use super::cost::cost_chart;
 use crate::JudgeError;
 use crate::figures::{Figure, escape};
 use crate::format::short;
-use crate::judge::{CaseResult, Metric, Pictured, Record, Run, Selection};
+use crate::judge::{CaseResult, Effort, Metric, Pictured, Record, Run, Selection};
 use crate::metric_names::REST;
 use crate::tables::{counts, overview, side_by_side, survival, unit, words};
 
@@ -48,11 +48,13 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
          none where a number is only shown. Wall times are \
          those of the machine that made the page: compare them with each other only, and run with one job (--jobs 1) where cost is the question. A step of one particle counts \
          as one particle-step (p·step).</p>",
-        match (selection.hard, selection.quick) {
-            (false, true) => "Quick",
-            (false, false) => "Full",
-            (true, true) => "Quick hard",
-            (true, false) => "Hard",
+        match (selection.hard, selection.set) {
+            (false, Effort::Quick) => "Quick",
+            (false, Effort::Full) => "Full",
+            (false, Effort::Heavy) => "Heavy",
+            (true, Effort::Quick) => "Quick hard",
+            (true, Effort::Full) => "Hard",
+            (true, Effort::Heavy) => "Heavy hard",
         },
         records.len(),
         selection.jobs

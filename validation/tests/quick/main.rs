@@ -6,7 +6,7 @@
 mod snapshots;
 mod tolerances;
 
-use validation::{CaseResult, Selection, cases, judge};
+use validation::{CaseResult, Effort, Selection, cases, judge};
 
 /// What is wrong with the results, one line or paragraph each.
 type Faults = Vec<String>;
@@ -16,7 +16,7 @@ type Check = fn(&[CaseResult]) -> Faults;
 #[test]
 fn the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed() {
     let jobs = std::thread::available_parallelism().map_or(1, usize::from);
-    let selection = Selection { quick: true, hard: false, names: Vec::new(), jobs };
+    let selection = Selection { set: Effort::Quick, hard: false, names: Vec::new(), jobs };
     let results = match judge(cases::usual(), &selection, &|_| {}) {
         Ok(results) => results,
         Err(error) => panic!("{error}"),

@@ -1,6 +1,6 @@
 //! The verdict on the quick set: every tolerance is kept, and every metric says why it has the tolerance or none.
 
-use validation::{CaseResult, Record, Selection, Verdict};
+use validation::{CaseResult, Effort, Record, Selection, Verdict};
 
 use crate::Faults;
 
@@ -59,7 +59,7 @@ pub fn without_reason(results: &[CaseResult]) -> Faults {
 /// Cases that the printed table or the HTML report do not show, and a report that is not whole or runs scripts.
 pub fn left_out(results: &[CaseResult]) -> Faults {
     let table = validation::tables::table(results);
-    let selection = Selection { quick: true, hard: false, names: Vec::new(), jobs: 1 };
+    let selection = Selection { set: Effort::Quick, hard: false, names: Vec::new(), jobs: 1 };
     let report = match validation::report::html(results, &selection) {
         Ok(report) => report,
         Err(error) => return vec![format!("there is no report: {error}")],
