@@ -69,6 +69,18 @@ pub trait Wetted: Dynamics {
 
     /// Puts a load on the points; it stays until the next.
     fn apply_load(&mut self, load: &BoundaryLoad<'_>);
+
+    /// Velocities of the points at present \[L/T\]: what a fluid is told of a structure that starts in motion. At rest unless
+    /// a structure says otherwise.
+    fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
+        out.clear();
+        out.resize(self.boundary_layout().points, [0.0; 3]);
+    }
+
+    /// Particles that [`Dynamics::within_bounds`] may name: those of what comes behind are counted on from here.
+    fn particles(&self) -> usize {
+        0
+    }
 }
 
 /// A fluid that boundaries drive.
@@ -86,4 +98,9 @@ pub trait BoundaryDriven: Dynamics {
 
     /// How far a boundary point may go in one step \[L\].
     fn greatest_advance(&self) -> f64;
+
+    /// Particles that [`Dynamics::within_bounds`] may name: those of structures are counted on from here.
+    fn particles(&self) -> usize {
+        0
+    }
 }

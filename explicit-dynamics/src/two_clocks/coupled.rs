@@ -1,0 +1,224 @@
+//! A structure at a clock of its own, between two instants of a fluid.
+
+use crate::error::MarchError;
+use crate::interface::{BoundaryLoad, BoundaryState, Wetted};
+use crate::record::Balance;
+use crate::stable_step::StableStep;
+use crate::step::{Instant, Step, Work};
+
+/// Part of a step by which steps may be longer than the stable one, so that none is wasted on rounding.
+const SLIVER: f64 = 1e-6;
+
+/// The clock of a structure.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct OwnClock {
+    /// Stable step \[T\].
+    pub stable: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// Steps after which the stable step is estimated anew.
+    pub next_estimate: u64,
+    /// The last step \[T\]; zero before the first.
+    pub last: f64,
+    /// Steps within the last one of the fluid.
+    pub count: u64,
+}
+
+/// A structure with its clock, what the fluid is told of it, and its books.
+pub(super) struct Coupled<S: ?Sized> {
+    pub clock: OwnClock,
+    /// Mean velocities of its points over the last step of the fluid \[L/T\].
+    pub velocities: Vec<[f64; 3]>,
+    /// Velocities with which the fluid saw them when it found the forces \[L/T\].
+    pub seen: Vec<[f64; 3]>,
+    /// Forces of the fluid at the start of its last step \[F; F/L in a plane problem\].
+    pub former: Vec<[f64; 3]>,
+    /// Work done since the last kick was booked \[F L\].
+    pub pending: Work,
+    pub energy: Balance,
+    from: BoundaryState,
+    to: BoundaryState,
+    load: Vec<[f64; 3]>,
+    pub body: Box<S>,
+}
+
+impl OwnClock {
+    /// Steps of a structure within one of the fluid.
+    pub fn count(&self, step: &Step) -> u64 {
+        (step.drift() / self.stable - SLIVER).ceil().max(1.0) as u64
+    }
+
+    /// Step number `number` of `count`, which share a step of the fluid; the last one ends where that ends.
+    fn step(&self, whole: &Step, number: u64, count: u64) -> Step {
+        let at = |number: u64| {
+            if number == 0 {
+                return whole.from;
+            }
+            if number == count {
+                return whole.to;
+            }
+            let part = number as f64 / count as f64;
+            let between = |a: f64, b: f64| a + part * (b - a);
+            Instant {
+                time: between(whole.from.time, whole.to.time),
+                level: between(whole.from.level, whole.to.level),
+            }
+        };
+        let step = Step { from: at(number), to: at(number + 1), kick: 0.0, damping: whole.damping };
+        Step { kick: 0.5 * (self.last + step.drift()), ..step }
+    }
+}
+
+impl<S: Wetted + ?Sized> Coupled<S> {
+    pub fn new(body: Box<S>) -> Self {
+        let mut velocities = Vec::new();
+        body.boundary_velocities(&mut velocities);
+        let mut to = BoundaryState::default();
+        body.boundary(&mut to);
+        Self {
+            clock: OwnClock::default(),
+            seen: velocities.clone(),
+            former: vec![[0.0; 3]; velocities.len()],
+            load: vec![[0.0; 3]; velocities.len()],
+            velocities,
+            pending: Work::default(),
+            energy: Balance::default(),
+            from: BoundaryState::default(),
+            to,
+            body,
+        }
+    }
+
+    /// Where its boundary starts, and with which velocities.
+    pub fn start(&self) -> (&BoundaryState, &[[f64; 3]]) {
+        (&self.to, &self.velocities)
+    }
+
+    /// Finds the stable step where it has lapsed.
+    ///
+    /// # Errors
+    /// [`MarchError::NoStableStep`].
+    pub fn estimate(&mut self, safety: f64) -> Result<(), MarchError> {
+        if self.clock.steps >= self.clock.next_estimate {
+            let StableStep { dt, holds } = self.body.stable_step(safety)?;
+            self.clock.stable = dt;
+            self.clock.next_estimate = self.clock.steps.saturating_add(holds);
+        }
+        Ok(())
+    }
+
+    /// Puts the forces of the fluid on the points, `centred` if they shall be those of the mean instant at which its
+    /// steps take them: as many steps as in the last step of the fluid would take a frozen load ½(1 − 1/M) of it too
+    /// late.
+    pub fn load(&mut self, forces: &[[f64; 3]], impedance: f64, centred: bool) {
+        let ahead = if centred && self.clock.steps > 0 { 0.5 - 0.5 / self.clock.count as f64 } else { 0.0 };
+        for (load, (new, old)) in self.load.iter_mut().zip(forces.iter().zip(&self.former)) {
+            *load = std::array::from_fn(|k| new[k] + ahead * (new[k] - old[k]));
+        }
+        self.body.apply_load(&BoundaryLoad { forces: &self.load, seen: &self.seen, impedance });
+    }
+
+    /// Keeps the forces under which a step is taken, for the next load.
+    pub fn keep(&mut self, forces: &[[f64; 3]]) {
+        self.former.copy_from_slice(forces);
+    }
+
+    /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick
+    /// of no span shows the energies and leaves the books alone.
+    pub fn kick(&mut self, whole: &Step) -> Work {
+        let step = self.clock.step(whole, 0, self.clock.count(whole));
+        let shown = whole.kick == 0.0;
+        let work = self.body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..step });
+        self.energy.kinetic = work.kinetic;
+        if shown {
+            return work;
+        }
+        self.book(work);
+        self.settle(work.kinetic)
+    }
+
+    /// The rest of its steps within one of the fluid, behind the kick of the first; returns how many there are in all.
+    pub fn drift(&mut self, whole: &Step) -> u64 {
+        self.body.boundary(&mut self.from);
+        let count = self.clock.count(whole);
+        let first = self.clock.step(whole, 0, count);
+        self.body.drift(&first);
+        self.done(&first);
+        self.advance_from(1, whole, count)
+    }
+
+    /// All of its steps within one of the fluid; returns the kinetic energy at the start, and how many there were.
+    pub fn advance(&mut self, whole: &Step) -> (f64, u64) {
+        self.body.boundary(&mut self.from);
+        let count = self.clock.count(whole);
+        let first = self.clock.step(whole, 0, count);
+        let work = self.body.advance(&first);
+        self.energy.kinetic = work.kinetic;
+        self.book(work);
+        self.done(&first);
+        (work.kinetic, self.advance_from(1, whole, count))
+    }
+
+    fn advance_from(&mut self, number: u64, whole: &Step, count: u64) -> u64 {
+        for number in number..count {
+            let step = self.clock.step(whole, number, count);
+            let work = self.body.advance(&step);
+            self.book(work);
+            self.done(&step);
+        }
+        self.clock.count = count;
+        self.body.boundary(&mut self.to);
+        let rate = 1.0 / whole.drift();
+        let places = self.from.points.iter().zip(&self.to.points);
+        for (velocity, (from, to)) in self.velocities.iter_mut().zip(places) {
+            *velocity = std::array::from_fn(|k| rate * (to[k] - from[k]));
+        }
+        count
+    }
+
+    /// What was done since the books were last settled, with the kinetic energy of an instant.
+    pub fn settle(&mut self, kinetic: f64) -> Work {
+        Work { kinetic, ..std::mem::take(&mut self.pending) }
+    }
+
+    /// Where its boundary stands after a step, and the mean velocities over it, with which the fluid sees it from now
+    /// on.
+    pub fn arrived(&mut self) -> (&BoundaryState, &[[f64; 3]]) {
+        self.seen.copy_from_slice(&self.velocities);
+        (&self.to, &self.seen)
+    }
+
+    /// Where its points would be after `dt` with the velocities of the step before, with which the fluid sees it from
+    /// now on.
+    pub fn expected(&mut self, dt: f64) -> (&BoundaryState, &[[f64; 3]]) {
+        self.seen.copy_from_slice(&self.velocities);
+        self.body.boundary(&mut self.to);
+        for (point, velocity) in self.to.points.iter_mut().zip(&self.seen) {
+            (0..3).for_each(|k| point[k] += dt * velocity[k]);
+        }
+        (&self.to, &self.seen)
+    }
+
+    /// The point that moved fastest over the last step, and its speed \[L/T\]; not a number counts as fastest.
+    pub fn fastest(&self) -> (usize, f64) {
+        let square = |v: &[f64; 3]| {
+            let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+            if square.is_nan() { f64::INFINITY } else { square }
+        };
+        let greater = |best: (usize, f64), next: (usize, f64)| if next.1 > best.1 { next } else { best };
+        let (point, square) = self.velocities.iter().map(square).enumerate().fold((0, 0.0), greater);
+        (point, square.sqrt())
+    }
+
+    fn book(&mut self, work: Work) {
+        self.pending.external += work.external;
+        self.pending.dissipated += work.dissipated;
+        self.energy.external += work.external;
+        self.energy.dissipated += work.dissipated;
+    }
+
+    fn done(&mut self, step: &Step) {
+        self.clock.last = step.drift();
+        self.clock.steps += 1;
+    }
+}

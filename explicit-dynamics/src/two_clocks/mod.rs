@@ -1,0 +1,99 @@
+//! A fluid and the structures in it, each at a clock of its own.
+
+mod coupled;
+mod march;
+mod state;
+
+use crate::interface::{BoundaryDriven, Wetted};
+use crate::record::Balance;
+use coupled::Coupled;
+
+/// A fluid and the structures in it, marched as one system: a step of the fluid is one or more steps of each structure.
+///
+/// Numbers of particles run through the fluid, then through the structures in their order.
+pub struct TwoClocks<F, S: ?Sized> {
+    fluid: F,
+    structures: Vec<Coupled<S>>,
+    /// Who moves first in a step.
+    pub order: Order,
+    /// Whether the load on a structure changes while its wet faces move within a step, by the pressure of a plane wave.
+    pub impedance: bool,
+    /// Whether a structure of several steps takes the load of their mean instant, which follows from the last two
+    /// loads. One that stays as it was at the start lags by half a step of the fluid, and lets the energy grow.
+    pub centred: bool,
+    counts: Counts,
+}
+
+/// Who moves first in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// The structures, under the loads of the start of the step; the fluid then has the velocities of this very step.
+    #[default]
+    StructureFirst,
+    /// The fluid, with the velocities that structures had in the step before, as published couplings have it. The
+    /// pressure then answers a motion too late, and pumps energy into structures whose periods are a few steps of the
+    /// fluid.
+    FluidFirst,
+}
+
+/// What the clocks did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Steps of all structures.
+    pub substeps: u64,
+    /// Most steps of a structure within one of the fluid.
+    pub most: u64,
+    /// Steps that were shortened because a boundary moved fast.
+    pub shortened: u64,
+}
+
+impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
+    /// Puts structures into a fluid that was built with their boundaries, in the same order.
+    pub fn new(mut fluid: F, structures: Vec<Box<S>>) -> Self {
+        let structures: Vec<_> = structures.into_iter().map(Coupled::new).collect();
+        for (number, structure) in structures.iter().enumerate() {
+            let (place, velocities) = structure.start();
+            fluid.set_boundary(number, place, velocities);
+        }
+        Self {
+            fluid,
+            structures,
+            order: Order::default(),
+            impedance: true,
+            centred: true,
+            counts: Counts::default(),
+        }
+    }
+
+    /// The fluid.
+    pub fn fluid(&self) -> &F {
+        &self.fluid
+    }
+
+    /// The fluid, to be changed.
+    pub fn fluid_mut(&mut self) -> &mut F {
+        &mut self.fluid
+    }
+
+    /// The structures, in their order.
+    pub fn structures(&self) -> impl ExactSizeIterator<Item = &S> {
+        self.structures.iter().map(|structure| &*structure.body)
+    }
+
+    /// The structures, to be changed.
+    pub fn structures_mut(&mut self) -> impl ExactSizeIterator<Item = &mut S> {
+        self.structures.iter_mut().map(|structure| &mut *structure.body)
+    }
+
+    /// Energies of a structure \[F L\]: kinetic and stored where they were last shown, by a kick and by an
+    /// evaluation; work of its loads, the fluid's among them, and what its damping took, up to the last kick. None
+    /// for a structure there is not.
+    pub fn energy(&self, structure: usize) -> Option<Balance> {
+        self.structures.get(structure).map(|structure| structure.energy)
+    }
+
+    /// What the clocks did so far.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+}
