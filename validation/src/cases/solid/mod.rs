@@ -11,6 +11,7 @@ mod mode_one;
 mod moduli;
 mod plate_post_buckling;
 mod plate_stability;
+mod strip;
 mod torsion;
 mod wave;
 
@@ -20,6 +21,7 @@ use crate::Case;
 pub fn all() -> Vec<Case> {
     vec![
         moduli::case(),
+        strip::case(),
         bar::case(),
         hole::case(),
         double_cantilever::case(),
