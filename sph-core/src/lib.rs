@@ -147,6 +147,8 @@ mod sampling;
 mod surface;
 
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
+pub use block::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
+pub use block::{surface_first_row, surface_rows};
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
