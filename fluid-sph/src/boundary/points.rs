@@ -1,0 +1,239 @@
+//! Walls and structures as one set of particles.
+
+use std::ops::Range;
+
+use explicit_dynamics::BoundaryState;
+use sph_core::Vec3;
+
+use crate::boundary::check::check;
+use crate::boundary::sides::Thin;
+use crate::cells::{Grid, NOWHERE};
+use crate::error::FluidError;
+use crate::parts::{Motion, Parts, Structure, Wall};
+use crate::sorted::{Row, Sorted};
+use crate::walls::extrapolated::Seen;
+use crate::walls::motion::place;
+
+/// A wall: its particles, and where they are when its motion is zero.
+#[derive(Clone, Debug)]
+struct WallPart {
+    range: Range<usize>,
+    rest: Vec<Vec3>,
+    motion: Option<Motion>,
+}
+
+/// A structure: its points, and its sides if it is thin.
+#[derive(Clone, Debug)]
+struct StructurePart {
+    range: Range<usize>,
+    thin: Option<usize>,
+}
+
+/// All of them, walls first.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Boundary {
+    /// Places at the end of the step \[L\].
+    pub points: Vec<Vec3>,
+    /// Mean velocities over the last step \[L/T\].
+    pub velocities: Vec<Vec3>,
+    /// Densities, where each has its own \[M/L³\].
+    pub densities: Vec<f64>,
+    /// Forces of the fluid \[F; F/L in a plane\].
+    pub forces: Vec<[f64; 3]>,
+    /// As the sweeps read them.
+    pub sorted: Sorted,
+    /// By slot: means of the fluid beside, forces, rates of density.
+    pub seen: Vec<Seen>,
+    pub felt: Vec<[f64; 3]>,
+    pub rates: Vec<[f64; 2]>,
+    /// Structures with two sides.
+    pub thin: Vec<Thin>,
+    /// Greatest way of a point over the last step \[L\].
+    pub advance: f64,
+    /// Densities kept.
+    kept: Vec<f64>,
+    /// By point: bit of its face.
+    faces: Vec<u32>,
+    walls: Vec<WallPart>,
+    structures: Vec<StructurePart>,
+}
+
+impl Boundary {
+    /// The walls and structures of a fluid, where they are at time zero.
+    pub fn new(parts: &Parts, reach: f64) -> Result<Self, FluidError> {
+        let mut all = Self::default();
+        for (number, Wall { points, motion }) in parts.walls.iter().enumerate() {
+            if let Some(index) = points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+                return Err(FluidError::NotFinite { what: "particle of a wall", index });
+            }
+            let axis =
+                motion.as_ref().and_then(|motion| motion.rotation.as_ref()).map(|turn| turn.axis.norm());
+            if axis.is_some_and(|length| !(length > 0.0 && length.is_finite())) {
+                return Err(FluidError::Axis(number));
+            }
+            let first = all.points.len();
+            let rest: Vec<Vec3> = if motion.is_some() { points.clone() } else { Vec::new() };
+            all.points
+                .extend(points.iter().map(|p| motion.as_ref().map_or(*p, |motion| place(motion, p, 0.0))));
+            all.walls.push(WallPart { range: first..all.points.len(), rest, motion: motion.clone() });
+        }
+        all.faces.resize(all.points.len(), 0);
+        for (number, Structure { layout, state }) in parts.structures.iter().enumerate() {
+            check(number, layout, state)?;
+            let first = all.points.len();
+            all.points.extend(state.points.iter().map(|p| Vec3::from(*p)));
+            let thin = layout.thin.as_ref().map(|layout| {
+                all.thin.push(Thin::new(all.thin.len(), parts.dimensions, layout, state, reach));
+                all.thin.len() - 1
+            });
+            if all.thin.len() > 16 {
+                return Err(FluidError::ThinStructures(all.thin.len()));
+            }
+            match (thin, &layout.thin) {
+                (Some(number), Some(layout)) => {
+                    let bits = layout.faces.iter().map(|&face| all.thin[number].bit(face));
+                    all.faces.extend(bits);
+                }
+                _ => all.faces.resize(all.points.len(), 0),
+            }
+            all.structures.push(StructurePart { range: first..all.points.len(), thin });
+        }
+        if all.thin.is_empty() {
+            all.faces.clear();
+        }
+        let count = all.points.len();
+        if parts.dimensions == 2 {
+            all.points.iter_mut().for_each(|point| point.z = 0.0);
+        }
+        all.velocities = vec![Vec3::zeros(); count];
+        all.densities = vec![parts.liquid.density; count];
+        all.forces = vec![[0.0; 3]; count];
+        Ok(all)
+    }
+
+    /// The particles of a wall.
+    pub fn wall(&self, number: usize) -> Range<usize> {
+        self.walls[number].range.clone()
+    }
+
+    /// The points of a structure.
+    pub fn structure(&self, number: usize) -> Range<usize> {
+        self.structures[number].range.clone()
+    }
+
+    /// Number of walls.
+    pub fn walls(&self) -> usize {
+        self.walls.len()
+    }
+
+    /// What a particle is called.
+    pub fn name(&self, particle: usize) -> String {
+        let of = |kind: &str, number: usize, first: usize| {
+            format!("particle {} of {kind} {number}", particle - first)
+        };
+        let wall = self.walls.iter().position(|wall| wall.range.contains(&particle));
+        let structure = self.structures.iter().position(|structure| structure.range.contains(&particle));
+        match (wall, structure) {
+            (Some(k), _) => of("wall", k, self.walls[k].range.start),
+            (_, Some(k)) => of("structure", k, self.structures[k].range.start),
+            _ => format!("boundary particle {particle}"),
+        }
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let rest: usize = self.walls.iter().map(|wall| wall.rest.len()).sum();
+        let slots = size_of::<Seen>() * self.seen.len() + 24 * self.felt.len() + 16 * self.rates.len();
+        80 * self.points.len() + 4 * self.faces.len() + 24 * rest + slots + self.sorted.bytes()
+    }
+
+    /// Puts walls where they are at a time, and finds their velocities by the way they went in so long a time \[T\].
+    pub fn move_walls(&mut self, time: f64, dt: f64) {
+        for WallPart { range, rest, motion } in &self.walls {
+            let Some(motion) = motion else { continue };
+            for (point, rest) in range.clone().zip(rest) {
+                let end = place(motion, rest, time);
+                let way = end - self.points[point];
+                self.advance = self.advance.max(way.norm());
+                self.velocities[point] = way / dt;
+                self.points[point] = end;
+            }
+        }
+    }
+
+    /// Puts a structure where it is.
+    pub fn set_structure(
+        &mut self,
+        number: usize,
+        dimensions: usize,
+        end: &BoundaryState,
+        velocities: &[[f64; 3]],
+    ) {
+        let StructurePart { range, thin } = &self.structures[number];
+        for ((point, place), velocity) in range.clone().zip(&end.points).zip(velocities) {
+            let (mut place, mut velocity) = (Vec3::from(*place), Vec3::from(*velocity));
+            if dimensions == 2 {
+                (place.z, velocity.z) = (0.0, 0.0);
+            }
+            self.advance = self.advance.max((place - self.points[point]).norm());
+            self.points[point] = place;
+            self.velocities[point] = velocity;
+        }
+        if let Some(thin) = thin {
+            self.thin[*thin].place(end);
+        }
+    }
+
+    /// Sorts them into the cells of the fluid, where they were so long a time before the end of the step \[T\].
+    pub fn sort(&mut self, grid: &Grid, before: f64) {
+        let (points, velocities) = (&self.points, &self.velocities);
+        self.sorted.sort(1, grid, points.len(), |i| (points[i] - velocities[i] * before).into());
+        let Sorted { order, faces, .. } = &mut self.sorted;
+        faces.clear();
+        if !self.faces.is_empty() {
+            faces.extend(order.iter().map(|&i| self.faces[i as usize]));
+        }
+        let count = self.sorted.len();
+        self.seen.resize(count, Seen::default());
+        self.felt.resize(count, [0.0; 3]);
+        self.rates.resize(count, [0.0; 2]);
+    }
+
+    /// Fills what the sweeps read of them, where they were so long a time before the end of the step \[T\].
+    pub fn fill(&mut self, dimensions: usize, far: Row, before: f64) {
+        let (points, velocities) = (&self.points, &self.velocities);
+        self.sorted.fill(1, dimensions, far, |i| {
+            let (at, v) = (points[i] - velocities[i] * before, velocities[i]);
+            Row { place: [at.x, at.y, at.z, 0.0], motion: [v.x, v.y, v.z, 0.0] }
+        });
+    }
+
+    /// Hands forces found by slot back to the points.
+    pub fn keep_forces(&mut self, mass: f64) {
+        for (force, &slot) in self.forces.iter_mut().zip(&self.sorted.slots) {
+            let felt = if slot == NOWHERE { [0.0; 3] } else { self.felt[slot as usize] };
+            *force = felt.map(|a| mass * a);
+        }
+    }
+
+    /// Keeps the densities for [`Boundary::recall_densities`].
+    pub fn remember_densities(&mut self) {
+        self.kept.clone_from(&self.densities);
+    }
+
+    /// Puts the densities back that were kept.
+    pub fn recall_densities(&mut self) {
+        self.densities.clone_from(&self.kept);
+    }
+
+    /// Power of all points on the fluid \[F L/T\]: minus that of the fluid on them.
+    pub fn power(&self) -> f64 {
+        let power = |(force, velocity): (&[f64; 3], &Vec3)| -Vec3::from(*force).dot(velocity);
+        self.forces.iter().zip(&self.velocities).map(power).sum()
+    }
+
+    /// The greatest speed of a point \[L/T\].
+    pub fn speed(&self) -> f64 {
+        self.velocities.iter().map(|v| v.norm_squared()).fold(0.0, f64::max).sqrt()
+    }
+}

@@ -1,0 +1,169 @@
+//! Cells as wide as the reach of the kernel: every neighbour of a particle lies in its own cell or in one beside it.
+
+use sph_core::Vec3;
+
+/// Neighbouring cells in ranges of three: three rows in a plane, nine in space.
+pub(crate) const ROWS: usize = 9;
+/// Number of a cell that none has.
+pub(crate) const NOWHERE: u32 = u32::MAX;
+/// Cells for each particle beyond which the box is cut off, and what comes beside.
+const CELLS_A_PARTICLE: usize = 8;
+const CELLS_BESIDE: usize = 4096;
+
+/// A box of cells, those along the first axis next to each other.
+#[derive(Clone, Debug)]
+pub(crate) struct Grid {
+    origin: [f64; 3],
+    inverse: f64,
+    counts: [usize; 3],
+    /// Whether particles lie beyond the box: they count for the outermost cells then.
+    cut_off: bool,
+}
+
+/// Ranges of sorted particles, of which the first `count` hold some.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Ranges {
+    ranges: [(u32, u32); ROWS],
+    count: usize,
+}
+
+impl Ranges {
+    /// Those that hold particles.
+    pub fn filled(&self) -> &[(u32, u32)] {
+        &self.ranges[..self.count]
+    }
+}
+
+impl Grid {
+    /// The box around particles and one cell more on every side, of cells so wide \[L\].
+    ///
+    /// A few particles far away, or at no place at all, must not make it huge: beyond a number of cells it is cut off about its middle. To count
+    /// for the outermost cells keeps neighbours in cells beside each other.
+    pub fn around(dimensions: usize, positions: impl ExactSizeIterator<Item = Vec3>, width: f64) -> Self {
+        let count = positions.len();
+        let inverse = 1.0 / width;
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut cut_off = false;
+        for position in positions {
+            if !position.iter().all(|x| x.is_finite()) {
+                cut_off = true;
+                continue;
+            }
+            for k in 0..3 {
+                low[k] = low[k].min(position[k]);
+                high[k] = high[k].max(position[k]);
+            }
+        }
+        let mut first = [0.0; 3];
+        let mut counts = [1.0; 3];
+        for k in 0..dimensions {
+            let (from, to) = ((low[k] * inverse).floor() - 1.0, (high[k] * inverse).floor() + 1.0);
+            if from.is_finite() && to.is_finite() {
+                (first[k], counts[k]) = (from, to - from + 1.0);
+            }
+        }
+        let most = (count * CELLS_A_PARTICLE + CELLS_BESIDE) as f64;
+        while counts.iter().product::<f64>() > most {
+            let widest = (0..3).fold(0, |best, k| if counts[k] > counts[best] { k } else { best });
+            first[widest] += (0.25 * counts[widest]).floor();
+            counts[widest] = (0.5 * counts[widest]).ceil();
+            cut_off = true;
+        }
+        Self {
+            origin: first.map(|x| x * width),
+            inverse,
+            counts: counts.map(|count| count as usize),
+            cut_off,
+        }
+    }
+
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.counts.iter().product()
+    }
+
+    /// The cell of a place; [`NOWHERE`] beyond the box.
+    #[inline(always)]
+    pub fn cell(&self, at: &[f64; 3]) -> u32 {
+        let mut cell = 0;
+        for k in (0..3).rev() {
+            let count = self.counts[k];
+            let place = (at[k] - self.origin[k]) * self.inverse;
+            let place = if count == 1 {
+                0
+            } else if place >= 0.0 && place < count as f64 {
+                place as usize
+            } else if !self.cut_off {
+                return NOWHERE;
+            } else if place > 0.0 {
+                count - 1
+            } else {
+                0
+            };
+            cell = cell * count + place;
+        }
+        cell as u32
+    }
+
+    /// The sorted particles in a cell and beside it, when those of cell c are `starts[c]..starts[c + 1]`.
+    pub fn beside(&self, cell: u32, starts: &[u32]) -> Ranges {
+        let [nx, ny, nz] = self.counts;
+        let cell = cell as usize;
+        let (i, j, k) = (cell % nx, cell / nx % ny, cell / nx / ny);
+        let mut found = Ranges::default();
+        let (from, to) = (i.saturating_sub(1), (i + 1).min(nx - 1));
+        for k in k.saturating_sub(1)..=(k + 1).min(nz - 1) {
+            for j in j.saturating_sub(1)..=(j + 1).min(ny - 1) {
+                let row = (k * ny + j) * nx;
+                let range = (starts[row + from], starts[row + to + 1]);
+                if range.0 < range.1 {
+                    found.ranges[found.count] = range;
+                    found.count += 1;
+                }
+            }
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn starts(grid: &Grid, cells: &[u32]) -> Vec<u32> {
+        let count = |cell: usize| cells.iter().filter(|&&c| (c as usize) < cell).count() as u32;
+        (0..=grid.len()).map(count).collect()
+    }
+
+    /// All pairs within a width are found in cells beside each other, also where far particles cut the box off.
+    #[test]
+    fn no_neighbour_is_missed() {
+        for dimensions in [2, 3] {
+            for far in [1.0, 1e3, 1e9] {
+                let place = |i: usize| {
+                    let mut state =
+                        (i as f64 * 0.754_877_666, i as f64 * 0.569_840_290, i as f64 * 0.438_579);
+                    if dimensions == 2 {
+                        state.2 = 0.0;
+                    }
+                    let p = Vec3::new(state.0.fract(), state.1.fract(), state.2.fract()) * 4.0;
+                    if i % 40 == 0 { p.map(|x| if x == 0.0 { 0.0 } else { x + far }) } else { p }
+                };
+                let points: Vec<Vec3> = (0..400).map(place).collect();
+                let grid = Grid::around(dimensions, points.iter().copied(), 0.5);
+                let mut order: Vec<usize> = (0..points.len()).collect();
+                let cells: Vec<u32> = points.iter().map(|p| grid.cell(&(*p).into())).collect();
+                order.sort_by_key(|&i| cells[i]);
+                let starts = starts(&grid, &cells);
+                for a in 0..points.len() {
+                    let ranges = grid.beside(cells[a], &starts);
+                    for (b, point) in points.iter().enumerate() {
+                        let slot = order.iter().position(|&i| i == b).unwrap() as u32;
+                        let seen = ranges.filled().iter().any(|&(from, to)| from <= slot && slot < to);
+                        assert!(seen || (point - points[a]).norm() > 0.5, "{a} {b}");
+                    }
+                }
+            }
+        }
+    }
+}

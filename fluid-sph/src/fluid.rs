@@ -1,0 +1,292 @@
+//! A fluid under way.
+
+use explicit_dynamics::{BoundaryDriven, BoundaryState};
+use sph_core::Vec3;
+
+use crate::books::Books;
+use crate::boundary::points::Boundary;
+use crate::cells::Grid;
+use crate::continuity::Continuity;
+use crate::diffusion::Diffusion;
+
+use crate::error::FluidError;
+use crate::formulation::Formulation;
+use crate::kernel::Wendland;
+use crate::liquid::Liquid;
+use crate::momentum::{Felt, Momentum};
+use crate::parts::{Parts, Start};
+use crate::sorted::{Row, Sorted};
+use crate::start;
+use crate::viscosity::Viscosity;
+
+/// Width of a cell over the reach of the kernel: particles may go so far before they are sorted anew.
+pub(crate) const CELL: f64 = 1.02;
+
+/// Where the particles are, how fast, how dense; by particle.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct State {
+    pub positions: Vec<Vec3>,
+    pub velocities: Vec<Vec3>,
+    pub densities: Vec<f64>,
+}
+
+/// Bounds of a stable step, before the part of them that is taken \[T\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepBounds {
+    /// `√(h/|a|)` of the greatest acceleration.
+    pub force: f64,
+    /// `h/(c + |h v·r/(r² + η²)|)` of the fastest signal.
+    pub sound: f64,
+    /// `h²/(8ν)` of laminar friction.
+    pub friction: f64,
+    /// `h/(4|v|)` of the fastest point of a boundary; not divided further.
+    pub boundary: f64,
+}
+
+/// Sums over the particles of a chunk.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sums {
+    pub velocity: Vec3,
+    pub square: f64,
+    pub fastest: f64,
+    pub loss: f64,
+    pub error: f64,
+}
+
+/// A weakly compressible fluid.
+#[derive(Clone, Debug)]
+pub struct Fluid {
+    pub(crate) dimensions: usize,
+    pub(crate) spacing: f64,
+    pub(crate) mass: f64,
+    pub(crate) liquid: Liquid,
+    pub(crate) formulation: Formulation,
+    pub(crate) gravity: Vec3,
+    pub(crate) domain: Option<[Vec3; 2]>,
+    pub(crate) threads: usize,
+    pub(crate) momentum: Momentum,
+    pub(crate) continuity: Continuity,
+    pub(crate) rest: Vec<Vec3>,
+    pub(crate) present: State,
+    /// Half a step ahead, of a predictor and corrector.
+    pub(crate) half: State,
+    pub(crate) boundary: Boundary,
+    pub(crate) grid: Grid,
+    pub(crate) sorted: Sorted,
+    /// By slot: accelerations, rates of density, what XSPH adds to velocities.
+    pub(crate) accelerations: Vec<[f64; 3]>,
+    pub(crate) rates: Vec<[f64; 2]>,
+    pub(crate) drags: Vec<[f64; 3]>,
+    /// By particle, with XSPH: velocities of their places.
+    pub(crate) moves: Vec<Vec3>,
+    /// By chunk.
+    pub(crate) felts: Vec<Felt>,
+    pub(crate) sums: Vec<Sums>,
+    pub(crate) felt: Felt,
+    /// Whether forces belong to the present state.
+    pub(crate) fresh: bool,
+    /// Greatest speed at the last kick \[L/T\].
+    pub(crate) fastest: f64,
+    pub(crate) bounds: StepBounds,
+    pub(crate) books: Books,
+}
+
+impl Fluid {
+    /// Builds a fluid at rest or in motion.
+    ///
+    /// # Errors
+    /// [`FluidError`] for numbers out of bounds, lists of wrong lengths, and particles less than half a spacing apart.
+    pub fn new(parts: Parts) -> Result<Self, FluidError> {
+        start::check(&parts)?;
+        let Parts { dimensions, spacing, liquid, formulation, domain, threads, .. } = parts;
+        let plane = |v: &Vec3| if dimensions == 2 { Vec3::new(v.x, v.y, 0.0) } else { *v };
+        let gravity = plane(&parts.gravity);
+        let mass = liquid.density * spacing.powi(dimensions as i32);
+        let kernel = Wendland::new(dimensions, formulation.smoothing * spacing);
+        let boundary = Boundary::new(&parts, 3.0 * kernel.h)?;
+        let count = parts.positions.len();
+        let positions: Vec<Vec3> = parts.positions.iter().map(plane).collect();
+        let velocities: Vec<Vec3> = if parts.velocities.is_empty() {
+            vec![Vec3::zeros(); count]
+        } else {
+            parts.velocities.iter().map(plane).collect()
+        };
+        let densities = match parts.start {
+            Start::Hydrostatic => start::hydrostatic(dimensions, spacing, &positions, &gravity, &liquid),
+            Start::Uniform => vec![liquid.density; count],
+        };
+        let sound = liquid.sound_speed / (liquid.density * liquid.density * liquid.density);
+        let viscosity = Viscosity::new(&formulation, &liquid, &kernel);
+        let momentum = Momentum { kernel, mass, viscosity, sound };
+        let diffusion = Diffusion::new(&formulation, &liquid, &kernel, &gravity);
+        let continuity = Continuity { kernel, mass, diffusion };
+        let mut fluid = Self {
+            dimensions,
+            spacing,
+            mass,
+            liquid,
+            formulation,
+            gravity,
+            domain,
+            threads: threads.max(1),
+            momentum,
+            continuity,
+            rest: positions.clone(),
+            present: State { positions, velocities, densities },
+            half: State::default(),
+            boundary,
+            grid: Grid::around(dimensions, std::iter::empty(), 1.0),
+            sorted: Sorted::default(),
+            accelerations: vec![[0.0; 3]; count],
+            rates: vec![[0.0; 2]; count],
+            drags: Vec::new(),
+            moves: Vec::new(),
+            felts: Vec::new(),
+            sums: Vec::new(),
+            felt: Felt::default(),
+            fresh: false,
+            fastest: 0.0,
+            bounds: StepBounds::default(),
+            books: Books::default(),
+        };
+        let state = std::mem::take(&mut fluid.present);
+        fluid.sort(&state, 0.0, 0.0);
+        fluid.present = state;
+        fluid.check_overlap()?;
+        Ok(fluid)
+    }
+
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// Whether there is none; never of a fluid that was built.
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// Two or three.
+    pub fn dimensions(&self) -> usize {
+        self.dimensions
+    }
+
+    /// Distance of neighbouring particles at the start \[L\].
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Smoothing length h \[L\].
+    pub fn smoothing_length(&self) -> f64 {
+        self.momentum.kernel.h
+    }
+
+    /// Mass of a particle \[M; M/L in a plane\].
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// The liquid.
+    pub fn liquid(&self) -> &Liquid {
+        &self.liquid
+    }
+
+    /// The method.
+    pub fn formulation(&self) -> &Formulation {
+        &self.formulation
+    }
+
+    /// Places at the start \[L\].
+    pub fn rest(&self) -> &[Vec3] {
+        &self.rest
+    }
+
+    /// Present places \[L\].
+    pub fn positions(&self) -> &[Vec3] {
+        &self.present.positions
+    }
+
+    /// Velocities \[L/T\]: of kick, drift and kick half a step before the places.
+    pub fn velocities(&self) -> &[Vec3] {
+        &self.present.velocities
+    }
+
+    /// Densities \[M/L³\].
+    pub fn densities(&self) -> &[f64] {
+        &self.present.densities
+    }
+
+    /// Pressures \[F/L²\].
+    pub fn pressures(&self) -> Vec<f64> {
+        self.present.densities.iter().map(|&density| self.liquid.pressure(density)).collect()
+    }
+
+    /// The bounds from which the last step was taken.
+    pub fn step_bounds(&self) -> StepBounds {
+        self.bounds
+    }
+
+    /// Number of walls.
+    pub fn walls(&self) -> usize {
+        self.boundary.walls()
+    }
+
+    /// Places of the particles of a wall \[L\].
+    pub fn wall_positions(&self, wall: usize) -> &[Vec3] {
+        &self.boundary.points[self.boundary.wall(wall)]
+    }
+
+    /// Force of the fluid on a wall \[F; F/L in a plane\], of the last evaluation.
+    pub fn wall_force(&self, wall: usize) -> Vec3 {
+        self.boundary.forces[self.boundary.wall(wall)].iter().map(|force| Vec3::from(*force)).sum()
+    }
+
+    /// Moment of the fluid on a wall about a point \[F L; F in a plane\], of the last evaluation.
+    pub fn wall_moment(&self, wall: usize, about: Vec3) -> Vec3 {
+        let range = self.boundary.wall(wall);
+        let pairs = self.boundary.points[range.clone()].iter().zip(&self.boundary.forces[range]);
+        pairs.map(|(point, force)| (point - about).cross(&Vec3::from(*force))).sum()
+    }
+
+    /// Force of the fluid on a structure \[F; F/L in a plane\], of the last evaluation.
+    pub fn structure_force(&self, structure: usize) -> Vec3 {
+        let range = self.boundary.structure(structure);
+        self.boundary.forces[range].iter().map(|force| Vec3::from(*force)).sum()
+    }
+
+    /// Bytes held for each particle, boundaries included.
+    pub fn bytes_per_particle(&self) -> usize {
+        let state = |state: &State| 56 * state.positions.len();
+        let by_slot =
+            24 * (self.accelerations.len() + self.drags.len() + self.moves.len()) + 16 * self.rates.len();
+        let chunks = size_of::<Felt>() * self.felts.len() + size_of::<Sums>() * self.sums.len();
+        let fluid = 24 * self.rest.len() + state(&self.present) + state(&self.half) + by_slot + chunks;
+        (fluid + self.sorted.bytes() + self.boundary.bytes()) / self.len()
+    }
+
+    /// A row so far away that it adds nothing to any sum.
+    pub(crate) fn far(&self) -> Row {
+        let far = 1e9 * self.momentum.kernel.h;
+        let third = if self.dimensions == 2 { 0.0 } else { far };
+        Row { place: [far, far, third, self.liquid.density], motion: [0.0; 4] }
+    }
+}
+
+impl BoundaryDriven for Fluid {
+    fn set_boundary(&mut self, structure: usize, end: &BoundaryState, velocities: &[[f64; 3]]) {
+        self.boundary.set_structure(structure, self.dimensions, end, velocities);
+        self.fresh = false;
+    }
+
+    fn boundary_forces(&self, structure: usize) -> &[[f64; 3]] {
+        &self.boundary.forces[self.boundary.structure(structure)]
+    }
+
+    fn impedance(&self) -> f64 {
+        self.liquid.impedance()
+    }
+
+    fn greatest_advance(&self) -> f64 {
+        0.25 * self.momentum.kernel.h
+    }
+}

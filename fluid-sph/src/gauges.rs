@@ -1,0 +1,129 @@
+//! What instruments would read: pressures at places and walls, levels, the free surface.
+
+use sph_core::Vec3;
+
+use crate::fluid::Fluid;
+use crate::nearby::Nearby;
+
+/// Part of space that particles near a place must fill for it to be wet.
+const WET: f64 = 0.1;
+/// Part that they fill at a surface.
+const SURFACE: f64 = 0.5;
+/// Part of the dimensions below which the divergence of positions tells a free surface \[lee2008\].
+const OPEN: f64 = 0.75;
+
+impl Fluid {
+    /// Pressure at a place \[F/L²\]: the mean of the fluid about it, carried there by gravity; none where it is dry.
+    pub fn pressure_at(&self, point: Vec3) -> Option<f64> {
+        let all = 0..self.len();
+        let (filled, weight, pressure) = self.mean(self.plane(point), all);
+        (filled >= WET).then(|| pressure / weight)
+    }
+
+    /// Pressures at the particles of a wall \[F/L²\], those of [`Fluid::pressure_at`]; zero where it is dry.
+    pub fn wall_pressures(&self, wall: usize) -> Vec<f64> {
+        self.means_at(self.wall_positions(wall))
+    }
+
+    /// Pressures at the points of a structure \[F/L²\], as [`Fluid::wall_pressures`].
+    pub fn structure_pressures(&self, structure: usize) -> Vec<f64> {
+        self.means_at(&self.boundary.points[self.boundary.structure(structure)])
+    }
+
+    /// Height along −g (the second axis in a plane, the third in space, without gravity) of the highest wet place of the
+    /// column through a point \[L\]: where particles fill half of space. The point's own height if the column is dry.
+    pub fn level_at(&self, point: Vec3) -> f64 {
+        let point = self.plane(point);
+        let (up, h) = (self.up(), self.momentum.kernel.h);
+        let across = |at: &Vec3| {
+            let way = at - point;
+            (way - up * up.dot(&way)).norm_squared()
+        };
+        let beside = |&i: &usize| across(&self.present.positions[i]) < 4.0 * h * h;
+        let column: Vec<usize> = (0..self.len()).filter(beside).collect();
+        let height = |i: &usize| up.dot(&self.present.positions[*i]);
+        let top = column.iter().map(height).fold(f64::NEG_INFINITY, f64::max) + 2.0 * h;
+        let bottom = column.iter().map(height).fold(f64::INFINITY, f64::min);
+        let foot = point - up * up.dot(&point);
+        let filled = |level: f64| self.mean(foot + up * level, column.iter().copied()).0;
+        let stride = 0.25 * self.spacing;
+        let mut level = top;
+        while level >= bottom {
+            if filled(level) >= SURFACE {
+                let (mut wet, mut dry) = (level, level + stride);
+                for _ in 0..20 {
+                    let middle = 0.5 * (wet + dry);
+                    if filled(middle) >= SURFACE { wet = middle } else { dry = middle }
+                }
+                return wet;
+            }
+            level -= stride;
+        }
+        up.dot(&point)
+    }
+
+    /// By particle: whether it lies at a free surface, where the divergence of positions falls short of the dimensions.
+    pub fn free_surface(&self) -> Vec<bool> {
+        let kernel = self.momentum.kernel;
+        let volume = |density: f64| self.mass / density;
+        let positions = &self.present.positions;
+        let near = Nearby::new(self);
+        let open = |a: usize| {
+            let at = positions[a];
+            let mut divergence = 0.0;
+            near.each(at, |b| {
+                let square = (at - positions[b]).norm_squared();
+                divergence -= volume(self.present.densities[b]) * kernel.factor(square.sqrt()) * square;
+            });
+            near.each_boundary(at, |b| {
+                let square = (at - self.boundary.points[b]).norm_squared();
+                divergence -= volume(self.liquid.density) * kernel.factor(square.sqrt()) * square;
+            });
+            divergence < OPEN * self.dimensions as f64
+        };
+        (0..self.len()).map(open).collect()
+    }
+
+    /// The direction in which levels are told.
+    fn up(&self) -> Vec3 {
+        let strength = self.gravity.norm();
+        match (strength > 0.0, self.dimensions) {
+            (true, _) => -self.gravity / strength,
+            (false, 2) => Vec3::y(),
+            (false, _) => Vec3::z(),
+        }
+    }
+
+    fn plane(&self, at: Vec3) -> Vec3 {
+        if self.dimensions == 2 { Vec3::new(at.x, at.y, 0.0) } else { at }
+    }
+
+    /// What particles fill of a place, the sum of their weights, and that of weighted pressures.
+    fn mean(&self, at: Vec3, particles: impl Iterator<Item = usize>) -> (f64, f64, f64) {
+        let kernel = self.momentum.kernel;
+        let (mut filled, mut weight, mut pressure) = (0.0, 0.0, 0.0);
+        for i in particles {
+            let way = at - self.present.positions[i];
+            let square = way.norm_squared();
+            if square < kernel.reach2 {
+                let density = self.present.densities[i];
+                let own = kernel.value(square.sqrt());
+                weight += own;
+                filled += own * self.mass / density;
+                pressure += own * (self.liquid.pressure(density) + density * self.gravity.dot(&way));
+            }
+        }
+        (filled, weight, pressure)
+    }
+
+    fn means_at(&self, points: &[Vec3]) -> Vec<f64> {
+        let near = Nearby::new(self);
+        let pressure = |point: &Vec3| {
+            let mut particles = Vec::new();
+            near.each(*point, |i| particles.push(i));
+            let (filled, weight, pressure) = self.mean(*point, particles.into_iter());
+            if filled >= WET { pressure / weight } else { 0.0 }
+        };
+        points.iter().map(pressure).collect()
+    }
+}

@@ -1,0 +1,91 @@
+//! All that changes while a fluid moves: from it a run goes on to the same bits.
+
+use std::borrow::Cow;
+
+use sph_core::Vec3;
+
+use crate::error::FluidError;
+use crate::fluid::Fluid;
+
+fn flat(list: &[Vec3]) -> Cow<'static, [f64]> {
+    Cow::Owned(list.iter().flat_map(|v| [v.x, v.y, v.z]).collect())
+}
+
+fn put(list: &mut [Vec3], numbers: &[f64]) {
+    list.iter_mut().zip(numbers.chunks_exact(3)).for_each(|(v, n)| *v = Vec3::new(n[0], n[1], n[2]));
+}
+
+impl Fluid {
+    /// The arrays that change, by name.
+    pub fn state(&self) -> Vec<(&'static str, Cow<'_, [f64]>)> {
+        let (present, boundary, books) = (&self.present, &self.boundary, &self.books);
+        let ledger = vec![
+            books.viscous,
+            books.diffusion,
+            books.external,
+            books.dissipated,
+            books.density_error,
+            self.fastest,
+        ];
+        let forces = boundary.forces.as_flattened();
+        vec![
+            ("positions", flat(&present.positions)),
+            ("velocities", flat(&present.velocities)),
+            ("densities", Cow::Borrowed(&present.densities)),
+            ("boundary_positions", flat(&boundary.points)),
+            ("boundary_velocities", flat(&boundary.velocities)),
+            ("boundary_densities", Cow::Borrowed(&boundary.densities)),
+            ("boundary_forces", Cow::Borrowed(forces)),
+            ("thin_boundaries", Cow::Owned(boundary.thin.iter().flat_map(|thin| thin.state()).collect())),
+            ("ledger", Cow::Owned(ledger)),
+        ]
+    }
+
+    /// Puts the arrays of [`Fluid::state`] back.
+    ///
+    /// # Errors
+    /// [`FluidError::State`] for an array that is missing or of another length; nothing is changed then.
+    pub fn set_state(&mut self, arrays: &[(&str, &[f64])]) -> Result<(), FluidError> {
+        let mut found: Vec<&[f64]> = Vec::new();
+        for (name, own) in self.state() {
+            let array = arrays.iter().find(|(given, numbers)| *given == name && numbers.len() == own.len());
+            found.push(array.ok_or(FluidError::State(name))?.1);
+        }
+        let [
+            positions,
+            velocities,
+            densities,
+            points,
+            point_velocities,
+            point_densities,
+            forces,
+            thin,
+            ledger,
+        ] = found[..]
+        else {
+            return Err(FluidError::State("ledger"));
+        };
+        let (present, boundary, books) = (&mut self.present, &mut self.boundary, &mut self.books);
+        put(&mut present.positions, positions);
+        put(&mut present.velocities, velocities);
+        present.densities.copy_from_slice(densities);
+        put(&mut boundary.points, points);
+        put(&mut boundary.velocities, point_velocities);
+        boundary.densities.copy_from_slice(point_densities);
+        boundary.forces.as_flattened_mut().copy_from_slice(forces);
+        let mut rest = thin;
+        for part in &mut boundary.thin {
+            let (own, after) = rest.split_at(part.state_len());
+            part.set_state(own);
+            rest = after;
+        }
+        if let [viscous, diffusion, external, dissipated, density_error, fastest] = *ledger {
+            (books.viscous, books.diffusion, books.external) = (viscous, diffusion, external);
+            (books.dissipated, books.density_error, self.fastest) = (dissipated, density_error, fastest);
+        }
+        boundary.advance = 0.0;
+        self.moves.clear();
+        self.fresh = false;
+        Ok(())
+    }
+}

@@ -1,0 +1,184 @@
+//! The sweeps of a fluid over its particles: sorted, filled, forces, rates.
+
+use crate::cells::Grid;
+use crate::continuity::Rates;
+use crate::dispatch::widest;
+use crate::fluid::{CELL, Fluid, State};
+use crate::formulation::WallRule;
+use crate::momentum::{Felt, Forces};
+use crate::parallel::{chunks, chunks_of_two, reduced};
+use crate::sorted::Row;
+use crate::transport::Transport;
+use crate::walls::extrapolated::Means;
+
+impl Fluid {
+    /// Sorts the particles of a state, moved on by a time, and the boundaries, so long before the end of the step \[T\].
+    pub(crate) fn sort(&mut self, state: &State, ahead: f64, before: f64) {
+        let width = CELL * 2.0 * self.momentum.kernel.h;
+        let Self { threads, dimensions, moves, grid, sorted, boundary, .. } = self;
+        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
+        let place = |i: usize| state.positions[i] + moves[i] * ahead;
+        let count = state.positions.len();
+        *grid = Grid::around(*dimensions, (0..count).map(place), width);
+        sorted.sort(*threads, grid, count, |i| place(i).into());
+        boundary.sort(grid, before);
+    }
+
+    /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\].
+    pub(crate) fn fill(&mut self, state: &State, ahead: f64, before: f64) {
+        let far = self.far();
+        let Self { threads, dimensions, liquid, moves, sorted, boundary, .. } = self;
+        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
+        sorted.fill(*threads, *dimensions, far, |i| {
+            let (at, v, density) =
+                (state.positions[i] + moves[i] * ahead, state.velocities[i], state.densities[i]);
+            let share = liquid.pressure(density) / (density * density);
+            Row { place: [at.x, at.y, at.z, density], motion: [v.x, v.y, v.z, share] }
+        });
+        boundary.fill(*dimensions, far, before);
+    }
+
+    /// Finds for the sorted particles which faces of thin structures they see.
+    pub(crate) fn find_sides(&mut self) {
+        let Self { threads, sorted, boundary, .. } = self;
+        if boundary.thin.is_empty() {
+            return;
+        }
+        let count = sorted.len();
+        sorted.faces.resize(count, 0);
+        sorted.sides.resize(count, 0);
+        let rows = &sorted.rows;
+        chunks_of_two(*threads, &mut sorted.faces, &mut sorted.sides, |first, faces, sides| {
+            for (s, (face, side)) in faces.iter_mut().zip(sides).enumerate() {
+                (*face, *side) = (0, 0);
+                for thin in &boundary.thin {
+                    let [sees, only] = thin.sees(&rows[first + s].place);
+                    *face |= sees;
+                    *side |= only;
+                }
+            }
+        });
+    }
+
+    /// Gives the boundaries their pressures; with laminar friction also the velocities that hold the fluid at their face.
+    pub(crate) fn press_boundaries(&mut self) {
+        match self.formulation.walls {
+            WallRule::Extrapolated => self.extrapolate(),
+            WallRule::Dynamic => {
+                let crate::boundary::points::Boundary { sorted, densities, .. } = &mut self.boundary;
+                for (row, &point) in sorted.rows.iter_mut().zip(&sorted.order) {
+                    let density = densities[point as usize];
+                    row.place[3] = density;
+                    row.motion[3] = self.liquid.pressure(density) / (density * density);
+                }
+            }
+        }
+    }
+
+    fn extrapolate(&mut self) {
+        let Self {
+            threads, dimensions, liquid, formulation, gravity, grid, momentum, sorted, boundary, ..
+        } = self;
+        let boundary_rows = &boundary.sorted;
+        let (kernel, gravity) = (&momentum.kernel, (*gravity).into());
+        chunks(*threads, &mut boundary.seen, |first, out| {
+            if *dimensions == 2 {
+                widest(Means::<2> { kernel, gravity, grid, of: boundary_rows, first, fluid: sorted, out });
+            } else {
+                widest(Means::<3> { kernel, gravity, grid, of: boundary_rows, first, fluid: sorted, out });
+            }
+        });
+        let count = boundary.seen.len();
+        let rows = &mut boundary.sorted.rows[..count];
+        chunks_of_two(*threads, rows, &mut boundary.seen, |_, rows, seen| {
+            for (row, seen) in rows.iter_mut().zip(seen) {
+                let wet = seen.weight > 0.0;
+                let pressure = if wet { seen.pressure / seen.weight } else { 0.0 };
+                let pressure = if formulation.confined { pressure } else { pressure.max(0.0) };
+                let density = if pressure == 0.0 { liquid.density } else { liquid.density_at(pressure) };
+                row.place[3] = density;
+                row.motion[3] = pressure / (density * density);
+                if wet && formulation.kinematic_viscosity > 0.0 {
+                    for k in 0..3 {
+                        row.motion[k] = 2.0 * row.motion[k] - seen.velocity[k] / seen.weight;
+                    }
+                }
+            }
+        });
+    }
+
+    /// Accelerations of the fluid and forces on the boundaries, from the rows as they are.
+    pub(crate) fn sweep_forces(&mut self) {
+        let Self {
+            threads, dimensions, gravity, grid, momentum, sorted, boundary, accelerations, felts, ..
+        } = self;
+        let (of, other, momentum, grid) = (&*sorted, &boundary.sorted, &*momentum, &*grid);
+        let plane = *dimensions == 2;
+        let gravity = (*gravity).into();
+        reduced(*threads, accelerations, felts, |first, out| {
+            if plane {
+                widest(Forces::<2> { momentum, grid, of, first, own: true, other, gravity, out })
+            } else {
+                widest(Forces::<3> { momentum, grid, of, first, own: true, other, gravity, out })
+            }
+        });
+        self.felt = felts.iter().fold(Felt::default(), Felt::and);
+        let (of, other, gravity, own) = (&boundary.sorted, &*sorted, [0.0; 3], false);
+        chunks(*threads, &mut boundary.felt, |first, out| {
+            if plane {
+                widest(Forces::<2> { momentum, grid, of, first, own, other, gravity, out });
+            } else {
+                widest(Forces::<3> { momentum, grid, of, first, own, other, gravity, out });
+            }
+        });
+        boundary.keep_forces(self.mass);
+    }
+
+    /// Rates of density of the fluid, and of boundaries that have their own, from the rows as they are.
+    pub(crate) fn sweep_rates(&mut self) {
+        let Self { threads, dimensions, grid, continuity, sorted, boundary, rates, .. } = self;
+        let (of, other, continuity, grid) = (&*sorted, &boundary.sorted, &*continuity, &*grid);
+        let plane = *dimensions == 2;
+        chunks(*threads, rates, |first, out| {
+            if plane {
+                widest(Rates::<2> { continuity, grid, of, first, own: true, other, out });
+            } else {
+                widest(Rates::<3> { continuity, grid, of, first, own: true, other, out });
+            }
+        });
+        if self.formulation.walls == WallRule::Extrapolated {
+            return;
+        }
+        let (of, other, own) = (&boundary.sorted, &*sorted, false);
+        chunks(*threads, &mut boundary.rates, |first, out| {
+            if plane {
+                widest(Rates::<2> { continuity, grid, of, first, own, other, out });
+            } else {
+                widest(Rates::<3> { continuity, grid, of, first, own, other, out });
+            }
+        });
+    }
+
+    /// With XSPH: the velocities with which the particles of a state move, from the rows as they are.
+    pub(crate) fn sweep_moves(&mut self, state: &State) {
+        let share = 2.0 * self.formulation.xsph * self.mass;
+        if share == 0.0 {
+            return;
+        }
+        let Self { threads, dimensions, grid, momentum, sorted, drags, moves, .. } = self;
+        drags.resize(sorted.len(), [0.0; 3]);
+        moves.resize(sorted.len(), Default::default());
+        let (fluid, kernel, grid) = (&*sorted, &momentum.kernel, &*grid);
+        let plane = *dimensions == 2;
+        chunks(*threads, drags, |first, out| {
+            if plane {
+                widest(Transport::<2> { kernel, share, grid, fluid, first, out });
+            } else {
+                widest(Transport::<3> { kernel, share, grid, fluid, first, out });
+            }
+        });
+        for (i, moved) in moves.iter_mut().enumerate() {
+            *moved = state.velocities[i] + sph_core::Vec3::from(drags[fluid.slots[i] as usize]);
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Kick and drift: forces with the velocities of half a step before, rates of density in the middle of the step.
+//!
+//! ```text
+//! v^{n+½} = v^{n−½} + κ a(rⁿ, v^{n−½}, ρⁿ)
+//! ρ^{n+1} = ρⁿ + Δt D(rⁿ + ½Δt u, v^{n+½}, ρⁿ),    r^{n+1} = rⁿ + Δt u,   u = v^{n+½}, or the mean of XSPH
+//! ```
+//!
+//! Boundaries end a step where they are told, and stand half a step of their mean velocities behind in its middle.
+
+use explicit_dynamics::{
+    Bounds, Dynamics, Instant, MarchError, OutOfBounds, OutOfRange, StableStep, Step, Work,
+};
+
+use crate::fluid::{CELL, Fluid, Sums};
+use crate::formulation::{Scheme, WallRule};
+use crate::parallel::{reduced, reduced_of_two};
+use crate::start::outside;
+
+impl Dynamics for Fluid {
+    fn evaluate(&mut self, _: Instant) -> f64 {
+        self.refresh();
+        self.compression()
+    }
+
+    fn kick(&mut self, step: &Step) -> Work {
+        let sums = self.kick_velocities(step);
+        let kinetic = 0.5 * self.mass * sums.square;
+        let mut work = Work { kinetic, ..Work::default() };
+        if step.kick > 0.0 {
+            if self.formulation.scheme == Scheme::KickDriftKick {
+                let friction = step.kick * self.mass * self.felt.friction;
+                self.books.viscous += friction;
+                work.dissipated += friction + 2.0 * step.damping * step.kick * kinetic;
+                work.external += step.kick * self.mass * self.gravity.dot(&sums.velocity);
+            }
+            work.external += std::mem::take(&mut self.books.external);
+            work.dissipated += std::mem::take(&mut self.books.dissipated);
+            self.fastest = sums.fastest.sqrt();
+        }
+        work
+    }
+
+    fn drift(&mut self, step: &Step) {
+        let dt = step.drift();
+        self.boundary.move_walls(step.to.time, dt);
+        match self.formulation.scheme {
+            Scheme::KickDriftKick => self.drift_once(dt),
+            Scheme::PredictorCorrector => self.predict_and_correct(dt, step.damping),
+        }
+        self.boundary.advance = 0.0;
+        self.fresh = false;
+    }
+
+    fn advance(&mut self, step: &Step) -> Work {
+        self.refresh();
+        let work = self.kick(step);
+        self.drift(step);
+        work
+    }
+
+    fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
+        self.find_step(safety)
+    }
+
+    fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
+        match bounds {
+            Bounds::Motion => self.check_speeds(),
+            Bounds::Configuration => self.check_configuration(),
+        }
+    }
+
+    fn stop(&mut self) {
+        self.present.velocities.fill(Default::default());
+        self.fresh = false;
+    }
+}
+
+impl Fluid {
+    /// Forces of the present state, unless they are there.
+    pub(super) fn refresh(&mut self) {
+        if self.fresh {
+            return;
+        }
+        let state = std::mem::take(&mut self.present);
+        self.sort(&state, 0.0, 0.0);
+        self.fill(&state, 0.0, 0.0);
+        self.present = state;
+        self.find_sides();
+        self.press_boundaries();
+        self.sweep_forces();
+        self.fresh = true;
+    }
+
+    /// New velocities; of a predictor and corrector none. Sums of the means of old and new.
+    fn kick_velocities(&mut self, step: &Step) -> Sums {
+        let kicks = self.formulation.scheme == Scheme::KickDriftKick;
+        let kick = if kicks { step.kick } else { 0.0 };
+        let half = 0.5 * step.damping * kick;
+        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
+        let Self { threads, present, accelerations, sorted, sums, .. } = self;
+        let slots = &sorted.slots;
+        reduced(*threads, &mut present.velocities, sums, |first, velocities| {
+            let mut sums = Sums::default();
+            for (i, velocity) in velocities.iter_mut().enumerate() {
+                let acceleration = accelerations[slots[first + i] as usize];
+                let new = velocity.zip_map(&acceleration.into(), |v, a| (v * before + kick * a) * after);
+                let mean = (*velocity + new) * 0.5;
+                sums.velocity += mean;
+                sums.square += mean.norm_squared();
+                sums.fastest = sums.fastest.max(new.norm_squared());
+                *velocity = new;
+            }
+            sums
+        });
+        total(sums)
+    }
+
+    fn drift_once(&mut self, dt: f64) {
+        self.books.external += dt * self.boundary.power();
+        let state = std::mem::take(&mut self.present);
+        if self.formulation.xsph != 0.0 {
+            self.fill(&state, 0.0, 0.5 * dt);
+            self.sweep_moves(&state);
+        }
+        // Cells are a little wider than the kernel reaches; whoever went further is sorted anew, from before its way.
+        let way = 0.5 * dt * self.fastest;
+        let spare = (CELL - 1.0) * 2.0 * self.momentum.kernel.h;
+        let resort = way + way.max(self.boundary.advance) > spare;
+        if resort {
+            self.sort(&state, 0.5 * dt, 0.5 * dt);
+        }
+        self.fill(&state, 0.5 * dt, 0.5 * dt);
+        self.present = state;
+        if resort {
+            self.find_sides();
+        }
+        self.sweep_rates();
+        self.advance_boundary_densities(dt);
+        self.advance_places(dt);
+    }
+
+    /// New densities and places from the rates.
+    fn advance_places(&mut self, dt: f64) {
+        let Self { threads, liquid, present, rates, sorted, moves, sums, mass, .. } = self;
+        let velocities = if moves.is_empty() { &present.velocities } else { &*moves };
+        let slots = &sorted.slots;
+        let (positions, densities) = (&mut present.positions, &mut present.densities);
+        reduced_of_two(*threads, positions, densities, sums, |first, positions, densities| {
+            let mut sums = Sums::default();
+            for (i, (position, density)) in positions.iter_mut().zip(densities).enumerate() {
+                let [rate, exchange] = rates[slots[first + i] as usize];
+                let new = *density + dt * (rate + exchange);
+                let share = |density: f64| liquid.pressure(density) / (density * density);
+                if exchange != 0.0 {
+                    sums.loss -= 0.5 * exchange * (share(*density) + share(new));
+                }
+                sums.error = sums.error.max((new / liquid.density - 1.0).abs());
+                *density = new;
+                *position += velocities[first + i] * dt;
+            }
+            sums
+        });
+        let sums = total(sums);
+        let loss = dt * *mass * sums.loss;
+        self.books.diffusion += loss;
+        self.books.dissipated += loss;
+        self.books.density_error = self.books.density_error.max(sums.error);
+    }
+
+    /// New densities of boundaries that have their own; never below that of no pressure, for a wall does not pull.
+    pub(super) fn advance_boundary_densities(&mut self, dt: f64) {
+        if self.formulation.walls == WallRule::Extrapolated {
+            return;
+        }
+        let least = if self.formulation.confined { 0.0 } else { self.liquid.density };
+        let boundary = &mut self.boundary;
+        for (&point, &[rate, _]) in boundary.sorted.order.iter().zip(&boundary.rates) {
+            let density = &mut boundary.densities[point as usize];
+            *density = (*density + dt * rate).max(least);
+        }
+    }
+
+    fn check_speeds(&self) -> Result<(), OutOfBounds> {
+        let bound = self.liquid.sound_speed;
+        let square = |(particle, v): (usize, &sph_core::Vec3)| {
+            let square = v.norm_squared();
+            (particle, if square.is_nan() { f64::INFINITY } else { square })
+        };
+        let squares = self.present.velocities.iter().enumerate().map(square);
+        let (particle, square) =
+            squares.fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
+        let speed = square.sqrt();
+        if speed <= bound { Ok(()) } else { Err(OutOfBounds::Speed { particle, speed, bound }) }
+    }
+
+    fn check_configuration(&self) -> Result<(), OutOfBounds> {
+        let place = |particle: usize| format!("particle {particle}");
+        let ratio = |density: &f64| density / self.liquid.density;
+        let dense = |density: &f64| !(0.5..=2.0).contains(&ratio(density));
+        if let Some(particle) = self.present.densities.iter().position(dense) {
+            let value = ratio(&self.present.densities[particle]);
+            let bound = "between 0.5 and 2: raise the speed of sound or refine";
+            return Err(OutOfRange {
+                place: place(particle),
+                what: "density over that at rest",
+                value,
+                bound,
+            }
+            .into());
+        }
+        if let Some(domain) = &self.domain {
+            let positions = &self.present.positions;
+            let outside = |at: &sph_core::Vec3| outside(self.dimensions, domain, at);
+            if let Some(particle) = positions.iter().position(outside) {
+                let [low, high] = domain;
+                let beyond =
+                    |k: &usize| !(positions[particle][*k] >= low[*k] && positions[particle][*k] <= high[*k]);
+                let axis = (0..self.dimensions).find(beyond).unwrap_or(0);
+                let what = ["first coordinate", "second coordinate", "third coordinate"][axis];
+                let value = positions[particle][axis];
+                let bound = "inside the domain: close the walls or enlarge the domain";
+                return Err(OutOfRange { place: place(particle), what, value, bound }.into());
+            }
+        }
+        if let Some((value, _)) = self.collapsed() {
+            let (place, what) = ("the fluid".to_owned(), "stable step");
+            let bound = "at least 1e-4 h/c of a quiet fluid: particles collide or boundaries move too fast";
+            return Err(OutOfRange { place, what, value, bound }.into());
+        }
+        Ok(())
+    }
+}
+
+/// The sums of all chunks, in their order.
+fn total(sums: &[Sums]) -> Sums {
+    sums.iter().fold(Sums::default(), |all, chunk| Sums {
+        velocity: all.velocity + chunk.velocity,
+        square: all.square + chunk.square,
+        fastest: all.fastest.max(chunk.fastest),
+        loss: all.loss + chunk.loss,
+        error: all.error.max(chunk.error),
+    })
+}

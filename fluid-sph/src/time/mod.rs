@@ -1,0 +1,5 @@
+//! The fluid in time.
+
+mod march;
+mod predictor_corrector;
+mod step_size;
