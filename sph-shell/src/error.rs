@@ -74,4 +74,24 @@ pub enum ShellError {
         /// Its area \[L²\].
         area: f64,
     },
+    /// A spacing of the fluid that is none.
+    #[error("the spacing of the fluid is {0}; it must be positive and finite")]
+    WetSpacing(f64),
+    /// A wet face without points.
+    #[error(
+        "a wet face has no rows of points; ask for at least one, three reach as far as the kernel of a fluid"
+    )]
+    NoRows,
+    /// A shell that is to meet a plane fluid and does not stand across its plane.
+    #[error(
+        "the row of particle {particle} across the plane z = 0 is {width:.6e} wide, that of the first particle {first:.6e}; in a plane fluid a shell is a strip along z of one width, two particles or more"
+    )]
+    NotAStrip {
+        /// A particle of the row.
+        particle: u32,
+        /// Width of its row \[L\].
+        width: f64,
+        /// Width of the first row \[L\].
+        first: f64,
+    },
 }

@@ -218,6 +218,7 @@ mod shell;
 mod state;
 mod statics;
 mod time;
+mod wetted;
 
 use explicit_dynamics::Work;
 use shell_kinematics::{Section, StrainMeasure};
@@ -226,6 +227,7 @@ use conditions::supports::Constraint;
 use packs::Row;
 use points::scheme::Points;
 use time::fused::Fused;
+use wetted::surface::Surface;
 
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
@@ -242,6 +244,7 @@ pub use points::results::PointResult;
 pub use reference::Reference;
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
+pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {
@@ -263,6 +266,8 @@ pub struct Shell {
     slots: Vec<Row>,
     /// External forces; empty without loads.
     external: Vec<Row>,
+    /// What a fluid wets.
+    wetted: Option<Box<Surface>>,
     /// Energy of each pack, filled on request.
     pack_energies: Vec<f64>,
     /// Work of each chunk of particles in the last kick.

@@ -77,6 +77,7 @@ impl Shell {
             constraint_of,
             constraints,
             loads: parts.loads,
+            wetted: None,
             internal_energy: 0.0,
             fused,
             threads,
@@ -214,6 +215,9 @@ impl Shell {
         for applied in &self.loads {
             applied.load.add(applied.scale(at), &body, &mut self.external);
         }
+        if let Some(surface) = &self.wetted {
+            surface.add(&self.state, &self.rates, &mut self.external);
+        }
     }
 
     /// Bytes held per particle by everything that the step touches.
@@ -222,6 +226,7 @@ impl Shell {
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)
+            + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
             + size_of::<Row>() * rows
             + size_of::<f64>() * numbers
             + size_of::<u32>() * self.constraint_of.len();

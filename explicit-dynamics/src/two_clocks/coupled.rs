@@ -115,6 +115,8 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         for (load, (new, old)) in self.load.iter_mut().zip(forces.iter().zip(&self.former)) {
             *load = std::array::from_fn(|k| new[k] + ahead * (new[k] - old[k]));
         }
+        // One step has the velocity that the fluid saw.
+        let impedance = if self.clock.count == 1 { 0.0 } else { impedance };
         self.body.apply_load(&BoundaryLoad { forces: &self.load, seen: &self.seen, impedance });
     }
 
