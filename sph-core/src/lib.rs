@@ -146,7 +146,9 @@ mod random;
 mod sampling;
 mod surface;
 
+pub use block::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
+pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;

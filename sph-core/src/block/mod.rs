@@ -1,10 +1,14 @@
 //! Blocks of nodes: solids in a plane or in space.
 
 mod cut_out;
+mod hexahedra;
 mod lattice;
+mod moving_least_squares;
 
 pub use cut_out::CutOut;
+pub use hexahedra::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use lattice::{BlockLattice, NodePlaces};
+pub use moving_least_squares::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 
 use crate::Vec3;
 use crate::surface::cell::Cell;
