@@ -146,7 +146,9 @@ mod random;
 mod sampling;
 mod surface;
 
+pub use block::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
+pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use block::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
 pub use block::{surface_first_row, surface_rows};
 pub use error::SpaceError;

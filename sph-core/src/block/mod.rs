@@ -3,7 +3,9 @@
 mod basin;
 mod cover;
 mod cut_out;
+mod hexahedra;
 mod lattice;
+mod moving_least_squares;
 mod offsets;
 mod oriented;
 mod polyline_rows;
@@ -13,7 +15,9 @@ mod wall_rows;
 
 pub use basin::{basin_rows, block_rows};
 pub use cut_out::CutOut;
+pub use hexahedra::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use lattice::{BlockLattice, NodePlaces};
+pub use moving_least_squares::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 pub use polyline_rows::{WallSide, polyline_first_row, polyline_rows};
 pub use surface_rows::{surface_first_row, surface_rows};
 pub use wall_rows::leaks;
