@@ -17,6 +17,8 @@ use crate::error::SpaceError;
 const STEPS: f64 = 16.0;
 /// Outer corners whose turn has a cosine below this are cut off: the mitre is longer than 4 d.
 const CUT: f64 = -0.875; // 151°
+/// What lies this part of the spacing nearer than a row is not nearer: rounding.
+const ROUNDING: f64 = 1e-7;
 /// Halvings of a step that find the end of what is free: to 4e-9 of the spacing.
 const BISECTIONS: usize = 24;
 
@@ -49,7 +51,7 @@ pub fn polyline_rows(
     let polyline = Polyline::new(points, side, spacing, rows)?;
     let farthest = (rows as f64 - 0.5) * spacing;
     let segments = polyline.triangles();
-    let offsets = Offsets::new(&segments, spacing, farthest);
+    let offsets = Offsets::new(&segments, spacing, farthest, ROUNDING);
     let mut particles = Vec::new();
     for row in 0..rows {
         let distance = (row as f64 + 0.5) * spacing;
@@ -78,7 +80,7 @@ pub fn polyline_first_row(
         (0..count as usize).map(at)
     });
     let segments = polyline.triangles();
-    Ok(Offsets::new(&segments, spacing, 0.5 * spacing).kept(along, 0.5 * spacing))
+    Ok(Offsets::new(&segments, spacing, 0.5 * spacing, ROUNDING).kept(along, 0.5 * spacing))
 }
 
 /// A segment of the polyline, with unit vectors along it and into the wall.
