@@ -18,8 +18,8 @@ pub(super) struct Offsets<'a> {
 }
 
 impl<'a> Offsets<'a> {
-    /// Of triangles, for distances up to `farthest` \[L\]; what lies nearer than asked by the part `slack` of the spacing is
-    /// not nearer.
+    /// Of triangles, for distances up to `farthest` \[L\]; what lies nearer than asked by the part `slack` of the
+    /// spacing is not nearer.
     pub(super) fn new(triangles: &'a [[Vec3; 3]], spacing: f64, farthest: f64, slack: f64) -> Self {
         let (mut places, mut owners) = (Vec::new(), Vec::new());
         for (owner, triangle) in triangles.iter().enumerate() {
@@ -43,8 +43,8 @@ impl<'a> Offsets<'a> {
         })
     }
 
-    /// Of points at a `distance` \[L\] from the triangles that they belong to, those that are no nearer to another, and those
-    /// that are, unless one of the first is within a spacing: there the surface is trimmed, but not lost.
+    /// Of points at a `distance` \[L\] from the triangles that they belong to, those that are no nearer to another,
+    /// and those that are, unless one of the first is within a spacing: there the surface is trimmed, but not lost.
     pub(super) fn kept(&self, points: impl Iterator<Item = Vec3>, distance: f64) -> Vec<Vec3> {
         let (mut free, mut trimmed): (Vec<Vec3>, Vec<Vec3>) =
             points.partition(|x| self.none_nearer(x, distance));
@@ -59,8 +59,8 @@ impl<'a> Offsets<'a> {
     }
 }
 
-/// Points spread over a triangle in rows along its longest edge, corners included; no point of it is farther than `step` \[L\]
-/// from one of them.
+/// Points spread over a triangle in rows along its longest edge, corners included; no point of it is farther than
+/// `step` \[L\] from one of them.
 pub(super) fn spread(triangle: &[Vec3; 3], step: f64) -> impl Iterator<Item = Vec3> {
     let length = |i: usize| (triangle[(i + 1) % 3] - triangle[i]).norm();
     let first = (1..3).fold(0, |best, i| if length(i) > length(best) { i } else { best });

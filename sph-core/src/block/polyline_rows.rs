@@ -1,9 +1,9 @@
 //! Rows of wall particles along a polyline in the plane.
 //!
-//! A row is the line at a distance d from the polyline on the side of the wall. Raw, it is made of the segments moved by d;
-//! where the wall turns outside they are joined in a mitre (cut off where the corner is sharper than 30°), where it turns
-//! inside they cross. Of the raw line only what lies no nearer than d to the polyline counts; its pieces are joined and
-//! walked at even spacing, with a particle on every corner.
+//! A row is the line at a distance d from the polyline on the side of the wall. Raw, it is made of the segments moved
+//! by d; where the wall turns outside they are joined in a mitre (cut off where the corner is sharper than 30°),
+//! where it turns inside they cross. Of the raw line only what lies no nearer than d to the polyline counts; its
+//! pieces are joined and walked at even spacing, with a particle on every corner.
 
 use libm::ceil;
 
@@ -33,10 +33,10 @@ pub enum WallSide {
 
 /// Rows of wall particles along a polyline in the plane z = 0, the first half a spacing behind it, row by row.
 ///
-/// `points` \[L\] are in order; a polyline whose last point is its first is closed. Open ends are flush: the wall stops
-/// where the polyline does. Outer corners are closed by a mitre, down to 30° and cut off beyond; inside a corner the rows
-/// end on its bisector. No two particles are nearer than half of `spacing` \[L\]. A wall between two parts of the
-/// polyline less than a spacing apart has no particle: [`leaks`](crate::leaks) counts such places.
+/// `points` \[L\] are in order; a polyline whose last point is its first is closed. Open ends are flush: the wall
+/// stops where the polyline does. Outer corners are closed by a mitre, down to 30° and cut off beyond; inside a
+/// corner the rows end on its bisector. No two particles are nearer than half of `spacing` \[L\]. A wall between two
+/// parts of the polyline less than a spacing apart has no particle: [`leaks`](crate::leaks) counts such places.
 ///
 /// # Errors
 /// [`SpaceError::OutOfRange`] for a spacing that is not positive, rows out of \[1, 20\] and more than 10⁸ particles;
