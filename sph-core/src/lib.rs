@@ -118,6 +118,13 @@
 //! A [`Block`] is the nodes of a solid, each with a volume and, at the border of the box, with its share of the faces. A
 //! [`BlockLattice`] places them, [`Block::without`] cuts holes.
 //!
+//! # Walls
+//!
+//! Walls of fluids are rows of particles outside the fluid, the first half a spacing behind the face: [`basin_rows`] round
+//! a box, [`block_rows`] in an obstacle, [`polyline_rows`] in the plane, [`surface_rows`] behind triangles in space. Rows
+//! are the lines or surfaces at a distance from the face; corners are closed, no two particles are nearer than half a
+//! spacing, and [`leaks`] counts gaps.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -134,6 +141,9 @@
 //! | kernels: integral one, slope the derivative, smooth end | `every_kernel_integrates_to_one`, `every_slope_is_the_derivative_of_the_value`, `every_kernel_falls_smoothly_to_zero_at_its_support` (src/kernel.rs) |
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
 //! | volumes of a block sum to its box, shares of a face to its area | `volumes_and_faces_sum_to_those_of_the_box` (tests/blocks.rs) |
+//! | fluid in a basin has the neighbours of an endless lattice | `fluid_in_a_closed_basin_has_the_neighbours_of_an_endless_lattice` (tests/walls.rs) |
+//! | walls are closed at corners of any angle, no two particles too near | `corners_of_any_angle_are_closed_outside`, `round_any_star_of_fluid_the_wall_is_closed` |
+//! | surfaces: no hole, one particle for each square of the spacing | `the_row_behind_a_face_has_no_hole`, `a_box_of_triangles_is_closed_outside_and_inside` (tests/surface_walls.rs) |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]

@@ -7,16 +7,17 @@ use crate::error::SpaceError;
 /// A place along one axis: coordinate \[L\], and number of the row of wall that it is, none inside a basin.
 type Place = (f64, Option<usize>);
 
-/// Rows of wall particles round a box, the first half a spacing outside its faces, those of the last axis running fastest.
+/// Rows of wall particles round a box, the first half a spacing outside its faces, those of the last axis running
+/// fastest.
 ///
-/// `min` and `max` are the corners of the box from inside \[L\]; a plane box lies at the z of `min`. Sides in `open`, in
-/// the order x0, x1, y0, y1, z0, z1, have no wall, and the walls beside them end at their edge. Particles stand `spacing`
-/// \[L\] apart across a wall; along it at the nearest spacing that divides the length of the box, as a
+/// `min` and `max` are the corners of the box from inside \[L\]; a plane box lies at the z of `min`. Sides in `open`,
+/// in the order x0, x1, y0, y1, z0, z1, have no wall, and the walls beside them end at their edge. Particles stand
+/// `spacing` \[L\] apart across a wall; along it at the nearest spacing that divides the length of the box, as a
 /// [`BlockLattice`](crate::BlockLattice) does. Corners between two walls are filled.
 ///
 /// # Errors
-/// [`SpaceError::OutOfRange`] for lengths and spacings that are not positive, dimensions other than two and three, rows out
-/// of \[1, 20\], a box all of whose sides are open, and more than 10⁸ particles.
+/// [`SpaceError::OutOfRange`] for lengths and spacings that are not positive, dimensions other than two and three,
+/// rows out of \[1, 20\], a box all of whose sides are open, and more than 10⁸ particles.
 pub fn basin_rows(
     min: &Vec3,
     max: &Vec3,
@@ -53,15 +54,16 @@ pub fn basin_rows(
     products(&places, |row| row.is_some())
 }
 
-/// Rows of wall particles in a solid block, the first half a spacing inside its faces; the block is hollow behind the last.
+/// Rows of wall particles in a solid block, the first half a spacing inside its faces; the block is hollow behind the
+/// last.
 ///
-/// The block has edges `lengths` \[L\] and its corner of least coordinates at `origin` \[L\]; a plane block lies at the z of
-/// the origin. Between the first rows on either side particles stand at the nearest to `spacing` \[L\] that divides the
-/// distance. The rows close corners and edges.
+/// The block has edges `lengths` \[L\] and its corner of least coordinates at `origin` \[L\]; a plane block lies at
+/// the z of the origin. Between the first rows on either side particles stand at the nearest to `spacing` \[L\] that
+/// divides the distance. The rows close corners and edges.
 ///
 /// # Errors
-/// [`SpaceError::OutOfRange`] for lengths and spacings that are not positive, a block thinner than a spacing, dimensions
-/// other than two and three, rows out of \[1, 20\] and more than 10⁸ particles.
+/// [`SpaceError::OutOfRange`] for lengths and spacings that are not positive, a block thinner than a spacing,
+/// dimensions other than two and three, rows out of \[1, 20\] and more than 10⁸ particles.
 pub fn block_rows(
     lengths: [f64; 3],
     origin: &Vec3,

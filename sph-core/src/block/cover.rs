@@ -11,7 +11,8 @@ const SIDE_BY_SIDE: f64 = 1.05;
 /// Least distance over the spacing of those that fill the holes left.
 const IN_HOLES: f64 = 0.7;
 
-/// Of many points, so many that no two are nearer than 0.7 spacings and every point is that near to one, in a fixed order.
+/// Of many points, so many that no two are nearer than 0.7 spacings and every point is that near to one, in a fixed
+/// order.
 ///
 /// Particles are laid side by side: next comes the point nearest to the two nearest of those laid. What fits between
 /// fronts that meet is filled in, the widest hole first.
@@ -50,7 +51,8 @@ struct Cover<'a> {
 }
 
 impl Cover<'_> {
-    /// Takes a point; those within `reach` that may come next go to the front. Positive numbers are ordered as their bits.
+    /// Takes a point; those within `reach` that may come next go to the front. Positive numbers are ordered as their
+    /// bits.
     fn choose(&mut self, point: usize, reach: f64, front: &mut BinaryHeap<Reverse<(u64, u32)>>, least: f64) {
         let x = self.points[point];
         self.chosen.push(x);

@@ -5,13 +5,12 @@ use libm::ceil;
 use crate::Vec3;
 use crate::neighbours::CellList;
 
-/// What lies this part of the spacing nearer than asked is not nearer: rounding.
-const ROUNDING: f64 = 1e-7;
-
 /// Triangles, found by sample points on them; a triangle may be a segment, its last corner repeated.
 pub(super) struct Offsets<'a> {
     triangles: &'a [[Vec3; 3]],
     spacing: f64,
+    /// What lies this much nearer than asked is not nearer \[L\].
+    slack: f64,
     /// Sample points, no point of a triangle farther than a spacing from one of its own.
     samples: CellList,
     /// The triangle of each sample.
@@ -19,20 +18,21 @@ pub(super) struct Offsets<'a> {
 }
 
 impl<'a> Offsets<'a> {
-    /// Of triangles, for distances up to `farthest` \[L\].
-    pub(super) fn new(triangles: &'a [[Vec3; 3]], spacing: f64, farthest: f64) -> Self {
+    /// Of triangles, for distances up to `farthest` \[L\]; what lies nearer than asked by the part `slack` of the
+    /// spacing is not nearer.
+    pub(super) fn new(triangles: &'a [[Vec3; 3]], spacing: f64, farthest: f64, slack: f64) -> Self {
         let (mut places, mut owners) = (Vec::new(), Vec::new());
         for (owner, triangle) in triangles.iter().enumerate() {
             places.extend(spread(triangle, spacing));
             owners.resize(places.len(), owner as u32);
         }
         let samples = CellList::new(&places, spacing.max(0.5 * farthest));
-        Self { triangles, spacing, samples, owners }
+        Self { triangles, spacing, slack: slack * spacing, samples, owners }
     }
 
     /// Whether no point of the surface is nearer than `distance` \[L\].
     pub(super) fn none_nearer(&self, x: &Vec3, distance: f64) -> bool {
-        let least = distance - ROUNDING * self.spacing;
+        let least = distance - self.slack;
         let mut near = Vec::new();
         self.samples.within(x, distance + self.spacing, &mut near);
         let mut before = None;
@@ -43,8 +43,8 @@ impl<'a> Offsets<'a> {
         })
     }
 
-    /// Of points at a `distance` \[L\] from the triangles that they belong to, those that are no nearer to another, and those
-    /// that are, unless one of the first is within a spacing: there the surface is trimmed, but not lost.
+    /// Of points at a `distance` \[L\] from the triangles that they belong to, those that are no nearer to another,
+    /// and those that are, unless one of the first is within a spacing: there the surface is trimmed, but not lost.
     pub(super) fn kept(&self, points: impl Iterator<Item = Vec3>, distance: f64) -> Vec<Vec3> {
         let (mut free, mut trimmed): (Vec<Vec3>, Vec<Vec3>) =
             points.partition(|x| self.none_nearer(x, distance));
@@ -59,8 +59,8 @@ impl<'a> Offsets<'a> {
     }
 }
 
-/// Points spread over a triangle in rows along its longest edge, corners included; no point of it is farther than `step` \[L\]
-/// from one of them.
+/// Points spread over a triangle in rows along its longest edge, corners included; no point of it is farther than
+/// `step` \[L\] from one of them.
 pub(super) fn spread(triangle: &[Vec3; 3], step: f64) -> impl Iterator<Item = Vec3> {
     let length = |i: usize| (triangle[(i + 1) % 3] - triangle[i]).norm();
     let first = (1..3).fold(0, |best, i| if length(i) > length(best) { i } else { best });

@@ -1,9 +1,9 @@
 //! Rows of wall particles along a polyline in the plane.
 //!
-//! A row is the line at a distance d from the polyline on the side of the wall. Raw, it is made of the segments moved by d;
-//! where the wall turns outside they are joined in a mitre (cut off where the corner is sharper than 30°), where it turns
-//! inside they cross. Of the raw line only what lies no nearer than d to the polyline counts; its pieces are joined and
-//! walked at even spacing, with a particle on every corner.
+//! A row is the line at a distance d from the polyline on the side of the wall. Raw, it is made of the segments moved
+//! by d; where the wall turns outside they are joined in a mitre (cut off where the corner is sharper than 30°),
+//! where it turns inside they cross. Of the raw line only what lies no nearer than d to the polyline counts; its
+//! pieces are joined and walked at even spacing, with a particle on every corner.
 
 use libm::ceil;
 
@@ -17,6 +17,8 @@ use crate::error::SpaceError;
 const STEPS: f64 = 16.0;
 /// Outer corners whose turn has a cosine below this are cut off: the mitre is longer than 4 d.
 const CUT: f64 = -0.875; // 151°
+/// What lies this part of the spacing nearer than a row is not nearer: rounding.
+const ROUNDING: f64 = 1e-7;
 /// Halvings of a step that find the end of what is free: to 4e-9 of the spacing.
 const BISECTIONS: usize = 24;
 
@@ -31,10 +33,10 @@ pub enum WallSide {
 
 /// Rows of wall particles along a polyline in the plane z = 0, the first half a spacing behind it, row by row.
 ///
-/// `points` \[L\] are in order; a polyline whose last point is its first is closed. Open ends are flush: the wall stops
-/// where the polyline does. Outer corners are closed by a mitre, down to 30° and cut off beyond; inside a corner the rows
-/// end on its bisector. No two particles are nearer than half of `spacing` \[L\]. A wall between two parts of the
-/// polyline less than a spacing apart has no particle: [`leaks`](crate::leaks) counts such places.
+/// `points` \[L\] are in order; a polyline whose last point is its first is closed. Open ends are flush: the wall
+/// stops where the polyline does. Outer corners are closed by a mitre, down to 30° and cut off beyond; inside a
+/// corner the rows end on its bisector. No two particles are nearer than half of `spacing` \[L\]. A wall between two
+/// parts of the polyline less than a spacing apart has no particle: [`leaks`](crate::leaks) counts such places.
 ///
 /// # Errors
 /// [`SpaceError::OutOfRange`] for a spacing that is not positive, rows out of \[1, 20\] and more than 10⁸ particles;
@@ -49,7 +51,7 @@ pub fn polyline_rows(
     let polyline = Polyline::new(points, side, spacing, rows)?;
     let farthest = (rows as f64 - 0.5) * spacing;
     let segments = polyline.triangles();
-    let offsets = Offsets::new(&segments, spacing, farthest);
+    let offsets = Offsets::new(&segments, spacing, farthest, ROUNDING);
     let mut particles = Vec::new();
     for row in 0..rows {
         let distance = (row as f64 + 0.5) * spacing;
@@ -78,7 +80,7 @@ pub fn polyline_first_row(
         (0..count as usize).map(at)
     });
     let segments = polyline.triangles();
-    Ok(Offsets::new(&segments, spacing, 0.5 * spacing).kept(along, 0.5 * spacing))
+    Ok(Offsets::new(&segments, spacing, 0.5 * spacing, ROUNDING).kept(along, 0.5 * spacing))
 }
 
 /// A segment of the polyline, with unit vectors along it and into the wall.

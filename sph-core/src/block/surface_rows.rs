@@ -1,8 +1,8 @@
 //! Rows of wall particles behind a surface of triangles.
 //!
-//! A row is the surface at a distance d behind the wall's face: triangles moved by d along their normals, cylinders round
-//! edges and spheres round corners on which the wall turns outside, as far as no part of the face is nearer than d. It is
-//! covered with points, which are thinned to particles.
+//! A row is the surface at a distance d behind the wall's face: triangles moved by d along their normals, cylinders
+//! round edges and spheres round corners on which the wall turns outside, as far as no part of the face is nearer
+//! than d. It is covered with points, which are thinned to particles.
 
 use libm::{acos, ceil, cos, sin};
 
@@ -15,18 +15,22 @@ use crate::error::SpaceError;
 
 /// Points per spacing that a row is covered with before it is thinned.
 const POINTS: f64 = 5.0;
+/// What lies this part of the spacing nearer than a row is not nearer. Edges that turn by less than φ = 1/5 Δx/d are
+/// not rounded; their triangles' rows then cross d φ²/8, at most 0.01 Δx, within the row that is the distance d from
+/// all.
+const SLACK: f64 = 0.02;
 
 /// Rows of wall particles behind a surface of triangles, the first half a spacing behind its face, row by row.
 ///
-/// `vertices` \[L\] at the same place count as one; `triangles` name three each, in any order. The surface may be closed or
-/// open and of several parts; behind each is the side of it that does not see `inside` \[L\], a point in the fluid. Rows
-/// are round on outer edges and corners, trimmed on inner ones, and stop where the surface does. Particles are about
-/// `spacing` \[L\] apart, no two nearer than 0.7 of it in a row, and no point of a row is farther than 0.85 from one. A
-/// wall thinner than a spacing has no particle: [`leaks`](crate::leaks) counts such places.
+/// `vertices` \[L\] at the same place count as one; `triangles` name three each, in any order. The surface may be
+/// closed or open and of several parts; behind each is the side of it that does not see `inside` \[L\], a point in
+/// the fluid. Rows are round on outer edges and corners, trimmed on inner ones, and stop where the surface does.
+/// Particles are about `spacing` \[L\] apart, no two nearer than 0.7 of it in a row, and no point of a row is farther
+/// than 0.85 from one. A wall thinner than a spacing has no particle: [`leaks`](crate::leaks) counts such places.
 ///
 /// # Errors
-/// [`SpaceError::OutOfRange`] for a spacing that is not positive, rows out of \[1, 20\], more than 10⁸ points, an inside
-/// point on the surface; [`SpaceError::TooFew`], [`SpaceError::BadNumber`], [`SpaceError::BadCorner`] and
+/// [`SpaceError::OutOfRange`] for a spacing that is not positive, rows out of \[1, 20\], more than 10⁸ points, an
+/// inside point on the surface; [`SpaceError::TooFew`], [`SpaceError::BadNumber`], [`SpaceError::BadCorner`] and
 /// [`SpaceError::DegenerateCell`] for what is no triangle; [`SpaceError::NonManifoldEdge`] and
 /// [`SpaceError::NonOrientable`] for what has no two sides.
 pub fn surface_rows(
@@ -39,7 +43,7 @@ pub fn surface_rows(
     check(spacing, rows)?;
     let surface = OrientedSurface::new(vertices, triangles, inside)?;
     surface.check_points(spacing, rows)?;
-    let offsets = Offsets::new(&surface.triangles, spacing, (rows as f64 - 0.5) * spacing);
+    let offsets = Offsets::new(&surface.triangles, spacing, (rows as f64 - 0.5) * spacing, SLACK);
     let mut particles = Vec::new();
     for row in 0..rows {
         let distance = (row as f64 + 0.5) * spacing;
@@ -63,7 +67,7 @@ pub fn surface_first_row(
     check(spacing, 1)?;
     let surface = OrientedSurface::new(vertices, triangles, inside)?;
     surface.check_points(spacing, 1)?;
-    let offsets = Offsets::new(&surface.triangles, spacing, 0.5 * spacing);
+    let offsets = Offsets::new(&surface.triangles, spacing, 0.5 * spacing, SLACK);
     Ok(offsets.kept(surface.behind_triangles(0.5 * spacing, 0.25 * spacing), 0.5 * spacing))
 }
 

@@ -20,10 +20,10 @@ const LEAST_DISTANCE: f64 = 0.5;
 /// Counts the places where the first row of walls has a gap wider than 1.2 spacings.
 ///
 /// `first_row` are points where the first row should stand, a quarter of the spacing apart or closer, as
-/// [`polyline_first_row`](crate::polyline_first_row) and [`surface_first_row`](crate::surface_first_row) give them. In a
-/// plane the middle of such a gap has no particle within 0.6 spacings; in space, where four particles stand round a gap,
-/// none within 0.6 √2. Such points less than a spacing apart are one place. A wall thinner than a spacing, or an edge of it
-/// sharper than about 50°, is named too: no particle fits in it. `spacing` is in \[L\].
+/// [`polyline_first_row`](crate::polyline_first_row) and [`surface_first_row`](crate::surface_first_row) give them.
+/// In a plane the middle of such a gap has no particle within 0.6 spacings; in space, where four particles stand
+/// round a gap, none within 0.6 √2. Such points less than a spacing apart are one place. A wall thinner than a
+/// spacing, or an edge of it sharper than about 50°, is named too: no particle fits in it. `spacing` is in \[L\].
 pub fn leaks(first_row: &[Vec3], rows: &[Vec3], dimensions: usize, spacing: f64) -> usize {
     let reach = 0.5 * WIDEST_GAP * spacing * if dimensions == 2 { 1.0 } else { 2.0_f64.sqrt() };
     let near = CellList::new(rows, reach);
