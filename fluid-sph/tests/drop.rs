@@ -11,7 +11,11 @@ use sph_core::Vec3;
 /// The drop of radius 1 m in the flow `v = 100 (−x, y)`.
 fn drop(spacing: f64, smoothing: f64, scheme: Scheme) -> Fluid {
     let n = (1.0 / spacing).ceil() as usize + 1;
-    let all = common::lattice([-(n as f64) * spacing, -(n as f64) * spacing, -0.5 * spacing], [2 * n, 2 * n, 1], spacing);
+    let all = common::lattice(
+        [-(n as f64) * spacing, -(n as f64) * spacing, -0.5 * spacing],
+        [2 * n, 2 * n, 1],
+        spacing,
+    );
     let positions: Vec<Vec3> = all.into_iter().filter(|p| p.norm() < 1.0).collect();
     let velocities = positions.iter().map(|p| Vec3::new(-100.0 * p.x, 100.0 * p.y, 0.0)).collect();
     Fluid::new(Parts {
@@ -61,7 +65,12 @@ fn shape() {
         let major = fluid.positions().iter().map(|p| p.y).fold(0.0, f64::max);
         let minor = fluid.positions().iter().map(|p| p.x).fold(0.0, f64::max);
         let a = exact(0.0076);
-        println!("h {smoothing} major {:.4} minor {:.4} steps {n} {e:.0} ns  {before:?} {after:?}  momentum {:?}", major / a, minor * a, fluid.momentum());
+        println!(
+            "h {smoothing} major {:.4} minor {:.4} steps {n} {e:.0} ns  {before:?} {after:?}  momentum {:?}",
+            major / a,
+            minor * a,
+            fluid.momentum()
+        );
         println!("bytes {} err {}", fluid.bytes_per_particle(), fluid.greatest_density_error());
     }
 }

@@ -28,9 +28,8 @@ pub fn basin(dimensions: usize, size: [f64; 3], spacing: f64, lid: bool) -> Wall
     let count = |k: usize| if k < dimensions { (size[k] / spacing).round() as usize } else { 1 };
     let up = dimensions - 1;
     let counts: [usize; 3] = std::array::from_fn(|k| if k < dimensions { count(k) + 2 * rows } else { 1 });
-    let corner: [f64; 3] = std::array::from_fn(|k| {
-        if k < dimensions { -(rows as f64) * spacing } else { -0.5 * spacing }
-    });
+    let corner: [f64; 3] =
+        std::array::from_fn(|k| if k < dimensions { -(rows as f64) * spacing } else { -0.5 * spacing });
     let inside = |p: &Vec3| {
         (0..dimensions).all(|k| p[k] > 0.0 && (p[k] < size[k] || (k == up && !lid)))
             || (!lid && p[up] > size[up])
