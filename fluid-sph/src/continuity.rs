@@ -44,7 +44,11 @@ impl<L: Lanes> Constants<L> {
             slope: lanes.splat(mass * kernel.slope),
             eta2: lanes.splat(kernel.eta2),
             strength: lanes.splat(diffusion.strength),
-            rest: diffusion.rest.map(|value| lanes.splat(value)),
+            rest: [
+                lanes.splat(diffusion.rest[0]),
+                lanes.splat(diffusion.rest[1]),
+                lanes.splat(diffusion.rest[2]),
+            ],
             one: lanes.splat(1.0),
             zero: lanes.splat(0.0),
         }
@@ -55,7 +59,7 @@ impl<L: Lanes> Constants<L> {
 struct Rate<L: Lanes, const DIFFUSED: bool> {
     constants: Constants<L>,
     place: [L::Four; 4],
-    velocity: [L::Four; 3],
+    motion: [L::Four; 4],
     divergence: L::Four,
     exchange: L::Four,
 }
@@ -63,11 +67,10 @@ struct Rate<L: Lanes, const DIFFUSED: bool> {
 impl<L: Lanes, const DIFFUSED: bool> Rate<L, DIFFUSED> {
     #[inline(always)]
     fn new(lanes: L, constants: Constants<L>, row: &Row) -> Self {
-        let [u, v, w, _] = row.motion.map(|value| lanes.splat(value));
         Self {
             constants,
-            place: row.place.map(|value| lanes.splat(value)),
-            velocity: [u, v, w],
+            place: lanes.splats(&row.place),
+            motion: lanes.splats(&row.motion),
             divergence: constants.zero,
             exchange: constants.zero,
         }
@@ -78,19 +81,16 @@ impl<L: Lanes, const DIFFUSED: bool> Pairs<L> for Rate<L, DIFFUSED> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
         let Constants { half, slope, eta2, strength, rest, one, zero } = self.constants;
-        let r: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.place[k], place[k]));
-        let v: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.velocity[k], motion[k]));
-        let dot = |a: &[L::Four; 3], b: &[L::Four; 3]| {
-            lanes.add(lanes.add(lanes.mul(a[0], b[0]), lanes.mul(a[1], b[1])), lanes.mul(a[2], b[2]))
-        };
-        let square = dot(&r, &r);
+        let r = lanes.from_to(&self.place, &place);
+        let v = lanes.from_to(&self.motion, &motion);
+        let square = lanes.dot(&r, &r);
         let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
         let factor = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        self.divergence = lanes.add(self.divergence, lanes.mul(factor, dot(&v, &r)));
+        self.divergence = lanes.add(self.divergence, lanes.mul(factor, lanes.dot(&v, &r)));
         if DIFFUSED {
             let densities = lanes.add(self.place[3], place[3]);
             let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
-            let excess = lanes.add(lanes.sub(place[3], self.place[3]), dot(&rest, &r));
+            let excess = lanes.add(lanes.sub(place[3], self.place[3]), lanes.dot(&rest, &r));
             let share = lanes.mul(lanes.mul(strength, inverse), lanes.mul(factor, square));
             self.exchange = lanes.sub(self.exchange, lanes.mul(share, excess));
         }

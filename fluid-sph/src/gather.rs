@@ -104,10 +104,10 @@ pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
         }
         let whole = count / LANES * LANES;
         for four in found[..whole].chunks_exact(LANES) {
-            let row = |lane: usize| &set.rows[four[lane] as usize];
-            let rows = [row(0), row(1), row(2), row(3)];
-            let place = lanes.columns([&rows[0].place, &rows[1].place, &rows[2].place, &rows[3].place]);
-            let motion = lanes.columns([&rows[0].motion, &rows[1].motion, &rows[2].motion, &rows[3].motion]);
+            let (a, b) = (&set.rows[four[0] as usize], &set.rows[four[1] as usize]);
+            let (c, d) = (&set.rows[four[2] as usize], &set.rows[four[3] as usize]);
+            let place = lanes.columns([&a.place, &b.place, &c.place, &d.place]);
+            let motion = lanes.columns([&a.motion, &b.motion, &c.motion, &d.motion]);
             pairs.add(lanes, place, motion);
         }
         if all {

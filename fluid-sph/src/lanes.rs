@@ -38,6 +38,50 @@ pub(crate) trait Lanes: Copy {
     fn total(self, a: Self::Four) -> f64;
     /// The greatest of the lanes.
     fn greatest(self, a: Self::Four) -> f64;
+
+    /// Each of four numbers in all lanes.
+    #[inline(always)]
+    fn splats(self, values: &Pack) -> [Self::Four; 4] {
+        [self.splat(values[0]), self.splat(values[1]), self.splat(values[2]), self.splat(values[3])]
+    }
+
+    /// `a − b` of the first three of four.
+    #[inline(always)]
+    fn from_to(self, a: &[Self::Four; 4], b: &[Self::Four; 4]) -> [Self::Four; 3] {
+        [self.sub(a[0], b[0]), self.sub(a[1], b[1]), self.sub(a[2], b[2])]
+    }
+
+    /// The scalar product.
+    #[inline(always)]
+    fn dot(self, a: &[Self::Four; 3], b: &[Self::Four; 3]) -> Self::Four {
+        self.add(self.add(self.mul(a[0], b[0]), self.mul(a[1], b[1])), self.mul(a[2], b[2]))
+    }
+
+    /// `a + s b`.
+    #[inline(always)]
+    fn add_scaled(self, a: &[Self::Four; 3], s: Self::Four, b: &[Self::Four; 3]) -> [Self::Four; 3] {
+        [
+            self.add(a[0], self.mul(s, b[0])),
+            self.add(a[1], self.mul(s, b[1])),
+            self.add(a[2], self.mul(s, b[2])),
+        ]
+    }
+
+    /// `a − s b`.
+    #[inline(always)]
+    fn sub_scaled(self, a: &[Self::Four; 3], s: Self::Four, b: &[Self::Four; 3]) -> [Self::Four; 3] {
+        [
+            self.sub(a[0], self.mul(s, b[0])),
+            self.sub(a[1], self.mul(s, b[1])),
+            self.sub(a[2], self.mul(s, b[2])),
+        ]
+    }
+
+    /// The sums over the lanes of three.
+    #[inline(always)]
+    fn totals(self, a: &[Self::Four; 3]) -> [f64; 3] {
+        [self.total(a[0]), self.total(a[1]), self.total(a[2])]
+    }
 }
 
 /// Plain loops, for any processor.
@@ -121,12 +165,26 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use std::arch::x86_64::__m128d;
+    use std::arch::x86_64::{__m128d, __m256d};
 
     use pulp::x86::V3;
     use pulp::{cast, f64x4};
 
     use super::{LANES, Lanes, Pack};
+
+    /// Two numbers of each of two rows. Closures would not be compiled for the lanes; this is inlined always.
+    trait Join {
+        fn join(self, low: &Pack, high: &Pack, from: usize) -> __m256d;
+    }
+
+    impl Join for V3 {
+        #[inline(always)]
+        fn join(self, low: &Pack, high: &Pack, from: usize) -> __m256d {
+            let low: __m128d = cast([low[from], low[from + 1]]);
+            let high: __m128d = cast([high[from], high[from + 1]]);
+            self.avx._mm256_insertf128_pd::<1>(self.avx._mm256_castpd128_pd256(low), high)
+        }
+    }
 
     impl Lanes for V3 {
         type Four = f64x4;
@@ -146,13 +204,12 @@ mod avx2 {
         #[inline(always)]
         fn columns(self, rows: [&Pack; LANES]) -> [f64x4; 4] {
             let avx = self.avx;
-            let half = |row: usize, from: usize| -> __m128d { cast([rows[row][from], rows[row][from + 1]]) };
-            let join = |a, b| avx._mm256_insertf128_pd::<1>(avx._mm256_castpd128_pd256(a), b);
-            let pairs = |from: usize| {
-                let (even, odd) = (join(half(0, from), half(2, from)), join(half(1, from), half(3, from)));
-                [cast(avx._mm256_unpacklo_pd(even, odd)), cast(avx._mm256_unpackhi_pd(even, odd))]
-            };
-            let ([x, y], [z, last]) = (pairs(0), pairs(2));
+            let (even, odd) = (self.join(rows[0], rows[2], 0), self.join(rows[1], rows[3], 0));
+            let x = cast(avx._mm256_unpacklo_pd(even, odd));
+            let y = cast(avx._mm256_unpackhi_pd(even, odd));
+            let (even, odd) = (self.join(rows[0], rows[2], 2), self.join(rows[1], rows[3], 2));
+            let z = cast(avx._mm256_unpacklo_pd(even, odd));
+            let last = cast(avx._mm256_unpackhi_pd(even, odd));
             [x, y, z, last]
         }
 

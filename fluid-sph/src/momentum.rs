@@ -79,7 +79,7 @@ impl<L: Lanes> Constants<L> {
         let Momentum { kernel, mass, viscosity, .. } = momentum;
         Self {
             half: lanes.splat(kernel.half),
-            slope: lanes.splat(mass * kernel.slope),
+            slope: lanes.splat(-mass * kernel.slope),
             eta2: lanes.splat(kernel.eta2),
             h: lanes.splat(kernel.h),
             artificial: lanes.splat(viscosity.artificial),
@@ -93,12 +93,12 @@ impl<L: Lanes> Constants<L> {
 impl<L: Lanes> Force<L> {
     #[inline(always)]
     fn new(lanes: L, constants: Constants<L>, row: &Row, laminar: bool) -> Self {
-        let [x, y, z, density] = row.place.map(|value| lanes.splat(value));
+        let [x, y, z, density] = lanes.splats(&row.place);
         let zero = constants.zero;
         Self {
             constants,
             place: [x, y, z, density],
-            motion: row.motion.map(|value| lanes.splat(value)),
+            motion: lanes.splats(&row.motion),
             cube: lanes.mul(lanes.mul(density, density), density),
             laminar,
             acceleration: [zero; 3],
@@ -112,34 +112,27 @@ impl<L: Lanes> Pairs<L> for Force<L> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
         let Constants { half, slope, eta2, h, artificial, laminar, one, zero } = self.constants;
-        let r: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.place[k], place[k]));
-        let v: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.motion[k], motion[k]));
-        let dot = |a: &[L::Four; 3], b: &[L::Four; 3]| {
-            lanes.add(lanes.add(lanes.mul(a[0], b[0]), lanes.mul(a[1], b[1])), lanes.mul(a[2], b[2]))
-        };
-        let square = dot(&r, &r);
+        let r = lanes.from_to(&self.place, &place);
+        let v = lanes.from_to(&self.motion, &motion);
+        let square = lanes.dot(&r, &r);
         let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
-        let factor = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        let vr = dot(&v, &r);
+        // −m F, never negative.
+        let pull = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
+        let vr = lanes.dot(&v, &r);
         let densities = lanes.add(self.place[3], place[3]);
         let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
         let cubes = lanes.add(self.cube, lanes.mul(lanes.mul(place[3], place[3]), place[3]));
         let closing = lanes.min(vr, zero);
         let friction = lanes.mul(lanes.mul(artificial, cubes), lanes.mul(closing, inverse));
-        // Friction is −Π; it is never positive.
+        // −Π, never positive.
         let stress = lanes.sub(lanes.add(self.motion[3], motion[3]), friction);
-        let along = lanes.mul(factor, stress);
-        for k in 0..3 {
-            self.acceleration[k] = lanes.sub(self.acceleration[k], lanes.mul(along, r[k]));
-        }
-        let taken = lanes.mul(lanes.mul(factor, friction), vr);
-        self.friction = lanes.sub(self.friction, taken);
+        let along = lanes.mul(pull, stress);
+        self.acceleration = lanes.add_scaled(&self.acceleration, along, &r);
+        self.friction = lanes.add(self.friction, lanes.mul(lanes.mul(pull, friction), vr));
         if self.laminar {
-            let across = lanes.mul(lanes.mul(laminar, inverse), lanes.mul(factor, square));
-            for k in 0..3 {
-                self.acceleration[k] = lanes.add(self.acceleration[k], lanes.mul(across, v[k]));
-            }
-            self.friction = lanes.sub(self.friction, lanes.mul(across, dot(&v, &v)));
+            let across = lanes.mul(lanes.mul(laminar, inverse), lanes.mul(pull, square));
+            self.acceleration = lanes.sub_scaled(&self.acceleration, across, &v);
+            self.friction = lanes.add(self.friction, lanes.mul(across, lanes.dot(&v, &v)));
         }
         let speed = lanes.max(vr, lanes.sub(zero, vr));
         let approach = lanes.mul(lanes.mul(h, speed), lanes.mul(inverse, densities));
@@ -193,12 +186,13 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
                 let hidden = of.hidden_faces(slot, other);
                 gather::<L, _, D>(lanes, other, &near[1], &row.place, reach2, hidden, &mut room, &mut force);
             }
-            *out = std::array::from_fn(|k| lanes.total(force.acceleration[k]) + gravity[k]);
+            let [x, y, z] = lanes.totals(&force.acceleration);
+            *out = [x + gravity[0], y + gravity[1], z + gravity[2]];
             let sound = momentum.sound * (row.place[3] * row.place[3] * row.place[3]);
             felt = felt.and(&Felt {
                 friction: lanes.total(force.friction),
                 signal: sound + lanes.greatest(force.approach),
-                square: out.iter().map(|a| a * a).sum(),
+                square: out[0] * out[0] + out[1] * out[1] + out[2] * out[2],
             });
         }
         felt

@@ -10,7 +10,7 @@ use crate::sorted::Sorted;
 /// The sum over the neighbours of one particle.
 struct Drag<L: Lanes> {
     place: [L::Four; 4],
-    velocity: [L::Four; 3],
+    motion: [L::Four; 4],
     half: L::Four,
     scale: L::Four,
     four: L::Four,
@@ -22,7 +22,7 @@ struct Drag<L: Lanes> {
 impl<L: Lanes> Pairs<L> for Drag<L> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.place[k], place[k]));
+        let r = lanes.from_to(&self.place, &place);
         let square =
             lanes.add(lanes.add(lanes.mul(r[0], r[0]), lanes.mul(r[1], r[1])), lanes.mul(r[2], r[2]));
         let half = lanes.mul(self.half, lanes.sqrt(square));
@@ -30,10 +30,7 @@ impl<L: Lanes> Pairs<L> for Drag<L> {
         let square = lanes.mul(s, s);
         let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
         let weight = lanes.div(lanes.mul(self.scale, shape), lanes.add(self.place[3], place[3]));
-        for k in 0..3 {
-            let away = lanes.sub(motion[k], self.velocity[k]);
-            self.sum[k] = lanes.add(self.sum[k], lanes.mul(weight, away));
-        }
+        self.sum = lanes.add_scaled(&self.sum, weight, &lanes.from_to(&motion, &self.motion));
     }
 }
 
@@ -62,11 +59,10 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
             if cell != last {
                 (near, last) = (grid.beside(cell, &fluid.starts), cell);
             }
-            let [u, v, w, _] = row.motion.map(|value| lanes.splat(value));
             let zero = lanes.splat(0.0);
             let mut drag = Drag {
-                place: row.place.map(|value| lanes.splat(value)),
-                velocity: [u, v, w],
+                place: lanes.splats(&row.place),
+                motion: lanes.splats(&row.motion),
                 half: lanes.splat(kernel.half),
                 scale: lanes.splat(kernel.scale),
                 four: lanes.splat(4.0),
@@ -76,7 +72,8 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
             };
             let (hidden, reach2, room) = (fluid.hidden_sides(slot), kernel.reach2, &mut room);
             gather::<L, _, D>(lanes, fluid, &near, &row.place, reach2, hidden, room, &mut drag);
-            *out = drag.sum.map(|sum| share * lanes.total(sum));
+            let [u, v, w] = lanes.totals(&drag.sum);
+            *out = [share * u, share * v, share * w];
         }
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct Seen {
 
 /// The sums of one place.
 struct Mean<L: Lanes> {
-    place: [L::Four; 3],
+    place: [L::Four; 4],
     gravity: [L::Four; 3],
     half: L::Four,
     scale: L::Four,
@@ -39,24 +39,20 @@ struct Mean<L: Lanes> {
 impl<L: Lanes> Pairs<L> for Mean<L> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r: [L::Four; 3] = std::array::from_fn(|k| lanes.sub(self.place[k], place[k]));
-        let dot = |a: &[L::Four; 3], b: &[L::Four; 3]| {
-            lanes.add(lanes.add(lanes.mul(a[0], b[0]), lanes.mul(a[1], b[1])), lanes.mul(a[2], b[2]))
-        };
+        let r = lanes.from_to(&self.place, &place);
         // q/2, so that 2q + 1 = 4 (q/2) + 1.
-        let half = lanes.mul(self.half, lanes.sqrt(dot(&r, &r)));
+        let half = lanes.mul(self.half, lanes.sqrt(lanes.dot(&r, &r)));
         let s = lanes.max(lanes.sub(self.one, half), self.zero);
         let square = lanes.mul(s, s);
         let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
         let weight = lanes.mul(self.scale, shape);
         let density = place[3];
         let own = lanes.mul(lanes.mul(motion[3], density), density);
-        let carried = lanes.add(own, lanes.mul(density, dot(&self.gravity, &r)));
+        let carried = lanes.add(own, lanes.mul(density, lanes.dot(&self.gravity, &r)));
         self.weight = lanes.add(self.weight, weight);
         self.pressure = lanes.add(self.pressure, lanes.mul(weight, carried));
-        for k in 0..3 {
-            self.velocity[k] = lanes.add(self.velocity[k], lanes.mul(weight, motion[k]));
-        }
+        let [u, v, w, _] = motion;
+        self.velocity = lanes.add_scaled(&self.velocity, weight, &[u, v, w]);
     }
 }
 
@@ -90,11 +86,10 @@ impl<const D: usize> Sweep for Means<'_, '_, D> {
             if near.filled().is_empty() {
                 continue;
             }
-            let [x, y, z, _] = row.place.map(|value| lanes.splat(value));
             let zero = lanes.splat(0.0);
             let mut mean = Mean {
-                place: [x, y, z],
-                gravity: gravity.map(|value| lanes.splat(value)),
+                place: lanes.splats(&row.place),
+                gravity: [lanes.splat(gravity[0]), lanes.splat(gravity[1]), lanes.splat(gravity[2])],
                 half: lanes.splat(kernel.half),
                 scale: lanes.splat(kernel.scale),
                 four: lanes.splat(4.0),
@@ -110,7 +105,7 @@ impl<const D: usize> Sweep for Means<'_, '_, D> {
             *out = Seen {
                 weight: lanes.total(mean.weight),
                 pressure: lanes.total(mean.pressure),
-                velocity: mean.velocity.map(|sum| lanes.total(sum)),
+                velocity: lanes.totals(&mean.velocity),
             };
         }
     }
