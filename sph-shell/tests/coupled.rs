@@ -123,11 +123,14 @@ fn coupled(mut shell: Shell, substeps: f64, impedance: f64) -> Coupled {
     TwoClocks::new(Waves::new(&shell, dt, 200.0, impedance), vec![Box::new(shell)])
 }
 
+/// What a checkpoint keeps.
+type Kept = (MarchState, Vec<f64>, [Vec<[f64; 6]>; 2]);
+
 /// Keeps where a run stands after some steps.
 #[derive(Default)]
 struct Keeper {
     at: Option<u64>,
-    kept: Option<(MarchState, Vec<f64>, [Vec<[f64; 6]>; 2])>,
+    kept: Option<Kept>,
     last: Option<Record>,
 }
 
