@@ -48,6 +48,11 @@ pub enum SolidError {
     /// Contact asked of a plate of sheets.
     #[error("plates of two sheets know no contact; leave it out, or model the plate as a solid")]
     SheetContact,
+    /// A plate of sheets in a fluid.
+    #[error(
+        "plates of two sheets meet no fluid; model the plate as a shell, or as a solid of several layers"
+    )]
+    WetSheets,
     /// A set without nodes.
     #[error("{0} acts on an empty set of nodes; name a set that holds at least one")]
     EmptySet(&'static str),

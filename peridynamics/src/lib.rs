@@ -10,6 +10,8 @@
 //! ```
 //!
 //! A thin plate is two networks in plane stress on directors, with transverse shear between columns ([`Sheets`]).
+//!
+//! In a fluid ([`Solid::wet`]) the nodes are the points of the boundary; damage changes nothing of that.
 #![warn(missing_docs)]
 
 mod bonds;
@@ -30,6 +32,7 @@ mod solid;
 mod statics;
 mod time;
 mod unknowns;
+mod wetted;
 
 pub use conditions::{AppliedLoad, Support, Supported};
 pub use contact::Contact;

@@ -12,6 +12,7 @@ use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
+use crate::wetted::Surface;
 
 /// A peridynamic body: nodes that move, and of a plate of two sheets their directors.
 ///
@@ -30,6 +31,8 @@ pub struct Solid {
     pub(crate) internal: Vec<Row>,
     /// Loads of the last evaluation \[F\]; empty without any.
     pub(crate) external: Vec<Vec3>,
+    /// What a fluid wets.
+    pub(crate) wetted: Option<Box<Surface>>,
     pub(crate) constraints: Constraints,
     pub(crate) loads: Vec<AppliedLoad>,
     pub(crate) mechanics: Box<dyn Mechanics>,
@@ -79,6 +82,7 @@ impl Solid {
             masses,
             internal: vec![[0.0; 4]; count],
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
+            wetted: None,
             constraints,
             loads,
             mechanics,
@@ -194,7 +198,8 @@ impl Solid {
     /// Memory that a step touches, per node \[bytes\].
     pub fn bytes_per_particle(&self) -> f64 {
         let rows = 3 * size_of::<Row>() + size_of::<f64>();
-        (self.mechanics.bytes() + rows * self.rows.len()) as f64 / self.len() as f64
+        let wet = self.wetted.as_ref().map_or(0, |surface| surface.bytes());
+        (self.mechanics.bytes() + rows * self.rows.len() + wet) as f64 / self.len() as f64
     }
 
     /// Evaluates the internal forces of the present state, and the stored energy if asked for. No bond breaks.
@@ -221,6 +226,9 @@ impl Solid {
             for (node, force) in &load.forces {
                 self.external[*node as usize] += force * factor;
             }
+        }
+        if let Some(surface) = &self.wetted {
+            surface.add(&self.rates, &mut self.external);
         }
     }
 }

@@ -17,6 +17,7 @@
 //! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
 //! | the step of one particle (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
+//! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
@@ -183,6 +184,23 @@
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
 //!
+//! # In a fluid
+//!
+//! [`Shell::wet`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
+//! of the shell, with rows at heights z below each wet face ([`Wetting`]). For `explicit_dynamics::TwoClocks` a shell is then
+//! `Wetted`:
+//!
+//! ```text
+//! x_p = Σ N_a x_a + z Σ N_a d_a        N: bilinear in a cell, the widths of a row across a strip in a plane problem
+//! f_a += N_a f_p,   τ_a += N_a z f_p   the transpose: the same work for any motion, the same force and moment
+//! f = −ρ₀c₀A [(v − v_seen)·n] n        while the fluid takes a step, on columns that bear a load
+//! ```
+//!
+//! On lattices columns are even along the mean lines of both directions; on other clouds they divide cells, and those closer
+//! than 0.7 spacings are left out. In a plane problem the shell is a strip across the plane, a few particles wide between
+//! planes of symmetry; points stand along its middle line, and forces per depth act on its width. A dry shell has no array for
+//! any of this.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -202,6 +220,9 @@
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
+//! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
+//! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
+//! | in two clocks: the same bits for any threads and after a pause, no allocation, the static answer at rest | tests/coupled.rs |
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
 //! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march.rs) |
 
