@@ -25,7 +25,8 @@ pub enum Criterion {
     },
     /// The critical stretch in tension that spends the energy `G₀` on a unit area of crack \[F/L\].
     EnergyByStretch(f64),
-    /// The work done on a bond in tension that spends the energy `G₀` on a unit area of crack \[F/L\].
+    /// The work done on a bond in tension, its share of the energy `G₀` of a unit area of crack \[F/L\]. It counts what the
+    /// dilatation pulls with; where λ = μ it breaks the bonds that the stretch breaks.
     EnergyByWork(f64),
 }
 

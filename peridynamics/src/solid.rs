@@ -211,11 +211,16 @@ impl Solid {
         }
     }
 
-    /// Breaks the bonds that the present state stretches beyond their limits.
+    /// Breaks the bonds that the present state takes beyond their limits.
     pub(crate) fn break_beyond_limits(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        self.mechanics.break_bonds(&self.rows);
+        if self.mechanics.noted() {
+            self.mechanics.break_bonds(&self.rows);
+            // Work goes on from the pulls of the bonds that are left; the forces stay those of the balance.
+            let (mut rows, mut forces) = (self.rows.clone(), self.internal.clone());
+            self.mechanics.evaluate(&mut rows, &mut forces, wanted);
+        }
     }
 
     /// The loads at an instant.

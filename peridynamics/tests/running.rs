@@ -17,6 +17,10 @@ const DX: f64 = 5e-4;
 /// A plate 30 × 20 mm with a notch to a third of its length, torn open along y by its initial velocity; turned by 90° where
 /// `across`.
 fn torn(law: Law, across: bool, threads: usize) -> Solid {
+    torn_by(Criterion::EnergyByStretch(ENERGY), law, across, threads)
+}
+
+fn torn_by(criterion: Criterion, law: Law, across: bool, threads: usize) -> Solid {
     let counts = [60, 40];
     let turned = |x: Vec3| if across { Vec3::new(-x.y, x.x, 0.0) } else { x };
     let mut block = plane(counts, DX);
@@ -25,7 +29,6 @@ fn torn(law: Law, across: bool, threads: usize) -> Solid {
     let material = Elastic { young: 32e9, poisson: poisson(Space::PlaneStress, law), density: 2500.0 };
     let middle = 20.0 * DX;
     let notch = [Vec3::new(-DX, middle, 0.0), Vec3::new(20.0 * DX, middle, 0.0)].map(turned);
-    let criterion = Criterion::EnergyByStretch(ENERGY);
     let mut body = Solid::new(Parts {
         fracture: Some(Fracture { criterion, unbreakable: Vec::new() }),
         cracks: vec![Crack::Segment(notch)],
@@ -105,6 +108,18 @@ fn a_tearing_plate_goes_on_to_the_same_bits() {
         assert!(broken(&torn(law, false, 1)) < broken_then && broken_then < broken(&taken));
         assert!(whole.motion() == taken.motion() && whole.broken() == taken.broken());
     }
+}
+
+/// The work on a pairwise bond is its energy, and its limit that of its stretch.
+#[test]
+fn pairwise_bonds_break_by_work_as_by_stretch() {
+    let run = |criterion| {
+        let mut body = torn_by(criterion, Law::BondBased, false, 1);
+        transient(0.9).march(&mut body, &mut Records::default()).unwrap();
+        body.broken()[0].clone()
+    };
+    let [stretch, work] = [Criterion::EnergyByStretch(ENERGY), Criterion::EnergyByWork(ENERGY)].map(run);
+    assert!(stretch.len() > 2 * 800 && stretch == work, "{} {}", stretch.len(), work.len());
 }
 
 /// A plate turned by 90° has the same crack, turned.

@@ -84,12 +84,10 @@ impl Breaking {
             Limit::Stretch { tension, compression } => {
                 self.watch = Some(Watch { lanes, tension, compression });
             }
-            Limit::Work(density) => {
-                let limits = |node: usize, lane: usize| {
+            Limit::Work(share) => {
+                let limits = |lane: usize| {
                     let bond = network.bond(lane);
-                    let share = self.share(bond.length);
-                    // The mean of Vᵢ V̄ⱼ and Vⱼ V̄ᵢ: the part of a volume inside is a matter of the length alone.
-                    density * share * (self.volumes[node] * self.volumes[bond.other])
+                    0.5 * share * bond.stiffness * bond.length * bond.length
                 };
                 self.works = Some(Works::new(network, lanes, &limits));
             }

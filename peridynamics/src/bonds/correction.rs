@@ -14,7 +14,7 @@
 //! The energy of each of the six unit strains along the axes is then that of the solid at every node whose family spans them;
 //! without the products n_a n_b families at edges would take a shear for a dilatation.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{SMatrix, SVector, SymmetricEigen};
 use sph_core::Vec3;
 
 use super::families::Families;
@@ -45,7 +45,8 @@ pub(crate) fn weights(
     let mut out = plain.weights();
     match formulation.correction {
         Correction::None => {}
-        Correction::Even => plain.even(&mut out),
+        Correction::Even if moduli.dimensions == 3 => plain.even(&mut out, least_of_six),
+        Correction::Even => plain.even(&mut out, least_of_three),
         Correction::EnergyFactor => plain.energy_factor(&mut out),
     }
     out
@@ -107,41 +108,31 @@ impl Plain<'_> {
         Weights { dilatation, deviatoric }
     }
 
-    /// The correction by the six unit strains.
-    fn even(&self, out: &mut Weights) {
+    /// The correction by the unit strains, six in space and three in a plane: as many products of a direction.
+    fn even<const T: usize>(&self, out: &mut Weights, solve: Solve<T>) {
         let (f, d) = (self.families, self.moduli.dimensions);
-        let terms = d * (d + 1) / 2;
         let unit = 1.0 / (d * (d + 2)) as f64;
+        let mut of_bonds = Vec::new();
         for node in 0..f.len() {
-            let mut moments = DMatrix::<f64>::zeros(terms, terms);
-            let mut squares = DMatrix::<f64>::zeros(terms, terms);
+            let mut moments = SMatrix::<f64, T, T>::zeros();
+            let mut squares = moments;
+            of_bonds.clear();
             for bond in f.of(node) {
                 let share = self.influence(bond) * f.lengths[bond].powi(2) * f.volumes[bond];
-                let phi = even_products(&self.direction(node, bond), d);
-                for p in 0..terms {
-                    for q in 0..terms {
-                        moments[(p, q)] += share * phi[p] * phi[q];
-                    }
-                }
-                let products = products(&self.direction(node, bond), d);
-                for p in 0..terms {
-                    for q in 0..terms {
-                        squares[(p, q)] += share * products[p] * products[q];
-                    }
-                }
+                let n = self.direction(node, bond);
+                let (phi, products) = (even_products::<T>(&n), products::<T>(&n));
+                moments += phi * (phi * share).transpose();
+                squares += products * (products * share).transpose();
+                of_bonds.push([phi, products]);
             }
             let m = self.weighted_volume(node);
-            let wanted = DVector::from_fn(terms, |p, _| m * unit * if p < d { 3.0 } else { 1.0 });
-            let c = solve(&moments, &wanted);
-            let of_dilatation =
-                solve(&squares, &DVector::from_fn(terms, |p, _| if p < d { m / d as f64 } else { 0.0 }));
-            for bond in f.of(node) {
-                let n = self.direction(node, bond);
-                let phi = even_products(&n, d);
-                out.deviatoric[bond] *= (0..terms).map(|q| c[q] * phi[q]).sum::<f64>();
+            let energies = SVector::from_fn(|p, _| m * unit * if p < d { 3.0 } else { 1.0 });
+            let traces = SVector::from_fn(|p, _| if p < d { m / d as f64 } else { 0.0 });
+            let [of_energy, of_dilatation] = [solve(moments, &energies), solve(squares, &traces)];
+            for (bond, [phi, products]) in f.of(node).zip(&of_bonds) {
+                out.deviatoric[bond] *= of_energy.dot(phi);
                 if let Some(own) = out.dilatation.get_mut(bond) {
-                    let products = products(&n, d);
-                    *own *= (0..terms).map(|p| of_dilatation[p] * products[p]).sum::<f64>();
+                    *own *= of_dilatation.dot(products);
                 }
             }
         }
@@ -182,32 +173,40 @@ impl Plain<'_> {
     }
 }
 
-/// `n_a²`, then `n_a n_b` for a < b.
-fn products(n: &Vec3, d: usize) -> [f64; 6] {
-    if d == 2 {
-        return [n.x * n.x, n.y * n.y, n.x * n.y, 0.0, 0.0, 0.0];
-    }
-    [n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z]
+/// `n_a²`, then `n_a n_b` for a < b: in space six, in a plane three.
+fn products<const T: usize>(n: &Vec3) -> SVector<f64, T> {
+    let all = if T == 3 {
+        [n.x * n.x, n.y * n.y, n.x * n.y, 0.0, 0.0, 0.0]
+    } else {
+        [n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z]
+    };
+    SVector::from_fn(|p, _| all[p])
 }
 
-/// `n_a⁴`, then `n_a² n_b²` for a < b.
-fn even_products(n: &Vec3, d: usize) -> [f64; 6] {
-    let s = n.component_mul(n);
-    if d == 2 {
-        return [s.x * s.x, s.y * s.y, s.x * s.y, 0.0, 0.0, 0.0];
-    }
-    [s.x * s.x, s.y * s.y, s.z * s.z, s.x * s.y, s.x * s.z, s.y * s.z]
+/// `n_a⁴`, then `n_a² n_b²` for a < b: the products of the squares.
+fn even_products<const T: usize>(n: &Vec3) -> SVector<f64, T> {
+    products(&n.component_mul(n))
 }
 
 /// The least solution of a symmetric system, without what its matrix does not span.
-fn solve(matrix: &DMatrix<f64>, wanted: &DVector<f64>) -> DVector<f64> {
-    let eigen = nalgebra::SymmetricEigen::new(matrix.clone());
-    let top = eigen.eigenvalues.iter().fold(0.0_f64, |top, value| top.max(value.abs()));
-    let mut out = DVector::zeros(wanted.len());
-    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
-        if *value > SPANNED * top {
-            out += vector * (vector.dot(wanted) / value);
+type Solve<const T: usize> = fn(SMatrix<f64, T, T>, &SVector<f64, T>) -> SVector<f64, T>;
+
+/// [`Solve`] for so many unknowns: eigenvalues are found for sizes that are known by name.
+macro_rules! least {
+    ($name:ident, $size:literal) => {
+        fn $name(matrix: SMatrix<f64, $size, $size>, wanted: &SVector<f64, $size>) -> SVector<f64, $size> {
+            let eigen = SymmetricEigen::new(matrix);
+            let top = eigen.eigenvalues.iter().fold(0.0_f64, |top, value| top.max(value.abs()));
+            let mut out = SVector::zeros();
+            for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+                if *value > SPANNED * top {
+                    out += vector * (vector.dot(wanted) / value);
+                }
+            }
+            out
         }
-    }
-    out
+    };
 }
+
+least!(least_of_three, 3);
+least!(least_of_six, 6);

@@ -94,13 +94,27 @@ impl Families {
         self.starts[node] as usize..self.starts[node + 1] as usize
     }
 
-    /// The same bond seen from its other end.
+    /// The bonds seen from their other ends, asked for bond by bond from the first.
     ///
-    /// Distances are the same from both ends to the last bit, so that each bond has its twin.
-    pub fn twin(&self, node: usize, bond: usize) -> usize {
-        let other = self.others[bond] as usize;
-        let family = self.of(other);
-        let place = self.others[family.clone()].partition_point(|&j| (j as usize) < node);
-        family.start + place
+    /// Distances are the same from both ends to the last bit, so that each bond has its twin; and since the nodes of a
+    /// family ascend, the twins in a family are met in their order.
+    pub fn twins(&self) -> Twins<'_> {
+        Twins { families: self, next: self.starts.clone() }
+    }
+}
+
+/// See [`Families::twins`].
+pub(crate) struct Twins<'a> {
+    families: &'a Families,
+    /// The first bond of each family whose twin was not met.
+    next: Vec<u32>,
+}
+
+impl Twins<'_> {
+    /// The twin of the next bond.
+    pub fn next(&mut self, bond: usize) -> usize {
+        let next = &mut self.next[self.families.others[bond] as usize];
+        *next += 1;
+        *next as usize - 1
     }
 }

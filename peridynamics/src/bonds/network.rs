@@ -56,30 +56,48 @@ impl Network {
             }),
             bonds: families.others.len(),
         };
+        let packs = (0..families.len()).map(|node| families.of(node).len().div_ceil(LANES)).sum();
+        out.reserve(packs);
+        let mut twins = families.twins();
         for node in 0..families.len() {
-            let family: Vec<usize> = families.of(node).collect();
-            for four in family.chunks(LANES) {
+            for first in families.of(node).step_by(LANES) {
+                let end = families.of(node).end;
                 let of = |value: &dyn Fn(usize) -> f64| -> Pack {
-                    std::array::from_fn(|lane| four.get(lane).map_or(0.0, |&bond| value(bond)))
+                    std::array::from_fn(|lane| if first + lane < end { value(first + lane) } else { 0.0 })
                 };
-                let filled = |lane: usize| four[lane.min(four.len() - 1)];
+                let filled = |lane: usize| (first + lane).min(end - 1);
+                let twins: [usize; LANES] =
+                    std::array::from_fn(|lane| if first + lane < end { twins.next(first + lane) } else { 0 });
+                let twin = |bond: usize| twins[bond - first];
                 out.others.push(std::array::from_fn(|lane| families.others[filled(lane)]));
                 out.lengths.push(std::array::from_fn(|lane| families.lengths[filled(lane)]));
                 out.stiffness.push(of(&|bond| {
                     let other = families.others[bond] as usize;
-                    let twin = families.twin(node, bond);
-                    let [own, back] =
-                        [volumes[node] * weights.deviatoric[bond], volumes[other] * weights.deviatoric[twin]];
+                    let [own, back] = [
+                        volumes[node] * weights.deviatoric[bond],
+                        volumes[other] * weights.deviatoric[twin(bond)],
+                    ];
                     own + back
                 }));
                 if let Some(dilatation) = &mut out.dilatation {
                     dilatation.own.push(of(&|bond| weights.dilatation[bond]));
-                    dilatation.twin.push(of(&|bond| weights.dilatation[families.twin(node, bond)]));
+                    dilatation.twin.push(of(&|bond| weights.dilatation[twin(bond)]));
                 }
             }
             out.starts.push(out.others.len() as u32);
         }
         out
+    }
+
+    /// Makes room for so many packs.
+    fn reserve(&mut self, packs: usize) {
+        self.others.reserve_exact(packs);
+        self.lengths.reserve_exact(packs);
+        self.stiffness.reserve_exact(packs);
+        if let Some(dilatation) = &mut self.dilatation {
+            dilatation.own.reserve_exact(packs);
+            dilatation.twin.reserve_exact(packs);
+        }
     }
 
     /// Number of nodes.

@@ -34,13 +34,13 @@ struct Worked {
 }
 
 impl Works {
-    /// No work done; `limits` of a node and a lane.
-    pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize, usize) -> f64) -> Self {
+    /// No work done; `limits` of lanes.
+    pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize) -> f64) -> Self {
         let chunk = |number: usize| {
             let nodes = number * NODE_CHUNK..((number + 1) * NODE_CHUNK).min(network.len());
             let first = network.lanes_of(nodes.start).start;
-            let of = |node: usize| network.lanes_of(node).map(move |lane| limits(node, lane));
-            let bonds = nodes.flat_map(of).map(|limit| Worked { limit, ..Worked::default() }).collect();
+            let lanes = nodes.flat_map(|node| network.lanes_of(node));
+            let bonds = lanes.map(|lane| Worked { limit: limits(lane), ..Worked::default() }).collect();
             Chunk { first, bonds, beyond: Vec::new() }
         };
         Self { lanes, chunks: (0..network.len().div_ceil(NODE_CHUNK)).map(chunk).collect() }

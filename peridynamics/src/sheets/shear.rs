@@ -69,10 +69,11 @@ impl Shear {
         let share =
             |bond: usize| influence.weight(families.lengths[bond], families.reach) * families.volumes[bond];
         let whole: Vec<f64> = (0..families.len()).map(|node| families.of(node).map(share).sum()).collect();
-        let pair = |node: usize, bond: usize| {
+        let mut twins = families.twins();
+        let mut pair = |node: usize, bond: usize| {
             let (other, r) = (families.others[bond] as usize, families.lengths[bond]);
             let area = areas[node] * share(bond) / whole[node]
-                + areas[other] * share(families.twin(node, bond)) / whole[other];
+                + areas[other] * share(twins.next(bond)) / whole[other];
             let compliance = 1.0 / (SHEAR_FACTOR * moduli.mu * thickness) + r * r / (12.0 * bending);
             let rigidity = 2.0 * area / compliance;
             let (stiffness, half) = (rigidity, 0.5 / r);

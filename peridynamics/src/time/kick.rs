@@ -85,4 +85,18 @@ impl Solid {
         work.dissipated = 2.0 * step.kick * step.damping * work.kinetic;
         work
     }
+
+    /// The drift alone.
+    pub(super) fn drift_rows(&mut self, dt: f64) {
+        let one = |(rows, rates): (&mut [Row], &[Row])| {
+            for (place, rate) in rows.iter_mut().zip(rates) {
+                (0..3).for_each(|k| place[k] += dt * rate[k]);
+            }
+        };
+        if self.threads > 1 {
+            self.rows.par_chunks_mut(ROWS).zip(self.rates.par_chunks(ROWS)).for_each(one);
+        } else {
+            self.rows.chunks_mut(ROWS).zip(self.rates.chunks(ROWS)).for_each(one);
+        }
+    }
 }

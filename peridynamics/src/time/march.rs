@@ -29,12 +29,7 @@ impl Dynamics for Solid {
     }
 
     fn drift(&mut self, step: &Step) {
-        let dt = step.drift();
-        for (row, rate) in self.rows.iter_mut().zip(&self.rates) {
-            for k in 0..3 {
-                row[k] += dt * rate[k];
-            }
-        }
+        self.drift_rows(step.drift());
     }
 
     fn advance(&mut self, step: &Step) -> Work {

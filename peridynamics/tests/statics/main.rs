@@ -7,4 +7,5 @@ mod bodies;
 mod closed_forms;
 mod equilibria;
 mod patch;
+mod slow_cracks;
 mod tangent;

@@ -49,15 +49,17 @@ pub fn case() -> Case {
 
 fn variants() -> Vec<Variant> {
     [
-        (PAIRWISE, Law::BondBased, 12, 3.015),
-        (PAIRWISE, Law::BondBased, 16, 4.015),
-        (STATE, Law::StateBased, 12, 3.015),
+        (PAIRWISE, Law::BondBased, 12, 3.015, false),
+        (PAIRWISE, Law::BondBased, 16, 4.015, false),
+        (STATE, Law::StateBased, 12, 3.015, false),
+        (STATE, Law::StateBased, 12, 3.015, true),
     ]
     .into_iter()
-    .map(|(method, law, across, horizon)| {
-        let case = Cantilever { law, across, horizon };
+    .map(|(method, law, across, horizon, by_work)| {
+        let case = Cantilever { law, across, horizon, by_work };
         let run = move || case.figures().map_err(|e| e.to_string());
-        let grid = format!("{across} an arm, δ/Δx {horizon}");
+        let criterion = if by_work { ", by work" } else { "" };
+        let grid = format!("{across} an arm, δ/Δx {horizon}{criterion}");
         Variant::study(method, &grid, run).judged(|run, _| judged(run))
     })
     .collect()
@@ -87,6 +89,8 @@ struct Cantilever {
     across: usize,
     /// Horizon over the spacing.
     horizon: f64,
+    /// Whether bonds break by the work done on them.
+    by_work: bool,
 }
 
 /// Nodes of the upper and of the lower end.
@@ -196,7 +200,11 @@ impl Cantilever {
         let opening = table[1][1] * (2.0 * ARM * TOUGHNESS / slope).sqrt();
         parts.supports.push(moved(up.clone(), Vec3::y(), 0.5 * opening));
         parts.supports.push(moved(down, Vec3::y(), -0.5 * opening));
-        let criterion = Criterion::EnergyByStretch(TOUGHNESS);
+        let criterion = if self.by_work {
+            Criterion::EnergyByWork(TOUGHNESS)
+        } else {
+            Criterion::EnergyByStretch(TOUGHNESS)
+        };
         // Where the ends are pulled and held bonds are stretched as well.
         let unbreakable = nodes(&parts.block, |x| x.x < START - ARM || x.x > LENGTH - ARM);
         parts.fracture = Some(Fracture { criterion, unbreakable });
