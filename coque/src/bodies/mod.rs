@@ -12,6 +12,8 @@
 
 pub(crate) mod body;
 mod build;
+mod coupled;
+mod fluid;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;

@@ -106,6 +106,8 @@ pub enum Quantity {
     Stress,
     /// \[L³\].
     Volume,
+    /// \[F T²/L⁴\].
+    Density,
 }
 
 impl Length {
@@ -173,6 +175,7 @@ impl Units {
             Quantity::MomentPerLength => format!("{force} {length}/{length}"),
             Quantity::Stress => format!("{force}/{length}²"),
             Quantity::Volume => format!("{length}³"),
+            Quantity::Density => format!("{force} {time}²/{length}⁴"),
         }
     }
 }

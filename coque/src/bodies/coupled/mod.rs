@@ -1,0 +1,3 @@
+//! Bodies built together: a fluid, its walls, the structures in it.
+
+mod build;
