@@ -14,6 +14,7 @@ pub(crate) mod body;
 mod build;
 mod coupled;
 mod fluid;
+mod made;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
@@ -28,6 +29,7 @@ pub use body::{
     TangentCost,
 };
 pub use memory::Memory;
+use made::Made;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;

@@ -104,6 +104,8 @@ pub enum Quantity {
     MomentPerLength,
     /// \[F/L²\].
     Stress,
+    /// \[L²\].
+    Area,
     /// \[L³\].
     Volume,
     /// \[F T²/L⁴\].
@@ -174,6 +176,7 @@ impl Units {
             Quantity::ForcePerLength => format!("{force}/{length}"),
             Quantity::MomentPerLength => format!("{force} {length}/{length}"),
             Quantity::Stress => format!("{force}/{length}²"),
+            Quantity::Area => format!("{length}²"),
             Quantity::Volume => format!("{length}³"),
             Quantity::Density => format!("{force} {time}²/{length}⁴"),
         }

@@ -10,13 +10,22 @@ use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
-use crate::bodies::{Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape, Task};
+use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
 
 impl Scene {
     /// Builds a shell with what is asked of it.
     pub(in crate::bodies) fn shell_model(&self, threads: usize) -> Result<Model, SceneError> {
+        let ready = |shell| match &self.analysis {
+            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
+            _ => Ready::Static(Box::new(StaticShell::new(shell))),
+        };
+        Ok(self.shell_made(threads)?.map(ready).model(self, threads))
+    }
+
+    /// Builds a shell, and looks at it.
+    pub(in crate::bodies) fn shell_made(&self, threads: usize) -> Result<Made<Shell>, SceneError> {
         let Built { shell, probes, driven, surface, turn, memory } = self.assemble(threads)?;
         let description = describe(self, &shell, surface.as_ref());
         let warnings = doubts_of(self, turn, &shell);
@@ -27,23 +36,8 @@ impl Scene {
             file: Some(surface.file),
             checksum: Some(surface.checksum),
         });
-        let body = match &self.analysis {
-            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
-            _ => Ready::Static(Box::new(StaticShell::new(shell))),
-        };
-        let threads = threads.max(1);
-        Ok(Model {
-            task: Task::of(self),
-            body,
-            description,
-            memory,
-            identity,
-            probes,
-            driven,
-            threads,
-            warnings,
-            judge: Some(Box::new(judge)),
-        })
+        let judge = Some(Box::new(judge) as _);
+        Ok(Made { body: shell, description, memory, identity, probes, driven, warnings, judge })
     }
 
     /// Builds the shell alone, for programs that march or solve it themselves.
@@ -62,7 +56,10 @@ impl Scene {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
         let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
-        let imported = Imported::read(self)?;
+        let mut imported = Imported::read(self)?;
+        if let Some(imported) = &mut imported {
+            imported.cloud = self.placed(imported.cloud.clone());
+        }
         let memory = match (asked, &imported) {
             (Some(memory), _) => memory,
             (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
@@ -70,7 +67,7 @@ impl Scene {
         };
         let flat = match &imported {
             Some(imported) => imported.cloud.clone(),
-            None => self.place(weights)?,
+            None => self.placed(self.place(weights)?),
         };
         let brought = imported.as_ref().map(|imported| imported.sets(self)).transpose()?;
         let sets = Sets::find(self, &flat, brought)?;

@@ -40,6 +40,12 @@ impl Scene {
             let bound = format!("what {body}: {}", known.join(", "));
             return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
         }
+        let walls = matches!(self.body(), BodyScene::Walls(_));
+        if walls && matches!(probe.of, Measured::Force | Measured::Moment) && self.sets.contains_key(&probe.on) {
+            let bound = format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
+            let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
+            return Err(SceneError::Set(s.fault(&at("on"), &value, &bound, repair)));
+        }
         if probe.of == Measured::Velocity && !self.analysis.kind().passes_time {
             let bound = format!("no velocity in {}", self.analysis.kind().name);
             return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");

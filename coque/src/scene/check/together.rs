@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 
 use crate::scene::alone::Owner;
 use crate::scene::coupling::Coupling;
+use crate::scene::curve::Measured;
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
+use sph_core::Vec3;
 
 type Checked = Result<(), SceneError>;
 
@@ -139,13 +141,19 @@ impl Scene {
     /// What a fluid does to a structure is measured on the whole of it.
     fn check_contact_columns(&self) -> Checked {
         let s = &self.scope();
+        let gravity = self.fluid().map_or_else(Vec3::zeros, |(name, _)| self.gravity_on(name));
         for (i, probe) in self.curve.iter().enumerate().filter(|(_, probe)| probe.of.is_of_contact()) {
             let at = |key: &str| format!("curve[{i}].{key}");
+            if probe.of == Measured::Level && gravity == Vec3::zeros() {
+                let repair = "add loads = [{ on = \"all\", gravity = { acceleration = […] } }]";
+                let bound = "something without gravity, which has neither up nor down";
+                return Err(SceneError::Choice(s.fault(&at("of"), "a level", bound, repair)));
+            }
             let Owner::Of(name, set) = self.owner(&at("on"), &probe.on)? else { continue };
             if !self.structures().any(|(known, _)| *known == name) {
                 continue;
             }
-            if probe.of != crate::scene::curve::Measured::Force {
+            if probe.of != Measured::Force {
                 let value = format!("\"{}\"", probe.of.word());
                 let bound = "`force`, or what the structure has of itself";
                 let repair = "measure pressures, levels and moments on walls";
