@@ -8,7 +8,8 @@
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built, what all kinds refuse | `build.rs` |
 //! | which rigid motions are free | `rigid.rs` |
-//! | shells; solids | `shell/`; `solid/` |
+//! | shells; solids; fluids and walls | `shell/`; `solid/`; `fluid/` |
+//! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
 pub(crate) mod body;
 mod build;
@@ -25,11 +26,12 @@ mod shown;
 mod solid;
 
 pub use body::{
-    Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
+    Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
     TangentCost,
 };
 pub use memory::Memory;
 use made::Made;
+pub use fluid::figures::FluidFigures;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;

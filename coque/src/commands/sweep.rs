@@ -196,7 +196,7 @@ fn clear_runs(out: &Path) -> Result<(), String> {
 fn run(model: Model, out: &Path, stop: &Stop) -> Result<Outcome, String> {
     let folder = ResultFolder::take(out)?;
     let mut files =
-        fields(&model.task, model.describe().kind, out, None).map_err(|error| error.to_string())?;
+        fields(&model.task, &model, out, None).map_err(|error| error.to_string())?;
     let options = RunOptions {
         progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(CURVE)) },
         checkpoints: None,

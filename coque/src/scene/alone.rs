@@ -25,7 +25,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError::Set`] for a name that names no body.
-    pub(super) fn owner(&self, path: &str, on: &str) -> Result<Owner, SceneError> {
+    pub(crate) fn owner(&self, path: &str, on: &str) -> Result<Owner, SceneError> {
         if let Some((only, _)) = self.bodies.first_key_value().filter(|_| self.bodies.len() == 1) {
             return Ok(Owner::Of(only.clone(), on.into()));
         }

@@ -1,6 +1,6 @@
 //! A scene: a problem as plain, validated data.
 
-mod alone;
+pub(crate) mod alone;
 mod amplitude;
 mod analysis;
 mod analysis_kind;

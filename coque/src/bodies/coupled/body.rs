@@ -19,8 +19,7 @@ pub(in crate::bodies) trait Structure: Body + Wetted {}
 
 impl<S: Body + Wetted> Structure for S {}
 
-/// Names of the arrays of the fluid and of the clocks in a state; those of structures have their own names in front.
-const OF_FLUID: &str = "fluid";
+/// Name of the array of the clocks in a state; those of bodies have their names in front.
 const OF_CLOCKS: &str = "clocks";
 
 /// A fluid with its walls and the structures in it.
@@ -33,11 +32,19 @@ pub(super) struct Coupled {
     pub cells: Vec<Cell>,
     /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start \[–\].
     pub added_mass: Vec<f64>,
+    /// Greatest speed that a particle of the fluid has had \[L/T\].
+    pub fastest: f64,
 }
 
 impl Coupled {
     fn structure(&self, number: usize) -> Option<&dyn Structure> {
         self.clocks.structures().nth(number)
+    }
+
+    /// Keeps the greatest speed of the fluid.
+    fn watch(&mut self) {
+        let squares = self.clocks.fluid().velocities().iter().map(Vec3::norm_squared);
+        self.fastest = self.fastest.max(squares.fold(0.0, f64::max).sqrt());
     }
 
     /// Where the fluid is looked at for a pressure or a level.
@@ -72,11 +79,11 @@ impl Body for Coupled {
         let fluid = self.clocks.fluid();
         match self.layout.place(number) {
             Place::Fluid(a) => match of {
-                Measured::Position => fluid.position(a).dot(along),
-                Measured::Displacement => (fluid.position(a) - self.rest[number]).dot(along),
-                Measured::Velocity => fluid.velocity(a).dot(along),
-                Measured::Pressure => fluid.pressure(a),
-                Measured::Density => fluid.density(a),
+                Measured::Position => fluid.positions()[a].dot(along),
+                Measured::Displacement => (fluid.positions()[a] - self.rest[number]).dot(along),
+                Measured::Velocity => fluid.velocities()[a].dot(along),
+                Measured::Pressure => fluid.liquid().pressure(fluid.densities()[a]),
+                Measured::Density => fluid.densities()[a],
                 _ => 0.0,
             },
             Place::Structure(k, a) => self.structure(k).map_or(0.0, |body| body.read(of, a, along)),
@@ -122,7 +129,7 @@ impl Body for Coupled {
     }
 
     fn found(&self) -> Found {
-        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass)
+        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.fastest)
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -131,8 +138,10 @@ impl Body for Coupled {
         };
         let fluid = self.clocks.fluid().state();
         let mut all: Vec<_> =
-            fluid.into_iter().map(|(name, numbers)| named(OF_FLUID, name, numbers)).collect();
-        all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(self.clocks.state()) });
+            fluid.into_iter().map(|(name, numbers)| named(&self.layout.names[0], name, numbers)).collect();
+        let mut clocks = self.clocks.state();
+        clocks.push(self.fastest);
+        all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
             all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
         }
@@ -160,7 +169,7 @@ impl Coupled {
             });
             own.collect()
         };
-        let fluid = of(OF_FLUID);
+        let fluid = of(&self.layout.names[0]);
         let fluid: Vec<(&str, &[f64])> =
             fluid.iter().map(|array| (array.name.as_ref(), array.numbers.as_ref())).collect();
         self.clocks.fluid_mut().set_state(&fluid).map_err(|_| Mismatch)?;
@@ -169,7 +178,12 @@ impl Coupled {
             structure.set_state(part)?;
         }
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
-        if self.clocks.set_state(&clocks.numbers) { Ok(()) } else { Err(Mismatch) }
+        let (fastest, clocks) = clocks.numbers.split_last().ok_or(Mismatch)?;
+        if !self.clocks.set_state(clocks) {
+            return Err(Mismatch);
+        }
+        self.fastest = *fastest;
+        Ok(())
     }
 }
 
@@ -183,7 +197,9 @@ impl Dynamics for Coupled {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        self.clocks.kick(step)
+        let work = self.clocks.kick(step);
+        self.watch();
+        work
     }
 
     fn drift(&mut self, step: &Step) {
@@ -191,7 +207,9 @@ impl Dynamics for Coupled {
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        self.clocks.advance(step)
+        let work = self.clocks.advance(step);
+        self.watch();
+        work
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {

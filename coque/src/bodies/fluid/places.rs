@@ -5,7 +5,7 @@ use sph_core::Vec3;
 use crate::scene::{Annulus, FluidScene};
 
 /// The particles of a fluid: cells of its boxes, the last axis running fastest, or rings from the inside out.
-pub(super) fn places(fluid: &FluidScene) -> Vec<Vec3> {
+pub(in crate::bodies) fn places(fluid: &FluidScene) -> Vec<Vec3> {
     let spacing = fluid.geometry.spacing();
     if let Some(annulus) = fluid.geometry.rings() {
         return rings(&annulus);
@@ -45,7 +45,7 @@ fn rings(annulus: &Annulus) -> Vec<Vec3> {
 }
 
 /// The velocities with which particles set out, `v + ω × (x − p)`; none where the scene gives none.
-pub(super) fn velocities(fluid: &FluidScene, places: &[Vec3]) -> Vec<Vec3> {
+pub(in crate::bodies) fn velocities(fluid: &FluidScene, places: &[Vec3]) -> Vec<Vec3> {
     let Some(velocity) = fluid.velocity else { return Vec::new() };
     let linear = Vec3::from(velocity.linear.unwrap_or_default());
     let (spin, point) = velocity.spin.map_or_else(Default::default, |spin| {
