@@ -47,7 +47,8 @@ fn in_the_long_form(text: &str) -> String {
 
 /// All that a scene says, exactly.
 fn said(scene: Scene) -> String {
-    let Scene { title, units, bodies, sets, supports, loads, analysis, coupling, curve, output, source: _ } = scene;
+    let Scene { title, units, bodies, sets, supports, loads, analysis, coupling, curve, output, source: _ } =
+        scene;
     format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }
 

@@ -26,12 +26,12 @@ mod shown;
 mod solid;
 
 pub use body::{
-    Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
-    TangentCost,
+    Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape,
+    StateArray, TangentCost,
 };
-pub use memory::Memory;
-use made::Made;
 pub use fluid::figures::FluidFigures;
+use made::Made;
+pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;

@@ -138,7 +138,9 @@ fn bodies(fields: &Path) -> Vec<String> {
         let name = list.file_stem()?.to_str()?.to_string();
         let frames = listed(&list).ok()?;
         let of_run = |path: &Path| {
-            path.file_name().and_then(|file| file.to_str()).is_some_and(|file| file.starts_with(&format!("{name}-")))
+            path.file_name()
+                .and_then(|file| file.to_str())
+                .is_some_and(|file| file.starts_with(&format!("{name}-")))
         };
         (!frames.is_empty() && frames.iter().all(|(_, path)| of_run(path))).then_some(name)
     };

@@ -65,7 +65,12 @@ impl FieldFiles {
     ///
     /// # Errors
     /// As [`FieldFiles::go_on`].
-    pub fn go_on_all(folder: &Path, names: &[&str], wanted: &Fields, frames: u64) -> Result<Self, FieldError> {
+    pub fn go_on_all(
+        folder: &Path,
+        names: &[&str],
+        wanted: &Fields,
+        frames: u64,
+    ) -> Result<Self, FieldError> {
         if frames == 0 {
             return Self::create_all(folder, names, wanted);
         }

@@ -93,7 +93,9 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let (sides, one) = (sheet.point_data.get(SIDE), side(sheet));
     let side = |cell: usize| match sides {
-        Some(sides) => sheet.cells[cell].first().and_then(|&a| sides.numbers.get(a)).copied().filter(|x| x.is_finite()),
+        Some(sides) => {
+            sheet.cells[cell].first().and_then(|&a| sides.numbers.get(a)).copied().filter(|x| x.is_finite())
+        }
         None => one,
     };
     let faces = order.into_iter().map(|(_, i)| {

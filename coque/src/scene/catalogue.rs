@@ -34,7 +34,10 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
     let sets = [
         (BUILT_IN.join(", "), "of a shell: all particles, edges, corners, middle rows".into()),
         (OF_SOLIDS.join(", "), "of a solid: all nodes, those on the faces of its block".into()),
-        (OF_FLUIDS.join(", "), "of a fluid: all particles; of walls: all places, of a basin also its sides".into()),
+        (
+            OF_FLUIDS.join(", "),
+            "of a fluid: all particles; of walls: all places, of a basin also its sides".into(),
+        ),
     ];
     vec![
         shelf("analyses", "[analysis.…]", analyses.collect()),

@@ -48,7 +48,6 @@ pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction
 pub use output::{Fields, Output, Plot};
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
-pub use shell::{ShellScene, WetFaces};
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
@@ -56,6 +55,7 @@ pub use shell::geometry::{
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use shell::mesh::Mesh;
+pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
 pub use solid::geometry::{
@@ -68,5 +68,6 @@ pub use statics::{
 pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Support, SupportKind, Symmetry};
 pub use velocity::{Spin, Velocity};
 pub use walls::{
-    Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation, WallsScene,
+    Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,
+    WallTranslation, WallsScene,
 };

@@ -10,6 +10,7 @@ use sph_core::{Cell, Vec3};
 
 use super::layout::{Gauge, Layout, Place};
 use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
+use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
 use crate::bodies::{Evaluated, Shown};
 use crate::scene::Measured;
@@ -32,19 +33,13 @@ pub(super) struct Coupled {
     pub cells: Vec<Cell>,
     /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start \[–\].
     pub added_mass: Vec<f64>,
-    /// Greatest speed that a particle of the fluid has had \[L/T\].
-    pub fastest: f64,
+    /// Speeds of the fluid so far.
+    pub speeds: Speeds,
 }
 
 impl Coupled {
     fn structure(&self, number: usize) -> Option<&dyn Structure> {
         self.clocks.structures().nth(number)
-    }
-
-    /// Keeps the greatest speed of the fluid.
-    fn watch(&mut self) {
-        let squares = self.clocks.fluid().velocities().iter().map(Vec3::norm_squared);
-        self.fastest = self.fastest.max(squares.fold(0.0, f64::max).sqrt());
     }
 
     /// Where the fluid is looked at for a pressure or a level.
@@ -129,18 +124,17 @@ impl Body for Coupled {
     }
 
     fn found(&self) -> Found {
-        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.fastest)
+        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds)
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
-        let named = |of: &str, name: &str, numbers| {
-            StateArray { name: Cow::Owned(format!("{of}: {name}")), numbers }
-        };
+        let named =
+            |of: &str, name: &str, numbers| StateArray { name: Cow::Owned(format!("{of}: {name}")), numbers };
         let fluid = self.clocks.fluid().state();
         let mut all: Vec<_> =
             fluid.into_iter().map(|(name, numbers)| named(&self.layout.names[0], name, numbers)).collect();
         let mut clocks = self.clocks.state();
-        clocks.push(self.fastest);
+        clocks.extend([self.speeds.greatest, self.speeds.fast]);
         all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
             all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
@@ -173,16 +167,17 @@ impl Coupled {
         let fluid: Vec<(&str, &[f64])> =
             fluid.iter().map(|array| (array.name.as_ref(), array.numbers.as_ref())).collect();
         self.clocks.fluid_mut().set_state(&fluid).map_err(|_| Mismatch)?;
-        let parts: Vec<_> = self.layout.names[1..=self.layout.structures.len()].iter().map(|name| of(name)).collect();
+        let parts: Vec<_> =
+            self.layout.names[1..=self.layout.structures.len()].iter().map(|name| of(name)).collect();
         for (structure, part) in self.clocks.structures_mut().zip(&parts) {
             structure.set_state(part)?;
         }
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
-        let (fastest, clocks) = clocks.numbers.split_last().ok_or(Mismatch)?;
+        let (clocks, &[greatest, fast]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
         if !self.clocks.set_state(clocks) {
             return Err(Mismatch);
         }
-        self.fastest = *fastest;
+        self.speeds = Speeds { greatest, fast };
         Ok(())
     }
 }
@@ -198,7 +193,7 @@ impl Dynamics for Coupled {
 
     fn kick(&mut self, step: &Step) -> Work {
         let work = self.clocks.kick(step);
-        self.watch();
+        self.speeds.watch(self.clocks.fluid());
         work
     }
 
@@ -208,7 +203,7 @@ impl Dynamics for Coupled {
 
     fn advance(&mut self, step: &Step) -> Work {
         let work = self.clocks.advance(step);
-        self.watch();
+        self.speeds.watch(self.clocks.fluid());
         work
     }
 

@@ -10,6 +10,7 @@ use super::body::{Coupled, Structure};
 use super::layout::Layout;
 use super::probes::{Measuring, probes};
 use super::structures::{Wet, wet};
+use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::walls::{Rows, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
@@ -33,7 +34,7 @@ impl Scene {
         let walls = self.walls_together(wanted)?;
         let mut wets = Vec::new();
         for (structure, _) in self.structures() {
-            wets.push((structure.as_str(), wet(self, structure, wanted, threads)?));
+            wets.extend(wet(self, structure, wanted, threads)?.map(|wet| (structure.as_str(), wet)));
         }
         let mut fluid = self.fluid_together(name, wanted, &walls, &wets, threads)?;
         let safety = if let Analysis::Explicit(explicit) = &self.analysis { explicit.safety } else { 1.0 };
@@ -44,7 +45,8 @@ impl Scene {
         let mut built = Together::new(name, &fluid, &walls, &wets);
         let probes = {
             let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
-            let measuring = Measuring { scene: self, fluid: &fluid, walls: &walls, layout: &mut built.layout };
+            let measuring =
+                Measuring { scene: self, fluid: &fluid, walls: &walls, layout: &mut built.layout };
             probes(measuring, own)?
         };
         let mut description = describe::of_fluid(&alone, wanted, &fluid);
@@ -70,8 +72,13 @@ impl Scene {
             structures.push(made.body);
         }
         let judge = move |_: &[Cell], shapes: &[Shape]| -> Vec<Warning> {
-            let look = |(judge, range, cells): &(crate::bodies::model::ShapeJudge, std::ops::Range<usize>, Vec<Cell>)| {
-                let own = |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
+            let look = |(judge, range, cells): &(
+                crate::bodies::model::ShapeJudge,
+                std::ops::Range<usize>,
+                Vec<Cell>,
+            )| {
+                let own =
+                    |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
                 judge(cells, &shapes.iter().map(own).collect::<Vec<_>>())
             };
             judges.iter().flat_map(look).collect()
@@ -84,7 +91,7 @@ impl Scene {
         };
         clocks.impedance = coupling.impedance;
         let Together { layout, rest, cells } = built;
-        let body = Coupled { clocks, layout, rest, cells, added_mass, fastest: 0.0 };
+        let body = Coupled { clocks, layout, rest, cells, added_mass, speeds: Speeds::default() };
         let made = Made {
             body: Ready::Dynamic(Box::new(body)),
             description,
@@ -100,7 +107,7 @@ impl Scene {
 
     /// The rows of all walls.
     fn walls_together(&self, fluid: &FluidScene) -> Result<Vec<BuiltWalls<'_>>, SceneError> {
-        let deep = libm::ceil(2.0 * parts::formulation(fluid).smoothing) as usize;
+        let deep = parts::rows_deep(fluid);
         let mut all = Vec::new();
         for (name, body) in &self.bodies {
             let BodyScene::Walls(scene) = body else { continue };
@@ -125,7 +132,8 @@ impl Scene {
             points: points.to_vec(),
             motion: body.scene.motion.as_ref().map(parts::motion),
         };
-        let pieces = walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
+        let pieces =
+            walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
         let structure = |(_, wet): &(&str, Wet)| {
             let mut state = BoundaryState::default();
             wet.made.body.boundary(&mut state);
@@ -231,7 +239,10 @@ fn described(
     let particles: usize = moving().map(|body| body.particles).sum();
     let bytes: f64 = moving().map(|body| body.bytes_per_particle * body.particles as f64).sum();
     let lines = |of: fn(&Description) -> &Vec<String>| -> Vec<String> {
-        bodies.iter().flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}"))).collect()
+        bodies
+            .iter()
+            .flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}")))
+            .collect()
     };
     let total = Description {
         kind: "coupled",
@@ -257,7 +268,8 @@ fn together(fluid: Memory, made: &[(&str, Made<Box<dyn Structure>>)]) -> Memory 
 /// The files that surfaces of structures were read from, and one checksum of theirs.
 fn identity(made: &[(&str, Made<Box<dyn Structure>>)]) -> Identity {
     let files: Vec<&str> = made.iter().filter_map(|(_, made)| made.identity.file.as_deref()).collect();
-    let sums: Vec<u8> = made.iter().filter_map(|(_, made)| made.identity.checksum).flat_map(u32::to_le_bytes).collect();
+    let sums: Vec<u8> =
+        made.iter().filter_map(|(_, made)| made.identity.checksum).flat_map(u32::to_le_bytes).collect();
     Identity {
         file: (!files.is_empty()).then(|| files.join(", ")),
         checksum: (!sums.is_empty()).then(|| crc32fast::hash(&sums)),

@@ -59,7 +59,13 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
 
 impl Measuring<'_> {
     /// Numbers of what is measured on a set of walls: pieces for forces, a gauge at the one point of a set, else particles.
-    fn on_walls(&mut self, walls: usize, of: Measured, body: &str, set: &str) -> Result<Vec<u32>, SceneError> {
+    fn on_walls(
+        &mut self,
+        walls: usize,
+        of: Measured,
+        body: &str,
+        set: &str,
+    ) -> Result<Vec<u32>, SceneError> {
         let alone = self.scene.alone(body)?;
         let first = self.layout.walls[walls].start;
         let OnWalls { particles, pieces, point } =

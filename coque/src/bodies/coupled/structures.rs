@@ -1,9 +1,12 @@
-//! Structures as a fluid wets them.
+//! Structures as a fluid wets them: rows of points under the faces of a shell, the nodes of a solid.
+
+use sph_shell::{Sides, Wetting};
 
 use super::body::Structure;
 use crate::bodies::Made;
+use crate::bodies::fluid::parts::rows_deep;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, FluidScene, Scene};
+use crate::scene::{BodyScene, FluidScene, Scene, WetFaces};
 
 /// A structure with what the fluid asks of it.
 pub(super) struct Wet {
@@ -13,9 +16,36 @@ pub(super) struct Wet {
 }
 
 /// Builds one of the structures of a scene, alone, and wets it.
-pub(super) fn wet(scene: &Scene, name: &str, _fluid: &FluidScene, _threads: usize) -> Result<Wet, SceneError> {
-    let kind = scene.bodies.get(name).map_or("solid", BodyScene::word);
-    let (bound, repair) = ("none in a fluid yet", "remove it");
-    let fault = scene.source.fault(&format!("bodies.{name}"), &format!("a {kind}"), bound, repair);
-    Err(SceneError::Choice(fault))
+pub(super) fn wet(
+    scene: &Scene,
+    name: &str,
+    fluid: &FluidScene,
+    threads: usize,
+) -> Result<Option<Wet>, SceneError> {
+    let alone = scene.alone(name)?;
+    match alone.body() {
+        BodyScene::Shell(shell) => {
+            let sides = match shell.wet {
+                None | Some(WetFaces::Both) => Sides::Both,
+                Some(WetFaces::Front) => Sides::Front,
+                Some(WetFaces::Back) => Sides::Back,
+            };
+            let wetting = Wetting {
+                spacing: fluid.geometry.spacing(),
+                rows: rows_deep(fluid),
+                sides,
+                plane: fluid.dimensions() == 2,
+                free_edges: Vec::new(),
+            };
+            let area_density = shell.material.density() * shell.section.thickness();
+            let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
+            Ok(Some(Wet { made, area_density }))
+        }
+        BodyScene::Solid(_) => {
+            let (bound, repair) = ("a shell", "use a shell in its place");
+            let fault = scene.source.fault(&format!("bodies.{name}"), "a solid", bound, repair);
+            Err(SceneError::Choice(fault))
+        }
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
+    }
 }

@@ -20,10 +20,14 @@ pub(in crate::bodies) fn of_fluid(scene: &Scene, wanted: &FluidScene, fluid: &Fl
     let liquid = wanted.liquid();
     let mut modelled = vec![
         format!("weakly compressible liquid, Tait's equation, speed of sound {}", liquid.sound_speed),
-        format!("{scheme}, smoothing length {} spacings, artificial viscosity {}", method.smoothing, method.viscosity),
+        format!(
+            "{scheme}, smoothing length {} spacings, artificial viscosity {}",
+            method.smoothing, method.viscosity
+        ),
         walls.into(),
     ];
-    let mut left_out: Vec<String> = ["surface tension", "turbulence below the spacing", "air"].map(String::from).into();
+    let mut left_out: Vec<String> =
+        ["surface tension", "turbulence below the spacing", "air"].map(String::from).into();
     let mut either = |present: bool, what: &str| {
         let list = if present { &mut modelled } else { &mut left_out };
         list.push(what.into());

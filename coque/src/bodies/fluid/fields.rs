@@ -32,7 +32,13 @@ fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Re
     particles(&positions, to)?;
     let (rest, velocities) = (fluid.rest(), fluid.velocities());
     let displacement = rows(positions.len(), |a| <[f64; 3]>::from(positions[a] - rest[a]));
-    to.numbers(At::Points, "displacement", &units.symbol(Quantity::Length), &[], Values::Double(&displacement))?;
+    to.numbers(
+        At::Points,
+        "displacement",
+        &units.symbol(Quantity::Length),
+        &[],
+        Values::Double(&displacement),
+    )?;
     let velocity = rows(positions.len(), |a| <[f64; 3]>::from(velocities[a]));
     to.numbers(At::Points, "velocity", &units.symbol(Quantity::Speed), &[], Values::Double(&velocity))?;
     let (pressures, densities, surface) = (fluid.pressures(), fluid.densities(), fluid.free_surface());

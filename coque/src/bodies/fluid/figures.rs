@@ -3,6 +3,7 @@
 use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
 use serde::{Deserialize, Serialize};
+use sph_core::Vec3;
 
 use crate::bodies::Found;
 use crate::warning::{Doubt, Warning};
@@ -12,6 +13,32 @@ use crate::warning::{Doubt, Warning};
 const DENSE: f64 = 0.05;
 /// Speed of sound over the greatest speed, below which densities change by more than two percent.
 const SLOW: f64 = 7.0;
+
+/// Share of the particles that may be faster: spray.
+const SPRAY: f64 = 0.01;
+
+/// Speeds of a fluid so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::bodies) struct Speeds {
+    /// The greatest of any particle \[L/T\].
+    pub greatest: f64,
+    /// Greatest share of the particles that were too fast for the speed of sound at a time \[–\].
+    pub fast: f64,
+}
+
+impl Speeds {
+    /// Looks at the particles.
+    pub fn watch(&mut self, fluid: &Fluid) {
+        let bound = (fluid.liquid().sound_speed / SLOW).powi(2);
+        let (mut greatest, mut fast) = (0.0_f64, 0_usize);
+        for square in fluid.velocities().iter().map(Vec3::norm_squared) {
+            greatest = greatest.max(square);
+            fast += usize::from(square > bound);
+        }
+        self.greatest = self.greatest.max(greatest.sqrt());
+        self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
+    }
+}
 
 /// Figures of a fluid and of its coupling.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -43,12 +70,12 @@ pub struct FluidFigures {
 }
 
 /// The figures at present, and their doubts.
-pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64], fastest: f64) -> Found {
+pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64], speeds: Speeds) -> Found {
     let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
     let Counts { substeps, most, shortened } = *counts;
     let figures = FluidFigures {
         mass: fluid.mass() * fluid.len() as f64,
-        greatest_speed: fastest,
+        greatest_speed: speeds.greatest,
         greatest_density_error: fluid.greatest_density_error(),
         kinetic,
         compression,
@@ -60,7 +87,7 @@ pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64
         shortened,
         added_mass: added_mass.to_vec(),
     };
-    let warnings = [dense(&figures), slow(fluid, fastest)].into_iter().flatten().collect();
+    let warnings = [dense(&figures), slow(fluid, speeds)].into_iter().flatten().collect();
     Found { fluid: Some(figures), warnings }
 }
 
@@ -77,14 +104,15 @@ fn dense(figures: &FluidFigures) -> Option<Warning> {
     (error > DENSE).then(|| Warning::new(Doubt::Compressed, message()))
 }
 
-fn slow(fluid: &Fluid, speed: f64) -> Option<Warning> {
+fn slow(fluid: &Fluid, speeds: Speeds) -> Option<Warning> {
     let sound = fluid.liquid().sound_speed;
     let message = || {
         format!(
-            "the fluid reached a speed of {speed:.4}, and its speed of sound is {sound}: below {SLOW} times that speed \
-             densities change by more than two percent; use `sound_speed` = {:.4} or more",
-            10.0 * speed
+            "{:.1} % of the fluid were faster than {:.4}, a {SLOW}th of its speed of sound, at a time: their densities change by \
+             more than two percent; use a greater `sound_speed`",
+            100.0 * speeds.fast,
+            sound / SLOW
         )
     };
-    (sound < SLOW * speed).then(|| Warning::new(Doubt::SlowSound, message()))
+    (speeds.fast > SPRAY).then(|| Warning::new(Doubt::SlowSound, message()))
 }

@@ -41,6 +41,11 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
     }
 }
 
+/// Rows of particles behind a wall, as many as the kernel reaches.
+pub(in crate::bodies) fn rows_deep(fluid: &FluidScene) -> usize {
+    libm::ceil(2.0 * formulation(fluid).smoothing) as usize
+}
+
 /// Pressures at the start.
 pub(in crate::bodies) fn start(fluid: &FluidScene) -> Start {
     match fluid.formulation.options().start {

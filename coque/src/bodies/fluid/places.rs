@@ -12,7 +12,8 @@ pub(in crate::bodies) fn places(fluid: &FluidScene) -> Vec<Vec3> {
     }
     let mut all = Vec::new();
     for (_, lengths, origin) in fluid.geometry.boxes() {
-        let count = |axis: usize| lengths.get(axis).map_or(1, |length| libm::round(length / spacing) as usize);
+        let count =
+            |axis: usize| lengths.get(axis).map_or(1, |length| libm::round(length / spacing) as usize);
         let [nx, ny, nz] = [0, 1, 2].map(count);
         let least = [0, 1, 2].map(|axis| origin.and_then(|origin| origin.get(axis)).copied().unwrap_or(0.0));
         let at = |axis: usize, i: usize| match axis < lengths.len() {

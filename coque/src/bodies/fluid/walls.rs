@@ -4,8 +4,8 @@ use std::path::Path;
 
 use mesh_io::surface::read;
 use sph_core::{
-    SpaceError, Vec3, WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows, surface_first_row,
-    surface_rows,
+    SpaceError, Vec3, WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows,
+    surface_first_row, surface_rows,
 };
 
 use crate::scene::error::SceneError;
@@ -81,8 +81,9 @@ fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError
         0 => min[side / 2] - x[side / 2],
         _ => x[side / 2] - max[side / 2],
     };
-    let mut pieces: Vec<Piece> =
-        (0..2 * dimensions).map(|side| Piece { side: Some(OF_WALLS[side + 1]), ..Piece::default() }).collect();
+    let mut pieces: Vec<Piece> = (0..2 * dimensions)
+        .map(|side| Piece { side: Some(OF_WALLS[side + 1]), ..Piece::default() })
+        .collect();
     for x in points {
         let mut own = (0, f64::NEG_INFINITY);
         for side in 0..2 * dimensions {

@@ -2,10 +2,11 @@
 
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
-use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported};
+use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
 use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
+use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
 use crate::bodies::build::amplitude;
@@ -21,12 +22,22 @@ impl Scene {
             scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
             _ => Ready::Static(Box::new(StaticShell::new(shell))),
         };
-        Ok(self.shell_made(threads)?.map(ready).model(self, threads))
+        Ok(self.shell_made(threads, None)?.map(ready).model(self, threads))
     }
 
-    /// Builds a shell, and looks at it.
-    pub(in crate::bodies) fn shell_made(&self, threads: usize) -> Result<Made<Shell>, SceneError> {
-        let Built { shell, probes, driven, surface, turn, memory } = self.assemble(threads)?;
+    /// Builds a shell, wets it if that is wanted, and looks at it.
+    pub(in crate::bodies) fn shell_made(
+        &self,
+        threads: usize,
+        wetting: Option<Wetting>,
+    ) -> Result<Made<Shell>, SceneError> {
+        let Built { mut shell, probes, driven, surface, turn, memory, free_edges } =
+            self.assemble(threads)?;
+        if let Some(wetting) = wetting {
+            let wetting = Wetting { free_edges, ..wetting };
+            let builder = Builder { scene: self, turn };
+            shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
+        }
         let description = describe(self, &shell, surface.as_ref());
         let warnings = doubts_of(self, turn, &shell);
         let cloud = &shell.reference().cloud;
@@ -86,6 +97,7 @@ impl Scene {
             let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
             free_motions(&cloud, &held)
         })?;
+        let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
             cloud,
             section: builder.section()?,
@@ -101,7 +113,7 @@ impl Scene {
         builder.set_out(&mut shell);
         self.refuse_freedoms(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory })
+        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory, free_edges })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -123,6 +135,8 @@ struct Built {
     surface: Option<Provenance>,
     turn: Rotation3<f64>,
     memory: Memory,
+    /// Particles of the edges that no support holds.
+    free_edges: Vec<u32>,
 }
 
 pub(crate) struct Builder<'a> {
@@ -276,7 +290,11 @@ impl Builder<'_> {
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => of_body(reach),
             ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
-            ShellError::Space(_) | ShellError::Area { .. } => {
+            ShellError::Space(_)
+            | ShellError::Area { .. }
+            | ShellError::WetSpacing(_)
+            | ShellError::NoRows
+            | ShellError::NotAStrip { .. } => {
                 of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
             }
             ShellError::Density(_) => {

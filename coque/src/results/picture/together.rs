@@ -63,7 +63,8 @@ mod tests {
         let water = Sheet {
             points: vec![[0.0; 3], [1.0, 0.0, 0.0]],
             cells: vec![vec![0], vec![1]],
-            point_data: [("pressure".into(), array(&[1.0, 2.0])), ("area".into(), array(&[0.25, 0.25]))].into(),
+            point_data: [("pressure".into(), array(&[1.0, 2.0])), ("area".into(), array(&[0.25, 0.25]))]
+                .into(),
             ..Sheet::default()
         };
         let gate = Sheet {
@@ -76,7 +77,10 @@ mod tests {
         assert_eq!(both.cells, [vec![0], vec![1], vec![2, 3, 4]]);
         let numbers = |name: &str| both.point_data[name].numbers.clone();
         assert_eq!(numbers("pressure")[..2], [1.0, 2.0]);
-        assert!(numbers("pressure")[2..].iter().all(|x| x.is_nan()) && numbers("damage")[..2].iter().all(|x| x.is_nan()));
+        assert!(
+            numbers("pressure")[2..].iter().all(|x| x.is_nan())
+                && numbers("damage")[..2].iter().all(|x| x.is_nan())
+        );
         assert_eq!(numbers("damage")[2..], [0.0, 0.5, 1.0]);
         assert_eq!(numbers(SIDE)[..2], [0.5, 0.5]);
     }

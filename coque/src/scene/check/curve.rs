@@ -41,8 +41,12 @@ impl Scene {
             return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
         }
         let walls = matches!(self.body(), BodyScene::Walls(_));
-        if walls && matches!(probe.of, Measured::Force | Measured::Moment) && self.sets.contains_key(&probe.on) {
-            let bound = format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
+        if walls
+            && matches!(probe.of, Measured::Force | Measured::Moment)
+            && self.sets.contains_key(&probe.on)
+        {
+            let bound =
+                format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
             let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
             return Err(SceneError::Set(s.fault(&at("on"), &value, &bound, repair)));
         }
@@ -86,8 +90,8 @@ impl Scene {
     /// What can be measured on the body.
     fn measured(&self) -> Vec<Measured> {
         use Measured::{
-            Damage, Density, Director, Displacement, Force, FractureEnergy, Level, Moment, Position, Pressure,
-            Reaction, Rotation, StrainEnergy, Velocity,
+            Damage, Density, Director, Displacement, Force, FractureEnergy, Level, Moment, Position,
+            Pressure, Reaction, Rotation, StrainEnergy, Velocity,
         };
         match self.body() {
             BodyScene::Fluid(_) => return vec![Displacement, Position, Velocity, Pressure, Density],

@@ -59,7 +59,12 @@ impl Scene {
         }
         let repair = "use [analysis.explicit.transient]";
         let bound = "a transient run: a scene with a fluid has no other analysis";
-        Err(SceneError::Choice(self.scope().fault(&format!("analysis.{}", kind.word), kind.name, bound, repair)))
+        Err(SceneError::Choice(self.scope().fault(
+            &format!("analysis.{}", kind.word),
+            kind.name,
+            bound,
+            repair,
+        )))
     }
 
     /// Sets say whose they are; what is said of every body at once is gravity.

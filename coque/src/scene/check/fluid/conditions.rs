@@ -9,7 +9,11 @@ use crate::scene::scope::Scope;
 
 impl Scene {
     /// Refuses a velocity out of the plane of a plane fluid.
-    pub(in crate::scene::check) fn check_velocity_of_fluid(&self, fluid: &FluidScene, s: &Scope<'_>) -> Checked {
+    pub(in crate::scene::check) fn check_velocity_of_fluid(
+        &self,
+        fluid: &FluidScene,
+        s: &Scope<'_>,
+    ) -> Checked {
         let (Some(velocity), plane) = (fluid.velocity, fluid.dimensions() == 2) else { return Ok(()) };
         s.in_plane("velocity.linear", velocity.linear.unwrap_or_default(), plane)?;
         match velocity.spin {

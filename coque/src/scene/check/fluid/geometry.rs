@@ -68,10 +68,14 @@ impl FluidScene {
     pub(crate) fn particles_asked(&self) -> f64 {
         let spacing = self.geometry.spacing();
         match self.geometry.rings() {
-            Some(rings) => std::f64::consts::PI * (rings.outer.powi(2) - rings.inner.powi(2)) / spacing.powi(2),
+            Some(rings) => {
+                std::f64::consts::PI * (rings.outer.powi(2) - rings.inner.powi(2)) / spacing.powi(2)
+            }
             None => {
                 let boxes = self.geometry.boxes();
-                let count = |(_, lengths, _): &(String, &[f64], _)| lengths.iter().map(|l| l / spacing).product::<f64>();
+                let count = |(_, lengths, _): &(String, &[f64], _)| {
+                    lengths.iter().map(|l| l / spacing).product::<f64>()
+                };
                 boxes.iter().map(count).sum()
             }
         }

@@ -33,10 +33,30 @@ impl FluidScene {
             Some(value) => s.within(&at(key), value, bounds, repair),
             None => Ok(()),
         };
-        given("smoothing", options.smoothing, [1.0, 3.0], "1.3 is usual; 2 smooths more and costs twice as much")?;
-        given("viscosity", options.viscosity, [0.0, 1.0], "0.02 is usual; 0.1 hides a third of the energy at walls")?;
-        given("density_diffusion", options.density_diffusion, [0.0, 0.5], "0.1 is usual; 0 leaves pressures noisy")?;
+        given(
+            "smoothing",
+            options.smoothing,
+            [1.0, 3.0],
+            "1.3 is usual; 2 smooths more and costs twice as much",
+        )?;
+        given(
+            "viscosity",
+            options.viscosity,
+            [0.0, 1.0],
+            "0.02 is usual; 0.1 hides a third of the energy at walls",
+        )?;
+        given(
+            "density_diffusion",
+            options.density_diffusion,
+            [0.0, 0.5],
+            "0.1 is usual; 0 leaves pressures noisy",
+        )?;
         given("xsph", options.xsph, [0.0, 1.0], "0 is usual, 0.5 in the published method")?;
-        given("courant", options.courant, [0.001, 0.5], "0.3 is usual; at 0.6 still water does not stay at rest")
+        given(
+            "courant",
+            options.courant,
+            [0.001, 0.5],
+            "0.3 is usual; at 0.6 still water does not stay at rest",
+        )
     }
 }

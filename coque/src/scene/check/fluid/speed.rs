@@ -14,7 +14,9 @@ const LEAST: f64 = 7.0;
 impl Scene {
     /// Gravity on a body \[L/T²\]: the sum of what is said of it.
     pub(crate) fn gravity_on(&self, name: &str) -> Vec3 {
-        let on = |(i, load): (usize, &crate::scene::loads::Load)| match self.owner(&format!("loads[{i}].on"), &load.on) {
+        let on = |(i, load): (usize, &crate::scene::loads::Load)| match self
+            .owner(&format!("loads[{i}].on"), &load.on)
+        {
             Ok(Owner::Every) => load.gravity,
             Ok(Owner::Of(body, _)) if body == name => load.gravity,
             _ => None,
@@ -53,7 +55,10 @@ impl Scene {
         let depths = |extent: &Extent| {
             let least: f64 = (0..3).map(|i| down[i] * extent.least[i]).sum();
             let along = |i: usize| down[i] * extent.lengths[i];
-            [least + (0..3).map(|i| along(i).min(0.0)).sum::<f64>(), least + (0..3).map(|i| along(i).max(0.0)).sum::<f64>()]
+            [
+                least + (0..3).map(|i| along(i).min(0.0)).sum::<f64>(),
+                least + (0..3).map(|i| along(i).max(0.0)).sum::<f64>(),
+            ]
         };
         let fluids: Vec<[f64; 2]> = fluid.geometry.extents().iter().map(depths).collect();
         let top = fluids.iter().map(|depth| depth[0]).fold(f64::INFINITY, f64::min);
@@ -61,7 +66,8 @@ impl Scene {
             BodyScene::Walls(walls) => Some(walls.geometry.depth(&down)),
             _ => None,
         });
-        let bottom = fluids.iter().map(|depth| depth[1]).chain(walls.flatten()).fold(f64::NEG_INFINITY, f64::max);
+        let bottom =
+            fluids.iter().map(|depth| depth[1]).chain(walls.flatten()).fold(f64::NEG_INFINITY, f64::max);
         (2.0 * g * (bottom - top).max(0.0)).sqrt()
     }
 }

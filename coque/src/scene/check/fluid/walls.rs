@@ -93,7 +93,11 @@ fn check_basin(basin: &Basin, s: &Scope<'_>) -> Checked {
         return Err(s.value(&at(&format!("max[{axis}]")), basin.max[axis], &bound, "swap the coordinates"));
     }
     let faces = &OF_WALLS[1..=2 * dimensions];
-    basin.open.iter().enumerate().try_for_each(|(i, side)| s.word(&at(&format!("open[{i}]")), side, faces))?;
+    basin
+        .open
+        .iter()
+        .enumerate()
+        .try_for_each(|(i, side)| s.word(&at(&format!("open[{i}]")), side, faces))?;
     if faces.iter().all(|face| basin.open.iter().any(|open| open == face)) {
         let repair = "close a side, or remove the body";
         return Err(s.value(&at("open"), "every side", "fewer than all sides", repair));

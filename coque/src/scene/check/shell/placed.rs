@@ -18,8 +18,14 @@ impl ShellScene {
         s.direction("placed.u", placed.u)?;
         s.direction("placed.v", placed.v)?;
         if self.orientation.is_some() {
-            let repair = "keep one: `placed` moves the shape alone, `orientation` turns conditions and probes with it";
-            return Err(SceneError::Choice(s.fault("placed", "a place", "none beside `orientation`", repair)));
+            let repair =
+                "keep one: `placed` moves the shape alone, `orientation` turns conditions and probes with it";
+            return Err(SceneError::Choice(s.fault(
+                "placed",
+                "a place",
+                "none beside `orientation`",
+                repair,
+            )));
         }
         let [u, v] = [placed.u, placed.v].map(|v| Vec3::from(v).normalize());
         if u.dot(&v).abs() <= UPRIGHT {
