@@ -139,8 +139,8 @@ mod warning;
 pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::doubts::doubts;
 pub use bodies::{
-    Balanced, Body, Configuration, Description, Evaluated, Marched, Memory, Mismatch, Model, Part,
-    PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
+    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, Marched, Memory, Mismatch,
+    Model, Part, PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
 };
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields};
 pub use mesh_io::{
@@ -150,7 +150,7 @@ pub use mesh_io::{
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
-pub use results::picture::{FieldNotThere, Picture, picture_svg};
+pub use results::picture::{FieldNotThere, Picture, picture_svg, together};
 pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,

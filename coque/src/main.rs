@@ -211,7 +211,7 @@ fn launch(
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
     let mut checkpoints = task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
-    let mut files = fields(&task, model.describe().kind, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
+    let mut files = fields(&task, &model, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
     let curve = GrowingCurve::new(&out.join(CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let options = RunOptions {
@@ -238,15 +238,19 @@ fn launch(
 /// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
 fn fields(
     task: &Task,
-    kind: &str,
+    model: &Model,
     out: &Path,
     from: Option<&Checkpoint>,
 ) -> Result<Option<FieldFiles>, FieldError> {
     let Some(wanted) = &task.output.fields else { return Ok(None) };
     let folder = out.join("fields");
+    let mut names = model.body.body().bodies();
+    if names.is_empty() {
+        names.push(model.description.kind);
+    }
     let files = match from {
-        None => FieldFiles::create(&folder, kind, wanted),
-        Some(checkpoint) => FieldFiles::go_on(&folder, kind, wanted, checkpoint.frames()),
+        None => FieldFiles::create_all(&folder, &names, wanted),
+        Some(checkpoint) => FieldFiles::go_on_all(&folder, &names, wanted, checkpoint.frames()),
     };
     files.map(Some)
 }

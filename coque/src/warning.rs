@@ -54,6 +54,14 @@ pub enum Doubt {
     FewLayers,
     /// A motion prescribed on less than the depth of the horizon.
     ThinLayer,
+    /// A fluid that was compressed more than its method bears.
+    Compressed,
+    /// A speed of sound too low for the speed that the fluid reached.
+    SlowSound,
+    /// A wall with gaps through which a fluid may leak.
+    LeakyWall,
+    /// Fluid beyond the closed sides of a basin.
+    LostFluid,
 }
 
 impl Doubt {
@@ -84,6 +92,10 @@ impl Doubt {
             Self::FlatCells => "flat-cells",
             Self::FewLayers => "few-layers",
             Self::ThinLayer => "thin-layer",
+            Self::Compressed => "compressed",
+            Self::SlowSound => "slow-sound",
+            Self::LeakyWall => "leaky-wall",
+            Self::LostFluid => "lost-fluid",
         }
     }
 }
@@ -135,6 +147,10 @@ mod tests {
             Doubt::FlatCells,
             Doubt::FewLayers,
             Doubt::ThinLayer,
+            Doubt::Compressed,
+            Doubt::SlowSound,
+            Doubt::LeakyWall,
+            Doubt::LostFluid,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }

@@ -144,6 +144,7 @@ proptest! {
                         let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
                         block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
                     }
+                    BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
                 };
                 let built = if small { scene.build(1).map(|_| ()) } else { Ok(()) };
                 if let Err(error) = built {

@@ -47,8 +47,9 @@ fn in_the_long_form(text: &str) -> String {
 
 /// All that a scene says, exactly.
 fn said(scene: Scene) -> String {
-    let Scene { title, units, bodies, sets, supports, loads, analysis, curve, output, source: _ } = scene;
-    format!("{:?}", (title, units, bodies, sets, supports, loads, analysis, curve, output))
+    let Scene { title, units, bodies, sets, supports, loads, analysis, coupling, curve, output, source: _ } =
+        scene;
+    format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }
 
 #[test]

@@ -31,7 +31,9 @@ pub struct Rotation {
     pub centre: Vec3,
     /// Direction of the axis; in two dimensions the third.
     pub axis: Vec3,
-    /// Angle \[rad\].
+    /// Angle where the amplitude is one \[rad\].
+    pub by: f64,
+    /// Course of the angle.
     pub angle: Amplitude,
 }
 

@@ -111,6 +111,9 @@ impl Model {
             }
         }
         let Run { curve, mut shapes, latest, mut record, .. } = run;
+        let found = self.body.body().found();
+        record.fluid = found.fluid;
+        record.warnings.extend(found.warnings);
         shapes.extend(latest);
         // Modes and linear answers are drawn larger than they are.
         if let (Some(judge), true) = (&self.judge, true_to_scale(&self.task.analysis)) {

@@ -1,13 +1,16 @@
 //! What the application asks of any model: where its particles are, what can be measured on them, what it keeps.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use explicit_dynamics::Dynamics;
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
+use super::fluid::figures::FluidFigures;
 use super::shown::{Evaluated, Shown};
+use crate::Warning;
 use crate::scene::Measured;
 
 /// Particles that move, whatever they are made of.
@@ -25,6 +28,21 @@ pub trait Body: Send {
 
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a>;
+
+    /// Names of the bodies that it is made of, each with fields of its own; none of a body that is one.
+    fn bodies(&self) -> Vec<&str> {
+        Vec::new()
+    }
+
+    /// The same as [`Body::fields`] for one of the bodies that it is made of.
+    fn fields_of<'a>(&'a self, _body: usize, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        self.fields(shown)
+    }
+
+    /// What it found so far beside what is measured on it.
+    fn found(&self) -> Found {
+        Found::default()
+    }
 
     /// All that changes while it moves, as named arrays: what a checkpoint keeps.
     fn state(&self) -> Vec<StateArray<'_>>;
@@ -102,6 +120,15 @@ impl Ready {
     }
 }
 
+/// What a body found while it moved.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Figures of a fluid, if it has one.
+    pub fluid: Option<FluidFigures>,
+    /// What may be wrong with its numbers.
+    pub warnings: Vec<Warning>,
+}
+
 /// Where the particles of a body are.
 #[derive(Clone, Debug)]
 pub struct Configuration<'a> {
@@ -162,6 +189,9 @@ pub struct Description {
     pub spacing: f64,
     /// Memory that a step touches, per particle \[bytes\].
     pub bytes_per_particle: f64,
+    /// Bodies that it is made of, by name; none of a body that is one.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub bodies: BTreeMap<String, Description>,
     /// What is modelled, one line each.
     pub modelled: Vec<String>,
     /// What is not, one line each.

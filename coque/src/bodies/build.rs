@@ -14,8 +14,9 @@ impl Scene {
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         self.check()?;
         match self.body() {
-            BodyScene::Shell(_) => self.shell_model(threads),
-            BodyScene::Solid(solid) => self.solid_model(solid, threads),
+            BodyScene::Shell(_) if !self.is_together() => self.shell_model(threads),
+            BodyScene::Solid(solid) if !self.is_together() => self.solid_model(solid, threads),
+            _ => self.model_together(threads),
         }
     }
 
@@ -69,7 +70,7 @@ impl Scene {
             BodyScene::Shell(_) => {
                 "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line"
             }
-            BodyScene::Solid(_) => "hold it: clamp a face, add a symmetry plane, or hold nodes out of line",
+            _ => "hold it: clamp a face, add a symmetry plane, or hold nodes out of line",
         };
         let value = format!("{} free to move: {}", self.body().word(), free.join(", "));
         Err(SceneError::FreeMotion(self.source.fault(path, &value, &bound, repair)))

@@ -25,6 +25,9 @@ const BOND: f64 = 40.0;
 /// 2700 nodes in space, two spacings of horizon.
 const BLOCK: f64 = 30.0;
 
+/// Greatest memory of a particle of a fluid or a wall while it is built and marched \[bytes\].
+const FLUID: f64 = 600.0;
+
 /// The bound of every scene.
 const MOST_PARTICLES: f64 = 1e7;
 
@@ -61,6 +64,8 @@ impl Scene {
         };
         let key = match self.body() {
             BodyScene::Solid(_) => "block.spacing".into(),
+            BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
+            BodyScene::Walls(walls) => walls.geometry.word().into(),
             BodyScene::Shell(ShellScene { geometry, .. }) => {
                 let key = match geometry {
                     Geometry::Mesh(_) => "file",
@@ -101,6 +106,7 @@ impl Scene {
         let (each, factor) = match self.body() {
             BodyScene::Shell(shell) => memory_of_shell(shell),
             BodyScene::Solid(solid) => memory_of_solid(solid),
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => (FLUID, 0.0),
         };
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,

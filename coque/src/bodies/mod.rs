@@ -8,10 +8,14 @@
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built, what all kinds refuse | `build.rs` |
 //! | which rigid motions are free | `rigid.rs` |
-//! | shells; solids | `shell/`; `solid/` |
+//! | shells; solids; fluids and walls | `shell/`; `solid/`; `fluid/` |
+//! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
 pub(crate) mod body;
 mod build;
+mod coupled;
+mod fluid;
+mod made;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
@@ -22,9 +26,11 @@ mod shown;
 mod solid;
 
 pub use body::{
-    Balanced, Body, Configuration, Description, Marched, Mismatch, PrescribedPoint, Ready, Shape, StateArray,
-    TangentCost,
+    Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape,
+    StateArray, TangentCost,
 };
+pub use fluid::figures::FluidFigures;
+use made::Made;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};

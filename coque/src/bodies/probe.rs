@@ -18,6 +18,10 @@ pub struct Probe {
     pub particles: Vec<u32>,
     /// Unit vector along which it is measured; zero for numbers without components.
     pub direction: Vec3,
+    /// Point about which a moment is taken \[L\].
+    pub about: Vec3,
+    /// What its values are, for the unit of the column.
+    pub quantity: Quantity,
     /// What is taken of the values of the particles.
     pub take: Take,
     /// Factor on the value.
@@ -29,21 +33,13 @@ pub struct Probe {
 impl Probe {
     /// A column of factor one, the usual of its quantity taken.
     pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
-        let take = Take::usual(of);
-        Self { name: name.into(), of, particles, direction, take, factor: 1.0, turns: Vec::new() }
+        let (take, quantity, about) = (Take::usual(of), usual(of), Vec3::zeros());
+        let name = name.into();
+        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, turns: Vec::new() }
     }
 
     pub(crate) fn column(&self, units: &Units) -> Column {
-        let quantity = match self.of {
-            Measured::Displacement | Measured::Position => Quantity::Length,
-            Measured::Reaction => Quantity::Force,
-            Measured::Rotation => Quantity::Angle,
-            Measured::Director | Measured::Damage => Quantity::Ratio,
-            Measured::Velocity => Quantity::Speed,
-            Measured::FractureEnergy => Quantity::Energy,
-            Measured::StrainEnergy => Quantity::Stress,
-        };
-        Column { name: self.name.clone(), unit: units.symbol(quantity) }
+        Column { name: self.name.clone(), unit: units.symbol(self.quantity) }
     }
 
     /// The value now.
@@ -97,6 +93,7 @@ impl Probe {
             let a = self.particles[i] as usize;
             match self.of {
                 Measured::Rotation => self.turns[i].1,
+                Measured::Moment => moment(body, a, &self.direction, &self.about),
                 of => body.read(of, a, &self.direction),
             }
         };
@@ -116,6 +113,26 @@ impl Probe {
             *last = now;
         }
     }
+}
+
+/// What values of a quantity are, where nothing is by depth.
+fn usual(of: Measured) -> Quantity {
+    match of {
+        Measured::Displacement | Measured::Position | Measured::Level => Quantity::Length,
+        Measured::Reaction | Measured::Force => Quantity::Force,
+        Measured::Rotation => Quantity::Angle,
+        Measured::Director | Measured::Damage => Quantity::Ratio,
+        Measured::Velocity => Quantity::Speed,
+        Measured::FractureEnergy | Measured::Moment => Quantity::Energy,
+        Measured::StrainEnergy | Measured::Pressure => Quantity::Stress,
+        Measured::Density => Quantity::Density,
+    }
+}
+
+/// Component of the moment about a point, `M·e − (p × F)·e`, from the moment about the origin.
+fn moment(body: &dyn Body, at: usize, along: &Vec3, about: &Vec3) -> f64 {
+    let force = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| body.read(Measured::Force, at, &axis));
+    body.read(Measured::Moment, at, along) - about.cross(&Vec3::from(force)).dot(along)
 }
 
 /// Angle from `a` to `b` about `axis`, from −π to π \[rad\].

@@ -4,7 +4,9 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Curve, Picture, ReadError, Sheet, listed, picture_svg, plot_svg, read_text, write_whole};
+use coque::{
+    Curve, Picture, ReadError, Sheet, listed, picture_svg, plot_svg, read_text, together, write_whole,
+};
 
 use super::say::{Refused, say};
 
@@ -12,10 +14,13 @@ use super::say::{Refused, say};
 pub struct Plot {
     /// Folder of a run; of a scene with [output.fields] unless --curve is given.
     folder: PathBuf,
-    /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: damage where there is any,
-    /// von_mises_top, else displacement]
+    /// A field, or a component of one: von_mises_top, displacement.z, moment.11 … [default: pressure of a fluid, damage
+    /// where there is any, von_mises_top, else displacement]
     #[arg(long, value_name = "FIELD")]
     field: Option<String>,
+    /// Of several bodies draw this one alone.
+    #[arg(long, value_name = "NAME")]
+    body: Option<String>,
     /// Number of the frame, from 0 [default: the last].
     #[arg(long, value_name = "N")]
     frame: Option<usize>,
@@ -29,7 +34,7 @@ pub struct Plot {
     #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1")]
     scale: f64,
     /// Draw the curve instead: this column along, that one up.
-    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "frame", "view", "mirror", "scale"])]
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "view", "mirror", "scale"])]
     curve: Option<(String, String)>,
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
@@ -88,19 +93,22 @@ fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
 }
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
-    let of = |name: &str| plot.folder.join("fields").join(name);
-    // Beside the list of a shell that of a solid is the same shell with its thickness.
-    let list = Some(of("solid.pvd")).filter(|solid| solid.exists() && !of("shell.pvd").exists());
-    let list = list.unwrap_or_else(|| of("shell.pvd"));
-    let frames = listed(&list).map_err(unread)?;
-    let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
-    let Some((along, path)) = frames.get(number) else {
-        let count = frames.len();
-        return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
-    };
-    let sheet = Sheet::read(path).map_err(unread)?;
+    let mut sheets = Vec::new();
+    let mut shown = (0, 0.0);
+    for list in lists(plot)? {
+        let frames = listed(&list).map_err(unread)?;
+        let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
+        let Some((along, path)) = frames.get(number) else {
+            let count = frames.len();
+            return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
+        };
+        sheets.push(Sheet::read(path).map_err(unread)?);
+        shown = (number, *along);
+    }
+    let (number, along) = shown;
+    let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };
     // Six digits: what a sum of steps adds beyond them is rounding.
-    let along: f64 = format!("{along:.5e}").parse().unwrap_or(*along);
+    let along: f64 = format!("{along:.5e}").parse().unwrap_or(along);
     let title = format!("{}, frame {number} at {along}", name(&plot.folder));
     let wanted = Picture {
         field: plot.field.as_deref(),
@@ -114,6 +122,26 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     let written = write_whole(&out, |to| to.write_all(svg.as_bytes()));
     written.map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
     Ok(out)
+}
+
+/// Lists of the frames that are drawn: of a lone body its own, of several those of all or of the one that is named.
+fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
+    let of = |name: &str| plot.folder.join("fields").join(name);
+    if let Some(body) = &plot.body {
+        return Ok(vec![of(&format!("{body}.pvd"))]);
+    }
+    let entries = std::fs::read_dir(plot.folder.join("fields")).into_iter().flatten().flatten();
+    let mut all: Vec<PathBuf> = entries
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "pvd"))
+        .collect();
+    all.sort();
+    let [shell, solid] = ["shell.pvd", "solid.pvd"].map(of);
+    // Beside the list of a lone shell that of a solid is the same shell with its thickness.
+    if all.is_empty() || all == [shell.clone(), solid] {
+        return Ok(vec![shell]);
+    }
+    Ok(all)
 }
 
 fn unread(error: ReadError) -> String {

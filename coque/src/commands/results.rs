@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use coque::{
-    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, Task, Whole, plot_svg, write_whole,
+    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, Task, Whole, listed, plot_svg, write_whole,
 };
 
 use super::say::say;
@@ -70,7 +70,9 @@ impl ResultFolder {
         }
         let fields = self.path.join(FIELDS);
         if fields.is_dir() {
-            FieldFiles::clear(&fields, FieldFiles::LONE).map_err(|error| format!("{error}\n"))?;
+            for name in [FieldFiles::LONE.to_string()].into_iter().chain(bodies(&fields)) {
+                FieldFiles::clear(&fields, &name).map_err(|error| format!("{error}\n"))?;
+            }
             // What else is there keeps it.
             let _ = fs::remove_dir(&fields);
         }
@@ -127,6 +129,22 @@ impl ResultFolder {
         }
         if refused.is_empty() { Ok(()) } else { Err(refused) }
     }
+}
+
+/// Bodies of which an earlier run listed frames: lists that name files of their own name.
+fn bodies(fields: &Path) -> Vec<String> {
+    let lists = fs::read_dir(fields).into_iter().flatten().flatten().map(|entry| entry.path());
+    let own = |list: PathBuf| {
+        let name = list.file_stem()?.to_str()?.to_string();
+        let frames = listed(&list).ok()?;
+        let of_run = |path: &Path| {
+            path.file_name()
+                .and_then(|file| file.to_str())
+                .is_some_and(|file| file.starts_with(&format!("{name}-")))
+        };
+        (!frames.is_empty() && frames.iter().all(|(_, path)| of_run(path))).then_some(name)
+    };
+    lists.filter(|path| path.extension().is_some_and(|ending| ending == "pvd")).filter_map(own).collect()
 }
 
 impl Drop for ResultFolder {

@@ -195,8 +195,7 @@ fn clear_runs(out: &Path) -> Result<(), String> {
 /// Runs a model; its curve and its frames go into its folder.
 fn run(model: Model, out: &Path, stop: &Stop) -> Result<Outcome, String> {
     let folder = ResultFolder::take(out)?;
-    let mut files =
-        fields(&model.task, model.describe().kind, out, None).map_err(|error| error.to_string())?;
+    let mut files = fields(&model.task, &model, out, None).map_err(|error| error.to_string())?;
     let options = RunOptions {
         progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(CURVE)) },
         checkpoints: None,

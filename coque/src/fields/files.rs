@@ -1,4 +1,4 @@
-//! Frames of a body on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and the body with its thickness beside it.
+//! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and the body with its thickness beside it.
 
 use std::fs;
 use std::path::Path;
@@ -8,14 +8,14 @@ use mesh_io::{FieldError, Series};
 use super::{FieldSink, Frame, Part};
 use crate::scene::Fields;
 
-/// Writes the frames of one body into a folder: `NAME.pvd` and `NAME-0000.vtu` …, and of an extruded shell likewise,
-/// `solid` of a lone shell, else `NAME-solid`.
+/// Writes the frames of one body or of several into a folder: `NAME.pvd` and `NAME-0000.vtu` …, and of an extruded shell
+/// likewise, `solid` of a lone shell, else `NAME-solid`.
 ///
 /// Whatever kills a run leaves whole files, and lists that name only those.
 pub struct FieldFiles {
     stresses: bool,
-    surface: Series,
-    extruded: Option<Series>,
+    /// Of each body its surface and the same with its thickness, if that is wanted.
+    bodies: Vec<(Series, Option<Series>)>,
 }
 
 impl FieldFiles {
@@ -27,11 +27,22 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a folder that cannot be made or cleared.
     pub fn create(folder: &Path, name: &str, wanted: &Fields) -> Result<Self, FieldError> {
+        Self::create_all(folder, &[name], wanted)
+    }
+
+    /// The same for several bodies, in the order of [`crate::Body::bodies`].
+    ///
+    /// # Errors
+    /// As [`FieldFiles::create`].
+    pub fn create_all(folder: &Path, names: &[&str], wanted: &Fields) -> Result<Self, FieldError> {
         fs::create_dir_all(folder)
             .map_err(|error| FieldError { path: folder.display().to_string(), reason: error.to_string() })?;
-        Self::clear(folder, name)?;
-        let [surface, extruded] = series(folder, name);
-        Ok(Self { stresses: wanted.stresses, surface, extruded: wanted.extruded.then_some(extruded) })
+        names.iter().try_for_each(|name| Self::clear(folder, name))?;
+        let body = |name: &&str| {
+            let [surface, extruded] = series(folder, name);
+            (surface, wanted.extruded.then_some(extruded))
+        };
+        Ok(Self { stresses: wanted.stresses, bodies: names.iter().map(body).collect() })
     }
 
     /// Takes out the frames that an earlier run left in a folder, and their lists; whatever else is there stays.
@@ -47,15 +58,29 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a list that does not hold them, and a folder that cannot be cleared.
     pub fn go_on(folder: &Path, name: &str, wanted: &Fields, frames: u64) -> Result<Self, FieldError> {
+        Self::go_on_all(folder, &[name], wanted, frames)
+    }
+
+    /// The same for several bodies.
+    ///
+    /// # Errors
+    /// As [`FieldFiles::go_on`].
+    pub fn go_on_all(
+        folder: &Path,
+        names: &[&str],
+        wanted: &Fields,
+        frames: u64,
+    ) -> Result<Self, FieldError> {
         if frames == 0 {
-            return Self::create(folder, name, wanted);
+            return Self::create_all(folder, names, wanted);
         }
-        let [surface, extruded] = series(folder, name);
-        Ok(Self {
-            stresses: wanted.stresses,
-            surface: surface.up_to(frames as usize)?,
-            extruded: wanted.extruded.then(|| extruded.up_to(frames as usize)).transpose()?,
-        })
+        let body = |name: &&str| {
+            let [surface, extruded] = series(folder, name);
+            let extruded = wanted.extruded.then(|| extruded.up_to(frames as usize)).transpose()?;
+            Ok((surface.up_to(frames as usize)?, extruded))
+        };
+        let bodies = names.iter().map(body).collect::<Result<_, FieldError>>()?;
+        Ok(Self { stresses: wanted.stresses, bodies })
     }
 }
 
@@ -67,17 +92,25 @@ fn series(folder: &Path, name: &str) -> [Series; 2] {
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        let (along, fields) = (frame.along, frame.evaluate(self.stresses));
-        let mut surface = || self.surface.add(along, |to| fields.write(Part::Surface, to));
-        let mut extruded = || match &mut self.extruded {
-            Some(series) => series.add(along, |to| fields.write(Part::Extruded, to)),
-            None => Ok(()),
-        };
-        // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
-        // has no pool, and must not wake that of the whole process.
-        let pooled = rayon::current_thread_index().is_some();
-        let (surface, extruded) =
-            if pooled { rayon::join(surface, extruded) } else { (surface(), extruded()) };
-        surface.and(extruded)
+        let along = frame.along;
+        let several = !frame.body.bodies().is_empty();
+        for (number, (surface, extruded)) in self.bodies.iter_mut().enumerate() {
+            let fields = match several {
+                true => frame.evaluate_one(number, self.stresses),
+                false => frame.evaluate(self.stresses),
+            };
+            let mut surface = || surface.add(along, |to| fields.write(Part::Surface, to));
+            let mut extruded = || match extruded {
+                Some(series) => series.add(along, |to| fields.write(Part::Extruded, to)),
+                None => Ok(()),
+            };
+            // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
+            // has no pool, and must not wake that of the whole process.
+            let pooled = rayon::current_thread_index().is_some();
+            let (surface, extruded) =
+                if pooled { rayon::join(surface, extruded) } else { (surface(), extruded()) };
+            surface.and(extruded)?;
+        }
+        Ok(())
     }
 }

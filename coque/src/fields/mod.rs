@@ -57,6 +57,12 @@ impl<'a> Frame<'a> {
         FrameFields { along: self.along, level: self.level, fields }
     }
 
+    /// The same for one of the bodies that the body is made of ([`Body::bodies`]).
+    pub fn evaluate_one(&self, body: usize, stresses: bool) -> FrameFields<'a> {
+        let fields = self.body.fields_of(body, &Shown { stresses, ..self.shown });
+        FrameFields { along: self.along, level: self.level, fields }
+    }
+
     /// The frame in memory: its surface, as [`FieldFiles`] writes it.
     ///
     /// # Errors

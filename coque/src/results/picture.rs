@@ -5,6 +5,7 @@
 
 mod field;
 mod paint;
+mod together;
 
 use std::collections::BTreeMap;
 
@@ -12,12 +13,14 @@ pub use field::FieldNotThere;
 use field::{Values, values};
 use mesh_io::Sheet;
 use paint::{Camera, Canvas, colour};
+pub use together::together;
+use together::{SIDE, side};
 
 /// What to draw, and from where.
 #[derive(Clone, Debug)]
 pub struct Picture<'a> {
     /// A field of the sheet: a number, the length of a vector, or one component as in `moment.11`; without, the damage
-    /// if there is any, the von Mises stress on top if there is one, else the displacement.
+    /// if there is any, the von Mises stress on top if there is one, else the displacement; of a fluid the pressure.
     pub field: Option<&'a str>,
     /// Where the viewer stands: azimuth from x towards y and height above the x–y plane, in degrees.
     pub view: [f64; 2],
@@ -88,12 +91,17 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    // Particles with volumes are drawn as wide as the cube that the largest fills: those on a face have but a part of theirs.
-    let volumes = sheet.point_data.get("volume").filter(|volume| volume.width == 1);
-    let side = volumes.and_then(|volume| volume.numbers.iter().copied().reduce(f64::max)).map(libm::cbrt);
+    let (sides, one) = (sheet.point_data.get(SIDE), side(sheet));
+    let side = |cell: usize| match sides {
+        Some(sides) => {
+            sheet.cells[cell].first().and_then(|&a| sides.numbers.get(a)).copied().filter(|x| x.is_finite())
+        }
+        None => one,
+    };
     let faces = order.into_iter().map(|(_, i)| {
         let corners = cells[i].iter().map(|&a| &now[a]).collect();
-        (corners, side, colour(of_cells[i % of_cells.len()], range))
+        let own = i % sheet.cells.len();
+        (corners, side(own), colour(of_cells[own], range))
     });
     canvas.cells(faces, cells.len() <= MOST_EDGED);
     canvas.axes(&camera);

@@ -3,6 +3,7 @@
 use implicit_statics::Inertia;
 use serde::{Deserialize, Serialize};
 
+use crate::bodies::FluidFigures;
 use crate::{Doubt, Warning};
 
 /// What a run has found so far, its rows and shapes apart.
@@ -28,6 +29,8 @@ pub struct RunRecord {
     pub warnings: Vec<Warning>,
     /// The count of modes; none for other analyses.
     pub counted: Option<CountSummary>,
+    /// Figures of a fluid and its coupling; none for other bodies.
+    pub fluid: Option<FluidFigures>,
     /// Frames of fields written; zero without `output.fields`.
     pub frames: u64,
 }

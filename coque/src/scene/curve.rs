@@ -13,10 +13,14 @@ pub struct Probe {
     pub of: Measured,
     /// Particle set.
     pub on: String,
-    /// What is taken of the values of its particles; left out, the mean, for reactions and fracture energies the sum.
+    /// What is taken of the values of its particles; left out, the mean, for forces, moments and fracture
+    /// energies the sum.
     pub take: Option<Take>,
-    /// Component that is taken, in the un-turned frame; of damage and energies, which are numbers, none.
+    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities and levels, which are
+    /// numbers, none.
     pub direction: Option<[f64; 3]>,
+    /// Point about which a moment is taken \[L\]; left out, the origin.
+    pub about: Option<[f64; 3]>,
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
@@ -44,9 +48,12 @@ impl Probe {
 }
 
 impl Take {
-    /// What is taken where nothing is said: the sum of reactions and fracture energies, else the mean.
+    /// What is taken where nothing is said: the sum of forces, moments and fracture energies, else the mean.
     pub fn usual(of: Measured) -> Self {
-        if matches!(of, Measured::Reaction | Measured::FractureEnergy) { Self::Sum } else { Self::Mean }
+        match of {
+            Measured::Reaction | Measured::FractureEnergy | Measured::Force | Measured::Moment => Self::Sum,
+            _ => Self::Mean,
+        }
     }
 }
 
@@ -72,6 +79,16 @@ pub enum Measured {
     FractureEnergy,
     /// Stored energy by volume at a node of a solid \[F/L²\].
     StrainEnergy,
+    /// Pressure of a fluid: of its particles, or before a wall; zero where that is dry \[F/L²\].
+    Pressure,
+    /// Density of the particles of a fluid \[F T²/L⁴\].
+    Density,
+    /// Height of the surface of a fluid over places of a wall, against gravity from the origin \[L\].
+    Level,
+    /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\].
+    Force,
+    /// Component of the moment of the forces of a fluid on walls \[F L; by depth in a plane F\].
+    Moment,
 }
 
 impl Measured {
@@ -87,12 +104,30 @@ impl Measured {
             Self::Damage => "damage",
             Self::FractureEnergy => "fracture-energy",
             Self::StrainEnergy => "strain-energy",
+            Self::Pressure => "pressure",
+            Self::Density => "density",
+            Self::Level => "level",
+            Self::Force => "force",
+            Self::Moment => "moment",
         }
     }
 
     /// Whether it is a number without components.
     pub fn is_scalar(self) -> bool {
-        matches!(self, Self::Damage | Self::FractureEnergy | Self::StrainEnergy)
+        matches!(
+            self,
+            Self::Damage
+                | Self::FractureEnergy
+                | Self::StrainEnergy
+                | Self::Pressure
+                | Self::Density
+                | Self::Level
+        )
+    }
+
+    /// Whether it is what a fluid does to its boundary, not what the boundary itself has.
+    pub fn is_of_contact(self) -> bool {
+        matches!(self, Self::Pressure | Self::Level | Self::Force | Self::Moment)
     }
 }
 

@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 15] = [
+const WORDS: [&str; 17] = [
     "title",
     "units",
     "geometry",
@@ -20,11 +20,13 @@ const WORDS: [&str; 15] = [
     "section",
     "formulation",
     "velocity",
+    "placed",
     BODIES,
     "sets",
     "supports",
     "loads",
     "analysis",
+    "coupling",
     "curve",
     "output",
 ];

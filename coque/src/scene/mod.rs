@@ -1,13 +1,16 @@
 //! A scene: a problem as plain, validated data.
 
+pub(crate) mod alone;
 mod amplitude;
 mod analysis;
 mod analysis_kind;
 mod bounds;
 pub(crate) mod catalogue;
 mod check;
+mod coupling;
 mod curve;
 pub(crate) mod error;
+pub(crate) mod fluid;
 mod forms;
 mod goes_with;
 mod levels;
@@ -30,24 +33,29 @@ mod supports;
 mod tables;
 pub(crate) mod units;
 mod velocity;
+mod walls;
 
 pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
+pub use coupling::{Coupling, CouplingOrder};
 pub use curve::{Measured, Probe, Take};
+pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
+pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
+pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use levels::Levels;
 pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction};
 pub use output::{Fields, Output, Plot};
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
-pub use shell::ShellScene;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
-    Cylinder, Disorder, Geometry, Orientation, Placing, Plate, Scattered, Sphere, Twisted,
+    Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
 pub use shell::mesh::Mesh;
+pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
 pub use solid::geometry::{
@@ -59,3 +67,7 @@ pub use statics::{
 };
 pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Support, SupportKind, Symmetry};
 pub use velocity::{Spin, Velocity};
+pub use walls::{
+    Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,
+    WallTranslation, WallsScene,
+};

@@ -6,7 +6,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::analysis::Analysis;
+use super::coupling::Coupling;
 use super::curve::Probe;
+use super::fluid::FluidScene;
 use super::loads::Load;
 use super::output::Output;
 use super::scope::Scope;
@@ -17,6 +19,7 @@ use super::source::{BODIES, Source};
 use super::supports::Support;
 use super::units::Units;
 use super::velocity::Velocity;
+use super::walls::WallsScene;
 
 /// A problem: bodies, conditions, analysis, and what to record.
 ///
@@ -43,6 +46,8 @@ pub struct Scene {
     pub loads: Vec<Load>,
     /// How to find answers.
     pub analysis: Analysis,
+    /// How a fluid and the structures in it take turns.
+    pub coupling: Option<Coupling>,
     /// Columns of the curve.
     #[serde(default)]
     pub curve: Vec<Probe>,
@@ -62,6 +67,10 @@ pub enum BodyScene {
     Shell(ShellScene),
     /// A solid of nodes joined by bonds, which may break.
     Solid(SolidScene),
+    /// A weakly compressible fluid of particles.
+    Fluid(FluidScene),
+    /// Rigid walls of a fluid.
+    Walls(WallsScene),
 }
 
 impl BodyScene {
@@ -70,6 +79,8 @@ impl BodyScene {
         match self {
             Self::Shell(_) => "shell",
             Self::Solid(_) => "solid",
+            Self::Fluid(_) => "fluid",
+            Self::Walls(_) => "walls",
         }
     }
 
@@ -78,12 +89,14 @@ impl BodyScene {
         match self {
             Self::Shell(shell) => shell.velocity.as_ref(),
             Self::Solid(solid) => solid.velocity.as_ref(),
+            Self::Fluid(fluid) => fluid.velocity.as_ref(),
+            Self::Walls(_) => None,
         }
     }
 }
 
 impl Scene {
-    /// The one body, by name: the checks leave no scene without.
+    /// The one body, by name, of several the first: the checks leave no scene without.
     ///
     /// # Panics
     /// If `bodies` has been emptied since.
@@ -91,7 +104,7 @@ impl Scene {
         self.bodies.first_key_value().expect("a checked scene has a body")
     }
 
-    /// The one body.
+    /// The one body; of several the first by name.
     pub fn body(&self) -> &BodyScene {
         self.named_body().1
     }
@@ -105,16 +118,24 @@ impl Scene {
     pub fn as_shell(&self) -> Option<&ShellScene> {
         match self.body() {
             BodyScene::Shell(shell) => Some(shell),
-            BodyScene::Solid(_) => None,
+            _ => None,
         }
     }
 
     /// The solid, if the body is one.
     pub fn as_solid(&self) -> Option<&SolidScene> {
         match self.body() {
-            BodyScene::Shell(_) => None,
             BodyScene::Solid(solid) => Some(solid),
+            _ => None,
         }
+    }
+
+    /// The fluid with its name, of whatever other bodies there are.
+    pub fn fluid(&self) -> Option<(&str, &FluidScene)> {
+        self.bodies.iter().find_map(|(name, body)| match body {
+            BodyScene::Fluid(fluid) => Some((name.as_str(), fluid)),
+            _ => None,
+        })
     }
 
     /// The shell of a scene that is known to have one.
@@ -149,7 +170,8 @@ impl Scene {
 
     /// Takes the name of the one body off the sets that are named with it: `strip.u1` becomes `u1`.
     pub(super) fn drop_body_names(&mut self) {
-        let Some(body) = self.bodies.keys().next().filter(|_| self.source.has(BODIES)) else { return };
+        let alone = self.bodies.len() == 1 && self.source.has(BODIES);
+        let Some(body) = self.bodies.keys().next().filter(|_| alone) else { return };
         let supports = self.supports.iter_mut().map(|support| &mut support.on);
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);

@@ -17,6 +17,8 @@ these values for one run, and `--set 'loads[+]={ … }'` appends to a list.
 
 A scene with a lone shell has the keys of the shell at its top (the short form). In the long form they stand below
 `bodies.NAME.shell`; sets may then be named with their body, as in `on = \"NAME.u1\"`. Both forms give the same bits.
+A scene with a fluid may have several bodies: the fluid, walls, and the shells and solids in it. Sets are then named with their
+body; gravity on `all` acts on every one.
 ";
 
 /// Columns of the tables.
@@ -44,14 +46,20 @@ pub fn reference_page() -> String {
     for (key, value) in properties(shell) {
         page.section(key, value);
     }
-    let solid = &schema["$defs"]["SolidScene"];
-    page.text.push_str("\n## A solid, below `bodies.NAME.solid`\n");
-    page.text.push_str(COLUMNS);
-    for (key, value) in properties(solid) {
-        page.row(key, value, solid);
-    }
-    for (key, value) in properties(solid) {
-        page.section(key, value);
+    for (heading, kind) in [
+        ("A solid, below `bodies.NAME.solid`", "SolidScene"),
+        ("A fluid, below `bodies.NAME.fluid`", "FluidScene"),
+        ("Walls of a fluid, below `bodies.NAME.walls`", "WallsScene"),
+    ] {
+        let body = &schema["$defs"][kind];
+        page.text.push_str(&format!("\n## {heading}\n"));
+        page.text.push_str(COLUMNS);
+        for (key, value) in properties(body) {
+            page.row(key, value, body);
+        }
+        for (key, value) in properties(body) {
+            page.section(key, value);
+        }
     }
     page.text + &goes_with()
 }

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::loads::Load;
 use super::problem::Scene;
+use super::shell::ShellScene;
 use super::supports::Support;
 
 /// The schema of a scene, as JSON.
@@ -79,7 +80,8 @@ fn one_of_two(map: &mut Map<String, Value>) {
 fn short_form(schema: &mut Value) {
     let shell = schema["$defs"]["ShellScene"].clone();
     if let (Some(top), Some(keys)) = (schema["properties"].as_object_mut(), shell["properties"].as_object()) {
-        top.extend(keys.clone());
+        let own = keys.iter().filter(|(key, _)| ShellScene::WORDS.contains(&key.as_str()));
+        top.extend(own.map(|(key, value)| (key.clone(), value.clone())));
     }
     schema["oneOf"] = json!([{ "required": shell["required"] }, { "required": ["bodies"] }]);
 }

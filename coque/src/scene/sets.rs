@@ -10,6 +10,12 @@ pub(crate) const BUILT_IN: [&str; 11] =
 /// Sets that every solid has: all nodes, and those on the faces of its block.
 pub(crate) const OF_SOLIDS: [&str; 7] = ["all", "x0", "x1", "y0", "y1", "z0", "z1"];
 
+/// Sets that every fluid has.
+pub(crate) const OF_FLUIDS: [&str; 1] = ["all"];
+
+/// Sets that walls have: all of them and, of a basin, its sides.
+pub(crate) const OF_WALLS: [&str; 7] = OF_SOLIDS;
+
 /// Built-in sets that are edges: particles in a row, each with a tributary length.
 pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
 
@@ -17,7 +23,7 @@ pub(crate) const EDGES: [&str; 4] = ["u0", "u1", "v0", "v1"];
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
-    /// The body whose particles are picked; may be left out where there is one.
+    /// The body whose particles, or places of whose walls, are picked; may be left out where there is one.
     pub of: Option<String>,
     /// The one particle nearest to this point \[L\].
     pub nearest: Option<[f64; 3]>,

@@ -104,8 +104,12 @@ pub enum Quantity {
     MomentPerLength,
     /// \[F/L²\].
     Stress,
+    /// \[L²\].
+    Area,
     /// \[L³\].
     Volume,
+    /// \[F T²/L⁴\].
+    Density,
 }
 
 impl Length {
@@ -172,7 +176,9 @@ impl Units {
             Quantity::ForcePerLength => format!("{force}/{length}"),
             Quantity::MomentPerLength => format!("{force} {length}/{length}"),
             Quantity::Stress => format!("{force}/{length}²"),
+            Quantity::Area => format!("{length}²"),
             Quantity::Volume => format!("{length}³"),
+            Quantity::Density => format!("{force} {time}²/{length}⁴"),
         }
     }
 }

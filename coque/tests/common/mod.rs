@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 pub mod fields;
+pub mod fluids;
 pub mod solids;
 
 use std::fs;

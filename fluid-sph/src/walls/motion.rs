@@ -14,9 +14,9 @@ pub(crate) fn place(motion: &Motion, point: &Vec3, time: f64) -> Vec3 {
 
 /// Rodrigues' formula.
 fn turned(rotation: &Rotation, point: &Vec3, time: f64) -> Vec3 {
-    let Rotation { centre, axis, angle } = rotation;
+    let Rotation { centre, axis, by, angle } = rotation;
     let axis = axis / axis.norm();
-    let angle = angle.value(time);
+    let angle = by * angle.value(time);
     let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
     let arm = point - centre;
     centre + arm * cosine + axis.cross(&arm) * sine + axis * (axis.dot(&arm) * (1.0 - cosine))
@@ -33,7 +33,7 @@ mod tests {
         let quarter = Amplitude::Table(vec![[0.0, 0.0], [1.0, std::f64::consts::FRAC_PI_2]]);
         let motion = Motion {
             translation: Some((Vec3::new(0.0, 0.0, 3.0), Amplitude::Ramp(1.0))),
-            rotation: Some(Rotation { centre: Vec3::x(), axis: Vec3::z() * 2.0, angle: quarter }),
+            rotation: Some(Rotation { centre: Vec3::x(), axis: Vec3::z() * 2.0, by: 1.0, angle: quarter }),
         };
         let point = Vec3::new(2.0, 0.0, 0.5);
         assert_eq!(place(&motion, &point, 0.0), point);

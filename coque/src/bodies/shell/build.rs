@@ -2,22 +2,42 @@
 
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
-use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported};
+use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
 use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
+use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
-use crate::bodies::{Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape, Task};
+use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
 
 impl Scene {
     /// Builds a shell with what is asked of it.
     pub(in crate::bodies) fn shell_model(&self, threads: usize) -> Result<Model, SceneError> {
-        let Built { shell, probes, driven, surface, turn, memory } = self.assemble(threads)?;
+        let ready = |shell| match &self.analysis {
+            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
+            _ => Ready::Static(Box::new(StaticShell::new(shell))),
+        };
+        Ok(self.shell_made(threads, None)?.map(ready).model(self, threads))
+    }
+
+    /// Builds a shell, wets it if that is wanted, and looks at it.
+    pub(in crate::bodies) fn shell_made(
+        &self,
+        threads: usize,
+        wetting: Option<Wetting>,
+    ) -> Result<Made<Shell>, SceneError> {
+        let Built { mut shell, probes, driven, surface, turn, memory, free_edges } =
+            self.assemble(threads)?;
+        if let Some(wetting) = wetting {
+            let wetting = Wetting { free_edges, ..wetting };
+            let builder = Builder { scene: self, turn };
+            shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
+        }
         let description = describe(self, &shell, surface.as_ref());
         let warnings = doubts_of(self, turn, &shell);
         let cloud = &shell.reference().cloud;
@@ -27,23 +47,8 @@ impl Scene {
             file: Some(surface.file),
             checksum: Some(surface.checksum),
         });
-        let body = match &self.analysis {
-            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
-            _ => Ready::Static(Box::new(StaticShell::new(shell))),
-        };
-        let threads = threads.max(1);
-        Ok(Model {
-            task: Task::of(self),
-            body,
-            description,
-            memory,
-            identity,
-            probes,
-            driven,
-            threads,
-            warnings,
-            judge: Some(Box::new(judge)),
-        })
+        let judge = Some(Box::new(judge) as _);
+        Ok(Made { body: shell, description, memory, identity, probes, driven, warnings, judge })
     }
 
     /// Builds the shell alone, for programs that march or solve it themselves.
@@ -62,7 +67,10 @@ impl Scene {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
         let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
-        let imported = Imported::read(self)?;
+        let mut imported = Imported::read(self)?;
+        if let Some(imported) = &mut imported {
+            imported.cloud = self.placed(imported.cloud.clone());
+        }
         let memory = match (asked, &imported) {
             (Some(memory), _) => memory,
             (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
@@ -70,7 +78,7 @@ impl Scene {
         };
         let flat = match &imported {
             Some(imported) => imported.cloud.clone(),
-            None => self.place(weights)?,
+            None => self.placed(self.place(weights)?),
         };
         let brought = imported.as_ref().map(|imported| imported.sets(self)).transpose()?;
         let sets = Sets::find(self, &flat, brought)?;
@@ -89,6 +97,7 @@ impl Scene {
             let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
             free_motions(&cloud, &held)
         })?;
+        let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
             cloud,
             section: builder.section()?,
@@ -104,7 +113,7 @@ impl Scene {
         builder.set_out(&mut shell);
         self.refuse_freedoms(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory })
+        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory, free_edges })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -126,6 +135,8 @@ struct Built {
     surface: Option<Provenance>,
     turn: Rotation3<f64>,
     memory: Memory,
+    /// Particles of the edges that no support holds.
+    free_edges: Vec<u32>,
 }
 
 pub(crate) struct Builder<'a> {
@@ -279,7 +290,11 @@ impl Builder<'_> {
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => of_body(reach),
             ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
-            ShellError::Space(_) | ShellError::Area { .. } => {
+            ShellError::Space(_)
+            | ShellError::Area { .. }
+            | ShellError::WetSpacing(_)
+            | ShellError::NoRows
+            | ShellError::NotAStrip { .. } => {
                 of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
             }
             ShellError::Density(_) => {

@@ -1,5 +1,7 @@
 //! What a shell models and what it leaves out, for summaries.
 
+use std::collections::BTreeMap;
+
 use sph_shell::Shell;
 
 use super::imported::Provenance;
@@ -23,6 +25,7 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
         dof,
         spacing: shell.reference().cloud.spacing(),
         bytes_per_particle: shell.bytes_per_particle(),
+        bodies: BTreeMap::new(),
         modelled,
         left_out,
         tangent: match &scene.shell().formulation {

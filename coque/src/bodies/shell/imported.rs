@@ -31,7 +31,7 @@ pub(crate) struct Provenance {
 #[derive(Clone, Debug)]
 pub(crate) struct Imported {
     surface: Surface,
-    /// Not turned yet.
+    /// Where `placed` puts it, not turned yet.
     pub(crate) cloud: Cloud,
     cells: Cells,
     /// End of the boundary edge that begins at a particle.

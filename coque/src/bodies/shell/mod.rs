@@ -4,6 +4,7 @@ mod body;
 pub(crate) mod build;
 mod describe;
 pub(crate) mod doubts;
+mod edges;
 mod fields;
 pub(crate) mod imported;
 mod linear_forces;

@@ -1,6 +1,7 @@
 //! Particles where a scene places them on a shape: a lattice with its options, or scattered.
 
-use sph_core::{Cloud, EndWeights, Patch, SpaceError};
+use nalgebra::{Matrix3, Rotation3};
+use sph_core::{Cloud, EndWeights, Patch, SpaceError, Vec3};
 
 use crate::scene::error::SceneError;
 use crate::scene::{Formulation, Geometry, Placing, Scene};
@@ -44,6 +45,16 @@ impl Scene {
         };
         let path = format!("geometry.{}.{key}", geometry.word());
         cloud.map_err(|e| self.body_error(&path, &e.to_string()))
+    }
+
+    /// The particles where `placed` puts them in space.
+    pub(crate) fn placed(&self, cloud: Cloud) -> Cloud {
+        let Some(placed) = self.shell().placed else { return cloud };
+        let [u, v] = [placed.u, placed.v].map(|v| Vec3::from(v).normalize());
+        let normal = u.cross(&v).normalize();
+        // The checks leave the two at right angles but for rounding.
+        let turn = Matrix3::from_columns(&[u, normal.cross(&u), normal]);
+        cloud.transformed(&Rotation3::from_matrix_unchecked(turn), &Vec3::from(placed.origin))
     }
 
     /// A lattice as the scene asks for it, and the key to blame.

@@ -29,6 +29,8 @@ impl Body for Solid {
             Measured::Damage => self.damage(a),
             Measured::FractureEnergy => self.fracture_energy(a),
             Measured::StrainEnergy => self.strain_energy(a),
+            // The checks leave a solid no other column.
+            _ => 0.0,
         }
     }
 

@@ -9,7 +9,7 @@ use super::doubts::doubts_of;
 use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
 use super::sets::NodeSets;
 use crate::bodies::rigid::free_of;
-use crate::bodies::{Identity, Memory, Model, Probe, Ready, Task};
+use crate::bodies::{Identity, Made, Memory, Model, Probe, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene, SolidScene};
 
@@ -27,25 +27,24 @@ impl Scene {
         scene: &SolidScene,
         threads: usize,
     ) -> Result<Model, SceneError> {
-        let Built { solid, probes, memory } = self.assemble_solid(scene, threads)?;
-        let description = describe(self, scene, &solid);
-        let warnings = doubts_of(self, scene, &solid);
-        let body = match &self.analysis {
+        let ready = |solid| match &self.analysis {
             Analysis::Explicit(_) => Ready::Dynamic(Box::new(solid)),
             _ => Ready::Static(Box::new(StaticSolid::new(solid))),
         };
-        Ok(Model {
-            task: Task::of(self),
-            body,
-            description,
-            memory,
-            identity: Identity::default(),
-            probes,
-            driven: None,
-            threads: threads.max(1),
-            warnings,
-            judge: None,
-        })
+        Ok(self.solid_made(scene, threads)?.map(ready).model(self, threads))
+    }
+
+    /// Builds a solid, and looks at it.
+    pub(in crate::bodies) fn solid_made(
+        &self,
+        scene: &SolidScene,
+        threads: usize,
+    ) -> Result<Made<Solid>, SceneError> {
+        let Built { solid, probes, memory } = self.assemble_solid(scene, threads)?;
+        let description = describe(self, scene, &solid);
+        let warnings = doubts_of(self, scene, &solid);
+        let identity = Identity::default();
+        Ok(Made { body: solid, description, memory, identity, probes, driven: None, warnings, judge: None })
     }
 
     /// Builds the solid alone, for programs that march or solve it themselves.

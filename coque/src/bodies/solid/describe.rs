@@ -1,5 +1,7 @@
 //! What a solid models and what it leaves out, for summaries.
 
+use std::collections::BTreeMap;
+
 use peridynamics::Solid;
 
 use crate::bodies::{Description, TangentCost};
@@ -17,6 +19,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
         dof: solid.freedoms(),
         spacing: block.greatest_spacing(),
         bytes_per_particle: solid.bytes_per_particle(),
+        bodies: BTreeMap::new(),
         modelled,
         left_out,
         tangent: TangentCost::Dear,

@@ -26,8 +26,9 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 /// The numbers of a field, or of the one that says most.
 pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, FieldNotThere> {
     let broken =
-        || sheet.point_data.get("damage").is_some_and(|damage| damage.numbers.iter().any(|&x| x != 0.0));
+        || sheet.point_data.get("damage").is_some_and(|damage| damage.numbers.iter().any(|&x| x.abs() > 0.0));
     let name = wanted.unwrap_or_else(|| match () {
+        () if find(sheet, "pressure").is_some() => "pressure",
         () if broken() => "damage",
         () if find(sheet, "von_mises_top").is_some() => "von_mises_top",
         () => "displacement",

@@ -16,6 +16,7 @@ type Checked = Result<(), SceneError>;
 impl Scene {
     pub(super) fn check_support(&self, at: &str, support: &Support) -> Checked {
         let s = &self.scope();
+        self.check_unsupported(at)?;
         self.check_set_name(&format!("{at}.on"), &support.on)?;
         let kinds = support.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
@@ -121,6 +122,7 @@ impl Scene {
         let kinds = load.kinds();
         let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
         s.exactly_one(at, "load", &given, &Load::WORDS)?;
+        self.check_load_of_fluid(at, load)?;
         if let Some(solid) = self.as_solid() {
             self.check_solid_load(at, load, solid)?;
         }
@@ -166,7 +168,7 @@ impl Scene {
         )))
     }
 
-    fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
+    pub(super) fn check_amplitude(&self, at: &str, amplitude: &Amplitude) -> Checked {
         let s = &self.scope();
         if !self.analysis.kind().passes_time {
             let what = self.analysis.kind().name;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
+use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::solid::SolidScene;
 
 type Checked = Result<(), SceneError>;
@@ -31,13 +31,44 @@ impl Scene {
         };
         let known: Vec<&str> = self.measured().iter().map(|of| of.word()).collect();
         if !known.contains(&word) {
-            let body = self.body().word();
-            let bound = format!("what a {body} has: {}", known.join(", "));
+            let body = match self.body() {
+                BodyScene::Walls(_) => "walls have",
+                BodyScene::Shell(_) => "a shell has",
+                BodyScene::Solid(_) => "a solid has",
+                BodyScene::Fluid(_) => "a fluid has",
+            };
+            let bound = format!("what {body}: {}", known.join(", "));
             return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
+        }
+        let walls = matches!(self.body(), BodyScene::Walls(_));
+        if walls
+            && matches!(probe.of, Measured::Force | Measured::Moment)
+            && self.sets.contains_key(&probe.on)
+        {
+            let bound =
+                format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
+            let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
+            return Err(SceneError::Set(s.fault(&at("on"), &value, &bound, repair)));
         }
         if probe.of == Measured::Velocity && !self.analysis.kind().passes_time {
             let bound = format!("no velocity in {}", self.analysis.kind().name);
             return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
+        }
+        self.check_measured_alike(at, probe)
+    }
+
+    /// Refuses a direction where there is nothing to take a component of, and a point that no moment is taken about.
+    pub(super) fn check_measured_alike(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
+        let (s, word) = (&self.scope(), probe.of.word());
+        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+            Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
+        };
+        if let Some(about) = &probe.about {
+            if probe.of != Measured::Moment {
+                let bound = format!("none: {word} is about no point");
+                return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
+            }
+            s.sized_all(&at("about"), about)?;
         }
         match probe.direction {
             Some(_) if probe.of.is_scalar() => {
@@ -59,9 +90,14 @@ impl Scene {
     /// What can be measured on the body.
     fn measured(&self) -> Vec<Measured> {
         use Measured::{
-            Damage, Director, Displacement, FractureEnergy, Position, Reaction, Rotation, StrainEnergy,
-            Velocity,
+            Damage, Density, Director, Displacement, Force, FractureEnergy, Level, Moment, Position,
+            Pressure, Reaction, Rotation, StrainEnergy, Velocity,
         };
+        match self.body() {
+            BodyScene::Fluid(_) => return vec![Displacement, Position, Velocity, Pressure, Density],
+            BodyScene::Walls(_) => return vec![Displacement, Position, Pressure, Level, Force, Moment],
+            BodyScene::Shell(_) | BodyScene::Solid(_) => {}
+        }
         let mut known = vec![Displacement, Position, Reaction, Velocity];
         let solid = self.as_solid();
         if solid.is_none_or(SolidScene::has_directors) {
@@ -78,16 +114,7 @@ impl Scene {
         let mut names: BTreeSet<&str> = self.analysis.kind().columns.iter().copied().collect();
         for (i, probe) in self.curve.iter().enumerate() {
             let at = |key: &str| format!("curve[{i}].{key}");
-            let name = probe.name.as_str();
-            let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
-            if name.is_empty() || !name.chars().all(plain) {
-                let repair = "it becomes a column name: use letters, digits, _ and -";
-                return Err(s.value(&at("name"), format!("\"{name}\""), "a plain word", repair));
-            }
-            if !names.insert(name) {
-                let repair = format!("rename it; taken already: {}", Vec::from_iter(names).join(", "));
-                return Err(s.value(&at("name"), format!("\"{name}\""), "a name of its own", &repair));
-            }
+            self.check_column_name(&at("name"), &probe.name, &mut names)?;
             self.check_set_name(&at("on"), &probe.on)?;
             self.check_measured(&at, probe)?;
             s.sized(&at("factor"), probe.factor)?;
@@ -95,11 +122,36 @@ impl Scene {
         if self.output.fields.is_some_and(|fields| fields.every == 0) {
             return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
         }
-        if let Some(plot) = &self.output.plot {
-            let known = Vec::from_iter(names);
-            s.word("output.plot.x", &plot.x, &known)?;
-            s.word("output.plot.y", &plot.y, &known)?;
-        }
+        self.check_plot(&names)?;
         self.check_checkpoints()
+    }
+
+    /// Refuses a name that is no word, and one that is taken.
+    pub(super) fn check_column_name<'a>(
+        &self,
+        path: &str,
+        name: &'a str,
+        names: &mut BTreeSet<&'a str>,
+    ) -> Checked {
+        let s = &self.scope();
+        let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
+        if name.is_empty() || !name.chars().all(plain) {
+            let repair = "it becomes a column name: use letters, digits, _ and -";
+            return Err(s.value(path, format!("\"{name}\""), "a plain word", repair));
+        }
+        if !names.insert(name) {
+            let taken = Vec::from_iter(names.iter().copied()).join(", ");
+            let repair = format!("rename it; taken already: {taken}");
+            return Err(s.value(path, format!("\"{name}\""), "a name of its own", &repair));
+        }
+        Ok(())
+    }
+
+    /// A plot shows columns that there are.
+    pub(super) fn check_plot(&self, names: &BTreeSet<&str>) -> Checked {
+        let Some(plot) = &self.output.plot else { return Ok(()) };
+        let (s, known) = (&self.scope(), Vec::from_iter(names.iter().copied()));
+        s.word("output.plot.x", &plot.x, &known)?;
+        s.word("output.plot.y", &plot.y, &known)
     }
 }

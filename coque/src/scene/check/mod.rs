@@ -3,9 +3,12 @@
 mod analysis;
 mod conditions;
 mod curve;
+mod fluid;
 mod sets;
 mod shell;
 mod solid;
+mod together;
+mod vectors;
 
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
@@ -19,6 +22,15 @@ impl Scene {
     pub(crate) fn check(&self) -> Checked {
         self.check_units()?;
         self.check_bodies()?;
+        match self.is_together() {
+            true => self.check_together(),
+            false => self.check_alone(),
+        }
+    }
+
+    /// Refuses the first thing that is out of bounds in the scene of one body.
+    fn check_alone(&self) -> Checked {
+        self.check_body()?;
         self.check_sets()?;
         for (i, support) in self.supports.iter().enumerate() {
             self.check_support(&format!("supports[{i}]"), support)?;
@@ -50,24 +62,31 @@ impl Scene {
                 "add [geometry], [material] and [section] for a lone shell, or [bodies.NAME.shell] with them";
             return Err(SceneError::Choice(s.fault("bodies", "no body", "one body", repair)));
         };
-        if let Some(second) = names.next() {
-            let (path, value) = (format!("bodies.{second}"), format!("a body beside `{name}`"));
-            let repair = "keep one of them; nothing couples several bodies yet";
-            return Err(SceneError::Choice(s.fault(&path, &value, "the only body", repair)));
-        }
-        let plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
-        if name.is_empty() || !name.chars().all(plain) {
+        let plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || "_-".contains(c));
+        if let Some(name) = [name].into_iter().chain(names).find(|name| name.is_empty() || !plain(name)) {
             let repair = "it names sets and files: use letters, digits, _ and -";
             return Err(s.value(&format!("bodies.{name}"), format!("\"{name}\""), "a plain word", repair));
         }
+        self.check_kinds()
+    }
+
+    /// Refuses what is out of bounds in the keys of the one body.
+    fn check_body(&self) -> Checked {
         let s = &self.body_scope();
-        self.bodies.values().try_for_each(|body| {
-            match body {
-                BodyScene::Shell(shell) => shell.check(s)?,
-                BodyScene::Solid(solid) => solid.check(s)?,
+        let body = self.body();
+        match body {
+            BodyScene::Shell(shell) => {
+                shell.check(s)?;
+                self.check_wetting(shell, s)?;
             }
-            body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
-        })
+            BodyScene::Solid(solid) => solid.check(s)?,
+            BodyScene::Fluid(fluid) => {
+                fluid.check(s)?;
+                self.check_velocity_of_fluid(fluid, s)?;
+            }
+            BodyScene::Walls(walls) => walls.check(self, s)?,
+        }
+        body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
     }
 
     fn check_velocity(&self, Velocity { linear, spin }: &Velocity, s: &Scope<'_>) -> Checked {

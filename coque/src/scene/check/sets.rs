@@ -2,8 +2,9 @@
 
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
-use crate::scene::sets::{BUILT_IN, OF_SOLIDS, Region};
+use crate::scene::sets::{BUILT_IN, OF_FLUIDS, OF_SOLIDS, OF_WALLS, Region};
 use crate::scene::source::suggest;
+use crate::scene::walls::WallGeometry;
 
 type Checked = Result<(), SceneError>;
 
@@ -43,7 +44,11 @@ impl Scene {
             if let Some(layer) = layer {
                 let at = |key: &str| format!("{at}.layer.{key}");
                 if !solid {
-                    let (found, bound) = ("a layer under a face", "`nearest`, `box` or `plane` on a shell");
+                    let found = "a layer under a face";
+                    let bound = match self.body() {
+                        BodyScene::Shell(_) => "`nearest`, `box` or `plane` on a shell",
+                        _ => "`nearest`, `box` or `plane` here",
+                    };
                     let fault = s.fault(&at("face"), found, bound, "use a box: only solids have layers");
                     return Err(SceneError::Choice(fault));
                 }
@@ -70,6 +75,11 @@ impl Scene {
             // In a plane all nodes lie on z0 and z1: only two sheets have a use for that.
             BodyScene::Solid(solid) if solid.is_plane() => &OF_SOLIDS[..5],
             BodyScene::Solid(_) => &OF_SOLIDS,
+            BodyScene::Fluid(_) => &OF_FLUIDS,
+            BodyScene::Walls(walls) => match &walls.geometry {
+                WallGeometry::Basin(basin) => &OF_WALLS[..=2 * basin.min.len()],
+                _ => &OF_WALLS[..1],
+            },
         }
     }
 
@@ -80,10 +90,22 @@ impl Scene {
         }
         let own = self.sets.keys().map(String::as_str);
         let known: Vec<&str> = self.built_in().iter().copied().chain(own).collect();
-        if known.contains(&name) {
+        if known.contains(&name) && !self.is_open_side(name) {
             return Ok(());
         }
+        let known: Vec<&str> = known.into_iter().filter(|known| !self.is_open_side(known)).collect();
         let repair = suggest(name, &known);
         Err(SceneError::Set(self.scope().fault(path, &format!("\"{name}\""), "which is no set", &repair)))
+    }
+
+    /// Whether a name is that of a side of a basin without a wall.
+    fn is_open_side(&self, name: &str) -> bool {
+        match self.body() {
+            BodyScene::Walls(walls) => match &walls.geometry {
+                WallGeometry::Basin(basin) => basin.open.iter().any(|open| open == name),
+                _ => false,
+            },
+            _ => false,
+        }
     }
 }

@@ -129,6 +129,19 @@ pub struct Orientation {
     pub degrees: f64,
 }
 
+/// Where a shape stands: its origin and the directions to which its x and y axes are turned.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Placed {
+    /// Where the origin of the shape goes \[L\].
+    #[serde(default)]
+    pub origin: [f64; 3],
+    /// Direction of its x axis, along which `u` of a plate runs; its length does not matter.
+    pub u: [f64; 3],
+    /// Direction of its y axis, along which `v` of a plate runs, at right angles to `u`; its length does not matter.
+    pub v: [f64; 3],
+}
+
 impl Geometry {
     /// Key of the shape in a scene.
     pub fn word(&self) -> &'static str {

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use formulation::Formulation;
-use geometry::{Geometry, Orientation};
+use geometry::{Geometry, Orientation, Placed};
 use material::{Material, Section};
 
 use super::velocity::Velocity;
@@ -29,12 +29,28 @@ pub struct ShellScene {
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
+    /// Where in space the shape stands; left out, where its geometry says. Sets, conditions and probes stay in space.
+    pub placed: Option<Placed>,
+    /// Which of its faces a fluid wets; left out, both.
+    pub wet: Option<WetFaces>,
     /// Velocity at the start, in transient runs.
     pub velocity: Option<Velocity>,
 }
 
+/// Faces of a shell that a fluid wets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum WetFaces {
+    /// Both.
+    Both,
+    /// The one to which the director points.
+    Front,
+    /// The other.
+    Back,
+}
+
 impl ShellScene {
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 6] =
-        ["geometry", "orientation", "material", "section", "formulation", "velocity"];
+    pub(crate) const WORDS: [&'static str; 7] =
+        ["geometry", "orientation", "material", "section", "formulation", "placed", "velocity"];
 }

@@ -3,6 +3,7 @@
 mod formulation;
 mod geometry;
 mod material;
+mod placed;
 
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
@@ -12,6 +13,7 @@ impl ShellScene {
     /// Refuses the first thing that is out of bounds.
     pub(super) fn check(&self, s: &Scope<'_>) -> Result<(), SceneError> {
         self.check_geometry(s)?;
+        self.check_placed(s)?;
         self.check_material(s)?;
         formulation::check_formulation(&self.formulation, s)
     }

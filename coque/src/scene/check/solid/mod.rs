@@ -4,7 +4,6 @@ mod conditions;
 mod fracture;
 mod geometry;
 mod material;
-mod vectors;
 
 use crate::scene::error::SceneError;
 use crate::scene::problem::Scene;

@@ -1,4 +1,4 @@
-//! Vectors of as many numbers as a block has dimensions, and vectors that must lie in its plane.
+//! Vectors of as many numbers as a body has dimensions, and vectors that must lie in its plane.
 
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
@@ -8,12 +8,17 @@ type Checked = Result<(), SceneError>;
 impl Scope<'_> {
     /// As many numbers as there are dimensions, each of a size that arithmetic can hold.
     pub(super) fn coordinates(&self, path: &str, v: &[f64], dimensions: usize) -> Checked {
+        self.as_many(path, v, dimensions, "geometry.block.lengths")
+    }
+
+    /// As many numbers as another list has.
+    pub(super) fn as_many(&self, path: &str, v: &[f64], dimensions: usize, other: &str) -> Checked {
         if v.len() == dimensions {
             return self.sized_all(path, v);
         }
         let value = format!("a list of {} numbers", v.len());
-        let repair = "give as many as `geometry.block.lengths` has";
-        Err(self.value(path, value, &format!("a list of {dimensions}"), repair))
+        let repair = format!("give as many as `{other}` has");
+        Err(self.value(path, value, &format!("a list of {dimensions}"), &repair))
     }
 
     /// A vector without a component across the plane of a plane block.

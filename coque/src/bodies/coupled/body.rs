@@ -1,0 +1,223 @@
+//! A fluid, its walls and the structures in it as one body that is marched.
+
+use std::borrow::Cow;
+
+use explicit_dynamics::{
+    Bounds, Dynamics, Instant, MarchError, OutOfBounds, StableStep, Step, TwoClocks, Wetted, Work,
+};
+use fluid_sph::Fluid;
+use sph_core::{Cell, Vec3};
+
+use super::layout::{Gauge, Layout, Place};
+use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
+use crate::bodies::fluid::figures::Speeds;
+use crate::bodies::fluid::{fields, figures};
+use crate::bodies::{Evaluated, Shown};
+use crate::scene::Measured;
+
+/// A structure that a fluid wets, as the application asks of it.
+pub(in crate::bodies) trait Structure: Body + Wetted {}
+
+impl<S: Body + Wetted> Structure for S {}
+
+/// Name of the array of the clocks in a state; those of bodies have their names in front.
+const OF_CLOCKS: &str = "clocks";
+
+/// A fluid with its walls and the structures in it.
+pub(super) struct Coupled {
+    pub clocks: TwoClocks<Fluid, dyn Structure>,
+    pub layout: Layout,
+    /// Particles at rest, all bodies one behind the other \[L\].
+    pub rest: Vec<Vec3>,
+    /// Cells of the structures, by these numbers.
+    pub cells: Vec<Cell>,
+    /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start \[–\].
+    pub added_mass: Vec<f64>,
+    /// Speeds of the fluid so far.
+    pub speeds: Speeds,
+}
+
+impl Coupled {
+    fn structure(&self, number: usize) -> Option<&dyn Structure> {
+        self.clocks.structures().nth(number)
+    }
+
+    /// Where the fluid is looked at for a pressure or a level.
+    fn looked_at(&self, (piece, particle): (usize, usize)) -> Vec3 {
+        let positions = self.clocks.fluid().wall_positions(piece);
+        positions.get(particle).copied().unwrap_or_default()
+    }
+
+    /// A pressure or a level at a point; no pressure where it is dry.
+    fn gauged(&self, of: Measured, point: Vec3) -> f64 {
+        match of {
+            Measured::Level => self.clocks.fluid().level_at(point),
+            _ => self.clocks.fluid().pressure_at(point).unwrap_or(0.0),
+        }
+    }
+}
+
+impl Body for Coupled {
+    fn configuration(&self) -> Configuration<'_> {
+        let fluid = self.clocks.fluid();
+        let mut present = fluid.positions().to_vec();
+        for structure in self.clocks.structures() {
+            present.extend(structure.configuration().present);
+        }
+        for piece in 0..self.layout.pieces.len() {
+            present.extend_from_slice(&fluid.wall_positions(piece));
+        }
+        Configuration { rest: &self.rest, present, cells: &self.cells }
+    }
+
+    fn read(&self, of: Measured, number: usize, along: &Vec3) -> f64 {
+        let fluid = self.clocks.fluid();
+        match self.layout.place(number) {
+            Place::Fluid(a) => match of {
+                Measured::Position => fluid.positions()[a].dot(along),
+                Measured::Displacement => (fluid.positions()[a] - self.rest[number]).dot(along),
+                Measured::Velocity => fluid.velocities()[a].dot(along),
+                Measured::Pressure => fluid.liquid().pressure(fluid.densities()[a]),
+                Measured::Density => fluid.densities()[a],
+                _ => 0.0,
+            },
+            Place::Structure(k, a) => self.structure(k).map_or(0.0, |body| body.read(of, a, along)),
+            Place::Wall(piece, a) => match of {
+                Measured::Position => self.looked_at((piece, a)).dot(along),
+                Measured::Displacement => (self.looked_at((piece, a)) - self.rest[number]).dot(along),
+                of => self.gauged(of, self.looked_at((piece, a))),
+            },
+            Place::Piece(piece) => match of {
+                Measured::Moment => fluid.wall_moment(piece, Vec3::zeros()).dot(along),
+                _ => fluid.wall_force(piece).dot(along),
+            },
+            Place::Whole(structure) => fluid.structure_force(structure).dot(along),
+            Place::Gauge(gauge) => {
+                let Some(Gauge { at, beside }) = self.layout.gauges.get(gauge) else { return 0.0 };
+                self.gauged(of, self.looked_at(*at) + beside)
+            }
+        }
+    }
+
+    /// Those of the fluid.
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields::of_fluid(self.clocks.fluid(), shown)
+    }
+
+    fn bodies(&self) -> Vec<&str> {
+        self.layout.names.iter().map(String::as_str).collect()
+    }
+
+    fn fields_of<'a>(&'a self, body: usize, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        let structures = self.layout.structures.len();
+        match body.checked_sub(1) {
+            Some(number) if number < structures => match self.structure(number) {
+                Some(structure) => structure.fields(shown),
+                None => self.fields(shown),
+            },
+            Some(number) => {
+                let pieces = self.layout.walls.get(number - structures).cloned().unwrap_or_default();
+                fields::of_walls(self.clocks.fluid(), pieces, shown)
+            }
+            None => self.fields(shown),
+        }
+    }
+
+    fn found(&self) -> Found {
+        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds)
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        let named =
+            |of: &str, name: &str, numbers| StateArray { name: Cow::Owned(format!("{of}: {name}")), numbers };
+        let fluid = self.clocks.fluid().state();
+        let mut all: Vec<_> =
+            fluid.into_iter().map(|(name, numbers)| named(&self.layout.names[0], name, numbers)).collect();
+        let mut clocks = self.clocks.state();
+        clocks.extend([self.speeds.greatest, self.speeds.fast]);
+        all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
+        for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
+            all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
+        }
+        all
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        // Nothing is changed by the state of another body: what a part took up it gives back.
+        let own: Vec<StateArray<'static>> = self.state().into_iter().map(owned).collect();
+        let done = self.take_up(arrays);
+        if done.is_err() {
+            let _ = self.take_up(&own);
+        }
+        done
+    }
+}
+
+impl Coupled {
+    fn take_up(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        let of = |part: &str| -> Vec<StateArray<'_>> {
+            let start = format!("{part}: ");
+            let own = arrays.iter().filter_map(|array| {
+                let name = array.name.strip_prefix(&start)?;
+                Some(StateArray { name: Cow::Owned(name.into()), numbers: Cow::Borrowed(&array.numbers) })
+            });
+            own.collect()
+        };
+        let fluid = of(&self.layout.names[0]);
+        let fluid: Vec<(&str, &[f64])> =
+            fluid.iter().map(|array| (array.name.as_ref(), array.numbers.as_ref())).collect();
+        self.clocks.fluid_mut().set_state(&fluid).map_err(|_| Mismatch)?;
+        let parts: Vec<_> =
+            self.layout.names[1..=self.layout.structures.len()].iter().map(|name| of(name)).collect();
+        for (structure, part) in self.clocks.structures_mut().zip(&parts) {
+            structure.set_state(part)?;
+        }
+        let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
+        let (clocks, &[greatest, fast]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
+        if !self.clocks.set_state(clocks) {
+            return Err(Mismatch);
+        }
+        self.speeds = Speeds { greatest, fast };
+        Ok(())
+    }
+}
+
+fn owned(array: StateArray<'_>) -> StateArray<'static> {
+    StateArray { name: Cow::Owned(array.name.into_owned()), numbers: Cow::Owned(array.numbers.into_owned()) }
+}
+
+impl Dynamics for Coupled {
+    fn evaluate(&mut self, at: Instant) -> f64 {
+        self.clocks.evaluate(at)
+    }
+
+    fn kick(&mut self, step: &Step) -> Work {
+        let work = self.clocks.kick(step);
+        self.speeds.watch(self.clocks.fluid());
+        work
+    }
+
+    fn drift(&mut self, step: &Step) {
+        self.clocks.drift(step);
+    }
+
+    fn advance(&mut self, step: &Step) -> Work {
+        let work = self.clocks.advance(step);
+        self.speeds.watch(self.clocks.fluid());
+        work
+    }
+
+    fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
+        self.clocks.stable_step(safety)
+    }
+
+    fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
+        self.clocks.within_bounds(bounds)
+    }
+
+    fn stop(&mut self) {
+        self.clocks.stop();
+    }
+}
+
+impl Marched for Coupled {}

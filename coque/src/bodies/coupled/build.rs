@@ -1,0 +1,277 @@
+//! From a scene of several bodies to one that marches them together.
+
+use std::collections::BTreeMap;
+
+use explicit_dynamics::{BoundaryState, Dynamics, Order, TwoClocks};
+use fluid_sph::{Fluid, FluidError, Parts, Wall};
+use sph_core::{Cell, Vec3};
+
+use super::body::{Coupled, Structure};
+use super::layout::Layout;
+use super::probes::{Measuring, probes};
+use super::structures::{Wet, wet};
+use crate::bodies::fluid::figures::Speeds;
+use crate::bodies::fluid::walls::{Rows, rows};
+use crate::bodies::fluid::{describe, parts, places};
+use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
+use crate::scene::error::SceneError;
+use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene, WallsScene};
+use crate::warning::{Doubt, Warning};
+
+/// Walls of one body.
+pub(super) struct BuiltWalls<'a> {
+    pub name: &'a str,
+    pub scene: &'a WallsScene,
+    pub rows: Rows,
+}
+
+impl Scene {
+    /// Builds a fluid with its walls and the structures in it.
+    pub(in crate::bodies) fn model_together(&self, threads: usize) -> Result<Model, SceneError> {
+        let Some((name, wanted)) = self.fluid() else { return Err(self.not_a("fluid")) };
+        let alone = self.alone(name)?;
+        let memory = alone.room(wanted.particles_asked())?;
+        let walls = self.walls_together(wanted)?;
+        let mut wets = Vec::new();
+        for (structure, _) in self.structures() {
+            wets.extend(wet(self, structure, wanted, threads)?.map(|wet| (structure.as_str(), wet)));
+        }
+        let mut fluid = self.fluid_together(name, wanted, &walls, &wets, threads)?;
+        let safety = if let Analysis::Explicit(explicit) = &self.analysis { explicit.safety } else { 1.0 };
+        let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
+        let liquid = wanted.liquid();
+        let mass = |wet: &Wet| liquid.density * liquid.sound_speed * step / wet.area_density;
+        let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
+        let mut built = Together::new(name, &fluid, &walls, &wets);
+        let probes = {
+            let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
+            let measuring =
+                Measuring { scene: self, fluid: &fluid, walls: &walls, layout: &mut built.layout };
+            probes(measuring, own)?
+        };
+        let mut description = describe::of_fluid(&alone, wanted, &fluid);
+        let mut warnings = leaks(&walls);
+        let mut made = Vec::new();
+        for (name, wet) in wets {
+            let own = wet.made.warnings.iter();
+            warnings.extend(own.map(|own| Warning::new(own.doubt, format!("{name}: {}", own.message))));
+            made.push((name, wet.made));
+        }
+        let (bodies, total) = described(name, &description, &walls, &made);
+        if !made.is_empty() {
+            description = total;
+        }
+        description.bodies = bodies;
+        let memory = together(memory, &made);
+        let identity = identity(&made);
+        let mut structures: Vec<Box<dyn Structure>> = Vec::new();
+        let mut judges = Vec::new();
+        for ((_, made), range) in made.into_iter().zip(&built.layout.structures) {
+            let cells = made.body.configuration().cells.to_vec();
+            judges.extend(made.judge.map(|judge| (judge, range.clone(), cells)));
+            structures.push(made.body);
+        }
+        let judge = move |_: &[Cell], shapes: &[Shape]| -> Vec<Warning> {
+            let look = |(judge, range, cells): &(
+                crate::bodies::model::ShapeJudge,
+                std::ops::Range<usize>,
+                Vec<Cell>,
+            )| {
+                let own =
+                    |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
+                judge(cells, &shapes.iter().map(own).collect::<Vec<_>>())
+            };
+            judges.iter().flat_map(look).collect()
+        };
+        let mut clocks = TwoClocks::new(fluid, structures);
+        let coupling = self.coupling.unwrap_or_default();
+        clocks.order = match coupling.order {
+            CouplingOrder::StructureFirst => Order::StructureFirst,
+            CouplingOrder::FluidFirst => Order::FluidFirst,
+        };
+        clocks.impedance = coupling.impedance;
+        let Together { layout, rest, cells } = built;
+        let body = Coupled { clocks, layout, rest, cells, added_mass, speeds: Speeds::default() };
+        let made = Made {
+            body: Ready::Dynamic(Box::new(body)),
+            description,
+            memory,
+            identity,
+            probes,
+            driven: None,
+            warnings,
+            judge: Some(Box::new(judge)),
+        };
+        Ok(made.model(self, threads))
+    }
+
+    /// The rows of all walls.
+    fn walls_together(&self, fluid: &FluidScene) -> Result<Vec<BuiltWalls<'_>>, SceneError> {
+        let deep = parts::rows_deep(fluid);
+        let mut all = Vec::new();
+        for (name, body) in &self.bodies {
+            let BodyScene::Walls(scene) = body else { continue };
+            let rows = rows(&self.alone(name)?, scene, fluid.geometry.spacing(), deep)?;
+            all.push(BuiltWalls { name, scene, rows });
+        }
+        Ok(all)
+    }
+
+    /// The fluid between its walls and around structures.
+    fn fluid_together(
+        &self,
+        name: &str,
+        wanted: &FluidScene,
+        walls: &[BuiltWalls<'_>],
+        wets: &[(&str, Wet)],
+        threads: usize,
+    ) -> Result<Fluid, SceneError> {
+        let positions = places::places(wanted);
+        let velocities = places::velocities(wanted, &positions);
+        let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
+            points: points.to_vec(),
+            motion: body.scene.motion.as_ref().map(parts::motion),
+        };
+        let pieces =
+            walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
+        let structure = |(_, wet): &(&str, Wet)| {
+            let mut state = BoundaryState::default();
+            wet.made.body.boundary(&mut state);
+            fluid_sph::Structure { layout: wet.made.body.boundary_layout().clone(), state }
+        };
+        let all = Parts {
+            dimensions: wanted.dimensions(),
+            spacing: wanted.geometry.spacing(),
+            positions,
+            velocities,
+            liquid: parts::liquid(wanted),
+            formulation: parts::formulation(wanted),
+            gravity: self.gravity_on(name),
+            start: parts::start(wanted),
+            walls: pieces.collect(),
+            structures: wets.iter().map(structure).collect(),
+            domain: None,
+            threads: threads.max(1),
+        };
+        Fluid::new(all).map_err(|error| self.fluid_refusal(name, wanted, &error))
+    }
+
+    /// Puts a refusal of the fluid where the scene causes it.
+    fn fluid_refusal(&self, name: &str, fluid: &FluidScene, error: &FluidError) -> SceneError {
+        let key = match error {
+            FluidError::Option { key, .. } => format!("formulation.{}.{key}", fluid.formulation.word()),
+            _ => format!("geometry.{}", fluid.geometry.word()),
+        };
+        let path = self.source.body(name, "fluid").path(&key);
+        // What is to be done stands behind the last colon of some messages.
+        let message = error.to_string();
+        let message = match message.contains("; ") {
+            true => message,
+            false => message.replacen(": ", "; ", 1),
+        };
+        self.model_error(&path, &message)
+    }
+}
+
+/// The bodies one behind the other.
+struct Together {
+    layout: Layout,
+    rest: Vec<Vec3>,
+    cells: Vec<Cell>,
+}
+
+impl Together {
+    fn new(name: &str, fluid: &Fluid, walls: &[BuiltWalls<'_>], wets: &[(&str, Wet)]) -> Self {
+        let mut layout = Layout { names: vec![name.into()], fluid: fluid.len(), ..Layout::default() };
+        let (mut rest, mut cells) = (fluid.rest().to_vec(), Vec::new());
+        for (name, wet) in wets {
+            let own = wet.made.body.configuration();
+            let first = rest.len();
+            cells.extend(own.cells.iter().map(|cell| Cell {
+                corners: cell.corners.map(|corner| corner + first as u32),
+                count: cell.count,
+            }));
+            rest.extend_from_slice(own.rest);
+            layout.structures.push(first..rest.len());
+            layout.names.push((*name).into());
+        }
+        for body in walls {
+            let piece = layout.pieces.len();
+            for of in &body.rows.pieces {
+                let first = rest.len();
+                rest.extend_from_slice(&of.points);
+                layout.pieces.push(first..rest.len());
+            }
+            layout.walls.push(piece..layout.pieces.len());
+            layout.names.push(body.name.into());
+        }
+        Self { layout, rest, cells }
+    }
+}
+
+/// Warnings of walls with gaps.
+fn leaks(walls: &[BuiltWalls<'_>]) -> Vec<Warning> {
+    let leaky = walls.iter().filter(|body| body.rows.leaks > 0);
+    let warning = |body: &BuiltWalls<'_>| {
+        let message = format!(
+            "{} has gaps wider than 1.2 spacings between its particles at {} places, where it is thinner than a spacing or \
+             folded: fluid may leak; use a narrower spacing",
+            body.name, body.rows.leaks
+        );
+        Warning::new(Doubt::LeakyWall, message)
+    };
+    leaky.map(warning).collect()
+}
+
+/// What each body is, and what they are together.
+fn described(
+    name: &str,
+    fluid: &Description,
+    walls: &[BuiltWalls<'_>],
+    made: &[(&str, Made<Box<dyn Structure>>)],
+) -> (BTreeMap<String, Description>, Description) {
+    let mut bodies = BTreeMap::from([(name.to_string(), fluid.clone())]);
+    for body in walls {
+        bodies.insert(body.name.into(), describe::of_walls(body.scene, &body.rows, fluid.spacing));
+    }
+    bodies.extend(made.iter().map(|(name, made)| ((*name).to_string(), made.description.clone())));
+    let moving = || [fluid].into_iter().chain(made.iter().map(|(_, made)| &made.description));
+    let particles: usize = moving().map(|body| body.particles).sum();
+    let bytes: f64 = moving().map(|body| body.bytes_per_particle * body.particles as f64).sum();
+    let lines = |of: fn(&Description) -> &Vec<String>| -> Vec<String> {
+        bodies
+            .iter()
+            .flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}")))
+            .collect()
+    };
+    let total = Description {
+        kind: "coupled",
+        method: "two clocks".into(),
+        particles,
+        points: moving().map(|body| body.points).sum(),
+        dof: moving().map(|body| body.dof).sum(),
+        spacing: fluid.spacing,
+        bytes_per_particle: bytes / particles as f64,
+        modelled: lines(|body| &body.modelled),
+        left_out: lines(|body| &body.left_out),
+        ..Description::default()
+    };
+    (bodies, total)
+}
+
+/// What all bodies need together.
+fn together(fluid: Memory, made: &[(&str, Made<Box<dyn Structure>>)]) -> Memory {
+    let needed = made.iter().map(|(_, made)| made.memory.needed).sum::<f64>() + fluid.needed;
+    Memory { needed, available: fluid.available }
+}
+
+/// The files that surfaces of structures were read from, and one checksum of theirs.
+fn identity(made: &[(&str, Made<Box<dyn Structure>>)]) -> Identity {
+    let files: Vec<&str> = made.iter().filter_map(|(_, made)| made.identity.file.as_deref()).collect();
+    let sums: Vec<u8> =
+        made.iter().filter_map(|(_, made)| made.identity.checksum).flat_map(u32::to_le_bytes).collect();
+    Identity {
+        file: (!files.is_empty()).then(|| files.join(", ")),
+        checksum: (!sums.is_empty()).then(|| crc32fast::hash(&sums)),
+    }
+}

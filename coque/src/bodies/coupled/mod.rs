@@ -1,0 +1,7 @@
+//! Bodies built together: a fluid, its walls, the structures in it.
+
+mod body;
+mod build;
+mod layout;
+mod probes;
+mod structures;

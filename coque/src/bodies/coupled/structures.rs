@@ -1,0 +1,51 @@
+//! Structures as a fluid wets them: rows of points under the faces of a shell, the nodes of a solid.
+
+use sph_shell::{Sides, Wetting};
+
+use super::body::Structure;
+use crate::bodies::Made;
+use crate::bodies::fluid::parts::rows_deep;
+use crate::scene::error::SceneError;
+use crate::scene::{BodyScene, FluidScene, Scene, WetFaces};
+
+/// A structure with what the fluid asks of it.
+pub(super) struct Wet {
+    pub made: Made<Box<dyn Structure>>,
+    /// Mass by area of its surface, ρ_s t \[F T²/L³\].
+    pub area_density: f64,
+}
+
+/// Builds one of the structures of a scene, alone, and wets it.
+pub(super) fn wet(
+    scene: &Scene,
+    name: &str,
+    fluid: &FluidScene,
+    threads: usize,
+) -> Result<Option<Wet>, SceneError> {
+    let alone = scene.alone(name)?;
+    match alone.body() {
+        BodyScene::Shell(shell) => {
+            let sides = match shell.wet {
+                None | Some(WetFaces::Both) => Sides::Both,
+                Some(WetFaces::Front) => Sides::Front,
+                Some(WetFaces::Back) => Sides::Back,
+            };
+            let wetting = Wetting {
+                spacing: fluid.geometry.spacing(),
+                rows: rows_deep(fluid),
+                sides,
+                plane: fluid.dimensions() == 2,
+                free_edges: Vec::new(),
+            };
+            let area_density = shell.material.density() * shell.section.thickness();
+            let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
+            Ok(Some(Wet { made, area_density }))
+        }
+        BodyScene::Solid(_) => {
+            let (bound, repair) = ("a shell", "use a shell in its place");
+            let fault = scene.source.fault(&format!("bodies.{name}"), "a solid", bound, repair);
+            Err(SceneError::Choice(fault))
+        }
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
+    }
+}

@@ -1,0 +1,73 @@
+//! What a fluid and walls model and what they leave out, for summaries.
+
+use fluid_sph::{Fluid, Scheme, WallRule};
+
+use super::walls::Rows;
+use crate::bodies::Description;
+use crate::scene::{FluidScene, FluidStart, Scene, WallsScene};
+
+/// What the fluid of a scene is; `scene` is that of the fluid alone.
+pub(in crate::bodies) fn of_fluid(scene: &Scene, wanted: &FluidScene, fluid: &Fluid) -> Description {
+    let method = fluid.formulation();
+    let scheme = match method.scheme {
+        Scheme::KickDriftKick => "kick, drift, kick",
+        Scheme::PredictorCorrector => "predictor and corrector",
+    };
+    let walls = match method.walls {
+        WallRule::Extrapolated => "walls with the pressure of the fluid before them",
+        WallRule::Dynamic => "walls with densities of their own",
+    };
+    let liquid = wanted.liquid();
+    let mut modelled = vec![
+        format!("weakly compressible liquid, Tait's equation, speed of sound {}", liquid.sound_speed),
+        format!(
+            "{scheme}, smoothing length {} spacings, artificial viscosity {}",
+            method.smoothing, method.viscosity
+        ),
+        walls.into(),
+    ];
+    let mut left_out: Vec<String> =
+        ["surface tension", "turbulence below the spacing", "air"].map(String::from).into();
+    let mut either = |present: bool, what: &str| {
+        let list = if present { &mut modelled } else { &mut left_out };
+        list.push(what.into());
+    };
+    either(method.density_diffusion > 0.0, "diffusion of density");
+    either(method.kinematic_viscosity > 0.0, "viscosity of the liquid");
+    either(method.xsph > 0.0, "particles carried by the mean velocity");
+    either(!scene.loads.is_empty(), "gravity");
+    if wanted.velocity.is_some() {
+        modelled.push("velocity at the start".into());
+    }
+    modelled.push(match wanted.formulation.options().start {
+        FluidStart::Hydrostatic => "hydrostatic pressure at the start".into(),
+        FluidStart::Uniform => "no pressure at the start".into(),
+    });
+    Description {
+        kind: "fluid",
+        method: wanted.formulation.word().into(),
+        particles: fluid.len(),
+        dof: fluid.len() * fluid.dimensions(),
+        spacing: fluid.spacing(),
+        bytes_per_particle: fluid.bytes_per_particle() as f64,
+        modelled,
+        left_out,
+        ..Description::default()
+    }
+}
+
+/// What walls of a scene are.
+pub(in crate::bodies) fn of_walls(walls: &WallsScene, rows: &Rows, spacing: f64) -> Description {
+    let motion = match &walls.motion {
+        Some(_) => "rigid, in a given motion",
+        None => "rigid, at rest",
+    };
+    Description {
+        kind: "walls",
+        method: walls.geometry.word().into(),
+        particles: rows.pieces.iter().map(|piece| piece.points.len()).sum(),
+        spacing,
+        modelled: vec![motion.into()],
+        ..Description::default()
+    }
+}

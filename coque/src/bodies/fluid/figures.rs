@@ -1,0 +1,118 @@
+//! What a run with a fluid found beside its curve, and what is doubtful about it.
+
+use explicit_dynamics::Counts;
+use fluid_sph::{Energies, Fluid};
+use serde::{Deserialize, Serialize};
+use sph_core::Vec3;
+
+use crate::bodies::Found;
+use crate::warning::{Doubt, Warning};
+
+/// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
+/// reach.
+const DENSE: f64 = 0.05;
+/// Speed of sound over the greatest speed, below which densities change by more than two percent.
+const SLOW: f64 = 7.0;
+
+/// Share of the particles that may be faster: spray.
+const SPRAY: f64 = 0.01;
+
+/// Speeds of a fluid so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::bodies) struct Speeds {
+    /// The greatest of any particle \[L/T\].
+    pub greatest: f64,
+    /// Greatest share of the particles that were too fast for the speed of sound at a time \[–\].
+    pub fast: f64,
+}
+
+impl Speeds {
+    /// Looks at the particles.
+    pub fn watch(&mut self, fluid: &Fluid) {
+        let bound = (fluid.liquid().sound_speed / SLOW).powi(2);
+        let (mut greatest, mut fast) = (0.0_f64, 0_usize);
+        for square in fluid.velocities().iter().map(Vec3::norm_squared) {
+            greatest = greatest.max(square);
+            fast += usize::from(square > bound);
+        }
+        self.greatest = self.greatest.max(greatest.sqrt());
+        self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
+    }
+}
+
+/// Figures of a fluid and of its coupling.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FluidFigures {
+    /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made.
+    pub mass: f64,
+    /// Greatest speed that a particle has had \[L/T\].
+    pub greatest_speed: f64,
+    /// Greatest change of density so far over the density at rest \[–\].
+    pub greatest_density_error: f64,
+    /// Kinetic energy \[F L; by depth in a plane F, as those below\].
+    pub kinetic: f64,
+    /// Energy of compression.
+    pub compression: f64,
+    /// Potential energy under gravity.
+    pub potential: f64,
+    /// What viscosities took.
+    pub viscous: f64,
+    /// What the diffusion of density took.
+    pub diffusion: f64,
+    /// Steps of all structures.
+    pub substeps: u64,
+    /// Most steps of a structure within one of the fluid.
+    pub most_substeps: u64,
+    /// Steps of the fluid that were shortened because a boundary moved fast.
+    pub shortened: u64,
+    /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start, ρ_s t its mass by wet area \[–\].
+    pub added_mass: Vec<f64>,
+}
+
+/// The figures at present, and their doubts.
+pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64], speeds: Speeds) -> Found {
+    let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
+    let Counts { substeps, most, shortened } = *counts;
+    let figures = FluidFigures {
+        mass: fluid.mass() * fluid.len() as f64,
+        greatest_speed: speeds.greatest,
+        greatest_density_error: fluid.greatest_density_error(),
+        kinetic,
+        compression,
+        potential,
+        viscous,
+        diffusion,
+        substeps,
+        most_substeps: most,
+        shortened,
+        added_mass: added_mass.to_vec(),
+    };
+    let warnings = [dense(&figures), slow(fluid, speeds)].into_iter().flatten().collect();
+    Found { fluid: Some(figures), warnings }
+}
+
+fn dense(figures: &FluidFigures) -> Option<Warning> {
+    let error = figures.greatest_density_error;
+    let message = || {
+        format!(
+            "the density of the fluid changed by {:.1} %: beyond {:.0} % pressures are off; raise `sound_speed`, or use a \
+             narrower spacing",
+            100.0 * error,
+            100.0 * DENSE
+        )
+    };
+    (error > DENSE).then(|| Warning::new(Doubt::Compressed, message()))
+}
+
+fn slow(fluid: &Fluid, speeds: Speeds) -> Option<Warning> {
+    let sound = fluid.liquid().sound_speed;
+    let message = || {
+        format!(
+            "{:.1} % of the fluid were faster than {:.4}, a {SLOW}th of its speed of sound, at a time: their densities change by \
+             more than two percent; use a greater `sound_speed`",
+            100.0 * speeds.fast,
+            sound / SLOW
+        )
+    };
+    (speeds.fast > SPRAY).then(|| Warning::new(Doubt::SlowSound, message()))
+}

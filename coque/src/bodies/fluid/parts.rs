@@ -1,0 +1,70 @@
+//! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
+
+use fluid_sph::{Formulation, Liquid, Motion, Rotation, Scheme, Start, WallRule};
+use sph_core::Vec3;
+
+use crate::bodies::build::amplitude;
+use crate::scene::{FluidMethod, FluidScene, FluidStart, WallMethod, WallMotion};
+
+/// The liquid.
+pub(in crate::bodies) fn liquid(fluid: &FluidScene) -> Liquid {
+    let liquid = fluid.liquid();
+    Liquid { density: liquid.density, sound_speed: liquid.sound_speed }
+}
+
+/// The method: what the scene leaves out is that of its integrator.
+pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
+    let wanted = fluid.formulation.options();
+    let usual = match wanted.method {
+        FluidMethod::KickDriftKick => Formulation::default(),
+        FluidMethod::Source => Formulation::published(),
+    };
+    let scheme = match wanted.method {
+        FluidMethod::KickDriftKick => Scheme::KickDriftKick,
+        FluidMethod::Source => Scheme::PredictorCorrector,
+    };
+    let walls = match wanted.walls {
+        None => usual.walls,
+        Some(WallMethod::Extrapolated) => WallRule::Extrapolated,
+        Some(WallMethod::Dynamic) => WallRule::Dynamic,
+    };
+    Formulation {
+        smoothing: wanted.smoothing.unwrap_or(usual.smoothing),
+        viscosity: wanted.viscosity.unwrap_or(usual.viscosity),
+        kinematic_viscosity: fluid.liquid().kinematic_viscosity,
+        density_diffusion: wanted.density_diffusion.unwrap_or(usual.density_diffusion),
+        xsph: wanted.xsph.unwrap_or(usual.xsph),
+        courant: wanted.courant.unwrap_or(usual.courant),
+        scheme,
+        walls,
+        confined: wanted.confined,
+    }
+}
+
+/// Rows of particles behind a wall, as many as the kernel reaches.
+pub(in crate::bodies) fn rows_deep(fluid: &FluidScene) -> usize {
+    libm::ceil(2.0 * formulation(fluid).smoothing) as usize
+}
+
+/// Pressures at the start.
+pub(in crate::bodies) fn start(fluid: &FluidScene) -> Start {
+    match fluid.formulation.options().start {
+        FluidStart::Hydrostatic => Start::Hydrostatic,
+        FluidStart::Uniform => Start::Uniform,
+    }
+}
+
+/// The motion of walls.
+pub(in crate::bodies) fn motion(wanted: &WallMotion) -> Motion {
+    let translation = wanted.translation.as_ref();
+    let rotation = wanted.rotation.as_ref();
+    Motion {
+        translation: translation.map(|motion| (Vec3::from(motion.by), amplitude(Some(&motion.amplitude)))),
+        rotation: rotation.map(|motion| Rotation {
+            centre: Vec3::from(motion.centre),
+            axis: Vec3::from(motion.axis).normalize(),
+            by: motion.by.to_radians(),
+            angle: amplitude(Some(&motion.amplitude)),
+        }),
+    }
+}

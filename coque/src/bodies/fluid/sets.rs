@@ -1,0 +1,64 @@
+//! Named sets of particles of a fluid and of places of walls.
+
+use sph_core::Vec3;
+
+use super::walls::Piece;
+use crate::bodies::sets::{empty, inside};
+use crate::scene::Scene;
+use crate::scene::error::SceneError;
+
+/// Particles of the set that the scene of a fluid alone names.
+///
+/// # Errors
+/// [`SceneError::Set`] for a declared set without particles.
+pub(in crate::bodies) fn of_fluid(
+    scene: &Scene,
+    name: &str,
+    positions: &[Vec3],
+    spacing: f64,
+) -> Result<Vec<u32>, SceneError> {
+    let Some(region) = scene.sets.get(name) else { return Ok((0..positions.len() as u32).collect()) };
+    let found = inside(region, positions, spacing);
+    if found.is_empty() { Err(empty(scene, name, positions)) } else { Ok(found) }
+}
+
+/// What a name means on walls.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::bodies) struct OnWalls {
+    /// Its particles: piece of the body, and number in it; of built-in sets those next to the fluid.
+    pub particles: Vec<(usize, usize)>,
+    /// Pieces that it takes whole; none of declared sets.
+    pub pieces: Vec<usize>,
+    /// The point that a set of one nearest particle was declared by \[L\].
+    pub point: Option<Vec3>,
+}
+
+/// The set that the scene of walls alone names.
+///
+/// # Errors
+/// [`SceneError::Set`] for a declared set without particles.
+pub(in crate::bodies) fn of_walls(
+    scene: &Scene,
+    name: &str,
+    pieces: &[Piece],
+    spacing: f64,
+) -> Result<OnWalls, SceneError> {
+    let numbered = || {
+        let of = |(piece, of): (usize, &'_ Piece)| (0..of.points.len()).map(move |a| (piece, a));
+        pieces.iter().enumerate().flat_map(of)
+    };
+    let Some(region) = scene.sets.get(name) else {
+        let taken = pieces.iter().enumerate().filter(|(_, piece)| name == "all" || piece.side == Some(name));
+        let taken: Vec<usize> = taken.map(|(number, _)| number).collect();
+        let first = |&(piece, a): &(usize, usize)| taken.contains(&piece) && pieces[piece].first[a];
+        return Ok(OnWalls { particles: numbered().filter(first).collect(), pieces: taken, point: None });
+    };
+    let positions: Vec<Vec3> = pieces.iter().flat_map(|piece| piece.points.iter().copied()).collect();
+    let found = inside(region, &positions, spacing);
+    if found.is_empty() {
+        return Err(empty(scene, name, &positions));
+    }
+    let all: Vec<(usize, usize)> = numbered().collect();
+    let particles = found.into_iter().map(|a| all[a as usize]).collect();
+    Ok(OnWalls { particles, pieces: Vec::new(), point: region.nearest.map(Vec3::from) })
+}

@@ -1,0 +1,141 @@
+//! The rows of particles of walls, as a fluid takes them: a piece for each side of a basin, else one.
+
+use std::path::Path;
+
+use mesh_io::surface::read;
+use sph_core::{
+    SpaceError, Vec3, WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows,
+    surface_first_row, surface_rows,
+};
+
+use crate::scene::error::SceneError;
+use crate::scene::sets::OF_WALLS;
+use crate::scene::{Basin, LineSide, Obstacle, Scene, WallGeometry, WallSurface, WallsScene};
+
+/// Part of a spacing behind a face up to which a particle belongs to the first row.
+const FIRST: f64 = 0.75;
+
+/// A part of the walls of a body, of which the force is told apart.
+#[derive(Clone, Debug, Default)]
+pub(in crate::bodies) struct Piece {
+    /// The side of a basin.
+    pub side: Option<&'static str>,
+    /// Its particles at rest \[L\].
+    pub points: Vec<Vec3>,
+    /// Whether each stands next to the fluid; all of them where rows are not told apart.
+    pub first: Vec<bool>,
+}
+
+/// Walls of one body.
+#[derive(Clone, Debug, Default)]
+pub(in crate::bodies) struct Rows {
+    /// Its pieces.
+    pub pieces: Vec<Piece>,
+    /// Places where the first row has a gap through which a fluid may leak.
+    pub leaks: usize,
+}
+
+/// Rows of wall particles, `rows` deep; `scene` is that of the walls alone.
+pub(in crate::bodies) fn rows(
+    scene: &Scene,
+    walls: &WallsScene,
+    spacing: f64,
+    rows: usize,
+) -> Result<Rows, SceneError> {
+    let refused = |error: SpaceError| {
+        scene.body_error(&format!("geometry.{}", walls.geometry.word()), &error.to_string())
+    };
+    match &walls.geometry {
+        WallGeometry::Basin(basin) => of_basin(basin, spacing, rows).map_err(refused),
+        WallGeometry::Block(block) => of_obstacle(block, spacing, rows).map_err(refused),
+        WallGeometry::Polyline(line) => {
+            let side = match line.side {
+                LineSide::Left => WallSide::Left,
+                LineSide::Right => WallSide::Right,
+            };
+            let points = polyline_rows(&line.points, side, spacing, rows).map_err(refused)?;
+            let wanted = polyline_first_row(&line.points, side, spacing).map_err(refused)?;
+            Ok(whole(points, &wanted, 2, spacing))
+        }
+        WallGeometry::Surface(surface) => {
+            let (vertices, triangles) = triangles(scene, surface)?;
+            let inside = Vec3::from(surface.inside);
+            let points = surface_rows(&vertices, &triangles, &inside, spacing, rows).map_err(refused)?;
+            let wanted = surface_first_row(&vertices, &triangles, &inside, spacing).map_err(refused)?;
+            Ok(whole(points, &wanted, 3, spacing))
+        }
+    }
+}
+
+/// A vector of the coordinates of a list; zero where it has none.
+fn vector(list: &[f64]) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|axis| list.get(axis).copied().unwrap_or(0.0)))
+}
+
+/// The sides of a basin; particles of a corner belong to the side that they are farther behind.
+fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
+    let (min, max, dimensions) = (vector(&basin.min), vector(&basin.max), basin.min.len());
+    let open = [0, 1, 2, 3, 4, 5].map(|side| basin.open.iter().any(|open| open == OF_WALLS[side + 1]));
+    let points = basin_rows(&min, &max, open, dimensions, spacing, rows)?;
+    let behind = |side: usize, x: &Vec3| match side % 2 {
+        0 => min[side / 2] - x[side / 2],
+        _ => x[side / 2] - max[side / 2],
+    };
+    let mut pieces: Vec<Piece> = (0..2 * dimensions)
+        .map(|side| Piece { side: Some(OF_WALLS[side + 1]), ..Piece::default() })
+        .collect();
+    for x in points {
+        let mut own = (0, f64::NEG_INFINITY);
+        for side in 0..2 * dimensions {
+            let depth = behind(side, &x);
+            if depth > own.1 + 1e-9 * spacing {
+                own = (side, depth);
+            }
+        }
+        let (side, depth) = own;
+        pieces[side].points.push(x);
+        pieces[side].first.push(depth <= FIRST * spacing);
+    }
+    pieces.retain(|piece| !piece.points.is_empty());
+    Ok(Rows { pieces, leaks: 0 })
+}
+
+fn of_obstacle(block: &Obstacle, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
+    let (lengths, dimensions) = (vector(&block.lengths), block.lengths.len());
+    let origin = vector(block.origin.as_deref().unwrap_or_default());
+    let points = block_rows(lengths.into(), &origin, dimensions, spacing, rows)?;
+    let depth = |x: &Vec3| {
+        let inside = (0..dimensions).map(|i| (x[i] - origin[i]).min(origin[i] + lengths[i] - x[i]));
+        inside.fold(f64::INFINITY, f64::min)
+    };
+    let first = points.iter().map(|x| depth(x) <= FIRST * spacing).collect();
+    Ok(Rows { pieces: vec![Piece { side: None, points, first }], leaks: 0 })
+}
+
+/// One piece, looked at for gaps.
+fn whole(points: Vec<Vec3>, wanted: &[Vec3], dimensions: usize, spacing: f64) -> Rows {
+    let leaks = leaks(wanted, &points, dimensions, spacing);
+    let first = vec![true; points.len()];
+    Rows { pieces: vec![Piece { side: None, points, first }], leaks }
+}
+
+/// Vertices and triangles of a surface from a file.
+fn triangles(scene: &Scene, surface: &WallSurface) -> Result<(Vec<Vec3>, Vec<[u32; 3]>), SceneError> {
+    let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
+    let read = read(&folder.join(&surface.file)).map_err(|error| {
+        let mut said = error.clone();
+        let repair = std::mem::take(&mut said.repair);
+        let value = said.to_string();
+        let value = value.trim_end_matches([';', ' ']);
+        let fault = scene.body_scope().fault("geometry.surface.file", value, "a sound surface", &repair);
+        SceneError::Mesh(fault)
+    })?;
+    let read = read.scaled(surface.scale);
+    let halves = read.faces.iter().flat_map(|face| {
+        let [a, b, c, d] = face.corners;
+        let second = (face.count == 4).then_some([a, c, d]);
+        [Some([a, b, c]), second].into_iter().flatten()
+    });
+    let triangles = halves.collect();
+    Ok((read.positions, triangles))
+}

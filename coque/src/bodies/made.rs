@@ -1,0 +1,45 @@
+//! A body with what is known of it, before it is made ready for its analysis or put beside others.
+
+use super::body::{Description, PrescribedPoint, Ready};
+use super::memory::Memory;
+use super::model::{Identity, Model, ShapeJudge, Task};
+use super::probe::Probe;
+use crate::Warning;
+use crate::scene::Scene;
+
+/// A body as its builder made it.
+pub(super) struct Made<B> {
+    /// The body.
+    pub body: B,
+    /// What it is.
+    pub description: Description,
+    /// What a run of it alone will need, and what there is.
+    pub memory: Memory,
+    /// What tells it from another with the same particles.
+    pub identity: Identity,
+    /// The columns that its scene measures on it.
+    pub probes: Vec<Probe>,
+    /// The prescribed motion whose force is sought.
+    pub driven: Option<PrescribedPoint>,
+    /// What is known beforehand to make its numbers wrong.
+    pub warnings: Vec<Warning>,
+    /// Who looks for doubts in the shapes that it took.
+    pub judge: Option<ShapeJudge>,
+}
+
+impl<B> Made<B> {
+    /// The same with another body in its place.
+    pub fn map<T>(self, body: impl FnOnce(B) -> T) -> Made<T> {
+        let Self { body: own, description, memory, identity, probes, driven, warnings, judge } = self;
+        Made { body: body(own), description, memory, identity, probes, driven, warnings, judge }
+    }
+}
+
+impl Made<Ready> {
+    /// The body with what its scene asks of it.
+    pub fn model(self, scene: &Scene, threads: usize) -> Model {
+        let Self { body, description, memory, identity, probes, driven, warnings, judge } = self;
+        let (task, threads) = (Task::of(scene), threads.max(1));
+        Model { task, body, description, memory, identity, probes, driven, threads, warnings, judge }
+    }
+}

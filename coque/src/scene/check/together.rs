@@ -1,0 +1,191 @@
+//! Checks of bodies that are built together: which go together, what names which, and each alone.
+
+use std::collections::BTreeSet;
+
+use crate::scene::alone::Owner;
+use crate::scene::coupling::Coupling;
+use crate::scene::curve::Measured;
+use crate::scene::error::SceneError;
+use crate::scene::problem::{BodyScene, Scene};
+use sph_core::Vec3;
+
+type Checked = Result<(), SceneError>;
+
+impl Scene {
+    /// Refuses numbers and kinds of bodies that nothing builds together.
+    pub(super) fn check_kinds(&self) -> Checked {
+        let s = &self.scope();
+        let mut fluids = self.bodies.iter().filter(|(_, body)| matches!(body, BodyScene::Fluid(_)));
+        let fluid = fluids.next();
+        if let (Some((first, _)), Some((second, _))) = (fluid, fluids.next()) {
+            let (path, value) = (format!("bodies.{second}"), format!("a fluid beside `{first}`"));
+            let repair = "give the blocks of one fluid in `geometry.blocks`";
+            return Err(SceneError::Choice(s.fault(&path, &value, "the only fluid", repair)));
+        }
+        if fluid.is_some() {
+            return Ok(());
+        }
+        let mut structures = self.bodies.iter().filter(|(_, body)| !matches!(body, BodyScene::Walls(_)));
+        let Some((first, _)) = structures.next() else {
+            let name = self.bodies.keys().next().map_or("", String::as_str);
+            let repair = "add the fluid before them, as in [bodies.water.fluid]";
+            let bound = "a fluid that they bound";
+            return Err(SceneError::Choice(s.fault(&format!("bodies.{name}"), "walls alone", bound, repair)));
+        };
+        let Some(second) = self.bodies.keys().find(|name| *name != first) else { return Ok(()) };
+        let (path, value) = (format!("bodies.{second}"), format!("a body beside `{first}`"));
+        let repair = "keep one of them, or add the fluid that couples them, as in [bodies.water.fluid]";
+        Err(SceneError::Choice(s.fault(&path, &value, "the only body", repair)))
+    }
+
+    /// Refuses what does not go with a fluid and the bodies in it, then what is wrong with each of them alone.
+    pub(super) fn check_together(&self) -> Checked {
+        self.check_transient()?;
+        self.check_owners()?;
+        self.check_coupling()?;
+        self.check_dimensions()?;
+        for name in self.bodies.keys() {
+            self.alone(name)?.check_alone()?;
+        }
+        self.check_sound_speed()?;
+        self.check_contact_columns()?;
+        self.check_columns_together()
+    }
+
+    fn check_transient(&self) -> Checked {
+        let kind = self.analysis.kind();
+        if kind.passes_time {
+            return Ok(());
+        }
+        let repair = "use [analysis.explicit.transient]";
+        let bound = "a transient run: a scene with a fluid has no other analysis";
+        Err(SceneError::Choice(self.scope().fault(
+            &format!("analysis.{}", kind.word),
+            kind.name,
+            bound,
+            repair,
+        )))
+    }
+
+    /// Sets say whose they are; what is said of every body at once is gravity.
+    fn check_owners(&self) -> Checked {
+        let s = &self.scope();
+        if self.bodies.len() == 1 {
+            return Ok(());
+        }
+        for (name, region) in &self.sets {
+            if region.of.is_none() {
+                let names = Vec::from_iter(self.bodies.keys().map(String::as_str)).join(", ");
+                let (path, repair) = (format!("sets.{name}.of"), format!("add of = \"…\", one of {names}"));
+                let bound = "given where there are several bodies";
+                return Err(SceneError::Missing(s.fault(&path, "nothing", bound, &repair)));
+            }
+        }
+        let every = |path: String, what: &str, bound: &str| {
+            let repair = "name the body, as in on = \"gate.all\"";
+            Err(SceneError::Set(s.fault(&path, what, bound, repair)))
+        };
+        for (i, support) in self.supports.iter().enumerate() {
+            let path = format!("supports[{i}].on");
+            if self.owner(&path, &support.on)? == Owner::Every {
+                return every(path, "\"all\"", "but a support holds a set of one body");
+            }
+        }
+        for (i, load) in self.loads.iter().enumerate() {
+            let path = format!("loads[{i}].on");
+            if self.owner(&path, &load.on)? == Owner::Every && load.gravity.is_none() {
+                return every(path, "\"all\"", "but only gravity acts on every body");
+            }
+        }
+        for (i, probe) in self.curve.iter().enumerate() {
+            let path = format!("curve[{i}].on");
+            if self.owner(&path, &probe.on)? == Owner::Every {
+                return every(path, "\"all\"", "but a column measures a set of one body");
+            }
+        }
+        Ok(())
+    }
+
+    /// Bodies that a fluid wets.
+    pub(crate) fn structures(&self) -> impl Iterator<Item = (&String, &BodyScene)> {
+        self.bodies.iter().filter(|(_, body)| matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_)))
+    }
+
+    fn check_coupling(&self) -> Checked {
+        let Some(Coupling { .. }) = self.coupling else { return Ok(()) };
+        if self.structures().next().is_some() {
+            return Ok(());
+        }
+        let (bound, repair) = ("none without a structure in the fluid", "remove it");
+        Err(SceneError::Choice(self.scope().fault("coupling", "a coupling", bound, repair)))
+    }
+
+    /// Walls and solids have as many dimensions as the fluid.
+    fn check_dimensions(&self) -> Checked {
+        let Some((fluid, dimensions)) = self.fluid().map(|(name, fluid)| (name, fluid.dimensions())) else {
+            return Ok(());
+        };
+        for (name, body) in &self.bodies {
+            let (own, path) = match body {
+                BodyScene::Walls(walls) => {
+                    (walls.geometry.dimensions(), format!("geometry.{}", walls.geometry.word()))
+                }
+                BodyScene::Solid(solid) => (solid.dimensions(), "geometry.block.lengths".into()),
+                BodyScene::Fluid(_) | BodyScene::Shell(_) => continue,
+            };
+            if own != dimensions {
+                let bound = format!("{dimensions}, as `{fluid}` has");
+                let value = format!("a body of {own} dimensions");
+                let repair = "give all bodies two lengths, for a plane problem, or all three";
+                return Err(self.source.body(name, body.word()).value(&path, value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    /// What a fluid does to a structure is measured on the whole of it.
+    fn check_contact_columns(&self) -> Checked {
+        let s = &self.scope();
+        let gravity = self.fluid().map_or_else(Vec3::zeros, |(name, _)| self.gravity_on(name));
+        for (i, probe) in self.curve.iter().enumerate().filter(|(_, probe)| probe.of.is_of_contact()) {
+            let at = |key: &str| format!("curve[{i}].{key}");
+            if probe.of == Measured::Level && gravity == Vec3::zeros() {
+                let repair = "add loads = [{ on = \"all\", gravity = { acceleration = […] } }]";
+                let bound = "something without gravity, which has neither up nor down";
+                return Err(SceneError::Choice(s.fault(&at("of"), "a level", bound, repair)));
+            }
+            let Owner::Of(name, set) = self.owner(&at("on"), &probe.on)? else { continue };
+            if !self.structures().any(|(known, _)| *known == name) {
+                continue;
+            }
+            if probe.of != Measured::Force {
+                let value = format!("\"{}\"", probe.of.word());
+                let bound = "`force`, or what the structure has of itself";
+                let repair = "measure pressures, levels and moments on walls";
+                return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
+            }
+            if set != "all" {
+                let bound = "but the force of a fluid is that on the whole structure";
+                let repair = format!("use on = \"{name}.all\"");
+                let value = format!("\"{}\"", probe.on);
+                return Err(SceneError::Set(s.fault(&at("on"), &value, bound, &repair)));
+            }
+            self.check_measured_alike(&at, probe)?;
+        }
+        Ok(())
+    }
+
+    /// Names of columns differ over all bodies; a plot takes those of any.
+    fn check_columns_together(&self) -> Checked {
+        let mut names: BTreeSet<&str> = self.analysis.kind().columns.iter().copied().collect();
+        for (i, probe) in self.curve.iter().enumerate() {
+            self.check_column_name(&format!("curve[{i}].name"), &probe.name, &mut names)?;
+        }
+        if self.output.fields.is_some_and(|fields| fields.extruded) {
+            let bound = "none beside a fluid: each body is written as it is";
+            let fault = self.scope().fault("output.fields.extruded", "a thickness", bound, "remove it");
+            return Err(SceneError::Choice(fault));
+        }
+        self.check_plot(&names)
+    }
+}

@@ -1,0 +1,87 @@
+//! The particle method of a fluid.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// How particles carry a fluid.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum FluidFormulation {
+    /// Smoothed particles with densities of their own, a stiff equation of state, explicit steps.
+    WeaklyCompressible(WeaklyCompressible),
+}
+
+impl Default for FluidFormulation {
+    fn default() -> Self {
+        Self::WeaklyCompressible(WeaklyCompressible::default())
+    }
+}
+
+/// Options of the weakly compressible method.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct WeaklyCompressible {
+    /// Who steps it; the other options take the defaults of the method.
+    pub method: FluidMethod,
+    /// Smoothing length in spacings; left out, 1.3.
+    pub smoothing: Option<f64>,
+    /// Artificial viscosity α; left out, 0.02, of the published method 0.1.
+    pub viscosity: Option<f64>,
+    /// Diffusion of density δ; left out, 0.1, of the published method none.
+    pub density_diffusion: Option<f64>,
+    /// Share of the neighbours' velocity with which particles drift; left out, none, of the published method 0.5.
+    pub xsph: Option<f64>,
+    /// Courant number; left out, 0.3.
+    pub courant: Option<f64>,
+    /// What wall particles do; left out, `extrapolated`, of the published method `dynamic`.
+    pub walls: Option<WallMethod>,
+    /// Pressure at the start.
+    pub start: FluidStart,
+    /// Whether walls enclose the fluid without a free surface, and may pull.
+    pub confined: bool,
+}
+
+/// Integrators of a fluid, each with options that suit it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FluidMethod {
+    /// Kick, drift, kick: one half sweep for densities and one for forces a step.
+    #[default]
+    KickDriftKick,
+    /// The published predictor and corrector: two sweeps a step.
+    Source,
+}
+
+/// What wall particles do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum WallMethod {
+    /// Their pressure is that of the fluid before them, shifted hydrostatically.
+    Extrapolated,
+    /// Their density follows the equation of continuity, as in the published method.
+    Dynamic,
+}
+
+/// Pressure at the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FluidStart {
+    /// Hydrostatic under the highest particle of each connected body of fluid.
+    #[default]
+    Hydrostatic,
+    /// None.
+    Uniform,
+}
+
+impl FluidFormulation {
+    /// Its key in a scene.
+    pub fn word(&self) -> &'static str {
+        "weakly-compressible"
+    }
+
+    /// Its options.
+    pub fn options(&self) -> WeaklyCompressible {
+        let Self::WeaklyCompressible(options) = self;
+        *options
+    }
+}

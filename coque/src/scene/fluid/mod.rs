@@ -1,0 +1,60 @@
+//! A fluid in a scene: its particles at the start, the liquid, the method, its velocity.
+
+pub(crate) mod formulation;
+pub(crate) mod geometry;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::velocity::Velocity;
+use formulation::FluidFormulation;
+use geometry::FluidGeometry;
+
+/// A weakly compressible fluid of particles, in a plane or in space.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FluidScene {
+    /// Where it is at the start.
+    pub geometry: FluidGeometry,
+    /// What it is.
+    pub material: FluidMaterial,
+    /// The particle method; left out, `weakly-compressible` with its defaults.
+    #[serde(default)]
+    pub formulation: FluidFormulation,
+    /// Velocity at the start.
+    pub velocity: Option<Velocity>,
+}
+
+/// Fluids.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum FluidMaterial {
+    /// A liquid of the Tait equation `p = ρ₀c₀²/7 [(ρ/ρ₀)⁷ − 1]`.
+    Liquid(Liquid),
+}
+
+/// A liquid.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Liquid {
+    /// Density at rest \[F T²/L⁴\].
+    pub density: f64,
+    /// Speed of sound of the model, ten times the greatest speed of the flow: seven times at least \[L/T\].
+    pub sound_speed: f64,
+    /// Kinematic viscosity; left out, none \[L²/T\].
+    #[serde(default)]
+    pub kinematic_viscosity: f64,
+}
+
+impl FluidScene {
+    /// Dimensions of its particles, two or three.
+    pub fn dimensions(&self) -> usize {
+        self.geometry.dimensions()
+    }
+
+    /// The liquid.
+    pub fn liquid(&self) -> Liquid {
+        let FluidMaterial::Liquid(liquid) = self.material;
+        liquid
+    }
+}

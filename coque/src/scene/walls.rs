@@ -1,0 +1,151 @@
+//! Walls in a scene: rigid boundaries of a fluid, at rest or in a given motion.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::amplitude::Amplitude;
+
+/// Rigid walls of a fluid: rows of particles behind their faces, as deep as the kernel of the fluid reaches.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WallsScene {
+    /// Their shape.
+    pub geometry: WallGeometry,
+    /// Their motion; left out, they stand.
+    pub motion: Option<WallMotion>,
+}
+
+/// Shapes of walls.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum WallGeometry {
+    /// A box from inside.
+    Basin(Basin),
+    /// A box from outside: an obstacle.
+    Block(Obstacle),
+    /// A line of straight pieces in the plane.
+    Polyline(Polyline),
+    /// A surface of triangles from a file, in space.
+    Surface(WallSurface),
+}
+
+/// A box that holds the fluid.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Basin {
+    /// Least coordinates of its inside \[L\].
+    #[schemars(length(min = 2, max = 3))]
+    pub min: Vec<f64>,
+    /// Greatest coordinates of its inside \[L\].
+    #[schemars(length(min = 2, max = 3))]
+    pub max: Vec<f64>,
+    /// Sides without a wall, of `x0`, `x1`, `y0`, `y1`, `z0`, `z1`; left out, none.
+    #[serde(default)]
+    pub open: Vec<String>,
+}
+
+/// A box in the way of the fluid.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Obstacle {
+    /// Edges along x, y and, in space, z \[L\].
+    #[schemars(length(min = 2, max = 3))]
+    pub lengths: Vec<f64>,
+    /// The corner of least coordinates \[L\]; left out, the origin.
+    #[schemars(length(min = 2, max = 3))]
+    pub origin: Option<Vec<f64>>,
+}
+
+/// A line of straight pieces.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Polyline {
+    /// Its corners in order; it is closed where the last is the first \[L\].
+    pub points: Vec<[f64; 2]>,
+    /// Where the wall lies, seen along the line; the fluid is on the other side.
+    pub side: LineSide,
+}
+
+/// Sides of a line, seen along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LineSide {
+    /// On the left.
+    Left,
+    /// On the right.
+    Right,
+}
+
+/// A surface from a file.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WallSurface {
+    /// The file (STL, OBJ and the other formats of meshes), relative to the scene.
+    pub file: String,
+    /// A point on the side of the fluid \[L\].
+    pub inside: [f64; 3],
+    /// Factor on the coordinates of the file.
+    #[serde(default = "one")]
+    pub scale: f64,
+}
+
+/// A rigid motion, each part a course in time that starts at zero.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WallMotion {
+    /// Displacement.
+    pub translation: Option<WallTranslation>,
+    /// Rotation, before the displacement.
+    pub rotation: Option<WallRotation>,
+}
+
+/// Displacement of walls.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WallTranslation {
+    /// Displacement where the course is one \[L\].
+    pub by: [f64; 3],
+    /// Course in time.
+    pub amplitude: Amplitude,
+}
+
+/// Rotation of walls about a fixed axis.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WallRotation {
+    /// A point of the axis \[L\].
+    #[serde(default)]
+    pub centre: [f64; 3],
+    /// The axis; its length does not matter.
+    pub axis: [f64; 3],
+    /// Angle where the course is one, right-handed \[degrees\].
+    pub by: f64,
+    /// Course in time.
+    pub amplitude: Amplitude,
+}
+
+impl WallGeometry {
+    /// Key of the shape in a scene.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Basin(_) => "basin",
+            Self::Block(_) => "block",
+            Self::Polyline(_) => "polyline",
+            Self::Surface(_) => "surface",
+        }
+    }
+
+    /// Dimensions of the shape.
+    pub fn dimensions(&self) -> usize {
+        match self {
+            Self::Basin(basin) => basin.min.len(),
+            Self::Block(block) => block.lengths.len(),
+            Self::Polyline(_) => 2,
+            Self::Surface(_) => 3,
+        }
+    }
+}
+
+fn one() -> f64 {
+    1.0
+}
