@@ -4,6 +4,7 @@
 
 mod bodies;
 mod causes;
+mod coupled;
 mod crease;
 mod disorder;
 mod energy_drift;
@@ -54,5 +55,10 @@ pub fn all() -> Vec<Case> {
         solids::tension::case(),
         solids::same_damage::case(),
         solids::pieces::case(),
+        coupled::fluid_first::case(),
+        coupled::light::case(),
+        coupled::thin::case(),
+        coupled::jet::case(),
+        coupled::drop::case(),
     ]
 }
