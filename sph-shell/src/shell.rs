@@ -216,7 +216,7 @@ impl Shell {
             applied.load.add(applied.scale(at), &body, &mut self.external);
         }
         if let Some(surface) = &self.wetted {
-            surface.add(&self.state, &self.rates, &mut self.external);
+            surface.add(&self.rates, &mut self.external);
         }
     }
 

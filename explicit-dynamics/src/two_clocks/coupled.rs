@@ -35,7 +35,10 @@ pub(super) struct Coupled<S: ?Sized> {
     pub former: Vec<[f64; 3]>,
     /// Work done since the last kick was booked \[F L\].
     pub pending: Work,
+    /// Its energies; those booked are up to the instant in the middle of the last kick until the drift behind it.
     pub energy: Balance,
+    /// The other half of what that kick did.
+    behind: Work,
     from: BoundaryState,
     to: BoundaryState,
     load: Vec<[f64; 3]>,
@@ -83,6 +86,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
             velocities,
             pending: Work::default(),
             energy: Balance::default(),
+            behind: Work::default(),
             from: BoundaryState::default(),
             to,
             body,
@@ -135,7 +139,11 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         if shown {
             return work;
         }
-        self.book(work);
+        let half = Work { external: 0.5 * work.external, dissipated: 0.5 * work.dissipated, ..work };
+        self.behind = half;
+        self.book(half);
+        self.pending.external += half.external;
+        self.pending.dissipated += half.dissipated;
         self.settle(work.kinetic)
     }
 
@@ -145,6 +153,9 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         let count = self.clock.count(whole);
         let first = self.clock.step(whole, 0, count);
         self.body.drift(&first);
+        let Work { external, dissipated, .. } = std::mem::take(&mut self.behind);
+        self.energy.external += external;
+        self.energy.dissipated += dissipated;
         self.done(&first);
         self.advance_from(1, whole, count)
     }

@@ -85,9 +85,8 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         self.structures.iter_mut().map(|structure| &mut *structure.body)
     }
 
-    /// Energies of a structure \[F L\]: kinetic and stored where they were last shown, by a kick and by an
-    /// evaluation; work of its loads, the fluid's among them, and what its damping took, up to the last kick. None
-    /// for a structure there is not.
+    /// Energies of a structure \[F L\], its loads those of the fluid among them: at a record all at its instant; else up to the
+    /// last step, the kinetic and the stored one where they were last found. None for a structure there is not.
     pub fn energy(&self, structure: usize) -> Option<Balance> {
         self.structures.get(structure).map(|structure| structure.energy)
     }

@@ -40,7 +40,7 @@ impl Wetted for Shell {
 
     fn apply_load(&mut self, load: &BoundaryLoad<'_>) {
         if let Some(surface) = &mut self.wetted {
-            surface.take(load);
+            surface.take(&self.state, load);
         }
     }
 

@@ -9,9 +9,8 @@
 //! couple
 //! ```
 //!
-//! While a step of the fluid lasts, a column that bears a load resists what it moves, at its middle and along its
-//! director n, beyond what the fluid saw: `f = −ρ₀c₀A [(v − v_seen)·n] n`, A its area on the faces that bear the
-//! load.
+//! While a step of the fluid lasts, a column that bears a load resists what it moves, at its middle and along its director
+//! n of the start, beyond what the fluid saw: `f = −ρ₀c₀A [(v − v_seen)·n] n`, A its area on the faces that bear the load.
 
 use explicit_dynamics::{BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout};
 use sph_core::Cloud;
@@ -22,6 +21,17 @@ use crate::wetted::places::Places;
 use crate::wetted::sheet::over_sheet;
 use crate::wetted::strip::along_strip;
 use crate::wetted::wetting::Wetting;
+
+/// A column that bears a load.
+#[derive(Clone, Copy, Debug)]
+struct Resisting {
+    column: u32,
+    /// ρ₀c₀A of the faces that bear it \[F T/L\].
+    resistance: f64,
+    normal: [f64; 3],
+    /// Velocity along the normal with which the fluid saw its middle \[L/T\].
+    seen: f64,
+}
 
 /// The wet surface of a shell.
 #[derive(Clone, Debug)]
@@ -35,9 +45,8 @@ pub(crate) struct Surface {
     width: Option<f64>,
     /// Area of each column \[L²\].
     areas: Vec<f64>,
-    /// By column: ρ₀c₀A of the faces that bear a load \[F T/L\], and the velocity with which the fluid saw its middle
-    /// \[L/T\]; empty where nothing resists.
-    resisting: Vec<(f64, [f64; 3])>,
+    /// What resists while a step of the fluid lasts.
+    resisting: Vec<Resisting>,
     /// Load on each particle \[F, F L\].
     loads: Vec<Row>,
 }
@@ -89,8 +98,7 @@ impl Surface {
             let row = self.flat(self.middle.mean(place, state));
             let [x, d] = halves(&row);
             out.middle[place] = x;
-            let length = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
-            out.normals[place] = d.map(|component| component / length);
+            out.normals[place] = unit(d);
             if place < columns {
                 for (number, &(_, z)) in self.heights.iter().enumerate() {
                     out.points[number * columns + place] = std::array::from_fn(|k| x[k] + z * d[k]);
@@ -111,56 +119,61 @@ impl Surface {
         }
     }
 
-    /// Takes up a load.
-    pub fn take(&mut self, load: &BoundaryLoad<'_>) {
-        let Self { middle, heights, areas, resisting, loads, .. } = self;
-        let columns = areas.len();
-        loads.fill([0.0; 6]);
-        resisting.clear();
+    /// Takes up a load on particles in such a state.
+    pub fn take(&mut self, state: &[Row], load: &BoundaryLoad<'_>) {
+        self.loads.fill([0.0; 6]);
+        self.resisting.clear();
+        let columns = self.areas.len();
         for column in 0..columns {
             let mut force = [0.0; 6];
-            let mut seen = [0.0; 3];
-            let (mut bears, mut rows) = ([false; 2], [0.0; 2]);
-            for (number, &(face, z)) in heights.iter().enumerate() {
-                let mut f = load.forces[number * columns + column];
+            // By face: whether it bears a load, and the sum of the velocities that the fluid saw, by its rows.
+            let mut faces = [(false, [0.0; 3], 0.0); 2];
+            for (number, &(face, z)) in self.heights.iter().enumerate() {
+                let point = number * columns + column;
+                let mut f = load.forces[point];
                 if let Some(width) = self.width {
                     f = [width * f[0], width * f[1], 0.0];
                 }
+                let (bears, seen, rows) = &mut faces[face as usize];
+                *bears |= f != [0.0; 3];
+                *rows += 1.0;
                 for k in 0..3 {
                     force[k] += f[k];
                     force[3 + k] += z * f[k];
+                    seen[k] += load.seen[point][k];
                 }
-                bears[face as usize] |= f != [0.0; 3];
-                rows[face as usize] += 1.0;
             }
-            middle.share(column, &force, loads);
-            if load.impedance > 0.0 {
-                let part = |face: Face| if bears[face as usize] { 1.0 / rows[face as usize] } else { 0.0 };
-                let faces = f64::from(u8::from(bears[0]) + u8::from(bears[1]));
-                for (number, &(face, _)) in heights.iter().enumerate() {
-                    let v = load.seen[number * columns + column];
-                    (0..3).for_each(|k| seen[k] += part(face) * v[k] / faces.max(1.0));
-                }
-                resisting.push((load.impedance * areas[column] * faces, seen));
+            self.middle.share(column, &force, &mut self.loads);
+            let bearing = faces.iter().filter(|(bears, ..)| *bears);
+            let count = bearing.clone().count() as f64;
+            if load.impedance == 0.0 || count == 0.0 {
+                continue;
             }
+            let [_, d] = halves(&self.flat(self.middle.mean(column, state)));
+            let normal = unit(d);
+            let along = |v: &[f64; 3]| v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+            let seen = bearing.map(|(_, seen, rows)| along(seen) / rows).sum::<f64>() / count;
+            let resistance = load.impedance * self.areas[column] * count;
+            self.resisting.push(Resisting { column: column as u32, resistance, normal, seen });
         }
     }
 
     /// Adds the load to the rows `[f, τ]` of the particles.
-    pub fn add(&self, state: &[Row], rates: &[Row], forces: &mut [Row]) {
+    pub fn add(&self, rates: &[Row], forces: &mut [Row]) {
         for (force, load) in forces.iter_mut().zip(&self.loads) {
             (0..6).for_each(|k| force[k] += load[k]);
         }
-        for (column, (resistance, seen)) in self.resisting.iter().enumerate() {
-            if *resistance == 0.0 {
-                continue;
+        for Resisting { column, resistance, normal: n, seen } in &self.resisting {
+            let weights = self.middle.weights(*column as usize);
+            let velocity = weights.iter().fold(0.0, |sum, &(particle, weight)| {
+                let v = &rates[particle as usize];
+                sum + weight * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+            });
+            let force = -resistance * (velocity - seen);
+            for &(particle, weight) in weights {
+                let row = &mut forces[particle as usize];
+                (0..3).for_each(|k| row[k] += weight * force * n[k]);
             }
-            let [_, d] = halves(&self.flat(self.middle.mean(column, state)));
-            let [v, _] = halves(&self.flat(self.middle.mean(column, rates)));
-            let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-            let along = (0..3).map(|k| (v[k] - seen[k]) * d[k]).sum::<f64>() / square;
-            let [x, y, z] = d.map(|component| -resistance * along * component);
-            self.middle.share(column, &[x, y, z, 0.0, 0.0, 0.0], forces);
         }
     }
 
@@ -180,4 +193,9 @@ impl Surface {
 
 fn halves(row: &Row) -> [[f64; 3]; 2] {
     [[row[0], row[1], row[2]], [row[3], row[4], row[5]]]
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    v.map(|component| component / length)
 }
