@@ -11,6 +11,7 @@ use super::layout::Layout;
 use super::probes::{Measuring, probes};
 use super::structures::{Wet, wet};
 use crate::bodies::fluid::figures::Speeds;
+use crate::bodies::fluid::lost::basins;
 use crate::bodies::fluid::walls::{Rows, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
@@ -91,7 +92,8 @@ impl Scene {
         };
         clocks.impedance = coupling.impedance;
         let Together { layout, rest, cells } = built;
-        let body = Coupled { clocks, layout, rest, cells, added_mass, speeds: Speeds::default() };
+        let basins = basins(self, wanted.geometry.spacing());
+        let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default() };
         let made = Made {
             body: Ready::Dynamic(Box::new(body)),
             description,

@@ -45,6 +45,8 @@ impl Speeds {
 pub struct FluidFigures {
     /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made.
     pub mass: f64,
+    /// Particles beyond the closed sides of basins.
+    pub lost: usize,
     /// Greatest speed that a particle has had \[L/T\].
     pub greatest_speed: f64,
     /// Greatest change of density so far over the density at rest \[–\].
@@ -70,11 +72,18 @@ pub struct FluidFigures {
 }
 
 /// The figures at present, and their doubts.
-pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64], speeds: Speeds) -> Found {
+pub(in crate::bodies) fn found(
+    fluid: &Fluid,
+    counts: &Counts,
+    added_mass: &[f64],
+    speeds: Speeds,
+    lost: usize,
+) -> Found {
     let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
     let Counts { substeps, most, shortened } = *counts;
     let figures = FluidFigures {
         mass: fluid.mass() * fluid.len() as f64,
+        lost,
         greatest_speed: speeds.greatest,
         greatest_density_error: fluid.greatest_density_error(),
         kinetic,
@@ -87,8 +96,18 @@ pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64
         shortened,
         added_mass: added_mass.to_vec(),
     };
-    let warnings = [dense(&figures), slow(fluid, speeds)].into_iter().flatten().collect();
+    let warnings = [dense(&figures), slow(fluid, speeds), gone(lost)].into_iter().flatten().collect();
     Found { fluid: Some(figures), warnings }
+}
+
+fn gone(lost: usize) -> Option<Warning> {
+    let message = || {
+        format!(
+            "{lost} particles of the fluid are beyond closed sides of basins: they splashed over an open side, or leaked; make \
+             the sides higher, or use a narrower spacing"
+        )
+    };
+    (lost > 0).then(|| Warning::new(Doubt::LostFluid, message()))
 }
 
 fn dense(figures: &FluidFigures) -> Option<Warning> {
