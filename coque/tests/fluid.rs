@@ -112,9 +112,8 @@ fn each_body_has_frames_of_its_own() {
     let wanted = Fields { every: 2, extruded: false, stresses: false };
     let mut files = FieldFiles::create_all(&folder, &["water", "gate", "tank"], &wanted).unwrap();
     let outcome = run(&scene, &mut files);
-    let frames: Vec<usize> = ["water", "gate", "tank"]
-        .map(|name| listed(&folder.join(format!("{name}.pvd"))).len())
-        .into();
+    let frames: Vec<usize> =
+        ["water", "gate", "tank"].map(|name| listed(&folder.join(format!("{name}.pvd"))).len()).into();
     assert_eq!(frames, [3, 3, 3]);
     assert_eq!(outcome.summary.record.frames, 3);
     let read = |name: &str| Read::new(&listed(&folder.join(format!("{name}.pvd"))).last().unwrap().1);

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{
-    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip, together,
-    write_whole,
+    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip,
+    together, write_whole,
 };
 
 use super::say::{Refused, say};

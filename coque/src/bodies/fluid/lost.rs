@@ -20,7 +20,11 @@ pub(in crate::bodies) fn basins(scene: &Scene, spacing: f64) -> Vec<Sides> {
         let (WallGeometry::Basin(basin), None) = (&walls.geometry, &walls.motion) else { return None };
         let closed = |side: usize| {
             let open = basin.open.iter().any(|open| open == OF_WALLS[side + 1]);
-            let at = if side % 2 == 0 { basin.min.get(side / 2)? - 0.5 * spacing } else { basin.max.get(side / 2)? + 0.5 * spacing };
+            let at = if side % 2 == 0 {
+                basin.min.get(side / 2)? - 0.5 * spacing
+            } else {
+                basin.max.get(side / 2)? + 0.5 * spacing
+            };
             (!open).then_some(at)
         };
         Some(Sides { closed: [0, 1, 2, 3, 4, 5].map(closed) })

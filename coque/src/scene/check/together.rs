@@ -11,6 +11,9 @@ use sph_core::Vec3;
 
 type Checked = Result<(), SceneError>;
 
+/// Part of its own by which the spacing of a solid may differ from that of a fluid: pressures differ by the same part.
+const ALIKE: f64 = 0.05;
+
 impl Scene {
     /// Refuses numbers and kinds of bodies that nothing builds together.
     pub(super) fn check_kinds(&self) -> Checked {
@@ -47,6 +50,7 @@ impl Scene {
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
         }
+        self.check_spacings()?;
         self.check_sound_speed()?;
         self.check_contact_columns()?;
         self.check_columns_together()
@@ -138,6 +142,29 @@ impl Scene {
                 let value = format!("a body of {own} dimensions");
                 let repair = "give all bodies two lengths, for a plane problem, or all three";
                 return Err(self.source.body(name, body.word()).value(&path, value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    /// Nodes of a solid are the points that a fluid feels: as far apart as its own particles.
+    fn check_spacings(&self) -> Checked {
+        let Some((name, fluid)) = self.fluid() else { return Ok(()) };
+        let spacing = fluid.geometry.spacing();
+        for (body, scene) in &self.bodies {
+            let BodyScene::Solid(solid) = scene else { continue };
+            let lattice = solid.lattice();
+            // Lengths and spacings were checked before.
+            let Ok(cells) = lattice.cells() else { continue };
+            for axis in 0..solid.dimensions() {
+                let own = lattice.lengths[axis] / cells[axis] as f64;
+                if (own / spacing - 1.0).abs() > ALIKE {
+                    let bound = format!("within {} % of {spacing}, that of `{name}`", 100.0 * ALIKE);
+                    let repair = "give both the same: nodes stand for the wall that the fluid feels";
+                    let value = format!("{own:.6} along {}", ["x", "y", "z"][axis]);
+                    let path = "geometry.block.spacing";
+                    return Err(self.source.body(body, "solid").value(path, value, &bound, repair));
+                }
             }
         }
         Ok(())
