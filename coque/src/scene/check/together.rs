@@ -13,6 +13,8 @@ type Checked = Result<(), SceneError>;
 
 /// Part of its own by which the spacing of a solid may differ from that of a fluid: pressures differ by the same part.
 const ALIKE: f64 = 0.05;
+/// Bounds what walls may allocate.
+const MOST_PARTICLES: f64 = 1e7;
 
 impl Scene {
     /// Refuses numbers and kinds of bodies that nothing builds together.
@@ -50,6 +52,7 @@ impl Scene {
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
         }
+        self.check_sizes()?;
         self.check_spacings()?;
         self.check_sound_speed()?;
         self.check_contact_columns()?;
@@ -142,6 +145,26 @@ impl Scene {
                 let value = format!("a body of {own} dimensions");
                 let repair = "give all bodies two lengths, for a plane problem, or all three";
                 return Err(self.source.body(name, body.word()).value(&path, value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    /// Walls of a size that their rows of particles can fill.
+    fn check_sizes(&self) -> Checked {
+        let Some((name, fluid)) = self.fluid() else { return Ok(()) };
+        let spacing = fluid.geometry.spacing();
+        let rows = 2.0 * fluid.formulation.options().smoothing.unwrap_or(1.3);
+        for (body, scene) in &self.bodies {
+            let BodyScene::Walls(walls) = scene else { continue };
+            let particles = walls.particles_asked(spacing, libm::ceil(rows));
+            // Beyond the numbers that arithmetic holds there is no order.
+            if particles.is_nan() || particles > MOST_PARTICLES {
+                let value = format!("walls of {particles:.3e} particles, {spacing} apart as those of `{name}`");
+                let bound = format!("so small that {MOST_PARTICLES:e} fill them");
+                let path = format!("geometry.{}", walls.geometry.word());
+                let repair = "make the walls smaller, or use a wider spacing";
+                return Err(self.source.body(body, "walls").value(&path, value, &bound, repair));
             }
         }
         Ok(())
