@@ -19,6 +19,7 @@ fn still(n: usize, aspect: f64, form: Formulation, c: f64) {
     let mut w0 = 0.0;
     let (mut sq, mut mx, mut cnt, mut bias, mut nb) = (0.0, 0.0f64, 0.0, 0.0, 0.0);
     let mut s = 0;
+    let mut win = [(0.0f64, 0.0f64, 0.0f64, 0.0f64); 10];
     let clock = march(&mut f, until, |c, f| {
         s += 1;
         if c.now.time > 0.1 * until {
@@ -49,6 +50,14 @@ fn still(n: usize, aspect: f64, form: Formulation, c: f64) {
         w0 = 0.0;
     });
     let _ = w0;
+    for w in win {
+        println!(
+            "   window rms {:.4} max {:.4} kin {:.2e}",
+            (w.0 / w.1).sqrt(),
+            w.2,
+            w.3 / (1000.0 * GRAVITY * aspect / 2.0)
+        );
+    }
     let scale = 1000.0 * GRAVITY * aspect / 2.0;
     let e1 = f.energies();
     println!(
