@@ -107,15 +107,16 @@ fn a_vortex_in_a_drum_decays_as_the_bessel_mode() {
         };
         let start = spin(&fluid);
         let until = 1.0;
-        let clock = common::march(&mut fluid, until, |_, _| ());
-        let rate = -libm::log(spin(&fluid) / start) / until;
-        println!(
-            "rings {rings}: rate {:.4} of exact, steps {} {:?}",
-            rate / (nu * root * root),
-            clock.steps,
-            fluid.energies()
-        );
-    }
+        let before = fluid.energies().kinetic;
+        common::march(&mut fluid, until, |_, _| ());
+        let after = fluid.energies();
+        // What friction took is what the vortex lost; the rest went into compression and diffusion.
+        assert!((after.viscous / (before - after.kinetic) - 1.0).abs() < 0.04, "{before} {after:?}");
+        -libm::log(spin(&fluid) / start) / until / (nu * root * root)
+    });
+    // Sums over rings replace integrals with an error that falls slowly with the spacing: measured 5.2 % and 3.5 %.
+    assert!((rates[0] - 1.0).abs() < 0.15 && (rates[1] - 1.0).abs() < 0.10, "{rates:?}");
+    assert!((rates[1] - 1.0).abs() < (rates[0] - 1.0).abs(), "{rates:?}");
 }
 
 /// A drum full of fluid that turns for long turns with it.
