@@ -183,8 +183,15 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
                 force.friction = lanes.mul(force.friction, lanes.splat(0.5));
             }
             if !near[1].filled().is_empty() {
+                if laminar {
+                    // Velocities of boundaries are mirrored, so that a pair slides twice as fast as it does at the face.
+                    force.friction = lanes.add(force.friction, force.friction);
+                }
                 let hidden = of.hidden_faces(slot, other);
                 gather::<L, _, D>(lanes, other, &near[1], row.at(), reach2, hidden, &mut room, &mut force);
+                if laminar {
+                    force.friction = lanes.mul(force.friction, lanes.splat(0.5));
+                }
             }
             let [x, y, z] = lanes.totals(&force.acceleration);
             *out = [x + gravity[0], y + gravity[1], z + gravity[2]];
