@@ -160,7 +160,8 @@ impl Scene {
             let particles = walls.particles_asked(spacing, libm::ceil(rows));
             // Beyond the numbers that arithmetic holds there is no order.
             if particles.is_nan() || particles > MOST_PARTICLES {
-                let value = format!("walls of {particles:.3e} particles, {spacing} apart as those of `{name}`");
+                let value =
+                    format!("walls of {particles:.3e} particles, {spacing} apart as those of `{name}`");
                 let bound = format!("so small that {MOST_PARTICLES:e} fill them");
                 let path = format!("geometry.{}", walls.geometry.word());
                 let repair = "make the walls smaller, or use a wider spacing";

@@ -46,10 +46,14 @@ impl WallsScene {
             counts.iter().map(|count| 2.0 * rows * volume / count).sum()
         };
         match &self.geometry {
-            WallGeometry::Basin(basin) => faces(basin.min.iter().zip(&basin.max).map(|(a, b)| b - a).collect()),
+            WallGeometry::Basin(basin) => {
+                faces(basin.min.iter().zip(&basin.max).map(|(a, b)| b - a).collect())
+            }
             WallGeometry::Block(block) => faces(block.lengths.clone()),
             WallGeometry::Polyline(line) => {
-                let length = |pair: &[[f64; 2]]| ((pair[1][0] - pair[0][0]).powi(2) + (pair[1][1] - pair[0][1]).powi(2)).sqrt();
+                let length = |pair: &[[f64; 2]]| {
+                    ((pair[1][0] - pair[0][0]).powi(2) + (pair[1][1] - pair[0][1]).powi(2)).sqrt()
+                };
                 rows * (line.points.windows(2).map(length).sum::<f64>() / spacing)
             }
             WallGeometry::Surface(_) => 0.0,
