@@ -28,6 +28,9 @@ pub struct Plot {
     /// Draw so many frames side by side, from the first to the last, in the same colours.
     #[arg(long, value_name = "N", conflicts_with = "frame", value_parser = clap::value_parser!(u8).range(1..=12))]
     frames: Option<u8>,
+    /// Ends of the colours [default: the least and the greatest value].
+    #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, value_parser = range)]
+    range: Option<[f64; 2]>,
     /// Where the viewer stands: azimuth and height in degrees.
     #[arg(long, value_name = "AZIMUTH,HEIGHT", allow_hyphen_values = true, value_parser = view, default_value = "-60,30")]
     view: [f64; 2],
@@ -38,17 +41,25 @@ pub struct Plot {
     #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1")]
     scale: f64,
     /// Draw the curve instead: this column along, that one up.
-    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "frames", "view", "mirror", "scale"])]
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "frames", "range", "view", "mirror", "scale"])]
     curve: Option<(String, String)>,
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-fn view(text: &str) -> Result<[f64; 2], String> {
+fn two(text: &str) -> Option<[f64; 2]> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let both = text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]));
-    both.ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+    text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]))
+}
+
+fn view(text: &str) -> Result<[f64; 2], String> {
+    two(text).ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+}
+
+fn range(text: &str) -> Result<[f64; 2], String> {
+    let ends = two(text).filter(|[low, high]| low < high);
+    ends.ok_or_else(|| "write two numbers, the lower one first, such as 0,3000".into())
 }
 
 /// Numbers of axes, in their order.
@@ -107,8 +118,8 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
         drawn.push(frame(&lists, &series, number)?);
     }
     let field = plot.field.as_deref();
-    let mut range = None;
-    if drawn.len() > 1 {
+    let mut range = plot.range;
+    if range.is_none() && drawn.len() > 1 {
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for (sheet, _, _) in &drawn {
             let [low, high] = picture_range(sheet, field).map_err(|e| format!("{e}\n"))?;

@@ -57,8 +57,10 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     let start: Vec<[f64; 3]> = match sheet.point_data.get("displacement").filter(|u| u.width == 3) {
         None => sheet.points.clone(),
         Some(u) => {
+            // Beside bodies that move, walls have no displacement.
+            let way = |u: f64| if u.is_nan() { 0.0 } else { u };
             let moved = sheet.points.iter().zip(u.numbers.chunks_exact(3));
-            moved.map(|(x, u)| [x[0] - u[0], x[1] - u[1], x[2] - u[2]]).collect()
+            moved.map(|(x, u)| [x[0] - way(u[0]), x[1] - way(u[1]), x[2] - way(u[2])]).collect()
         }
     };
     let drawn = sheet.points.iter().zip(&start);

@@ -12,19 +12,12 @@ use super::probes::{Measuring, probes};
 use super::structures::{Wet, wet};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::basins;
-use crate::bodies::fluid::walls::{Rows, rows};
+use crate::bodies::fluid::walls::{BuiltWalls, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene, WallsScene};
 use crate::warning::{Doubt, Warning};
-
-/// Walls of one body.
-pub(super) struct BuiltWalls<'a> {
-    pub name: &'a str,
-    pub scene: &'a WallsScene,
-    pub rows: Rows,
-}
 
 impl Scene {
     /// Builds a fluid with its walls and the structures in it.

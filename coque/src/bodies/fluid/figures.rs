@@ -2,10 +2,9 @@
 
 use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
-use serde::{Deserialize, Serialize};
 use sph_core::Vec3;
 
-use crate::bodies::Found;
+use crate::bodies::{FluidFigures, Found};
 use crate::warning::{Doubt, Warning};
 
 /// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
@@ -38,37 +37,6 @@ impl Speeds {
         self.greatest = self.greatest.max(greatest.sqrt());
         self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
     }
-}
-
-/// Figures of a fluid and of its coupling.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FluidFigures {
-    /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made.
-    pub mass: f64,
-    /// Particles beyond the closed sides of basins.
-    pub lost: usize,
-    /// Greatest speed that a particle has had \[L/T\].
-    pub greatest_speed: f64,
-    /// Greatest change of density so far over the density at rest \[–\].
-    pub greatest_density_error: f64,
-    /// Kinetic energy \[F L; by depth in a plane F, as those below\].
-    pub kinetic: f64,
-    /// Energy of compression.
-    pub compression: f64,
-    /// Potential energy under gravity.
-    pub potential: f64,
-    /// What viscosities took.
-    pub viscous: f64,
-    /// What the diffusion of density took.
-    pub diffusion: f64,
-    /// Steps of all structures.
-    pub substeps: u64,
-    /// Most steps of a structure within one of the fluid.
-    pub most_substeps: u64,
-    /// Steps of the fluid that were shortened because a boundary moved fast.
-    pub shortened: u64,
-    /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start, ρ_s t its mass by wet area \[–\].
-    pub added_mass: Vec<f64>,
 }
 
 /// The figures at present, and their doubts.
