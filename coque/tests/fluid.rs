@@ -7,7 +7,7 @@ mod common;
 use std::fs;
 
 use common::fields::{Read, folder, listed, run};
-use common::fluids::{DAM, SHELL_GATE};
+use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::{column, last};
 use coque::scene::Fields;
 use coque::{Ended, FieldFiles, Outcome, Scene, Silent};
@@ -103,6 +103,21 @@ fn water_leans_on_a_gate_of_a_shell() {
     assert!(figures.substeps > 0 && figures.most_substeps > 0);
     // ρ₀c₀Δt/(ρ_s t), Δt about 0.24 h/c₀: 1000·0.24·0.013/(1100·0.02) = 0.14.
     assert!((0.1..0.2).contains(&figures.added_mass[0]), "{figures:?}");
+}
+
+#[test]
+fn water_leans_on_a_gate_of_a_solid() {
+    let outcome = ran(GATE, &[], 1);
+    assert_eq!(outcome.ended, Ended::Done);
+    let thrust = column(&outcome, "F")[0];
+    assert!((thrust / 128.0 - 1.0).abs() < 0.06, "{thrust}");
+    assert!(last(&outcome, "dx") > 1e-6, "{:?}", column(&outcome, "dx"));
+    // The lone solid of the same scene has the same nodes and freedoms.
+    let bodies = &outcome.summary.body.bodies;
+    let [curve, gate] = ["curve = [", "[bodies.gate"].map(|part| GATE.find(part).unwrap());
+    let alone = format!("{}{}", &GATE[..curve], &GATE[gate..]);
+    let lone = Scene::parse(&alone, "alone.toml").unwrap().build(1).unwrap().describe();
+    assert_eq!((bodies["gate"].particles, bodies["gate"].dof), (lone.particles, lone.dof));
 }
 
 #[test]

@@ -16,7 +16,7 @@ use crate::bodies::fluid::walls::{BuiltWalls, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene, WallsScene};
+use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene};
 use crate::warning::{Doubt, Warning};
 
 impl Scene {
@@ -51,7 +51,7 @@ impl Scene {
             warnings.extend(own.map(|own| Warning::new(own.doubt, format!("{name}: {}", own.message))));
             made.push((name, wet.made));
         }
-        let (bodies, total) = described(name, &description, &walls, &made);
+        let (bodies, total) = described(name, &description, &walls, &made, wanted.dimensions() == 2);
         if !made.is_empty() {
             description = total;
         }
@@ -224,6 +224,7 @@ fn described(
     fluid: &Description,
     walls: &[BuiltWalls<'_>],
     made: &[(&str, Made<Box<dyn Structure>>)],
+    plane: bool,
 ) -> (BTreeMap<String, Description>, Description) {
     let mut bodies = BTreeMap::from([(name.to_string(), fluid.clone())]);
     for body in walls {
@@ -239,6 +240,10 @@ fn described(
             .flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}")))
             .collect()
     };
+    let mut modelled = lines(|body| &body.modelled);
+    if plane {
+        modelled.push("energies: those of a plane fluid by depth, of structures by their own width".into());
+    }
     let total = Description {
         kind: "coupled",
         method: "two clocks".into(),
@@ -247,7 +252,7 @@ fn described(
         dof: moving().map(|body| body.dof).sum(),
         spacing: fluid.spacing,
         bytes_per_particle: bytes / particles as f64,
-        modelled: lines(|body| &body.modelled),
+        modelled,
         left_out: lines(|body| &body.left_out),
         ..Description::default()
     };

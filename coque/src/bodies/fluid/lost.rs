@@ -6,11 +6,14 @@ use sph_core::Vec3;
 use crate::scene::sets::OF_WALLS;
 use crate::scene::{BodyScene, Scene, WallGeometry};
 
-/// The closed sides of a basin at rest.
+/// A basin at rest.
 #[derive(Clone, Debug)]
 pub(in crate::bodies) struct Sides {
-    /// By side, in the order of the built-in sets: how far along its axis the fluid may be \[L\]; none of open sides.
-    closed: [Option<f64>; 6],
+    /// Its corners \[L\]; unbounded across the plane of a plane fluid.
+    min: Vec3,
+    max: Vec3,
+    /// Which of its sides have a wall, in the order of the built-in sets.
+    closed: [bool; 6],
 }
 
 /// The basins of a scene that stand; particles may be half a spacing beyond their sides.
@@ -18,29 +21,29 @@ pub(in crate::bodies) fn basins(scene: &Scene, spacing: f64) -> Vec<Sides> {
     let sides = |body: &BodyScene| {
         let BodyScene::Walls(walls) = body else { return None };
         let (WallGeometry::Basin(basin), None) = (&walls.geometry, &walls.motion) else { return None };
-        let closed = |side: usize| {
-            let open = basin.open.iter().any(|open| open == OF_WALLS[side + 1]);
-            let at = if side % 2 == 0 {
-                basin.min.get(side / 2)? - 0.5 * spacing
-            } else {
-                basin.max.get(side / 2)? + 0.5 * spacing
+        let corner =
+            |list: &[f64], beyond: f64| {
+                Vec3::from([0, 1, 2].map(|axis| {
+                    list.get(axis).map_or(beyond * f64::INFINITY, |x| x + 0.5 * beyond * spacing)
+                }))
             };
-            (!open).then_some(at)
-        };
-        Some(Sides { closed: [0, 1, 2, 3, 4, 5].map(closed) })
+        let closed = |side: usize| basin.open.iter().all(|open| open != OF_WALLS[side + 1]);
+        let (min, max) = (corner(&basin.min, -1.0), corner(&basin.max, 1.0));
+        Some(Sides { min, max, closed: [0, 1, 2, 3, 4, 5].map(closed) })
     };
     scene.bodies.values().filter_map(sides).collect()
 }
 
-/// Particles beyond a closed side of any basin.
+/// Particles behind a closed side of any basin: what left by an open side is not lost.
 pub(in crate::bodies) fn lost(fluid: &Fluid, basins: &[Sides]) -> usize {
-    let beyond = |x: &Vec3| {
-        let past = |(side, at): (usize, &Option<f64>)| match at {
-            Some(at) if side % 2 == 0 => x[side / 2] < *at,
-            Some(at) => x[side / 2] > *at,
-            None => false,
-        };
-        basins.iter().any(|basin| basin.closed.iter().enumerate().any(past))
+    let behind = |x: &Vec3, Sides { min, max, closed }: &Sides| {
+        (0..6).any(|side| {
+            let axis = side / 2;
+            let past = if side % 2 == 0 { x[axis] < min[axis] } else { x[axis] > max[axis] };
+            let beside =
+                (0..3).all(|other| other == axis || (min[other] <= x[other] && x[other] <= max[other]));
+            closed[side] && past && beside
+        })
     };
-    fluid.positions().iter().filter(|x| beyond(x)).count()
+    fluid.positions().iter().filter(|x| basins.iter().any(|basin| behind(x, basin))).count()
 }

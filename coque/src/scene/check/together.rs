@@ -47,7 +47,6 @@ impl Scene {
     pub(super) fn check_together(&self) -> Checked {
         self.check_transient()?;
         self.check_owners()?;
-        self.check_coupling()?;
         self.check_dimensions()?;
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
@@ -118,12 +117,13 @@ impl Scene {
         self.bodies.iter().filter(|(_, body)| matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_)))
     }
 
-    fn check_coupling(&self) -> Checked {
+    /// A coupling is that of a fluid with structures in it.
+    pub(super) fn check_coupling(&self) -> Checked {
         let Some(Coupling { .. }) = self.coupling else { return Ok(()) };
-        if self.structures().next().is_some() {
+        if self.fluid().is_some() && self.structures().next().is_some() {
             return Ok(());
         }
-        let (bound, repair) = ("none without a structure in the fluid", "remove it");
+        let (bound, repair) = ("none but of a fluid and structures in it", "remove it");
         Err(SceneError::Choice(self.scope().fault("coupling", "a coupling", bound, repair)))
     }
 
