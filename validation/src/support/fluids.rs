@@ -123,12 +123,14 @@ pub fn domain(size: [f64; 3], dimensions: usize, spacing: f64) -> [Vec3; 2] {
 struct Watch<'a, F> {
     show: F,
     balanced: &'a mut Balanced,
+    missing: f64,
     last: Option<Record>,
 }
 
 impl<F: FnMut(&mut Fluid, &Record) -> ControlFlow<()>> Observer<Fluid> for Watch<'_, F> {
     fn record(&mut self, fluid: &mut Fluid, record: &Record) -> ControlFlow<()> {
         self.balanced.see(record);
+        self.missing = self.missing.max(record.balance_error.abs());
         self.last = Some(*record);
         (self.show)(fluid, record)
     }
@@ -142,8 +144,10 @@ pub struct Marched {
     pub steps: u64,
     /// Time of the last record \[T\].
     pub until: f64,
-    /// Errors of its energy balance.
+    /// Errors of its energy balance over its greatest energy.
     pub balanced: Balanced,
+    /// The greatest of them \[F L; F in a plane\].
+    pub missing: f64,
     /// Why it did not reach its end.
     pub failure: Option<String>,
 }
@@ -157,15 +161,15 @@ pub fn march(
 ) -> Marched {
     let started = Instant::now();
     let mut balanced = Balanced::default();
-    let mut watch = Watch { show, balanced: &mut balanced, last: None };
+    let mut watch = Watch { show, balanced: &mut balanced, missing: 0.0, last: None };
     let run = Transient { duration, record_every, damping: 0.0, safety: 1.0 };
     let ended: Result<_, MarchError> = run.march(fluid, &mut watch);
-    let last = watch.last;
+    let (last, missing) = (watch.last, watch.missing);
     let (steps, until) = match &ended {
         Ok(clock) => (clock.steps, clock.now.time),
         Err(_) => last.map_or((0, 0.0), |record| (record.step, record.at.time)),
     };
-    Marched { started, steps, until, balanced, failure: ended.err().map(|error| error.to_string()) }
+    Marched { started, steps, until, balanced, missing, failure: ended.err().map(|error| error.to_string()) }
 }
 
 impl Marched {

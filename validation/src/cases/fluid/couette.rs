@@ -8,7 +8,7 @@ use explicit_dynamics::Amplitude;
 use fluid_sph::{Fluid, Formulation, Motion, Parts, Rotation, Start, Wall};
 use sph_core::Vec3;
 
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Outcome, Run, Variant};
 use crate::support::fluids::{CORRECTED, DENSITY, KICKS, formulation, march, rows, water};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
@@ -44,13 +44,22 @@ pub fn case() -> Case {
 }
 
 fn variants() -> Vec<Variant> {
-    [(KICKS, 10, true), (KICKS, 20, false), (KICKS, 40, false), (CORRECTED, 10, true), (CORRECTED, 20, false)]
-        .into_iter()
-        .map(|(method, across, quick)| {
-            let run = move || turned(across, formulation(method)).map_err(|e| e.to_string());
-            Variant::study(method, &format!("d/Δx {across}"), run).quick_if(quick).judged(judged)
-        })
-        .collect()
+    let coarse = Some([2.97, 6.4]);
+    [
+        (KICKS, 10, coarse, true),
+        (KICKS, 20, None, false),
+        (KICKS, 40, None, false),
+        (CORRECTED, 10, Some([2.81, 5.7]), false),
+        (CORRECTED, 20, None, false),
+    ]
+    .into_iter()
+    .map(|(method, across, measured, quick)| {
+        let run = move || turned(across, formulation(method)).map_err(|e| e.to_string());
+        Variant::study(method, &format!("d/Δx {across}"), run)
+            .quick_if(quick)
+            .judged(move |run, _| judged(measured, run))
+    })
+    .collect()
 }
 
 /// Particles about a spacing apart on a circle.
@@ -73,6 +82,13 @@ fn exact(radius: f64) -> f64 {
 fn torque() -> f64 {
     let [inner, outer] = RADII.map(|r| r * r);
     4.0 * PI * DENSITY * VISCOSITY * RATE * inner * outer / (outer - inner)
+}
+
+/// What a friction μ∇u, whose stress is not symmetric, gives on the inner cylinder \[N\]: `2πR₁²μ|u'(R₁)|`.
+fn gradient_torque() -> f64 {
+    let [inner, outer] = RADII.map(|r| r * r);
+    let slope = RATE * (inner + outer) / (outer - inner);
+    2.0 * PI * inner * DENSITY * VISCOSITY * slope
 }
 
 fn turned(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error>> {
@@ -120,11 +136,31 @@ fn turned(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Er
     Ok(marched.outcome(&mut fluid).showing(&figures))
 }
 
-fn judged(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
-    let torque = |name| Ok::<_, JudgeError>(Metric::compared(name, run.last(name)?, "N", torque()));
+fn judged(measured: Option<[f64; 2]>, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let profile = figure(run, PROFILE, "%")?;
+    let outer = Metric::compared(OUTER, run.last(OUTER)?, "N", torque());
+    let [profile, outer] = match measured {
+        Some([at_profile, at_outer]) => [
+            profile.near(
+                at_profile,
+                "walls are half a spacing from their first row, seen through means of the fluid",
+            ),
+            outer.near(at_outer, "the slope at the wall, by particles as far apart as a tenth of the gap"),
+        ],
+        None => [profile, outer]
+            .map(|found| found.shown("finer than what was measured when the case was written")),
+    };
+    let inner = run.last(INNER)?;
     Ok(vec![
-        figure(run, PROFILE, "%")?.shown("to come"),
-        torque(INNER)?.shown("to come"),
-        torque(OUTER)?.shown("to come"),
+        profile,
+        outer,
+        Metric::compared(INNER, inner, "N", torque()).shown(
+            "friction along the difference of velocities keeps no angular momentum: a wall that turns feels μ u', not \
+             μ (u' − u/r)",
+        ),
+        Metric::compared("the same against that of μ u'", inner, "N", gradient_torque())
+            .shown("what the form of friction gives on a wall that turns"),
+        figure(run, "balance", "%")?
+            .shown("friction at walls is booked against mirrored velocities, their work against the walls' own"),
     ])
 }
