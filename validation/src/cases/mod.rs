@@ -2,7 +2,11 @@
 
 pub mod option_cost;
 
+<<<<<<< HEAD
 mod coupled;
+=======
+mod fluid;
+>>>>>>> fluidcases
 mod hard;
 mod shell;
 mod solid;
@@ -13,7 +17,11 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
+<<<<<<< HEAD
     cases.extend(coupled::all());
+=======
+    cases.extend(fluid::all());
+>>>>>>> fluidcases
     cases.push(option_cost::case());
     cases
 }

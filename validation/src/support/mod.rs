@@ -2,6 +2,7 @@
 
 pub mod clouds;
 pub mod coupled;
+pub mod fluids;
 pub mod linear;
 pub mod marched;
 pub mod meshes;

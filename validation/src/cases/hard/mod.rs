@@ -8,6 +8,7 @@ mod coupled;
 mod crease;
 mod disorder;
 mod energy_drift;
+mod fluids;
 mod frames;
 mod hemisphere_in_time;
 mod large;
@@ -55,10 +56,19 @@ pub fn all() -> Vec<Case> {
         solids::tension::case(),
         solids::same_damage::case(),
         solids::pieces::case(),
+<<<<<<< HEAD
         coupled::fluid_first::case(),
         coupled::light::case(),
         coupled::thin::case(),
         coupled::jet::case(),
         coupled::drop::case(),
+=======
+        fluids::sloshing::case(),
+        fluids::corner::case(),
+        fluids::one_particle::case(),
+        fluids::jet::case(),
+        fluids::kernel_width::case(),
+        fluids::refused::case(),
+>>>>>>> fluidcases
     ]
 }
