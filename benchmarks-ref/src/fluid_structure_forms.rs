@@ -41,6 +41,12 @@ impl Strip {
         pressure * self.length.powi(4) / (8.0 * self.bending_stiffness())
     }
 
+    /// What shear adds to that, `q L²/(2 κ G t)` \[L\] with κ = 5/6: the thickness over the length, squared.
+    pub fn cantilever_shear(&self, pressure: f64) -> f64 {
+        let shear = 5.0 / 6.0 * self.young / (2.0 * (1.0 + self.poisson)) * self.thickness;
+        pressure * self.length * self.length / (2.0 * shear)
+    }
+
     /// First frequency of a cantilever, `(β₁L)² √(D/(ρ t))/(2π L²)` \[1/T\]: without shear and rotary inertia.
     pub fn cantilever_frequency(&self) -> f64 {
         let mass = self.density * self.thickness;
@@ -269,6 +275,11 @@ mod tests {
             10.0 * 0.079_f64.powi(4) / (8.0 * GATE.bending_stiffness())
         );
         assert_relative_eq!(hydrostatic_thrust(1000.0, 9.81, 0.14, 0.079), 77.9, max_relative = 1e-3);
+        assert_relative_eq!(
+            GATE.cantilever_shear(10.0) / GATE.cantilever_tip(10.0),
+            5.34e-3,
+            max_relative = 1e-3
+        );
         let data = reference("antoci_gate_experiment_dx_a").unwrap();
         let value = |part: &serde_json::Value, key: &str| part[key]["value"].as_f64().unwrap();
         assert_eq!(value(&data.material, "gate_young_modulus"), GATE.young);

@@ -2,11 +2,9 @@
 
 pub mod option_cost;
 
-<<<<<<< HEAD
 mod coupled;
-=======
 mod fluid;
->>>>>>> fluidcases
+mod coupled;
 mod hard;
 mod shell;
 mod solid;
@@ -17,11 +15,9 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
-<<<<<<< HEAD
     cases.extend(coupled::all());
-=======
     cases.extend(fluid::all());
->>>>>>> fluidcases
+    cases.extend(coupled::all());
     cases.push(option_cost::case());
     cases
 }

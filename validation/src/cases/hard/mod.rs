@@ -56,19 +56,16 @@ pub fn all() -> Vec<Case> {
         solids::tension::case(),
         solids::same_damage::case(),
         solids::pieces::case(),
-<<<<<<< HEAD
         coupled::fluid_first::case(),
         coupled::light::case(),
         coupled::thin::case(),
         coupled::jet::case(),
         coupled::drop::case(),
-=======
         fluids::sloshing::case(),
         fluids::corner::case(),
         fluids::one_particle::case(),
         fluids::jet::case(),
         fluids::kernel_width::case(),
         fluids::refused::case(),
->>>>>>> fluidcases
     ]
 }
