@@ -4,7 +4,6 @@ pub mod option_cost;
 
 mod coupled;
 mod fluid;
-mod coupled;
 mod hard;
 mod shell;
 mod solid;
@@ -15,7 +14,6 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
-    cases.extend(coupled::all());
     cases.extend(fluid::all());
     cases.extend(coupled::all());
     cases.push(option_cost::case());
