@@ -8,7 +8,7 @@ use sph_core::Vec3;
 use sph_shell::{Clamped, Shell, Sides};
 
 use crate::support::coupled::{
-    Coupled, GRAVITY, ROWS, Strip, coupled, fill, march, stations, water, wetting,
+    Coupled, GRAVITY, ROWS, Strip, coupled, fill, march, raised, stations, water, wetting,
 };
 
 /// Span and depth of the water \[m\].
@@ -127,15 +127,13 @@ fn solid(column: &Column, dx: f64) -> Result<Solid, Box<dyn Error>> {
     let ends = nodes(&block, |x| x.x < 0.0 || x.x > WATER[0]);
     let weight = |a: usize| (a as u32, Vec3::y() * (-GRAVITY * column.density * block.volumes[a]));
     let forces = (0..block.len()).map(weight).collect();
+    let young = raised(MATERIAL.young, column.layers);
+    let material = Elastic { young, density: column.density, ..MATERIAL };
     let held = Support::Held { displacement: vec![Vec3::x(), Vec3::y()], director: Vec::new() };
     let mut solid = Solid::new(peridynamics::Parts {
         supports: vec![peridynamics::Supported { nodes: ends, support: held }],
         loads: vec![peridynamics::AppliedLoad { forces, amplitude: explicit_dynamics::Amplitude::Constant }],
-        ..parts(
-            block,
-            Elastic { density: column.density, ..MATERIAL },
-            formulation(Space::PlaneStrain, Law::StateBased, Correction::Even),
-        )
+        ..parts(block, material, formulation(Space::PlaneStrain, Law::StateBased, Correction::Even))
     })?;
     solid.wet()?;
     Ok(solid)

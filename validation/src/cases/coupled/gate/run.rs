@@ -9,7 +9,7 @@ use sph_core::Vec3;
 use sph_shell::{Clamped, Shell, Sides};
 
 use crate::support::coupled::{
-    Coupled, GRAVITY, ROWS, Strip, coupled, fill, march, stations, structure, water, wetting,
+    Coupled, GRAVITY, ROWS, Strip, coupled, fill, march, raised, stations, structure, water, wetting,
 };
 
 /// Water: width and depth \[m\].
@@ -122,6 +122,7 @@ fn strip(gate: &Gate) -> Result<(Shell, f64), Box<dyn Error>> {
 fn solid(gate: &Gate) -> Result<Solid, Box<dyn Error>> {
     use crate::support::solids::{formulation, lattice, nodes, parts};
     let dx = gate.spacing;
+    let layers = (GATE[1] / dx).round() as usize;
     let clamped = CLAMPED as f64 * dx;
     let lengths = [GATE[1], GATE[0] - gate.clearance + clamped, dx];
     let origin = Vec3::new(WATER[0], gate.clearance, 0.0);
@@ -129,7 +130,7 @@ fn solid(gate: &Gate) -> Result<Solid, Box<dyn Error>> {
     let top = nodes(&block, |x| x.y > GATE[0]);
     let weight =
         (0..block.len()).map(|a| (a as u32, Vec3::y() * (-GRAVITY * DENSITY * block.volumes[a]))).collect();
-    let material = Elastic { young: gate.young, poisson: POISSON, density: DENSITY };
+    let material = Elastic { young: raised(gate.young, layers), poisson: POISSON, density: DENSITY };
     let held = Support::Held { displacement: vec![Vec3::x(), Vec3::y()], director: Vec::new() };
     let mut solid = Solid::new(peridynamics::Parts {
         supports: vec![peridynamics::Supported { nodes: top, support: held }],
