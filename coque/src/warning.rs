@@ -54,6 +54,8 @@ pub enum Doubt {
     FewLayers,
     /// A motion prescribed on less than the depth of the horizon.
     ThinLayer,
+    /// Bonds beyond their limit in a state of balance, which is none without them.
+    BrokenAtRest,
 }
 
 impl Doubt {
@@ -84,6 +86,7 @@ impl Doubt {
             Self::FlatCells => "flat-cells",
             Self::FewLayers => "few-layers",
             Self::ThinLayer => "thin-layer",
+            Self::BrokenAtRest => "broken-at-rest",
         }
     }
 }
@@ -135,6 +138,7 @@ mod tests {
             Doubt::FlatCells,
             Doubt::FewLayers,
             Doubt::ThinLayer,
+            Doubt::BrokenAtRest,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
