@@ -1,5 +1,7 @@
 //! The catalogue: every reference with its source, its units and how far it can be trusted.
 
+mod flows;
+
 use crate::curve::Curve;
 use crate::error::ReferenceError;
 use serde::Deserialize;
@@ -90,18 +92,18 @@ const CATALOGUE: &[Entry] = &[
         uncertainty: "quoted from memory of the literature; a band, not a value", json: data!("kalthoff_winkler") },
 ];
 
-/// Every reference there is, closed forms first.
-pub fn catalogue() -> &'static [Entry] {
-    CATALOGUE
+/// Every reference there is: shells and solids, then fluids, then structures in fluids.
+pub fn catalogue() -> impl Iterator<Item = &'static Entry> {
+    CATALOGUE.iter().chain(flows::FLUIDS).chain(flows::STRUCTURES)
 }
 
 /// Look a reference up by its name; an unknown name lists the known ones.
 pub fn reference(name: &str) -> Result<Reference, ReferenceError> {
-    match CATALOGUE.iter().find(|entry| entry.name == name) {
+    match catalogue().find(|entry| entry.name == name) {
         Some(entry) => entry.load(),
         None => Err(ReferenceError::UnknownReference {
             name: name.to_owned(),
-            known: list(CATALOGUE.iter().map(|entry| entry.name)),
+            known: list(catalogue().map(|entry| entry.name)),
         }),
     }
 }

@@ -11,6 +11,9 @@
 //! - [`vibration`]: the first natural frequency of a cantilever;
 //! - [`kirsch`]: a plate with a circular hole under tension;
 //! - [`waves`]: speeds of waves along a surface and along a bar;
+//! - [`fluids`]: fronts and wall pressures of dam breaks, a box in one;
+//! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
+//! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
 //! - [`fe_shell`]: an independent implicit finite-element shell.
 //!
 //! ```
@@ -97,6 +100,8 @@
 //! | the rolled strip is in equilibrium, and without thickness the elastica | `equilibrium_is_the_derivative_of_the_energy`, `a_strip_without_thickness_is_the_elastica` (src/rolled_strip.rs) |
 //! | long cylinders are rings in plane strain, short ones shallow shells | `an_endless_cylinder_is_a_ring_in_plane_strain`, `many_waves_are_those_of_shallow_shells` (src/external_pressure.rs) |
 //! | elliptic integrals: published values, Legendre's relation | `published_values`, `legendre_relation` (src/elliptic.rs) |
+//! | rings and strips in fluids are those of the tables | `the_ring_meets_the_table_dry_and_wet`, `the_taut_strip_meets_the_converged_elements` (src/fluid_structure_forms.rs) |
+//! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
 //! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
 //! | elements: patch tests on distorted meshes | `a_homogeneous_stretch_of_any_size_is_in_balance_on_a_distorted_mesh`, `constant_curvatures_are_in_balance_on_a_distorted_mesh` |
@@ -109,6 +114,9 @@ pub mod curve;
 pub mod elastica;
 pub mod external_pressure;
 pub mod fe_shell;
+pub mod fluid_structure;
+pub mod fluid_structure_forms;
+pub mod fluids;
 pub mod kirsch;
 pub mod rolled_strip;
 pub mod vibration;

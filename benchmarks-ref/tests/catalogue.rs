@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 #[test]
 fn every_entry_is_complete() {
-    assert!(!catalogue().is_empty());
+    assert!(catalogue().next().is_some());
     for entry in catalogue() {
         let table = entry.load().unwrap_or_else(|error| panic!("{}: {error}", entry.name));
         let name = &table.name;
@@ -45,8 +45,8 @@ fn every_entry_is_complete() {
 
 #[test]
 fn names_are_unique_and_columns_too() {
-    let names: BTreeSet<_> = catalogue().iter().map(|entry| entry.name).collect();
-    assert_eq!(names.len(), catalogue().len());
+    let names: BTreeSet<_> = catalogue().map(|entry| entry.name).collect();
+    assert_eq!(names.len(), catalogue().count());
     for entry in catalogue() {
         let table = entry.load().unwrap();
         let columns: BTreeSet<_> = table.columns.iter().map(|column| &column.name).collect();

@@ -2,6 +2,7 @@
 
 pub mod option_cost;
 
+mod coupled;
 mod hard;
 mod shell;
 mod solid;
@@ -12,6 +13,7 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
+    cases.extend(coupled::all());
     cases.push(option_cost::case());
     cases
 }
