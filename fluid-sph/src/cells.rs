@@ -147,7 +147,7 @@ mod tests {
                         state.2 = 0.0;
                     }
                     let p = Vec3::new(state.0.fract(), state.1.fract(), state.2.fract()) * 4.0;
-                    if i % 40 == 0 { p.map(|x| if x == 0.0 { 0.0 } else { x + far }) } else { p }
+                    if i.is_multiple_of(40) { p.map(|x| if x == 0.0 { 0.0 } else { x + far }) } else { p }
                 };
                 let points: Vec<Vec3> = (0..400).map(place).collect();
                 let grid = Grid::around(dimensions, points.iter().copied(), 0.5);
