@@ -56,7 +56,7 @@ impl<L: Lanes> Constants<L> {
 }
 
 /// The sum over the neighbours of one particle; `DIFFUSED` those that exchange density with it.
-struct Rate<L: Lanes, const DIFFUSED: bool> {
+struct Rate<L: Lanes, const D: usize, const DIFFUSED: bool> {
     constants: Constants<L>,
     place: [L::Four; 4],
     motion: [L::Four; 4],
@@ -64,7 +64,7 @@ struct Rate<L: Lanes, const DIFFUSED: bool> {
     exchange: L::Four,
 }
 
-impl<L: Lanes, const DIFFUSED: bool> Rate<L, DIFFUSED> {
+impl<L: Lanes, const D: usize, const DIFFUSED: bool> Rate<L, D, DIFFUSED> {
     #[inline(always)]
     fn new(lanes: L, constants: Constants<L>, row: &Row) -> Self {
         Self {
@@ -77,20 +77,20 @@ impl<L: Lanes, const DIFFUSED: bool> Rate<L, DIFFUSED> {
     }
 }
 
-impl<L: Lanes, const DIFFUSED: bool> Pairs<L> for Rate<L, DIFFUSED> {
+impl<L: Lanes, const D: usize, const DIFFUSED: bool> Pairs<L> for Rate<L, D, DIFFUSED> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
         let Constants { half, slope, eta2, strength, rest, one, zero } = self.constants;
-        let r = lanes.from_to(&self.place, &place);
-        let v = lanes.from_to(&self.motion, &motion);
-        let square = lanes.dot(&r, &r);
+        let r = lanes.difference::<D>(&self.place, &place);
+        let v = lanes.difference::<D>(&self.motion, &motion);
+        let square = lanes.dot::<D>(&r, &r);
         let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
         let factor = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        self.divergence = lanes.add(self.divergence, lanes.mul(factor, lanes.dot(&v, &r)));
+        self.divergence = lanes.add(self.divergence, lanes.mul(factor, lanes.dot::<D>(&v, &r)));
         if DIFFUSED {
             let densities = lanes.add(self.place[3], place[3]);
             let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
-            let excess = lanes.add(lanes.sub(place[3], self.place[3]), lanes.dot(&rest, &r));
+            let excess = lanes.add(lanes.sub(place[3], self.place[3]), lanes.dot::<D>(&rest, &r));
             let share = lanes.mul(lanes.mul(strength, inverse), lanes.mul(factor, square));
             self.exchange = lanes.sub(self.exchange, lanes.mul(share, excess));
         }
@@ -132,20 +132,20 @@ impl<const D: usize> Sweep for Rates<'_, '_, D> {
             }
             *out = [0.0; 2];
             if own && diffused {
-                let mut rate = Rate::<L, true>::new(lanes, constants, row);
+                let mut rate = Rate::<L, D, true>::new(lanes, constants, row);
                 let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], &row.place, reach2, hidden, &mut room, &mut rate);
+                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut rate);
                 *out = [lanes.total(rate.divergence), lanes.total(rate.exchange)];
             } else if own {
-                let mut rate = Rate::<L, false>::new(lanes, constants, row);
+                let mut rate = Rate::<L, D, false>::new(lanes, constants, row);
                 let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], &row.place, reach2, hidden, &mut room, &mut rate);
+                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut rate);
                 out[0] = lanes.total(rate.divergence);
             }
             if !near[1].filled().is_empty() {
-                let mut rate = Rate::<L, false>::new(lanes, constants, row);
+                let mut rate = Rate::<L, D, false>::new(lanes, constants, row);
                 let hidden = of.hidden_faces(slot, other);
-                gather::<L, _, D>(lanes, other, &near[1], &row.place, reach2, hidden, &mut room, &mut rate);
+                gather::<L, _, D>(lanes, other, &near[1], row.at(), reach2, hidden, &mut room, &mut rate);
                 out[0] += lanes.total(rate.divergence);
             }
         }

@@ -268,7 +268,7 @@ impl Fluid {
     pub(crate) fn far(&self) -> Row {
         let far = 1e9 * self.momentum.kernel.h;
         let third = if self.dimensions == 2 { 0.0 } else { far };
-        Row { place: [far, far, third, self.liquid.density], motion: [0.0; 4] }
+        Row::new(Vec3::new(far, far, third), self.liquid.density, Vec3::zeros(), 0.0)
     }
 }
 

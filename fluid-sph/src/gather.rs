@@ -2,11 +2,18 @@
 
 use crate::cells::Ranges;
 use crate::hidden::Hidden;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, Pack};
 use crate::sorted::Sorted;
 
 /// Room for neighbours between two rounds of pairs.
 const ROOM: usize = 512;
+
+/// Particles looked at between two looks at the room left.
+const PIECE: u32 = 256;
+/// By number of particles left: the lanes that hold one.
+const VALID: [usize; LANES] = [0, 1, 3, 7];
+/// By pattern of lanes: how many are set.
+const COUNT: [u8; 16] = [0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4];
 
 /// By pattern of lanes within reach: their numbers, first.
 const PICKED: [[u32; LANES]; 16] = picked();
@@ -51,7 +58,7 @@ pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
     lanes: L,
     set: &Sorted,
     ranges: &Ranges,
-    at: &[f64],
+    at: [f64; 3],
     reach2: f64,
     hidden: Hidden<'_>,
     room: &mut Room,
@@ -60,38 +67,20 @@ pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
     let ranges = ranges.filled();
     let Some(&(mut next, _)) = ranges.first() else { return };
     let found = &mut room.0;
-    let limit = lanes.splat(reach2);
-    let (ax, ay) = (lanes.splat(at[0]), lanes.splat(at[1]));
-    let az = lanes.splat(if D == 3 { at[2] } else { 0.0 });
+    let rows = &set.rows[..];
+    let near = Near { at: lanes.splats(&[[at[0], at[1]], [at[2], reach2]]) };
     let (mut count, mut range) = (0, 0);
     loop {
         while range < ranges.len() {
-            let to = ranges[range].1;
-            while next < to && count <= ROOM - LANES {
-                let j = next as usize;
-                let dx = lanes.sub(ax, lanes.load(&set.x, j));
-                let dy = lanes.sub(ay, lanes.load(&set.y, j));
-                let mut square = lanes.add(lanes.mul(dx, dx), lanes.mul(dy, dy));
-                if D == 3 {
-                    let dz = lanes.sub(az, lanes.load(&set.z, j));
-                    square = lanes.add(square, lanes.mul(dz, dz));
-                }
-                let left = (to - next).min(LANES as u32);
-                let near = (lanes.below(square, limit) & ((1_u8 << left) - 1)) as usize & 15;
-                let numbers = PICKED[near];
-                let room = &mut found[count..count + LANES];
-                for lane in 0..LANES {
-                    room[lane] = next + numbers[lane];
-                }
-                count += near.count_ones() as usize;
-                next += LANES as u32;
-            }
-            if next < to {
+            let to = ranges[range].1.min(next + PIECE);
+            if count > ROOM - PIECE as usize - LANES {
                 break;
             }
-            range += 1;
-            if range < ranges.len() {
-                next = ranges[range].0;
+            count = near.find::<D>(lanes, set, next, to, found, count);
+            next = to;
+            if to == ranges[range].1 {
+                range += 1;
+                next = ranges.get(range).map_or(0, |range| range.0);
             }
         }
         if hidden.faces != 0 {
@@ -103,9 +92,9 @@ pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
             count += 1;
         }
         let whole = count / LANES * LANES;
-        for four in found[..whole].chunks_exact(LANES) {
-            let (a, b) = (&set.rows[four[0] as usize], &set.rows[four[1] as usize]);
-            let (c, d) = (&set.rows[four[2] as usize], &set.rows[four[3] as usize]);
+        for four in found[..whole].as_chunks::<LANES>().0 {
+            let (a, b) = (&rows[four[0] as usize], &rows[four[1] as usize]);
+            let (c, d) = (&rows[four[2] as usize], &rows[four[3] as usize]);
             let place = lanes.columns([&a.place, &b.place, &c.place, &d.place]);
             let motion = lanes.columns([&a.motion, &b.motion, &c.motion, &d.motion]);
             pairs.add(lanes, place, motion);
@@ -116,6 +105,67 @@ pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
         found.copy_within(whole..count, 0);
         count -= whole;
     }
+}
+
+/// A place, and the square of a reach about it.
+struct Near<L: Lanes> {
+    at: [L::Four; 4],
+}
+
+impl<L: Lanes> Near<L> {
+    /// Writes those of `from..to` that are near behind the first `count`; returns how many there are then.
+    #[inline(always)]
+    fn find<const D: usize>(
+        &self,
+        lanes: L,
+        set: &Sorted,
+        from: u32,
+        to: u32,
+        found: &mut [u32; ROOM],
+        mut count: usize,
+    ) -> usize {
+        let (first, end) = (from as usize, to as usize + LANES - 1);
+        let (xs, ys) = (set.x[first..end].as_chunks::<LANES>().0, set.y[first..end].as_chunks::<LANES>().0);
+        let zs = if D == 3 { set.z[first..end].as_chunks::<LANES>().0 } else { xs };
+        let whole = (to as usize - first) / LANES;
+        let mut next = from;
+        for ((x, y), z) in xs[..whole].iter().zip(&ys[..whole]).zip(&zs[..whole]) {
+            let near = self.near::<D>(lanes, x, y, z);
+            count = list(found, count, next, near);
+            next = next.wrapping_add(LANES as u32);
+        }
+        // Those of the last four that come after the range are not of the cells asked for.
+        if let (Some(x), Some(y), Some(z)) = (xs.get(whole), ys.get(whole), zs.get(whole)) {
+            let valid = VALID[(to as usize - first) % LANES];
+            count = list(found, count, next, self.near::<D>(lanes, x, y, z) & valid);
+        }
+        count
+    }
+
+    /// The pattern of those near of four.
+    #[inline(always)]
+    fn near<const D: usize>(&self, lanes: L, x: &Pack, y: &Pack, z: &Pack) -> usize {
+        let dx = lanes.sub(self.at[0], lanes.load(x));
+        let dy = lanes.sub(self.at[1], lanes.load(y));
+        let mut square = lanes.add(lanes.mul(dx, dx), lanes.mul(dy, dy));
+        if D == 3 {
+            let dz = lanes.sub(self.at[2], lanes.load(z));
+            square = lanes.add(square, lanes.mul(dz, dz));
+        }
+        lanes.below(square, self.at[3]) as usize
+    }
+}
+
+/// Writes those of a pattern behind the first `count`; returns how many there are then. There is always room for four more.
+#[inline(always)]
+fn list(found: &mut [u32; ROOM], count: usize, next: u32, near: usize) -> usize {
+    let numbers = &PICKED[near & 15];
+    let Some(room) = found.get_mut(count..count.wrapping_add(LANES)) else { return count };
+    room[0] = next.wrapping_add(numbers[0]);
+    room[1] = next.wrapping_add(numbers[1]);
+    room[2] = next.wrapping_add(numbers[2]);
+    room[3] = next.wrapping_add(numbers[3]);
+    count.wrapping_add(COUNT[near & 15] as usize)
 }
 
 /// Takes out those that are not seen; returns how many are left.

@@ -9,8 +9,8 @@ use crate::nearby::Nearby;
 const WET: f64 = 0.1;
 /// Part that they fill at a surface.
 const SURFACE: f64 = 0.5;
-/// Part of the dimensions below which the divergence of positions tells a free surface \[lee2008\].
-const OPEN: f64 = 0.75;
+/// Divergence of positions, 2 or 3 inside, below which it tells a free surface \[lee2008\]: in a plane, in space.
+const OPEN: [f64; 2] = [1.5, 2.4];
 
 impl Fluid {
     /// Pressure at a place \[F/L²\]: the mean of the fluid about it, carried there by gravity; none where it is dry.
@@ -79,7 +79,7 @@ impl Fluid {
                 let square = (at - self.boundary.points[b]).norm_squared();
                 divergence -= volume(self.liquid.density) * kernel.factor(square.sqrt()) * square;
             });
-            divergence < OPEN * self.dimensions as f64
+            divergence < OPEN[usize::from(self.dimensions == 3)]
         };
         (0..self.len()).map(open).collect()
     }

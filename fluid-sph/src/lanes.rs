@@ -4,6 +4,8 @@
 
 /// One number for each of four lanes.
 pub(crate) type Pack = [f64; LANES];
+/// Four numbers of a particle, in two halves.
+pub(crate) type Halves = [[f64; 2]; 2];
 /// Lanes of a pack.
 pub(crate) const LANES: usize = 4;
 
@@ -14,10 +16,10 @@ pub(crate) trait Lanes: Copy {
 
     /// The same number in all lanes.
     fn splat(self, value: f64) -> Self::Four;
-    /// Four numbers of a list from a place on.
-    fn load(self, list: &[f64], at: usize) -> Self::Four;
+    /// A pack from memory.
+    fn load(self, pack: &Pack) -> Self::Four;
     /// The transpose of four rows: all first places, all second, ….
-    fn columns(self, rows: [&Pack; LANES]) -> [Self::Four; 4];
+    fn columns(self, rows: [&Halves; LANES]) -> [Self::Four; 4];
     /// `a + b`.
     fn add(self, a: Self::Four, b: Self::Four) -> Self::Four;
     /// `a − b`.
@@ -41,40 +43,47 @@ pub(crate) trait Lanes: Copy {
 
     /// Each of four numbers in all lanes.
     #[inline(always)]
-    fn splats(self, values: &Pack) -> [Self::Four; 4] {
-        [self.splat(values[0]), self.splat(values[1]), self.splat(values[2]), self.splat(values[3])]
+    fn splats(self, values: &Halves) -> [Self::Four; 4] {
+        let [[a, b], [c, d]] = *values;
+        [self.splat(a), self.splat(b), self.splat(c), self.splat(d)]
     }
 
-    /// `a − b` of the first three of four.
+    /// `a − b` of the first `D` of four; the third is zero in a plane.
     #[inline(always)]
-    fn from_to(self, a: &[Self::Four; 4], b: &[Self::Four; 4]) -> [Self::Four; 3] {
-        [self.sub(a[0], b[0]), self.sub(a[1], b[1]), self.sub(a[2], b[2])]
+    fn difference<const D: usize>(self, a: &[Self::Four; 4], b: &[Self::Four; 4]) -> [Self::Four; 3] {
+        let third = if D == 3 { self.sub(a[2], b[2]) } else { self.splat(0.0) };
+        [self.sub(a[0], b[0]), self.sub(a[1], b[1]), third]
     }
 
-    /// The scalar product.
+    /// The scalar product of `D` components.
     #[inline(always)]
-    fn dot(self, a: &[Self::Four; 3], b: &[Self::Four; 3]) -> Self::Four {
-        self.add(self.add(self.mul(a[0], b[0]), self.mul(a[1], b[1])), self.mul(a[2], b[2]))
+    fn dot<const D: usize>(self, a: &[Self::Four; 3], b: &[Self::Four; 3]) -> Self::Four {
+        let plane = self.add(self.mul(a[0], b[0]), self.mul(a[1], b[1]));
+        if D == 3 { self.add(plane, self.mul(a[2], b[2])) } else { plane }
     }
 
-    /// `a + s b`.
+    /// `a + s b` of `D` components.
     #[inline(always)]
-    fn add_scaled(self, a: &[Self::Four; 3], s: Self::Four, b: &[Self::Four; 3]) -> [Self::Four; 3] {
-        [
-            self.add(a[0], self.mul(s, b[0])),
-            self.add(a[1], self.mul(s, b[1])),
-            self.add(a[2], self.mul(s, b[2])),
-        ]
+    fn add_scaled<const D: usize>(
+        self,
+        a: &[Self::Four; 3],
+        s: Self::Four,
+        b: &[Self::Four; 3],
+    ) -> [Self::Four; 3] {
+        let third = if D == 3 { self.add(a[2], self.mul(s, b[2])) } else { a[2] };
+        [self.add(a[0], self.mul(s, b[0])), self.add(a[1], self.mul(s, b[1])), third]
     }
 
-    /// `a − s b`.
+    /// `a − s b` of `D` components.
     #[inline(always)]
-    fn sub_scaled(self, a: &[Self::Four; 3], s: Self::Four, b: &[Self::Four; 3]) -> [Self::Four; 3] {
-        [
-            self.sub(a[0], self.mul(s, b[0])),
-            self.sub(a[1], self.mul(s, b[1])),
-            self.sub(a[2], self.mul(s, b[2])),
-        ]
+    fn sub_scaled<const D: usize>(
+        self,
+        a: &[Self::Four; 3],
+        s: Self::Four,
+        b: &[Self::Four; 3],
+    ) -> [Self::Four; 3] {
+        let third = if D == 3 { self.sub(a[2], self.mul(s, b[2])) } else { a[2] };
+        [self.sub(a[0], self.mul(s, b[0])), self.sub(a[1], self.mul(s, b[1])), third]
     }
 
     /// The sums over the lanes of three.
@@ -102,14 +111,13 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
-    fn load(self, list: &[f64], at: usize) -> Pack {
-        let list = &list[at..at + LANES];
-        each(|lane| list[lane])
+    fn load(self, pack: &Pack) -> Pack {
+        *pack
     }
 
     #[inline(always)]
-    fn columns(self, rows: [&Pack; LANES]) -> [Pack; 4] {
-        std::array::from_fn(|place| each(|lane| rows[lane][place]))
+    fn columns(self, rows: [&Halves; LANES]) -> [Pack; 4] {
+        std::array::from_fn(|place| each(|lane| rows[lane][place / 2][place % 2]))
     }
 
     #[inline(always)]
@@ -165,102 +173,94 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use std::arch::x86_64::{__m128d, __m256d};
+    use std::arch::x86_64::{__m256d, _CMP_LT_OQ};
 
+    use pulp::cast;
     use pulp::x86::V3;
-    use pulp::{cast, f64x4};
 
-    use super::{LANES, Lanes, Pack};
+    use super::{Halves, LANES, Lanes, Pack};
 
     /// Two numbers of each of two rows. Closures would not be compiled for the lanes; this is inlined always.
-    trait Join {
-        fn join(self, low: &Pack, high: &Pack, from: usize) -> __m256d;
-    }
-
-    impl Join for V3 {
-        #[inline(always)]
-        fn join(self, low: &Pack, high: &Pack, from: usize) -> __m256d {
-            let low: __m128d = cast([low[from], low[from + 1]]);
-            let high: __m128d = cast([high[from], high[from + 1]]);
-            self.avx._mm256_insertf128_pd::<1>(self.avx._mm256_castpd128_pd256(low), high)
-        }
+    #[inline(always)]
+    fn join(lanes: V3, low: &[f64; 2], high: &[f64; 2]) -> __m256d {
+        let low = lanes.sse2._mm_setr_pd(low[0], low[1]);
+        let high = lanes.sse2._mm_setr_pd(high[0], high[1]);
+        lanes.avx._mm256_insertf128_pd::<1>(lanes.avx._mm256_castpd128_pd256(low), high)
     }
 
     impl Lanes for V3 {
-        type Four = f64x4;
+        type Four = __m256d;
 
         #[inline(always)]
-        fn splat(self, value: f64) -> f64x4 {
-            self.splat_f64x4(value)
+        fn splat(self, value: f64) -> __m256d {
+            self.avx._mm256_set1_pd(value)
         }
 
         #[inline(always)]
-        fn load(self, list: &[f64], at: usize) -> f64x4 {
-            let list = &list[at..at + LANES];
-            cast([list[0], list[1], list[2], list[3]])
+        fn load(self, pack: &Pack) -> __m256d {
+            self.avx._mm256_setr_pd(pack[0], pack[1], pack[2], pack[3])
         }
 
         /// Halves of rows are joined on their way from memory, so that four shuffles are left and not eight.
         #[inline(always)]
-        fn columns(self, rows: [&Pack; LANES]) -> [f64x4; 4] {
+        fn columns(self, rows: [&Halves; LANES]) -> [__m256d; 4] {
             let avx = self.avx;
-            let (even, odd) = (self.join(rows[0], rows[2], 0), self.join(rows[1], rows[3], 0));
-            let x = cast(avx._mm256_unpacklo_pd(even, odd));
-            let y = cast(avx._mm256_unpackhi_pd(even, odd));
-            let (even, odd) = (self.join(rows[0], rows[2], 2), self.join(rows[1], rows[3], 2));
-            let z = cast(avx._mm256_unpacklo_pd(even, odd));
-            let last = cast(avx._mm256_unpackhi_pd(even, odd));
-            [x, y, z, last]
+            let (even, odd) = (join(self, &rows[0][0], &rows[2][0]), join(self, &rows[1][0], &rows[3][0]));
+            let (first, second) = (avx._mm256_unpacklo_pd(even, odd), avx._mm256_unpackhi_pd(even, odd));
+            let (even, odd) = (join(self, &rows[0][1], &rows[2][1]), join(self, &rows[1][1], &rows[3][1]));
+            [first, second, avx._mm256_unpacklo_pd(even, odd), avx._mm256_unpackhi_pd(even, odd)]
         }
 
         #[inline(always)]
-        fn add(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.add_f64x4(a, b)
+        fn add(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_add_pd(a, b)
         }
 
         #[inline(always)]
-        fn sub(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.sub_f64x4(a, b)
+        fn sub(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_sub_pd(a, b)
         }
 
         #[inline(always)]
-        fn mul(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.mul_f64x4(a, b)
+        fn mul(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_mul_pd(a, b)
         }
 
         #[inline(always)]
-        fn div(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.div_f64x4(a, b)
+        fn div(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_div_pd(a, b)
         }
 
         #[inline(always)]
-        fn sqrt(self, a: f64x4) -> f64x4 {
-            self.sqrt_f64x4(a)
+        fn sqrt(self, a: __m256d) -> __m256d {
+            self.avx._mm256_sqrt_pd(a)
         }
 
         #[inline(always)]
-        fn max(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.max_f64x4(a, b)
+        fn max(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_max_pd(a, b)
         }
 
         #[inline(always)]
-        fn min(self, a: f64x4, b: f64x4) -> f64x4 {
-            self.min_f64x4(a, b)
+        fn min(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_min_pd(a, b)
         }
 
         #[inline(always)]
-        fn below(self, a: f64x4, b: f64x4) -> u8 {
-            self.avx._mm256_movemask_pd(cast(self.cmp_lt_f64x4(a, b))) as u8
+        fn below(self, a: __m256d, b: __m256d) -> u8 {
+            self.avx._mm256_movemask_pd(self.avx._mm256_cmp_pd::<_CMP_LT_OQ>(a, b)) as u8
         }
 
         #[inline(always)]
-        fn total(self, a: f64x4) -> f64 {
-            (a.0 + a.1) + (a.2 + a.3)
+        fn total(self, a: __m256d) -> f64 {
+            let a: Pack = cast(a);
+            (a[0] + a[1]) + (a[2] + a[3])
         }
 
         #[inline(always)]
-        fn greatest(self, a: f64x4) -> f64 {
-            a.0.max(a.1).max(a.2.max(a.3))
+        fn greatest(self, a: __m256d) -> f64 {
+            let a: Pack = cast(a);
+            a[0].max(a[1]).max(a[2].max(a[3]))
         }
     }
 }
@@ -284,9 +284,9 @@ mod tests {
                 std::array::from_fn(|lane| values[(k * shift + 3 * lane + k) % values.len()])
             };
             let (a, b, c, d) = (pick(0), pick(1), pick(2), pick(5));
-            let (wa, wb) = (wide.load(&a, 0), wide.load(&b, 0));
-            let same = |x: pulp::f64x4, y: Pack| {
-                assert_eq!(bits(pulp::cast(x)), bits(y), "{a:?} {b:?}");
+            let (wa, wb) = (wide.load(&a), wide.load(&b));
+            let same = |x, y: Pack| {
+                assert_eq!(bits(pulp::cast::<std::arch::x86_64::__m256d, Pack>(x)), bits(y), "{a:?} {b:?}");
             };
             same(wide.add(wa, wb), Plain.add(a, b));
             same(wide.sub(wa, wb), Plain.sub(a, b));
@@ -298,7 +298,9 @@ mod tests {
             assert_eq!(wide.below(wa, wb), Plain.below(a, b));
             assert_eq!(bits([wide.total(wa); 4]), bits([Plain.total(a); 4]));
             assert_eq!(bits([wide.greatest(wa); 4]), bits([Plain.greatest(a); 4]));
-            let (x, y) = (wide.columns([&a, &b, &c, &d]), Plain.columns([&a, &b, &c, &d]));
+            let halves = [a, b, c, d].map(|p| [[p[0], p[1]], [p[2], p[3]]]);
+            let rows = [&halves[0], &halves[1], &halves[2], &halves[3]];
+            let (x, y) = (wide.columns(rows), Plain.columns(rows));
             (0..4).for_each(|k| same(x[k], y[k]));
         }
     }

@@ -44,7 +44,7 @@ impl Felt {
 }
 
 /// The sum over the neighbours of one particle.
-struct Force<L: Lanes> {
+struct Force<L: Lanes, const D: usize> {
     constants: Constants<L>,
     place: [L::Four; 4],
     motion: [L::Four; 4],
@@ -90,7 +90,7 @@ impl<L: Lanes> Constants<L> {
     }
 }
 
-impl<L: Lanes> Force<L> {
+impl<L: Lanes, const D: usize> Force<L, D> {
     #[inline(always)]
     fn new(lanes: L, constants: Constants<L>, row: &Row, laminar: bool) -> Self {
         let [x, y, z, density] = lanes.splats(&row.place);
@@ -108,17 +108,17 @@ impl<L: Lanes> Force<L> {
     }
 }
 
-impl<L: Lanes> Pairs<L> for Force<L> {
+impl<L: Lanes, const D: usize> Pairs<L> for Force<L, D> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
         let Constants { half, slope, eta2, h, artificial, laminar, one, zero } = self.constants;
-        let r = lanes.from_to(&self.place, &place);
-        let v = lanes.from_to(&self.motion, &motion);
-        let square = lanes.dot(&r, &r);
+        let r = lanes.difference::<D>(&self.place, &place);
+        let v = lanes.difference::<D>(&self.motion, &motion);
+        let square = lanes.dot::<D>(&r, &r);
         let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
         // −m F, never negative.
         let pull = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        let vr = lanes.dot(&v, &r);
+        let vr = lanes.dot::<D>(&v, &r);
         let densities = lanes.add(self.place[3], place[3]);
         let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
         let cubes = lanes.add(self.cube, lanes.mul(lanes.mul(place[3], place[3]), place[3]));
@@ -127,12 +127,12 @@ impl<L: Lanes> Pairs<L> for Force<L> {
         // −Π, never positive.
         let stress = lanes.sub(lanes.add(self.motion[3], motion[3]), friction);
         let along = lanes.mul(pull, stress);
-        self.acceleration = lanes.add_scaled(&self.acceleration, along, &r);
+        self.acceleration = lanes.add_scaled::<D>(&self.acceleration, along, &r);
         self.friction = lanes.add(self.friction, lanes.mul(lanes.mul(pull, friction), vr));
         if self.laminar {
             let across = lanes.mul(lanes.mul(laminar, inverse), lanes.mul(pull, square));
-            self.acceleration = lanes.sub_scaled(&self.acceleration, across, &v);
-            self.friction = lanes.add(self.friction, lanes.mul(across, lanes.dot(&v, &v)));
+            self.acceleration = lanes.sub_scaled::<D>(&self.acceleration, across, &v);
+            self.friction = lanes.add(self.friction, lanes.mul(across, lanes.dot::<D>(&v, &v)));
         }
         let speed = lanes.max(vr, lanes.sub(zero, vr));
         let approach = lanes.mul(lanes.mul(h, speed), lanes.mul(inverse, densities));
@@ -175,20 +175,27 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
                 near[1] = grid.beside(cell, &other.starts);
                 last = cell;
             }
-            let mut force = Force::new(lanes, constants, row, laminar);
+            let mut force = Force::<L, D>::new(lanes, constants, row, laminar);
             if own {
                 let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], &row.place, reach2, hidden, &mut room, &mut force);
+                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut force);
                 // The other of the pair counts the other half.
                 force.friction = lanes.mul(force.friction, lanes.splat(0.5));
             }
             if !near[1].filled().is_empty() {
+                if laminar {
+                    // Velocities of boundaries are mirrored, so that a pair slides twice as fast as it does at the face.
+                    force.friction = lanes.add(force.friction, force.friction);
+                }
                 let hidden = of.hidden_faces(slot, other);
-                gather::<L, _, D>(lanes, other, &near[1], &row.place, reach2, hidden, &mut room, &mut force);
+                gather::<L, _, D>(lanes, other, &near[1], row.at(), reach2, hidden, &mut room, &mut force);
+                if laminar {
+                    force.friction = lanes.mul(force.friction, lanes.splat(0.5));
+                }
             }
             let [x, y, z] = lanes.totals(&force.acceleration);
             *out = [x + gravity[0], y + gravity[1], z + gravity[2]];
-            let sound = momentum.sound * (row.place[3] * row.place[3] * row.place[3]);
+            let sound = momentum.sound * (row.density() * row.density() * row.density());
             felt = felt.and(&Felt {
                 friction: lanes.total(force.friction),
                 signal: sound + lanes.greatest(force.approach),

@@ -4,6 +4,7 @@ use sph_core::Vec3;
 
 use crate::error::FluidError;
 use crate::fluid::Fluid;
+use crate::hidden::opposite;
 
 /// Distance below which particles overlap, in spacings.
 const OVERLAP: f64 = 0.5;
@@ -27,11 +28,17 @@ impl Fluid {
                     return refuse(format!("particle {other} of the fluid"), &positions[other as usize]);
                 }
             }
-            let boundary = &self.boundary;
+            let (boundary, mut sees) = (&self.boundary, 0);
+            boundary.thin.iter().for_each(|thin| sees |= thin.sees((*at).into())[0]);
             for &(from, to) in self.grid.beside(cell, &boundary.sorted.starts).filled() {
-                let near = |&&other: &&u32| too_near(at, &boundary.points[other as usize]);
-                if let Some(&other) = boundary.sorted.order[from as usize..to as usize].iter().find(near) {
-                    return refuse(boundary.name(other as usize), &boundary.points[other as usize]);
+                for slot in from as usize..to as usize {
+                    let other = boundary.sorted.order[slot] as usize;
+                    // Rows behind the other face of a thin structure may stand in the fluid of this one.
+                    let hidden =
+                        boundary.sorted.faces.get(slot).is_some_and(|&face| opposite(face) & sees != 0);
+                    if !hidden && too_near(at, &boundary.points[other]) {
+                        return refuse(boundary.name(other), &boundary.points[other]);
+                    }
                 }
             }
         }

@@ -1,8 +1,10 @@
 //! Particles in the order of their cells: what the sweeps read.
 
+use sph_core::Vec3;
+
 use crate::cells::{Grid, NOWHERE};
 use crate::hidden::{Hidden, opposite};
-use crate::lanes::{LANES, Pack};
+use crate::lanes::{Halves, LANES};
 use crate::parallel::{chunks, chunks_of_two};
 
 /// What a sweep reads of a particle, a cache line.
@@ -10,9 +12,31 @@ use crate::parallel::{chunks, chunks_of_two};
 #[repr(align(64))]
 pub(crate) struct Row {
     /// Place \[L\] and density \[M/L³\].
-    pub place: Pack,
+    pub place: Halves,
     /// Velocity \[L/T\] and P/ρ² \[L⁵/(M T²)\].
-    pub motion: Pack,
+    pub motion: Halves,
+}
+
+impl Row {
+    /// The row of a particle.
+    pub fn new(place: Vec3, density: f64, velocity: Vec3, share: f64) -> Self {
+        Self {
+            place: [[place.x, place.y], [place.z, density]],
+            motion: [[velocity.x, velocity.y], [velocity.z, share]],
+        }
+    }
+
+    /// Its place.
+    #[inline(always)]
+    pub fn at(&self) -> [f64; 3] {
+        [self.place[0][0], self.place[0][1], self.place[1][0]]
+    }
+
+    /// Its density.
+    #[inline(always)]
+    pub fn density(&self) -> f64 {
+        self.place[1][1]
+    }
 }
 
 /// Particles of a kind, sorted.
@@ -102,14 +126,14 @@ impl Sorted {
         let rows = &self.rows;
         chunks_of_two(threads, &mut self.x[..count], &mut self.y[..count], |first, x, y| {
             for (s, (x, y)) in x.iter_mut().zip(y).enumerate() {
-                (*x, *y) = (rows[first + s].place[0], rows[first + s].place[1]);
+                (*x, *y) = rows[first + s].place[0].into();
             }
         });
         if dimensions == 3 {
             self.z.resize(count + LANES, 0.0);
             chunks(threads, &mut self.z[..count], |first, z| {
                 for (s, z) in z.iter_mut().enumerate() {
-                    *z = rows[first + s].place[2];
+                    *z = rows[first + s].place[1][0];
                 }
             });
         }

@@ -33,7 +33,7 @@ impl Fluid {
             let (at, v, density) =
                 (state.positions[i] + moves[i] * ahead, state.velocities[i], state.densities[i]);
             let share = liquid.pressure(density) / (density * density);
-            Row { place: [at.x, at.y, at.z, density], motion: [v.x, v.y, v.z, share] }
+            Row::new(at, density, v, share)
         });
         boundary.fill(*dimensions, far, before);
     }
@@ -52,7 +52,7 @@ impl Fluid {
             for (s, (face, side)) in faces.iter_mut().zip(sides).enumerate() {
                 (*face, *side) = (0, 0);
                 for thin in &boundary.thin {
-                    let [sees, only] = thin.sees(&rows[first + s].place);
+                    let [sees, only] = thin.sees(rows[first + s].at());
                     *face |= sees;
                     *side |= only;
                 }
@@ -68,8 +68,8 @@ impl Fluid {
                 let crate::boundary::points::Boundary { sorted, densities, .. } = &mut self.boundary;
                 for (row, &point) in sorted.rows.iter_mut().zip(&sorted.order) {
                     let density = densities[point as usize];
-                    row.place[3] = density;
-                    row.motion[3] = self.liquid.pressure(density) / (density * density);
+                    row.place[1][1] = density;
+                    row.motion[1][1] = self.liquid.pressure(density) / (density * density);
                 }
             }
         }
@@ -96,11 +96,11 @@ impl Fluid {
                 let pressure = if wet { seen.pressure / seen.weight } else { 0.0 };
                 let pressure = if formulation.confined { pressure } else { pressure.max(0.0) };
                 let density = if pressure == 0.0 { liquid.density } else { liquid.density_at(pressure) };
-                row.place[3] = density;
-                row.motion[3] = pressure / (density * density);
+                row.place[1][1] = density;
+                row.motion[1][1] = pressure / (density * density);
                 if wet && formulation.kinematic_viscosity > 0.0 {
-                    for k in 0..3 {
-                        row.motion[k] = 2.0 * row.motion[k] - seen.velocity[k] / seen.weight;
+                    for (v, sum) in row.motion.as_flattened_mut().iter_mut().zip(seen.velocity) {
+                        *v = 2.0 * *v - sum / seen.weight;
                     }
                 }
             }

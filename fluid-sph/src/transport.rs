@@ -8,7 +8,7 @@ use crate::lanes::Lanes;
 use crate::sorted::Sorted;
 
 /// The sum over the neighbours of one particle.
-struct Drag<L: Lanes> {
+struct Drag<L: Lanes, const D: usize> {
     place: [L::Four; 4],
     motion: [L::Four; 4],
     half: L::Four,
@@ -19,10 +19,10 @@ struct Drag<L: Lanes> {
     sum: [L::Four; 3],
 }
 
-impl<L: Lanes> Pairs<L> for Drag<L> {
+impl<L: Lanes, const D: usize> Pairs<L> for Drag<L, D> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r = lanes.from_to(&self.place, &place);
+        let r = lanes.difference::<D>(&self.place, &place);
         let square =
             lanes.add(lanes.add(lanes.mul(r[0], r[0]), lanes.mul(r[1], r[1])), lanes.mul(r[2], r[2]));
         let half = lanes.mul(self.half, lanes.sqrt(square));
@@ -30,7 +30,7 @@ impl<L: Lanes> Pairs<L> for Drag<L> {
         let square = lanes.mul(s, s);
         let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
         let weight = lanes.div(lanes.mul(self.scale, shape), lanes.add(self.place[3], place[3]));
-        self.sum = lanes.add_scaled(&self.sum, weight, &lanes.from_to(&motion, &self.motion));
+        self.sum = lanes.add_scaled::<D>(&self.sum, weight, &lanes.difference::<D>(&motion, &self.motion));
     }
 }
 
@@ -60,7 +60,7 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
                 (near, last) = (grid.beside(cell, &fluid.starts), cell);
             }
             let zero = lanes.splat(0.0);
-            let mut drag = Drag {
+            let mut drag = Drag::<L, D> {
                 place: lanes.splats(&row.place),
                 motion: lanes.splats(&row.motion),
                 half: lanes.splat(kernel.half),
@@ -71,7 +71,7 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
                 sum: [zero; 3],
             };
             let (hidden, reach2, room) = (fluid.hidden_sides(slot), kernel.reach2, &mut room);
-            gather::<L, _, D>(lanes, fluid, &near, &row.place, reach2, hidden, room, &mut drag);
+            gather::<L, _, D>(lanes, fluid, &near, row.at(), reach2, hidden, room, &mut drag);
             let [u, v, w] = lanes.totals(&drag.sum);
             *out = [share * u, share * v, share * w];
         }

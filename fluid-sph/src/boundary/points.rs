@@ -203,8 +203,7 @@ impl Boundary {
     pub fn fill(&mut self, dimensions: usize, far: Row, before: f64) {
         let (points, velocities) = (&self.points, &self.velocities);
         self.sorted.fill(1, dimensions, far, |i| {
-            let (at, v) = (points[i] - velocities[i] * before, velocities[i]);
-            Row { place: [at.x, at.y, at.z, 0.0], motion: [v.x, v.y, v.z, 0.0] }
+            Row::new(points[i] - velocities[i] * before, 0.0, velocities[i], 0.0)
         });
     }
 

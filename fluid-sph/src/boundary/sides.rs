@@ -89,8 +89,8 @@ impl Thin {
     }
 
     /// The face that a place sees, and again if it does not see past an edge; neither where it is far away.
-    pub fn sees(&self, at: &[f64]) -> [u32; 2] {
-        let at = Vec3::new(at[0], at[1], at[2]);
+    pub fn sees(&self, at: [f64; 3]) -> [u32; 2] {
+        let at = Vec3::from(at);
         let cell = self.grid.cell(&at.into());
         if cell as usize >= self.grid.len() {
             return [0; 2];

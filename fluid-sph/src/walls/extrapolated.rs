@@ -23,7 +23,7 @@ pub(crate) struct Seen {
 }
 
 /// The sums of one place.
-struct Mean<L: Lanes> {
+struct Mean<L: Lanes, const D: usize> {
     place: [L::Four; 4],
     gravity: [L::Four; 3],
     half: L::Four,
@@ -36,23 +36,23 @@ struct Mean<L: Lanes> {
     velocity: [L::Four; 3],
 }
 
-impl<L: Lanes> Pairs<L> for Mean<L> {
+impl<L: Lanes, const D: usize> Pairs<L> for Mean<L, D> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r = lanes.from_to(&self.place, &place);
+        let r = lanes.difference::<D>(&self.place, &place);
         // q/2, so that 2q + 1 = 4 (q/2) + 1.
-        let half = lanes.mul(self.half, lanes.sqrt(lanes.dot(&r, &r)));
+        let half = lanes.mul(self.half, lanes.sqrt(lanes.dot::<D>(&r, &r)));
         let s = lanes.max(lanes.sub(self.one, half), self.zero);
         let square = lanes.mul(s, s);
         let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
         let weight = lanes.mul(self.scale, shape);
         let density = place[3];
         let own = lanes.mul(lanes.mul(motion[3], density), density);
-        let carried = lanes.add(own, lanes.mul(density, lanes.dot(&self.gravity, &r)));
+        let carried = lanes.add(own, lanes.mul(density, lanes.dot::<D>(&self.gravity, &r)));
         self.weight = lanes.add(self.weight, weight);
         self.pressure = lanes.add(self.pressure, lanes.mul(weight, carried));
         let [u, v, w, _] = motion;
-        self.velocity = lanes.add_scaled(&self.velocity, weight, &[u, v, w]);
+        self.velocity = lanes.add_scaled::<D>(&self.velocity, weight, &[u, v, w]);
     }
 }
 
@@ -87,7 +87,7 @@ impl<const D: usize> Sweep for Means<'_, '_, D> {
                 continue;
             }
             let zero = lanes.splat(0.0);
-            let mut mean = Mean {
+            let mut mean = Mean::<L, D> {
                 place: lanes.splats(&row.place),
                 gravity: [lanes.splat(gravity[0]), lanes.splat(gravity[1]), lanes.splat(gravity[2])],
                 half: lanes.splat(kernel.half),
@@ -101,7 +101,7 @@ impl<const D: usize> Sweep for Means<'_, '_, D> {
             };
             let hidden = of.hidden_faces(slot, fluid);
             let (reach2, room) = (kernel.reach2, &mut room);
-            gather::<L, _, D>(lanes, fluid, &near, &row.place, reach2, hidden, room, &mut mean);
+            gather::<L, _, D>(lanes, fluid, &near, row.at(), reach2, hidden, room, &mut mean);
             *out = Seen {
                 weight: lanes.total(mean.weight),
                 pressure: lanes.total(mean.pressure),

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, dead_code)] // a test may stop where it stands, and each uses some of these
 
-use explicit_dynamics::{Clock, Dynamics};
+use std::ops::ControlFlow;
+
+use explicit_dynamics::{Clock, Dynamics, Observer, Record, Transient};
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Wall};
 use sph_core::Vec3;
 
@@ -73,4 +75,38 @@ pub fn march(fluid: &mut Fluid, until: f64, mut each: impl FnMut(&Clock, &Fluid)
     fluid.within_bounds(explicit_dynamics::Bounds::Motion).unwrap();
     fluid.within_bounds(explicit_dynamics::Bounds::Configuration).unwrap();
     clock
+}
+
+/// Moves particles by up to a part of the spacing and gives them velocities of such a size, the same on every machine.
+pub fn disorder(parts: &mut Parts, part: f64, speed: f64) {
+    let mut state = 1_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    };
+    parts.velocities = vec![Vec3::zeros(); parts.positions.len()];
+    for (position, velocity) in parts.positions.iter_mut().zip(&mut parts.velocities) {
+        for k in 0..parts.dimensions {
+            position[k] += part * parts.spacing * next();
+            velocity[k] = 2.0 * speed * next();
+        }
+    }
+}
+
+/// Keeps all records.
+#[derive(Default)]
+pub struct Rows(pub Vec<Record>);
+
+impl<S> Observer<S> for Rows {
+    fn record(&mut self, _: &mut S, record: &Record) -> ControlFlow<()> {
+        self.0.push(*record);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Marches with records at equal intervals.
+pub fn recorded(fluid: &mut Fluid, duration: f64, record_every: f64) -> Vec<Record> {
+    let mut rows = Rows::default();
+    Transient { duration, record_every, damping: 0.0, safety: 1.0 }.march(fluid, &mut rows).unwrap();
+    rows.0
 }

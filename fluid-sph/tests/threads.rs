@@ -1,0 +1,112 @@
+//! The same bits for 1, 2 and 4 threads and after a resume, and no allocation inside a step.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+mod common;
+
+use std::alloc::System;
+use std::sync::Mutex;
+
+use common::{disorder, pool};
+use explicit_dynamics::Clock;
+use fluid_sph::{Fluid, Formulation, Scheme, WallRule};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// Tests of this file run one at a time: the counter belongs to the whole process.
+static ALONE: Mutex<()> = Mutex::new(());
+
+fn methods() -> [Formulation; 4] {
+    let kick = Formulation { kinematic_viscosity: 1e-3, ..Formulation::default() };
+    [
+        kick,
+        Formulation { xsph: 0.3, walls: WallRule::Dynamic, ..kick },
+        Formulation::published(),
+        Formulation { scheme: Scheme::PredictorCorrector, ..kick },
+    ]
+}
+
+/// Water that falls into a corner, of several chunks of particles.
+fn water(dimensions: usize, formulation: Formulation, threads: usize) -> Fluid {
+    let (size, box_size) =
+        if dimensions == 2 { ([1.0, 2.0, 0.0], [2.0, 2.0, 0.0]) } else { ([0.4, 0.5, 0.5], [0.6, 0.5, 0.6]) };
+    let mut parts = pool(dimensions, size, box_size, 0.05);
+    disorder(&mut parts, 0.2, 1.0);
+    Fluid::new(fluid_sph::Parts { formulation, threads, ..parts }).unwrap()
+}
+
+fn steps(fluid: &mut Fluid, clock: &mut Clock, count: usize) {
+    for _ in 0..count {
+        clock.step(fluid, f64::INFINITY, |_| 1.0).unwrap();
+    }
+}
+
+fn bits(fluid: &Fluid) -> Vec<u64> {
+    fluid
+        .state()
+        .iter()
+        .flat_map(|(_, numbers)| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+        .collect()
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let _alone = ALONE.lock().unwrap();
+    for dimensions in [2, 3] {
+        for formulation in methods() {
+            let run = |threads: usize| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| {
+                    let mut fluid = water(dimensions, formulation, threads);
+                    let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+                    steps(&mut fluid, &mut clock, 20);
+                    bits(&fluid)
+                })
+            };
+            let one = run(1);
+            assert!(one == run(2), "{dimensions} {formulation:?}: 2 threads");
+            assert!(one == run(4), "{dimensions} {formulation:?}: 4 threads");
+        }
+    }
+}
+
+#[test]
+fn a_state_put_back_goes_on_to_the_same_bits() {
+    let _alone = ALONE.lock().unwrap();
+    for formulation in methods() {
+        let mut fluid = water(2, formulation, 1);
+        let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+        steps(&mut fluid, &mut clock, 30);
+        let (kept, mut resumed_clock) = (fluid.clone(), clock.clone());
+        steps(&mut fluid, &mut clock, 30);
+        let state = kept.state();
+        let arrays: Vec<(&str, &[f64])> = state.iter().map(|(name, numbers)| (*name, &numbers[..])).collect();
+        let mut resumed = water(2, formulation, 1);
+        resumed.set_state(&arrays).unwrap();
+        steps(&mut resumed, &mut resumed_clock, 30);
+        assert!(bits(&fluid) == bits(&resumed), "{formulation:?}");
+        assert_eq!(clock, resumed_clock);
+        assert!(resumed.set_state(&arrays[1..]).is_err());
+    }
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    for dimensions in [2, 3] {
+        for formulation in methods() {
+            let mut fluid = water(dimensions, formulation, 1);
+            let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+            steps(&mut fluid, &mut clock, 3);
+            // What the harness does beside must not count: one quiet round of five tells.
+            let least = (0..5).map(|_| {
+                let region = Region::new(ALLOCATOR);
+                steps(&mut fluid, &mut clock, 10);
+                region.change().allocations
+            });
+            assert_eq!(least.min(), Some(0), "{dimensions} {formulation:?}");
+        }
+    }
+}
