@@ -1,6 +1,6 @@
 //! A symmetric matrix of blocks of three by three between nodes, its upper half by rows.
 
-use crate::discretisation::{Cell, runs};
+use crate::discretisation::Cell;
 
 /// Which nodes couple, and the values between them.
 ///
@@ -143,6 +143,7 @@ fn merge(into: &mut Vec<u32>, list: &[u32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::discretisation::runs;
 
     #[test]
     fn places_are_where_values_are_added_and_each_is_visited_once() {

@@ -1,7 +1,7 @@
 //! What a body tells of its state: displacements, and at points stress, strain, rotation.
 
 use nalgebra::DMatrix;
-use solid_kinematics::{Tangent, angle, strains, stress_tensor};
+use solid_kinematics::{Tangent, angle, strains};
 use sph_core::{ShapeError, Vec3};
 
 use crate::body::Galerkin;

@@ -1,6 +1,6 @@
 //! Load steps as the method prescribes them: a step that fails is made again with the consistent tangent, then halved.
 
-use implicit_statics::{Converged, Equilibrium, EquilibriumError, Newton};
+use implicit_statics::{Converged, EquilibriumError, Newton};
 
 use crate::body::Galerkin;
 
