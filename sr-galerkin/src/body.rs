@@ -172,7 +172,8 @@ impl Galerkin {
     /// The first point that could not follow the last deformation tried, and why.
     pub fn trouble(&self) -> Option<(Vec3, PointError)> {
         let found = |(cell, trouble): (usize, &Option<(u32, PointError)>)| {
-            trouble.map(|(point, error)| (self.space.places[cell * self.space.points + point as usize], error))
+            trouble
+                .map(|(point, error)| (self.space.places[cell * self.space.points + point as usize], error))
         };
         self.troubles.iter().enumerate().find_map(found)
     }

@@ -213,10 +213,8 @@ fn eliminate(equations: &[Equation], solved: &mut Vec<HeldParameter>) -> Result<
     pivots.iter().for_each(|pivot| leads[pivot.1] = true);
     for &(row, column) in &pivots {
         let own = &rows[row * width..][..width];
-        let terms = (0..n)
-            .filter(|&j| !leads[j] && own[j].abs() > ROUNDING)
-            .map(|j| (columns[j], -own[j]))
-            .collect();
+        let terms =
+            (0..n).filter(|&j| !leads[j] && own[j].abs() > ROUNDING).map(|j| (columns[j], -own[j])).collect();
         solved.push(HeldParameter { parameter: columns[column], terms, rate: own[n] });
     }
     Ok(m - pivots.len())

@@ -101,8 +101,7 @@ impl Galerkin {
                     for (b, column) in cell.nodes.iter().enumerate() {
                         for i in 0..3 {
                             for k in 0..3 {
-                                let sum: f64 =
-                                    (0..3).map(|l| left[i][3 * k + l] * gradients[l][b]).sum();
+                                let sum: f64 = (0..3).map(|l| left[i][3 * k + l] * gradients[l][b]).sum();
                                 full[(3 * *row as usize + i, 3 * *column as usize + k)] += sum;
                             }
                         }

@@ -3,11 +3,12 @@
 //! Points are summed by slices: nine rows of the result stay in registers while the points of a slice pass. The sums go over the points
 //! in their order, so that the widest vectors give the same bits as the narrowest.
 
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 use solid_kinematics::{PointTangent, Tangent};
 
 use crate::body::Galerkin;
-use crate::discretisation::{Cell, LANES, MOST_IN_SLICE};
+use crate::discretisation::{Cell, MOST_IN_SLICE};
 
 /// Entries of a row of moduli, three times nine, up to a multiple of the lanes.
 const ROW: usize = 28;
@@ -15,13 +16,8 @@ const ROW: usize = 28;
 const BATCH: usize = 16;
 
 /// Writes the matrix of a cell: for each node I nine rows `3i + k` over the nodes K ≥ I, as wide as the cell.
-pub(crate) fn cell_stiffness(cell: &Cell, moduli: &[PointTangent], slice: usize, out: &mut [f64]) {
-    let work = Work { cell, moduli, slice, out };
-    #[cfg(target_arch = "x86_64")]
-    if let Some(lanes) = pulp::x86::V3::try_new() {
-        return lanes.vectorize(work);
-    }
-    work.run();
+fn cell_stiffness(cell: &Cell, moduli: &[PointTangent], slice: usize, out: &mut [f64]) {
+    pulp::Arch::new().dispatch(Work { cell, moduli, slice, out });
 }
 
 struct Work<'a> {
@@ -31,50 +27,40 @@ struct Work<'a> {
     out: &'a mut [f64],
 }
 
-impl pulp::NullaryFnOnce for Work<'_> {
+impl WithSimd for Work<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
-        self.run();
-    }
-}
-
-impl Work<'_> {
-    #[inline(always)]
-    fn run(self) {
+    fn with_simd<S: Simd>(self, simd: S) {
         let Self { cell, moduli, slice, out } = self;
-        let width = cell.width;
         out.fill(0.0);
+        let lanes = size_of::<S::f64s>() / size_of::<f64>();
+        let (gradients, _) = S::as_simd_f64s(&cell.gradients);
+        let (out, _) = S::as_mut_simd_f64s(out);
+        let width = cell.width / lanes;
+        let mut arranged = [[[0.0; ROW]; 3]; MOST_IN_SLICE];
+        let mut left = [[0.0; ROW]; MOST_IN_SLICE];
         for (number, &(first, end)) in cell.slices.iter().enumerate() {
-            let points = number * slice;
-            let mut arranged = [[[0.0; ROW]; 3]; MOST_IN_SLICE];
+            let (points, end) = (number * slice, end as usize);
             for p in 0..slice {
                 arrange(&moduli[points + p], cell.volumes[points + p], &mut arranged[p]);
             }
-            let gradients = &cell.gradients[3 * points * width..][..3 * slice * width];
-            for node in first as usize..(end as usize).min(cell.nodes.len()) {
-                let mut left = [[0.0; ROW]; MOST_IN_SLICE];
+            let seen = &gradients[3 * points * width..][..3 * slice * width];
+            for node in first as usize..end.min(cell.nodes.len()) {
                 for p in 0..slice {
-                    for j in 0..3 {
-                        let g = gradients[(3 * p + j) * width + node];
-                        for c in 0..ROW {
-                            left[p][c] += g * arranged[p][j][c];
-                        }
-                    }
+                    let g = [0, 1, 2].map(|j| cell.gradient(points + p, j)[node]);
+                    contract(simd, g, &arranged[p], &mut left[p]);
                 }
                 let rows = &mut out[9 * node * width..][..9 * width];
-                let mut at = node / LANES * LANES;
-                while at < end as usize {
-                    multiply(&left[..slice], gradients, width, at, rows);
-                    at += LANES;
+                for at in node / lanes..end / lanes {
+                    multiply(simd, &left[..slice], (seen, width, at), rows);
                 }
             }
         }
     }
 }
 
-/// `out_{3l + (3i + k)…}`: moduli times volume as rows j over `l`, then `3i + k`.
+/// Moduli times volume as rows j over `9l + 3i + k`.
 #[inline(always)]
 fn arrange(moduli: &PointTangent, volume: f64, out: &mut [[f64; ROW]; 3]) {
     for j in 0..3 {
@@ -88,26 +74,41 @@ fn arrange(moduli: &PointTangent, volume: f64, out: &mut [[f64; ROW]; 3]) {
     }
 }
 
+/// `out = Σ_j g_j rows_j`.
+#[inline(always)]
+fn contract<S: Simd>(simd: S, g: [f64; 3], rows: &[[f64; ROW]; 3], out: &mut [f64; ROW]) {
+    let [a, b, c] = g.map(|g| simd.splat_f64s(g));
+    let [(p, _), (q, _), (r, _)] = [0, 1, 2].map(|j| S::as_simd_f64s(&rows[j]));
+    let (out, _) = S::as_mut_simd_f64s(out);
+    for (((out, p), q), r) in out.iter_mut().zip(p).zip(q).zip(r) {
+        let two = simd.add_f64s(simd.mul_f64s(a, *p), simd.mul_f64s(b, *q));
+        *out = simd.add_f64s(two, simd.mul_f64s(c, *r));
+    }
+}
+
 /// Adds the products of one node with as many others as there are lanes, over the points of a slice.
 #[inline(always)]
-fn multiply(left: &[[f64; ROW]], gradients: &[f64], width: usize, at: usize, rows: &mut [f64]) {
-    let mut sums = [[0.0; LANES]; 9];
+fn multiply<S: Simd>(
+    simd: S,
+    left: &[[f64; ROW]],
+    (gradients, width, at): (&[S::f64s], usize, usize),
+    rows: &mut [S::f64s],
+) {
+    let mut sums = [simd.splat_f64s(0.0); 9];
     for (component, sum) in sums.iter_mut().enumerate() {
-        sum.copy_from_slice(&rows[component * width + at..][..LANES]);
+        *sum = rows[component * width + at];
     }
-    for (p, left) in left.iter().enumerate() {
+    for (left, gradients) in left.iter().zip(gradients.chunks_exact(3 * width)) {
         for l in 0..3 {
-            let g: &[f64] = &gradients[(3 * p + l) * width + at..][..LANES];
+            let g = gradients[l * width + at];
             for component in 0..9 {
-                let factor = left[9 * l + component];
-                for lane in 0..LANES {
-                    sums[component][lane] += factor * g[lane];
-                }
+                let product = simd.mul_f64s(simd.splat_f64s(left[9 * l + component]), g);
+                sums[component] = simd.add_f64s(sums[component], product);
             }
         }
     }
     for (component, sum) in sums.iter().enumerate() {
-        rows[component * width + at..][..LANES].copy_from_slice(sum);
+        rows[component * width + at] = *sum;
     }
 }
 
@@ -123,7 +124,8 @@ impl Galerkin {
         self.evaluate_internal(level);
         let points = self.space.points;
         if self.scratch.is_empty() {
-            let widest = self.space.cells.iter().fold(0, |most, cell| most.max(cell.nodes.len() * cell.width));
+            let widest =
+                self.space.cells.iter().fold(0, |most, cell| most.max(cell.nodes.len() * cell.width));
             let room = || Scratch { moduli: vec![[[0.0; 9]; 9]; points], matrix: vec![0.0; 9 * widest] };
             self.scratch = (0..BATCH.min(self.space.cells.len())).map(|_| room()).collect();
         }

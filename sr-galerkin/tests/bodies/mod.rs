@@ -104,11 +104,7 @@ pub fn newton(body: &Galerkin) -> Newton {
 }
 
 /// Leads a body through levels and reads a number at each; the steps that were made.
-pub fn curve(
-    body: &mut Galerkin,
-    levels: &[f64],
-    read: impl Fn(&Galerkin) -> f64,
-) -> (Vec<f64>, Vec<Step>) {
+pub fn curve(body: &mut Galerkin, levels: &[f64], read: impl Fn(&Galerkin) -> f64) -> (Vec<f64>, Vec<Step>) {
     let mut newton = newton(body);
     let (mut values, mut steps) = (Vec::new(), Vec::new());
     let mut from = 0.0;
