@@ -54,7 +54,13 @@ fn main() {
         let mut parts = bodies::cantilever(21, 10.0, bodies::On::Top);
         parts.threads = threads;
         let mut b = bodies::body(parts);
-        let (v, _) = bodies::curve(&mut b, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0], bodies::tip);
-        println!("curve {:?} {}", t.elapsed(), v[9]);
+        let (v, st) =
+            bodies::curve(&mut b, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0], bodies::tip);
+        println!(
+            "curve {:?} {} {:?}",
+            t.elapsed(),
+            v[9],
+            st.iter().map(|s| s.converged.iterations).collect::<Vec<_>>()
+        );
     }
 }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use solid_kinematics::{PointTangent, Tangent};
 
 use crate::body::Galerkin;
-use crate::discretisation::{Cell, MOST_IN_SLICE};
+use crate::discretisation::{Cell, LANES, MOST_IN_SLICE};
 
 /// Entries of a row of moduli, three times nine, up to a multiple of the lanes.
 const ROW: usize = 28;
@@ -33,7 +33,10 @@ impl WithSimd for Work<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self { cell, moduli, slice, out } = self;
-        out.fill(0.0);
+        for (node, rows) in out.chunks_exact_mut(9 * cell.width).enumerate() {
+            // nodes before are left out
+            rows.chunks_exact_mut(cell.width).for_each(|row| row[node / LANES * LANES..].fill(0.0));
+        }
         let lanes = size_of::<S::f64s>() / size_of::<f64>();
         let (gradients, _) = S::as_simd_f64s(&cell.gradients);
         let (out, _) = S::as_mut_simd_f64s(out);

@@ -273,7 +273,7 @@ fn threads_do_not_change_a_bit() {
         parts.support = Support::ellipsoid([0.8, 0.8, 0.7]);
         parts.threads = threads;
         parts.conditions.extend(Condition::fixed(&nodes(&parts, |x| x.x == 0.0)));
-        parts.loads.push(Load::Pressure { faces: parts.cells.faces[1].clone(), pressure: 0.1 });
+        parts.loads.push(Load::Pressure { faces: parts.cells.faces[1].clone(), pressure: 0.02 });
         let mut body = body(parts);
         newton(&body).at_level(&mut body, 1.0).unwrap();
         let mut values = vec![0.0; body.pattern().len()];

@@ -97,9 +97,9 @@ pub fn body(parts: Parts) -> Galerkin {
     Galerkin::new(parts).expect("a body")
 }
 
-/// Newton's method as the design has it: 1e-8, 30 iterations.
+/// Newton's method as the design has it: 1e-8, 30 iterations, whole steps.
 pub fn newton(body: &Galerkin) -> Newton {
-    let options = NewtonOptions { tolerance: 1e-8, iterations: 30, ..NewtonOptions::default() };
+    let options = NewtonOptions { tolerance: 1e-8, iterations: 30, line_search: false };
     Newton::new(body, &options).expect("options")
 }
 
