@@ -1,7 +1,7 @@
 //! What a body tells of its state: displacements, and at points stress, strain, rotation.
 
 use nalgebra::DMatrix;
-use solid_kinematics::{Tangent, angle, strains};
+use solid_kinematics::{PAIRS, Tangent, Tensor, Trial, angle, strains};
 use sph_core::{ShapeError, Vec3};
 
 use crate::body::Galerkin;
@@ -59,14 +59,14 @@ impl Galerkin {
 
     /// All points of the quadrature, as they were when forces were last evaluated.
     pub fn point_results(&self) -> Vec<PointResult> {
-        let of = |(trial, place): (&solid_kinematics::Trial, &Vec3)| {
+        let of = |(trial, place): (&Trial, &Vec3)| {
             let (f, axes) = (trial.state.gradient, trial.state.axes);
             let rotation = polar(&f);
             let turned = if self.remembers() { axes } else { rotation * axes };
             let cauchy = turned.transpose() * trial.kirchhoff * turned / f.determinant();
-            let green = (f.transpose() * f - solid_kinematics::Tensor::identity()) * 0.5;
+            let green = (f.transpose() * f - Tensor::identity()) * 0.5;
             let local = strains(&(self.axes.transpose() * green * self.axes));
-            let stress = solid_kinematics::PAIRS.map(|(i, j)| cauchy[(i, j)]);
+            let stress = PAIRS.map(|(i, j)| cauchy[(i, j)]);
             PointResult { place: *place, stress, strain: local, angle: angle(&rotation) }
         };
         self.trials.iter().zip(&self.space.places).map(of).collect()
@@ -74,9 +74,9 @@ impl Galerkin {
 
     /// Greatest principal Green strain of any point, by magnitude; the law of increments is meant for less than .2.
     pub fn greatest_strain(&self) -> f64 {
-        let of = |trial: &solid_kinematics::Trial| {
+        let of = |trial: &Trial| {
             let f = trial.state.gradient;
-            let green = (f.transpose() * f - solid_kinematics::Tensor::identity()) * 0.5;
+            let green = (f.transpose() * f - Tensor::identity()) * 0.5;
             green.symmetric_eigenvalues().amax()
         };
         self.trials.iter().map(of).fold(0.0, f64::max)
@@ -128,7 +128,7 @@ impl Galerkin {
 }
 
 /// The rotation of a deformation gradient, by the mean of a matrix and its inverse transposed.
-fn polar(gradient: &solid_kinematics::Tensor) -> solid_kinematics::Tensor {
+fn polar(gradient: &Tensor) -> Tensor {
     let mut rotation = *gradient;
     for _ in 0..12 {
         if let Some(inverse) = rotation.try_inverse() {

@@ -42,6 +42,13 @@ impl Equilibrium for Galerkin {
             let mut forces = vec![0.0; rates.len()];
             self.blocks.product(&rates, &mut forces);
             self.external.iter_mut().zip(&forces).for_each(|(out, force)| *out -= force);
+            let external = &mut self.external;
+            self.loads.stiffness(&self.parameters, |row, column, k| {
+                for i in 0..3 {
+                    let way = |j: usize| rates[3 * column as usize + j];
+                    external[3 * row as usize + i] += level * (0..3).map(|j| k[i][j] * way(j)).sum::<f64>();
+                }
+            });
         }
         self.unknowns.project(&self.external, out);
     }
@@ -49,6 +56,7 @@ impl Equilibrium for Galerkin {
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.tangents += 1;
         self.assemble(level);
+        self.add_load_stiffness(level);
         self.reduction.reduce(&self.blocks, values);
     }
 

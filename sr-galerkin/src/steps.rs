@@ -28,30 +28,27 @@ pub fn lead(
     (from, to): (f64, f64),
     mut observer: impl FnMut(&Step, &mut Galerkin),
 ) -> Result<(), EquilibriumError> {
-    let (mut level, mut parts, mut failures) = (from, 1_u64, 0);
-    let mut done = 0;
+    let (mut parts, mut done, mut failures) = (1_u64, 0, 0);
     while done < parts {
-        let next = if done + 1 == parts { to } else { from + (to - from) * (done + 1) as f64 / parts as f64 };
-        let before = body.insists;
+        let share = (done + 1) as f64 / parts as f64;
+        let next = if share == 1.0 { to } else { from + (to - from) * share };
+        let insisted = body.insists;
         match newton.at_level(body, next) {
             Ok(converged) => {
-                let step = Step { converged, failures, insisted: before };
-                observer(&step, body);
-                (level, failures) = (next, 0);
-                done += 1;
+                observer(&Step { converged, failures, insisted }, body);
+                (done, failures) = (done + 1, 0);
             }
             Err(error) => {
                 failures += 1;
-                if body.insists && !before {
-                    continue; // once more with the consistent tangent
-                }
-                if parts >= 1 << HALVINGS {
+                let again = body.insists && !insisted; // with the consistent tangent
+                if !again && parts == 1 << HALVINGS {
                     return Err(error);
                 }
-                (parts, done) = (2 * parts, 2 * done);
+                if !again {
+                    (parts, done) = (2 * parts, 2 * done);
+                }
             }
         }
     }
-    debug_assert!(level == to || parts == 1);
     Ok(())
 }

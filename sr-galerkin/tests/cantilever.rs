@@ -9,7 +9,7 @@ mod bodies;
 use bodies::{MIDPOINT, On, STEP_START, as_in_the_source, body, cantilever, curve, newton, tip};
 use implicit_statics::Equilibrium;
 use nalgebra::DVector;
-use solid_kinematics::{Formulation, Tangent};
+use solid_kinematics::Formulation;
 use sr_galerkin::{Essential, Parts, lead};
 
 /// Where figures are given.
@@ -94,7 +94,9 @@ fn with_the_basis_of_the_source() {
 fn half_as_thick_it_is_holdens() {
     let given = [(0, 0.12266), (2, 0.42295), (5, 0.69840)];
     let found = figures(cantilever(21, 20.0, On::Volume), 1);
-    given.map(|(at, value)| assert!((found[at] - value).abs() < REGRESSION, "{found:.5?}"));
+    for (at, value) in given {
+        assert!((found[at] - value).abs() < REGRESSION, "{found:.5?}");
+    }
     assert!(off(&found, &HOLDEN) < 0.007, "{found:.5?}");
 }
 
@@ -135,7 +137,6 @@ fn newton_is_quadratic_with_the_whole_load_stiffness() {
         |r: &[f64]| r.windows(3).filter(|r| r[0] < 0.1 && r[1] > 1e-7).all(|r| r[2] < r[1].powf(1.5));
     assert!(quadratic(&exact) && exact[9] < 1e-10, "{exact:?}");
     assert!(!quadratic(&symmetric), "{symmetric:?}");
-    println!("{exact:?}\n{symmetric:?}");
 }
 
 /// A slender body in large steps: the symmetric tangent of the rate equation does not converge at the third.
@@ -147,13 +148,7 @@ fn a_step_that_fails_is_made_again_with_the_consistent_tangent() {
     for k in 1..=4 {
         lead(&mut body, &mut newton, (k as f64 - 1.0, k as f64), |step, _| steps.push(step.clone())).unwrap();
     }
-    let iterations: Vec<usize> = steps.iter().map(|step| step.converged.iterations).collect();
-    println!(
-        "{iterations:?} {:?} {}",
-        steps.iter().map(|s| (s.failures, s.insisted)).collect::<Vec<_>>(),
-        tip(&body)
-    );
-    assert!(steps.iter().any(|step| step.insisted));
+    let tries: Vec<_> = steps.iter().map(|step| (step.failures, step.insisted)).collect();
+    assert_eq!(tries, [(0, false), (0, false), (1, true), (0, false)]);
     assert!((tip(&body) / HOLDEN[2] - 1.0).abs() < 0.007, "{}", tip(&body));
-    let _ = Tangent::Consistent;
 }

@@ -124,39 +124,51 @@ fn a_free_body_has_six_zero_modes() {
     }
 }
 
+/// Holds all outer nodes of a block where the stretch has them; the greatest error of any other, over the greatest displacement.
+fn error_inside(mut parts: Parts, name: &str) -> f64 {
+    let outer = nodes(&parts, |x| (0..3).any(|k| x[k] == 0.0 || (x[k] - SIZE[k]).abs() < 1e-12));
+    for &node in &outer {
+        let u = (stretch() - Tensor::identity()) * parts.nodes[node as usize];
+        for (k, direction) in [Vec3::x(), Vec3::y(), Vec3::z()].into_iter().enumerate() {
+            parts.conditions.push(Condition { nodes: vec![node], direction, by: u[k] });
+        }
+    }
+    let mut body = body(parts);
+    newton(&body).at_level(&mut body, 1.0).expect("equilibrium");
+    let (mut inside, mut greatest): (f64, f64) = (0.0, 0.0);
+    for node in 0..body.nodes() {
+        let x = body.rest()[node];
+        let u = stretch() * x - x;
+        let miss = (body.displacement(node) - u).norm();
+        greatest = greatest.max(u.norm());
+        if outer.contains(&(node as u32)) {
+            assert!(miss < 1e-12, "{name}: a node of the boundary is off by {miss:e}");
+        }
+        inside = inside.max(miss);
+    }
+    inside / greatest
+}
+
 #[test]
 fn an_affine_displacement_of_the_boundary_goes_through() {
-    for (name, mut parts) in blocks() {
-        let outer = nodes(&parts, |x| (0..3).any(|k| x[k] == 0.0 || (x[k] - SIZE[k]).abs() < 1e-12));
-        for &node in &outer {
-            let x = parts.nodes[node as usize];
-            let u = (stretch() - Tensor::identity()) * x;
-            for (k, axis) in [Vec3::x(), Vec3::y(), Vec3::z()].into_iter().enumerate() {
-                parts.conditions.push(Condition { nodes: vec![node], direction: axis, by: u[k] });
-            }
-        }
-        let mut body = body(parts);
-        newton(&body).at_level(&mut body, 1.0).unwrap();
-        let mut inside: f64 = 0.0;
-        for node in 0..body.nodes() {
-            let x = body.rest()[node];
-            let miss = (body.displacement(node) - (stretch() * x - x)).norm();
-            if outer.contains(&(node as u32)) {
-                assert!(miss < 1e-12, "{name}: a node of the boundary is off by {miss:e}");
-            }
-            inside = inside.max(miss);
-        }
-        println!("{name}: {inside:e} {}", body.dependent_conditions());
+    for (name, parts) in blocks() {
+        // Nodes displaced by a quarter: quadrature, measured 1.7 % at most; on lattices it and the boundary between nodes, .4 %.
+        let bound = if name.ends_with("disorder 0") { 0.012 } else { 0.05 };
+        let error = error_inside(parts, &name);
+        assert!(error < bound, "{name}: {error:e}");
     }
+    // One node inside, in the middle: both errors cancel by symmetry.
+    let mut parts = block(SIZE, [3, 3, 3], 0.0);
+    parts.basis = Basis::Linear;
+    parts.support = Support::ellipsoid(SIZE);
+    let error = error_inside(parts, "one node inside");
+    assert!(error < 1e-13, "{error:e}");
 }
 
 #[test]
 fn a_turned_frame_turns_the_forces() {
     for (name, mut parts) in blocks() {
-        for formulation in [MIDPOINT, STEP_START, Formulation::StVenant] {
-            parts.material.moduli = wood();
-            parts.material.formulation = formulation;
-        }
+        parts.material.moduli = wood();
         let mut body = body(parts);
         place(&mut body, bend);
         let before = internal(&mut body);
