@@ -3,6 +3,11 @@
 mod bodies;
 use implicit_statics::{Equilibrium, SymmetricSolver};
 use std::time::Instant;
+fn cpu() -> f64 {
+    let s = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap();
+    s.split(' ').next().unwrap().parse::<f64>().unwrap() * 1e-9
+}
+#[allow(clippy::unwrap_used, unused_variables)]
 fn main() {
     let threads: usize = std::env::args().nth(1).map_or(1, |s| s.parse().unwrap());
     let mut parts = bodies::cantilever(21, 10.0, bodies::On::Top);
@@ -49,6 +54,7 @@ fn main() {
         let s = b.save();
         b.restore(&s);
     });
+    let c = cpu();
     if std::env::args().nth(2).is_some() {
         let t = Instant::now();
         let mut parts = bodies::cantilever(21, 10.0, bodies::On::Top);

@@ -21,6 +21,9 @@ const SKEW: f64 = 1e-9;
 /// |w| of a step beyond which it is refused: half a step turns by 27°.
 const WIDEST_TURN: f64 = 1.0;
 
+/// The point of a cell that cannot follow, and why.
+type Trouble = Option<(u32, PointError)>;
+
 /// An element-free Galerkin body in equilibrium, or on its way there.
 ///
 /// Unknowns are nodal parameters d; displacements are `u(X) = Σ_I φ_I(X) d_I`, also at nodes. What an update needs of history is
@@ -49,7 +52,7 @@ pub struct Galerkin {
     cell_forces: Vec<f64>,
     pub(crate) internal: Vec<f64>,
     pub(crate) external: Vec<f64>,
-    troubles: Vec<Option<(u32, PointError)>>,
+    troubles: Vec<Trouble>,
     /// Whether points and internal forces are those of the parameters.
     pub(crate) evaluated: bool,
     /// Tangents since the last state accepted, and whether the consistent one is insisted on.
@@ -143,23 +146,19 @@ impl Galerkin {
     pub(crate) fn sweep(&mut self) {
         let stride = force_stride(&self.space);
         let (points, material) = (self.space.points, &self.material);
-        let (history, parameters) = (&self.history, &self.parameters);
-        let work = |(number, (((cell, trials), forces), trouble)): (
-            usize,
-            (((&Cell, &mut [Trial]), &mut [f64]), &mut Option<(u32, PointError)>),
-        )| {
+        let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);
+        let work = |number: usize, trials: &mut [Trial], forces: &mut [f64], trouble: &mut Trouble| {
             let from = &history[number * points..][..points];
-            *trouble = sweep_cell(cell, material, parameters, from, trials, forces).err();
+            *trouble = sweep_cell(&cells[number], material, parameters, from, trials, forces).err();
         };
-        let (cells, trials) = (&self.space.cells, &mut self.trials);
         if self.threads > 1 {
-            let both = cells.par_iter().zip(trials.par_chunks_mut(points));
-            let three = both.zip(self.cell_forces.par_chunks_mut(stride));
-            three.zip(self.troubles.par_iter_mut()).enumerate().for_each(work);
+            let both = self.trials.par_chunks_mut(points).zip(self.cell_forces.par_chunks_mut(stride));
+            let all = both.zip(self.troubles.par_iter_mut()).enumerate();
+            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
         } else {
-            let both = cells.iter().zip(trials.chunks_mut(points));
-            let three = both.zip(self.cell_forces.chunks_mut(stride));
-            three.zip(self.troubles.iter_mut()).enumerate().for_each(work);
+            let both = self.trials.chunks_mut(points).zip(self.cell_forces.chunks_mut(stride));
+            let all = both.zip(self.troubles.iter_mut()).enumerate();
+            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
         }
         self.internal.fill(0.0);
         for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
@@ -171,7 +170,7 @@ impl Galerkin {
 
     /// The first point that could not follow the last deformation tried, and why.
     pub fn trouble(&self) -> Option<(Vec3, PointError)> {
-        let found = |(cell, trouble): (usize, &Option<(u32, PointError)>)| {
+        let found = |(cell, trouble): (usize, &Trouble)| {
             trouble
                 .map(|(point, error)| (self.space.places[cell * self.space.points + point as usize], error))
         };
