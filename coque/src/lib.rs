@@ -31,7 +31,8 @@
 //! | the lists, the schema, the page of all keys | `scene/catalogue.rs`, `scene/schema.rs`, `scene/reference.rs` |
 //! | what any body offers, columns of the curve | [`Body`], `bodies/body.rs`; `bodies/probe.rs` |
 //! | which kind of body is built | `bodies/build.rs` |
-//! | scene → shell; scene → solid | `bodies/shell/build.rs`, `bodies/solid/build.rs` and their neighbours |
+//! | scene → shell; scene → solid; scene → fluid and walls | `bodies/shell/build.rs`, `bodies/solid/build.rs`, `bodies/fluid/` and their neighbours |
+//! | a fluid with the structures in it: the scene of each alone; one body of all | `scene/alone.rs`; `bodies/coupled/` |
 //! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `bodies/shell/imported.rs` |
 //! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
 //! | the run, its figures, what it goes on from | `run/under_way.rs`, `run/record.rs`, `run/checkpoint/` |
@@ -81,6 +82,9 @@
 //! director        mean of d_a·e           velocity   mean of ẋ_a·e
 //! damage          mean of φ_a             fracture-energy   sum of what the broken bonds of a held
 //! strain-energy   mean of W_a             all times the column's factor; `take` has another than mean or sum
+//! pressure        mean of p_a; on walls the mean of the fluid before the place, carried there by gravity, zero where dry
+//! density         mean of ρ_a             level      mean height of the surface over places of walls
+//! force           sum of a fluid's forces on walls or a structure, moment likewise; by depth in a plane
 //! ```
 //!
 //! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
@@ -122,6 +126,9 @@
 //! | what is refused of solids, and doubted | tests/solid_refusals.rs, tests/solid_doubts.rs |
 //! | a run of a breaking solid goes on to the same bits | `a_breaking_solid_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
+//! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
+//! | a fluid with a shell in it goes on to the same bits | `a_fluid_and_a_shell_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
+//! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/shell/stress.rs) |
@@ -150,7 +157,7 @@ pub use mesh_io::{
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
-pub use results::picture::{FieldNotThere, Picture, picture_svg, together};
+pub use results::picture::{FieldNotThere, Picture, picture_range, picture_svg, strip, together};
 pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,

@@ -7,8 +7,9 @@ mod common;
 use std::fs;
 use std::path::Path;
 
+use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::solids::{BAR, PLATE, SHEETS};
-use coque::scene::BodyScene;
+use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
 use coque::{Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 
@@ -35,11 +36,11 @@ const NUMBERS: [&str; 16] = [
     "3.5",
 ];
 
-/// Scenes of files and, after them, small ones of solids.
+/// Scenes of files and, after them, small ones of solids and of fluids.
 fn scene(number: usize) -> String {
-    let solids = [BAR, PLATE, SHEETS];
-    if let Some(solid) = number.checked_sub(SCENES.len()) {
-        return solids[solid % solids.len()].into();
+    let more = [BAR, PLATE, SHEETS, DAM, GATE, SHELL_GATE];
+    if let Some(small) = number.checked_sub(SCENES.len()) {
+        return more[small % more.len()].into();
     }
     let name = SCENES[number];
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
@@ -123,6 +124,31 @@ fn replace_number(text: &str, at: usize, by: &str) -> String {
     }
 }
 
+/// Whether a body is built in a moment.
+fn is_small(scene: &Scene, body: &BodyScene) -> bool {
+    let spacing = scene.fluid().map_or(1.0, |(_, fluid)| fluid.geometry.spacing());
+    match body {
+        BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
+        BodyScene::Solid(solid) => {
+            let block = &solid.geometry.block;
+            let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
+            block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
+        }
+        BodyScene::Fluid(fluid) => match &fluid.geometry {
+            FluidGeometry::Block(block) => {
+                block.lengths.iter().map(|length| length / spacing).product::<f64>() <= 500.0
+            }
+            _ => false,
+        },
+        BodyScene::Walls(walls) => match &walls.geometry {
+            WallGeometry::Basin(basin) => {
+                basin.min.iter().zip(&basin.max).all(|(min, max)| (max - min) / spacing <= 100.0)
+            }
+            _ => false,
+        },
+    }
+}
+
 proptest! {
     // The same scenes on every run.
     #![proptest_config(ProptestConfig {
@@ -133,19 +159,11 @@ proptest! {
     })]
 
     #[test]
-    fn damaged_scenes_never_panic(number in 0..SCENES.len() + 3, damages in prop::collection::vec(damage(), 1..4)) {
+    fn damaged_scenes_never_panic(number in 0..SCENES.len() + 6, damages in prop::collection::vec(damage(), 1..4)) {
         let text = damages.iter().fold(scene(number), |text, damage| apply(&text, damage));
         match Scene::parse(&text, "damaged.toml") {
             Ok(scene) => {
-                let small = match scene.body() {
-                    BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
-                    BodyScene::Solid(solid) => {
-                        let block = &solid.geometry.block;
-                        let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
-                        block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
-                    }
-                    BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
-                };
+                let small = scene.bodies.values().all(|body| is_small(&scene, body));
                 let built = if small { scene.build(1).map(|_| ()) } else { Ok(()) };
                 if let Err(error) = built {
                     prop_assert!(!drawn(&error).is_empty());

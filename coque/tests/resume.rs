@@ -2,11 +2,14 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use common::fluids::{DAM, GATE, SHELL_GATE};
 use coque::{
     CHECKPOINT, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, Origin, Outcome, Progress,
     ProgressReport, RunOptions, SCENE_COPY, Scene, Silent,
@@ -111,6 +114,15 @@ fn stopped_again_and_again(name: &str, text: &str, replaced: &[(&str, &str)], le
     }
     assert!(stops >= least_stops, "{name}: {stops} stops");
     same(&outcome, &whole);
+}
+
+/// Particles, densities, forces of the last evaluation, the clocks and what they booked: all of it is kept.
+#[test]
+fn a_fluid_and_what_is_in_it_go_on_to_the_same_bits() {
+    stopped_again_and_again("dam", DAM, &[], 6);
+    let replaced = [("analysis.explicit.transient.duration", "0.006")];
+    stopped_again_and_again("shell-gate", SHELL_GATE, &replaced, 4);
+    stopped_again_and_again("solid-gate", GATE, &replaced, 4);
 }
 
 #[test]

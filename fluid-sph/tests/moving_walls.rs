@@ -126,6 +126,7 @@ fn a_drum_carries_its_fluid_along() {
     let turn = Rotation {
         centre: Vec3::zeros(),
         axis: Vec3::z(),
+        by: 1.0,
         angle: Amplitude::Table(vec![[0.0, 0.0], [10.0, 5.0]]),
     };
     let motion = Some(Motion { translation: None, rotation: Some(turn) });

@@ -8,7 +8,7 @@ use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
-use super::fluid::figures::FluidFigures;
+use super::figures::FluidFigures;
 use super::shown::{Evaluated, Shown};
 use crate::Warning;
 use crate::scene::Measured;

@@ -14,6 +14,7 @@
 pub(crate) mod body;
 mod build;
 mod coupled;
+mod figures;
 mod fluid;
 mod made;
 mod memory;
@@ -29,7 +30,7 @@ pub use body::{
     Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape,
     StateArray, TangentCost,
 };
-pub use fluid::figures::FluidFigures;
+pub use figures::FluidFigures;
 use made::Made;
 pub use memory::Memory;
 pub(crate) use model::Identity;

@@ -1,11 +1,12 @@
 //! `coque plot`: the last frame of a run, or its curve, as a picture without a viewer.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{
-    Curve, Picture, ReadError, Sheet, listed, picture_svg, plot_svg, read_text, together, write_whole,
+    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip,
+    together, write_whole,
 };
 
 use super::say::{Refused, say};
@@ -24,6 +25,12 @@ pub struct Plot {
     /// Number of the frame, from 0 [default: the last].
     #[arg(long, value_name = "N")]
     frame: Option<usize>,
+    /// Draw so many frames side by side, from the first to the last, in the same colours.
+    #[arg(long, value_name = "N", conflicts_with = "frame", value_parser = clap::value_parser!(u8).range(1..=12))]
+    frames: Option<u8>,
+    /// Ends of the colours [default: the least and the greatest value].
+    #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, value_parser = range)]
+    range: Option<[f64; 2]>,
     /// Where the viewer stands: azimuth and height in degrees.
     #[arg(long, value_name = "AZIMUTH,HEIGHT", allow_hyphen_values = true, value_parser = view, default_value = "-60,30")]
     view: [f64; 2],
@@ -34,17 +41,25 @@ pub struct Plot {
     #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1")]
     scale: f64,
     /// Draw the curve instead: this column along, that one up.
-    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "view", "mirror", "scale"])]
+    #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "frames", "range", "view", "mirror", "scale"])]
     curve: Option<(String, String)>,
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-fn view(text: &str) -> Result<[f64; 2], String> {
+fn two(text: &str) -> Option<[f64; 2]> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let both = text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]));
-    both.ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+    text.split_once(',').and_then(|(a, b)| Some([number(a)?, number(b)?]))
+}
+
+fn view(text: &str) -> Result<[f64; 2], String> {
+    two(text).ok_or_else(|| "write two numbers in degrees, such as -60,30".into())
+}
+
+fn range(text: &str) -> Result<[f64; 2], String> {
+    let ends = two(text).filter(|[low, high]| low < high);
+    ends.ok_or_else(|| "write two numbers, the lower one first, such as 0,3000".into())
 }
 
 /// Numbers of axes, in their order.
@@ -93,35 +108,74 @@ fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
 }
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
-    let mut sheets = Vec::new();
-    let mut shown = (0, 0.0);
-    for list in lists(plot)? {
-        let frames = listed(&list).map_err(unread)?;
-        let number = plot.frame.unwrap_or(frames.len().saturating_sub(1));
+    let lists = lists(plot)?;
+    let mut series = Vec::new();
+    for list in &lists {
+        series.push(listed(list).map_err(unread)?);
+    }
+    let mut drawn = Vec::new();
+    for number in numbers(plot, &lists[0], series[0].len())? {
+        drawn.push(frame(&lists, &series, number)?);
+    }
+    let field = plot.field.as_deref();
+    let mut range = plot.range;
+    if range.is_none() && drawn.len() > 1 {
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        for (sheet, _, _) in &drawn {
+            let [low, high] = picture_range(sheet, field).map_err(|e| format!("{e}\n"))?;
+            ends = [ends[0].min(low), ends[1].max(high)];
+        }
+        range = Some(ends);
+    }
+    let mut pictures = Vec::new();
+    for (sheet, number, along) in &drawn {
+        let title = format!("{}, frame {number} at {along}", name(&plot.folder));
+        let (view, mirror, scale) = (plot.view, &plot.mirror.0[..], plot.scale);
+        let wanted = Picture { field, view, mirror, scale, range, title: &title };
+        pictures.push(picture_svg(sheet, &wanted).map_err(|e| format!("{e}\n"))?);
+    }
+    let svg = if let [one] = &pictures[..] { one.clone() } else { strip(&pictures) };
+    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
+    let written = write_whole(&out, |to| to.write_all(svg.as_bytes()));
+    written.map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
+    Ok(out)
+}
+
+/// Numbers of the frames that are drawn: one, or so many from the first to the last.
+fn numbers(plot: &Plot, list: &Path, count: usize) -> Result<Vec<usize>, String> {
+    let Some(wanted) = plot.frames else {
+        let number = plot.frame.unwrap_or(count.saturating_sub(1));
+        if number < count {
+            return Ok(vec![number]);
+        }
+        return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
+    };
+    let wanted = usize::from(wanted).min(count);
+    if wanted == 0 {
+        return Err(format!("{} lists no frame; run the scene again with [output.fields]\n", list.display()));
+    }
+    Ok((0..wanted).map(|i| i * (count - 1) / wanted.saturating_sub(1).max(1)).collect())
+}
+
+/// A frame of all bodies together, with its number and where it stands.
+fn frame(
+    lists: &[PathBuf],
+    series: &[Vec<(f64, PathBuf)>],
+    number: usize,
+) -> Result<(Sheet, usize, f64), String> {
+    let (mut sheets, mut at) = (Vec::new(), 0.0);
+    for (list, frames) in lists.iter().zip(series) {
         let Some((along, path)) = frames.get(number) else {
             let count = frames.len();
             return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
         };
         sheets.push(Sheet::read(path).map_err(unread)?);
-        shown = (number, *along);
+        at = *along;
     }
-    let (number, along) = shown;
     let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };
     // Six digits: what a sum of steps adds beyond them is rounding.
-    let along: f64 = format!("{along:.5e}").parse().unwrap_or(along);
-    let title = format!("{}, frame {number} at {along}", name(&plot.folder));
-    let wanted = Picture {
-        field: plot.field.as_deref(),
-        view: plot.view,
-        mirror: &plot.mirror.0,
-        scale: plot.scale,
-        title: &title,
-    };
-    let svg = picture_svg(&sheet, &wanted).map_err(|e| format!("{e}\n"))?;
-    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
-    let written = write_whole(&out, |to| to.write_all(svg.as_bytes()));
-    written.map_err(|e| format!("cannot write {}: {e}\n", out.display()))?;
-    Ok(out)
+    let at: f64 = format!("{at:.5e}").parse().unwrap_or(at);
+    Ok((sheet, number, at))
 }
 
 /// Lists of the frames that are drawn: of a lone body its own, of several those of all or of the one that is named.
@@ -149,6 +203,6 @@ fn unread(error: ReadError) -> String {
 }
 
 /// The last part of a folder's path.
-fn name(folder: &std::path::Path) -> String {
+fn name(folder: &Path) -> String {
     folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned()
 }

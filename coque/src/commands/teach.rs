@@ -49,12 +49,15 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 23] = [
+const TEMPLATES: [(&str, &str); 27] = [
+    ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
     ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
     ("crack-branching", include_str!("../../../scenes/crack-branching.toml")),
     ("cylinder-pressure", include_str!("../../../scenes/cylinder-pressure.toml")),
+    ("dam-break", include_str!("../../../scenes/dam-break.toml")),
+    ("gate", include_str!("../../../scenes/gate.toml")),
     ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
     ("kalthoff", include_str!("../../../scenes/kalthoff.toml")),
     ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
@@ -71,6 +74,7 @@ const TEMPLATES: [(&str, &str); 23] = [
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
+    ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
 ];

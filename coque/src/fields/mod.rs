@@ -22,6 +22,7 @@ use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 pub use files::FieldFiles;
 
 use crate::bodies::{Body, Evaluated, Part, Shown, State, Task};
+use crate::results::picture::together;
 use crate::scene::Analysis;
 use crate::scene::units::Units;
 
@@ -63,15 +64,24 @@ impl<'a> Frame<'a> {
         FrameFields { along: self.along, level: self.level, fields }
     }
 
-    /// The frame in memory: its surface, as [`FieldFiles`] writes it.
+    /// The frame in memory: its surface, as [`FieldFiles`] writes it, of several bodies all together.
     ///
     /// # Errors
     /// [`FieldError`] for a body that writes its fields out of their order; none is known.
     pub fn sheet(&self, stresses: bool) -> Result<Sheet, FieldError> {
-        let mut sheet = Sheet::default();
-        let written = self.evaluate(stresses).write(Part::Surface, &mut sheet);
-        written.map_err(|error| FieldError { path: "the frame".into(), reason: error.to_string() })?;
-        Ok(sheet)
+        let drawn = |fields: FrameFields<'_>| {
+            let mut sheet = Sheet::default();
+            let written = fields.write(Part::Surface, &mut sheet);
+            written.map_err(|error| FieldError { path: "the frame".into(), reason: error.to_string() })?;
+            Ok(sheet)
+        };
+        match self.body.bodies().len() {
+            0 => drawn(self.evaluate(stresses)),
+            bodies => {
+                let sheets = (0..bodies).map(|body| drawn(self.evaluate_one(body, stresses)));
+                sheets.collect::<Result<_, _>>().map(together)
+            }
+        }
     }
 }
 

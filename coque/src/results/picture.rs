@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub use field::FieldNotThere;
 use field::{Values, values};
 use mesh_io::Sheet;
-use paint::{Camera, Canvas, colour};
+use paint::{Camera, Canvas, HEIGHT, WIDTH, colour};
 pub use together::together;
 use together::{SIDE, side};
 
@@ -29,6 +29,8 @@ pub struct Picture<'a> {
     pub mirror: &'a [usize],
     /// Displacements are drawn this many times as large.
     pub scale: f64,
+    /// Ends of the colours; left out, the least and greatest value.
+    pub range: Option<[f64; 2]>,
     /// Words above the picture.
     pub title: &'a str,
 }
@@ -36,7 +38,7 @@ pub struct Picture<'a> {
 impl<'a> Picture<'a> {
     /// The part as it is, seen from above and aside.
     pub fn new(title: &'a str) -> Self {
-        Self { field: None, view: [-60.0, 30.0], mirror: &[], scale: 1.0, title }
+        Self { field: None, view: [-60.0, 30.0], mirror: &[], scale: 1.0, range: None, title }
     }
 }
 
@@ -55,8 +57,10 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     let start: Vec<[f64; 3]> = match sheet.point_data.get("displacement").filter(|u| u.width == 3) {
         None => sheet.points.clone(),
         Some(u) => {
+            // Beside bodies that move, walls have no displacement.
+            let way = |u: f64| if u.is_nan() { 0.0 } else { u };
             let moved = sheet.points.iter().zip(u.numbers.chunks_exact(3));
-            moved.map(|(x, u)| [x[0] - u[0], x[1] - u[1], x[2] - u[2]]).collect()
+            moved.map(|(x, u)| [x[0] - way(u[0]), x[1] - way(u[1]), x[2] - way(u[2])]).collect()
         }
     };
     let drawn = sheet.points.iter().zip(&start);
@@ -85,9 +89,7 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     };
     let edges = outline(&cells).into_iter().filter(|&(from, to)| !inner(from, to));
     canvas.dashed(edges.map(|(from, to)| [&before[from], &before[to]]));
-    let finite = || of_cells.iter().copied().filter(|value| value.is_finite());
-    let range =
-        told_apart([finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)]);
+    let range = told_apart(wanted.range.unwrap_or_else(|| ends(&of_cells)));
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -107,6 +109,33 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     canvas.axes(&camera);
     canvas.bar(&name, unit.as_deref(), range);
     Ok(canvas.end())
+}
+
+/// Least and greatest value of a field that a picture would show, for pictures with the same colours.
+///
+/// # Errors
+/// [`FieldNotThere`], with what there is.
+pub fn picture_range(sheet: &Sheet, field: Option<&str>) -> Result<[f64; 2], FieldNotThere> {
+    values(sheet, field).map(|values| ends(&values.of_cells))
+}
+
+fn ends(values: &[f64]) -> [f64; 2] {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Pictures side by side, two in a row.
+pub fn strip(pictures: &[String]) -> String {
+    let columns = pictures.len().clamp(1, 2);
+    let (wide, high) = (columns as f64 * WIDTH, pictures.len().div_ceil(columns) as f64 * HEIGHT);
+    let mut all = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {wide} {high}\">\n"
+    );
+    for (i, picture) in pictures.iter().enumerate() {
+        let (x, y) = ((i % columns) as f64 * WIDTH, (i / columns) as f64 * HEIGHT);
+        all += &picture.replacen("<svg ", &format!("<svg x=\"{x}\" y=\"{y}\" "), 1);
+    }
+    all + "</svg>\n"
 }
 
 /// The points, followed by their images in each plane and, in the next, the images of all these.

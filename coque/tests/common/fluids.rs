@@ -58,8 +58,8 @@ material.liquid = { density = 1000.0, sound_speed = 20.0 }
 [bodies.tank.walls]
 geometry.basin = { min = [0.0, 0.0], max = [0.4, 0.3], open = ["y1"] }
 [bodies.gate.shell]
-geometry.plate = { lengths = [0.2, 0.02], particles = [11, 2] }
-placed = { origin = [0.11, 0.0, -0.01], u = [0, 1, 0], v = [0, 0, 1] }
+geometry.plate = { lengths = [0.2, 0.08], particles = [11, 2] }
+placed = { origin = [0.11, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }
 material.elastic = { young = 1e6, poisson = 0.3, density = 1100.0 }
 section.homogeneous = { thickness = 0.02 }
 "#;

@@ -11,6 +11,7 @@ use sph_core::{Cell, Vec3};
 use super::layout::{Gauge, Layout, Place};
 use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::fluid::figures::Speeds;
+use crate::bodies::fluid::lost::{Sides, lost};
 use crate::bodies::fluid::{fields, figures};
 use crate::bodies::{Evaluated, Shown};
 use crate::scene::Measured;
@@ -33,6 +34,8 @@ pub(super) struct Coupled {
     pub cells: Vec<Cell>,
     /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start \[–\].
     pub added_mass: Vec<f64>,
+    /// Basins that the fluid may leave.
+    pub basins: Vec<Sides>,
     /// Speeds of the fluid so far.
     pub speeds: Speeds,
 }
@@ -124,7 +127,8 @@ impl Body for Coupled {
     }
 
     fn found(&self) -> Found {
-        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds)
+        let lost = lost(self.clocks.fluid(), &self.basins);
+        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds, lost)
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

@@ -11,19 +11,13 @@ use super::layout::Layout;
 use super::probes::{Measuring, probes};
 use super::structures::{Wet, wet};
 use crate::bodies::fluid::figures::Speeds;
-use crate::bodies::fluid::walls::{Rows, rows};
+use crate::bodies::fluid::lost::basins;
+use crate::bodies::fluid::walls::{BuiltWalls, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene, WallsScene};
+use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene};
 use crate::warning::{Doubt, Warning};
-
-/// Walls of one body.
-pub(super) struct BuiltWalls<'a> {
-    pub name: &'a str,
-    pub scene: &'a WallsScene,
-    pub rows: Rows,
-}
 
 impl Scene {
     /// Builds a fluid with its walls and the structures in it.
@@ -57,7 +51,7 @@ impl Scene {
             warnings.extend(own.map(|own| Warning::new(own.doubt, format!("{name}: {}", own.message))));
             made.push((name, wet.made));
         }
-        let (bodies, total) = described(name, &description, &walls, &made);
+        let (bodies, total) = described(name, &description, &walls, &made, wanted.dimensions() == 2);
         if !made.is_empty() {
             description = total;
         }
@@ -91,7 +85,8 @@ impl Scene {
         };
         clocks.impedance = coupling.impedance;
         let Together { layout, rest, cells } = built;
-        let body = Coupled { clocks, layout, rest, cells, added_mass, speeds: Speeds::default() };
+        let basins = basins(self, wanted.geometry.spacing());
+        let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default() };
         let made = Made {
             body: Ready::Dynamic(Box::new(body)),
             description,
@@ -229,6 +224,7 @@ fn described(
     fluid: &Description,
     walls: &[BuiltWalls<'_>],
     made: &[(&str, Made<Box<dyn Structure>>)],
+    plane: bool,
 ) -> (BTreeMap<String, Description>, Description) {
     let mut bodies = BTreeMap::from([(name.to_string(), fluid.clone())]);
     for body in walls {
@@ -244,6 +240,10 @@ fn described(
             .flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}")))
             .collect()
     };
+    let mut modelled = lines(|body| &body.modelled);
+    if plane {
+        modelled.push("energies: those of a plane fluid by depth, of structures by their own width".into());
+    }
     let total = Description {
         kind: "coupled",
         method: "two clocks".into(),
@@ -252,7 +252,7 @@ fn described(
         dof: moving().map(|body| body.dof).sum(),
         spacing: fluid.spacing,
         bytes_per_particle: bytes / particles as f64,
-        modelled: lines(|body| &body.modelled),
+        modelled,
         left_out: lines(|body| &body.left_out),
         ..Description::default()
     };

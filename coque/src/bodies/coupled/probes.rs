@@ -3,10 +3,10 @@
 use fluid_sph::Fluid;
 use sph_core::Vec3;
 
-use super::build::BuiltWalls;
 use super::layout::{Gauge, Layout};
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
+use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::alone::Owner;
 use crate::scene::error::SceneError;
 use crate::scene::units::Quantity;

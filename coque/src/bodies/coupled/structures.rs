@@ -6,7 +6,7 @@ use super::body::Structure;
 use crate::bodies::Made;
 use crate::bodies::fluid::parts::rows_deep;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, FluidScene, Scene, WetFaces};
+use crate::scene::{BodyScene, FluidScene, Scene, SolidScene, WetFaces};
 
 /// A structure with what the fluid asks of it.
 pub(super) struct Wet {
@@ -41,11 +41,16 @@ pub(super) fn wet(
             let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
             Ok(Some(Wet { made, area_density }))
         }
-        BodyScene::Solid(_) => {
-            let (bound, repair) = ("a shell", "use a shell in its place");
-            let fault = scene.source.fault(&format!("bodies.{name}"), "a solid", bound, repair);
-            Err(SceneError::Choice(fault))
+        BodyScene::Solid(solid) => {
+            let area_density = thickness(solid) * solid.material.elastic().density;
+            let made = alone.solid_made(solid, threads, true)?.map(|solid| Box::new(solid) as _);
+            Ok(Some(Wet { made, area_density }))
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
     }
+}
+
+/// The least length of a solid in the directions that the fluid has \[L\].
+fn thickness(solid: &SolidScene) -> f64 {
+    solid.geometry.block.lengths.iter().copied().fold(f64::INFINITY, f64::min)
 }

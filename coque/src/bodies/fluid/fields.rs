@@ -61,7 +61,7 @@ fn write_walls(
         pressures.extend_from_slice(&fluid.wall_pressures(wall));
     }
     particles(&positions, to)?;
-    numbers(to, "pressure", &units.symbol(Quantity::Stress), &pressures)?;
+    numbers(to, "wall_pressure", &units.symbol(Quantity::Stress), &pressures)?;
     sizes(fluid, positions.len(), units, to)
 }
 

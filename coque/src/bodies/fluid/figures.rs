@@ -2,10 +2,9 @@
 
 use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
-use serde::{Deserialize, Serialize};
 use sph_core::Vec3;
 
-use crate::bodies::Found;
+use crate::bodies::{FluidFigures, Found};
 use crate::warning::{Doubt, Warning};
 
 /// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
@@ -40,41 +39,19 @@ impl Speeds {
     }
 }
 
-/// Figures of a fluid and of its coupling.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FluidFigures {
-    /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made.
-    pub mass: f64,
-    /// Greatest speed that a particle has had \[L/T\].
-    pub greatest_speed: f64,
-    /// Greatest change of density so far over the density at rest \[–\].
-    pub greatest_density_error: f64,
-    /// Kinetic energy \[F L; by depth in a plane F, as those below\].
-    pub kinetic: f64,
-    /// Energy of compression.
-    pub compression: f64,
-    /// Potential energy under gravity.
-    pub potential: f64,
-    /// What viscosities took.
-    pub viscous: f64,
-    /// What the diffusion of density took.
-    pub diffusion: f64,
-    /// Steps of all structures.
-    pub substeps: u64,
-    /// Most steps of a structure within one of the fluid.
-    pub most_substeps: u64,
-    /// Steps of the fluid that were shortened because a boundary moved fast.
-    pub shortened: u64,
-    /// `ρ₀c₀Δt/(ρ_s t)` of each structure at the start, ρ_s t its mass by wet area \[–\].
-    pub added_mass: Vec<f64>,
-}
-
 /// The figures at present, and their doubts.
-pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64], speeds: Speeds) -> Found {
+pub(in crate::bodies) fn found(
+    fluid: &Fluid,
+    counts: &Counts,
+    added_mass: &[f64],
+    speeds: Speeds,
+    lost: usize,
+) -> Found {
     let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
     let Counts { substeps, most, shortened } = *counts;
     let figures = FluidFigures {
         mass: fluid.mass() * fluid.len() as f64,
+        lost,
         greatest_speed: speeds.greatest,
         greatest_density_error: fluid.greatest_density_error(),
         kinetic,
@@ -87,8 +64,18 @@ pub(in crate::bodies) fn found(fluid: &Fluid, counts: &Counts, added_mass: &[f64
         shortened,
         added_mass: added_mass.to_vec(),
     };
-    let warnings = [dense(&figures), slow(fluid, speeds)].into_iter().flatten().collect();
+    let warnings = [dense(&figures), slow(fluid, speeds), gone(lost)].into_iter().flatten().collect();
     Found { fluid: Some(figures), warnings }
+}
+
+fn gone(lost: usize) -> Option<Warning> {
+    let message = || {
+        format!(
+            "{lost} particles of the fluid are beyond closed sides of basins: they splashed over an open side, or leaked; make \
+             the sides higher, or use a narrower spacing"
+        )
+    };
+    (lost > 0).then(|| Warning::new(Doubt::LostFluid, message()))
 }
 
 fn dense(figures: &FluidFigures) -> Option<Warning> {

@@ -35,6 +35,16 @@ pub(in crate::bodies) struct Rows {
     pub leaks: usize,
 }
 
+/// Walls of one body with their rows.
+pub(in crate::bodies) struct BuiltWalls<'a> {
+    /// Name of the body.
+    pub name: &'a str,
+    /// What its scene says.
+    pub scene: &'a WallsScene,
+    /// Its rows.
+    pub rows: Rows,
+}
+
 /// Rows of wall particles, `rows` deep; `scene` is that of the walls alone.
 pub(in crate::bodies) fn rows(
     scene: &Scene,

@@ -34,16 +34,20 @@ impl Scene {
             Analysis::Explicit(_) => Ready::Dynamic(Box::new(solid)),
             _ => Ready::Static(Box::new(StaticSolid::new(solid))),
         };
-        Ok(self.solid_made(scene, threads)?.map(ready).model(self, threads))
+        Ok(self.solid_made(scene, threads, false)?.map(ready).model(self, threads))
     }
 
-    /// Builds a solid, and looks at it.
+    /// Builds a solid, in a fluid if it is `wet`, and looks at it.
     pub(in crate::bodies) fn solid_made(
         &self,
         scene: &SolidScene,
         threads: usize,
+        wet: bool,
     ) -> Result<Made<Solid>, SceneError> {
-        let Built { solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
+        let Built { mut solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
+        if wet {
+            solid.wet().map_err(|error| self.solid_refusal(scene, &error))?;
+        }
         let description = describe(self, scene, &solid);
         let warnings = doubts_of(self, scene, &solid);
         let identity = Identity::default();
@@ -148,7 +152,7 @@ impl Scene {
             SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
-            SolidError::NotThin => of_body(&formulation),
+            SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),
             SolidError::SheetContact => of_body("contact"),
         };
         self.model_error(&path, &error.to_string())

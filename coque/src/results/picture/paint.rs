@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 /// Size of the picture in pixels; the colour bar takes the right side.
-const WIDTH: f64 = 860.0;
-const HEIGHT: f64 = 620.0;
+pub(super) const WIDTH: f64 = 860.0;
+pub(super) const HEIGHT: f64 = 620.0;
 const LEFT: f64 = 30.0;
 const RIGHT: f64 = 150.0;
 const TOP: f64 = 50.0;

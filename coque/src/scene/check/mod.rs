@@ -22,6 +22,7 @@ impl Scene {
     pub(crate) fn check(&self) -> Checked {
         self.check_units()?;
         self.check_bodies()?;
+        self.check_coupling()?;
         match self.is_together() {
             true => self.check_together(),
             false => self.check_alone(),

@@ -11,6 +11,11 @@ use sph_core::Vec3;
 
 type Checked = Result<(), SceneError>;
 
+/// Part of its own by which the spacing of a solid may differ from that of a fluid: pressures differ by the same part.
+const ALIKE: f64 = 0.05;
+/// Bounds what walls may allocate.
+const MOST_PARTICLES: f64 = 1e7;
+
 impl Scene {
     /// Refuses numbers and kinds of bodies that nothing builds together.
     pub(super) fn check_kinds(&self) -> Checked {
@@ -42,11 +47,12 @@ impl Scene {
     pub(super) fn check_together(&self) -> Checked {
         self.check_transient()?;
         self.check_owners()?;
-        self.check_coupling()?;
         self.check_dimensions()?;
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
         }
+        self.check_sizes()?;
+        self.check_spacings()?;
         self.check_sound_speed()?;
         self.check_contact_columns()?;
         self.check_columns_together()
@@ -111,12 +117,13 @@ impl Scene {
         self.bodies.iter().filter(|(_, body)| matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_)))
     }
 
-    fn check_coupling(&self) -> Checked {
+    /// A coupling is that of a fluid with structures in it.
+    pub(super) fn check_coupling(&self) -> Checked {
         let Some(Coupling { .. }) = self.coupling else { return Ok(()) };
-        if self.structures().next().is_some() {
+        if self.fluid().is_some() && self.structures().next().is_some() {
             return Ok(());
         }
-        let (bound, repair) = ("none without a structure in the fluid", "remove it");
+        let (bound, repair) = ("none but of a fluid and structures in it", "remove it");
         Err(SceneError::Choice(self.scope().fault("coupling", "a coupling", bound, repair)))
     }
 
@@ -138,6 +145,50 @@ impl Scene {
                 let value = format!("a body of {own} dimensions");
                 let repair = "give all bodies two lengths, for a plane problem, or all three";
                 return Err(self.source.body(name, body.word()).value(&path, value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    /// Walls of a size that their rows of particles can fill.
+    fn check_sizes(&self) -> Checked {
+        let Some((name, fluid)) = self.fluid() else { return Ok(()) };
+        let spacing = fluid.geometry.spacing();
+        let rows = 2.0 * fluid.formulation.options().smoothing.unwrap_or(1.3);
+        for (body, scene) in &self.bodies {
+            let BodyScene::Walls(walls) = scene else { continue };
+            let particles = walls.particles_asked(spacing, libm::ceil(rows));
+            // Beyond the numbers that arithmetic holds there is no order.
+            if particles.is_nan() || particles > MOST_PARTICLES {
+                let value =
+                    format!("walls of {particles:.3e} particles, {spacing} apart as those of `{name}`");
+                let bound = format!("so small that {MOST_PARTICLES:e} fill them");
+                let path = format!("geometry.{}", walls.geometry.word());
+                let repair = "make the walls smaller, or use a wider spacing";
+                return Err(self.source.body(body, "walls").value(&path, value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+
+    /// Nodes of a solid are the points that a fluid feels: as far apart as its own particles.
+    fn check_spacings(&self) -> Checked {
+        let Some((name, fluid)) = self.fluid() else { return Ok(()) };
+        let spacing = fluid.geometry.spacing();
+        for (body, scene) in &self.bodies {
+            let BodyScene::Solid(solid) = scene else { continue };
+            let lattice = solid.lattice();
+            // Lengths and spacings were checked before.
+            let Ok(cells) = lattice.cells() else { continue };
+            for axis in 0..solid.dimensions() {
+                let own = lattice.lengths[axis] / cells[axis] as f64;
+                if (own / spacing - 1.0).abs() > ALIKE {
+                    let bound = format!("within {} % of {spacing}, that of `{name}`", 100.0 * ALIKE);
+                    let repair = "give both the same: nodes stand for the wall that the fluid feels";
+                    let value = format!("{own:.6} along {}", ["x", "y", "z"][axis]);
+                    let path = "geometry.block.spacing";
+                    return Err(self.source.body(body, "solid").value(path, value, &bound, repair));
+                }
             }
         }
         Ok(())

@@ -38,6 +38,28 @@ impl WallsScene {
         self.check_motion(scene, s)
     }
 
+    /// Particles that rows of so many take, a spacing apart; none of a surface before its file is read.
+    pub(in crate::scene::check) fn particles_asked(&self, spacing: f64, rows: f64) -> f64 {
+        let faces = |lengths: Vec<f64>| -> f64 {
+            let counts: Vec<f64> = lengths.iter().map(|length| length / spacing + 2.0 * rows).collect();
+            let volume: f64 = counts.iter().product();
+            counts.iter().map(|count| 2.0 * rows * volume / count).sum()
+        };
+        match &self.geometry {
+            WallGeometry::Basin(basin) => {
+                faces(basin.min.iter().zip(&basin.max).map(|(a, b)| b - a).collect())
+            }
+            WallGeometry::Block(block) => faces(block.lengths.clone()),
+            WallGeometry::Polyline(line) => {
+                let length = |pair: &[[f64; 2]]| {
+                    ((pair[1][0] - pair[0][0]).powi(2) + (pair[1][1] - pair[0][1]).powi(2)).sqrt()
+                };
+                rows * (line.points.windows(2).map(length).sum::<f64>() / spacing)
+            }
+            WallGeometry::Surface(_) => 0.0,
+        }
+    }
+
     fn check_motion(&self, scene: &Scene, s: &Scope<'_>) -> Checked {
         let Some(motion) = &self.motion else { return Ok(()) };
         let plane = self.geometry.dimensions() == 2;
