@@ -3,6 +3,7 @@
 pub mod option_cost;
 
 mod coupled;
+mod fluid;
 mod hard;
 mod shell;
 mod solid;
@@ -13,6 +14,7 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
+    cases.extend(fluid::all());
     cases.extend(coupled::all());
     cases.push(option_cost::case());
     cases

@@ -7,6 +7,7 @@ mod causes;
 mod crease;
 mod disorder;
 mod energy_drift;
+mod fluids;
 mod frames;
 mod hemisphere_in_time;
 mod large;
@@ -54,5 +55,11 @@ pub fn all() -> Vec<Case> {
         solids::tension::case(),
         solids::same_damage::case(),
         solids::pieces::case(),
+        fluids::sloshing::case(),
+        fluids::corner::case(),
+        fluids::one_particle::case(),
+        fluids::jet::case(),
+        fluids::kernel_width::case(),
+        fluids::refused::case(),
     ]
 }

@@ -1,0 +1,24 @@
+//! Fluids by themselves; a new case is a file, a line here, and one in the list.
+
+mod couette;
+mod dam_break;
+mod drop;
+mod obstacle;
+mod speed;
+mod still_water;
+mod wall_impact;
+
+use crate::Case;
+
+/// Every case, in the order of table and report.
+pub fn all() -> Vec<Case> {
+    vec![
+        still_water::case(),
+        drop::case(),
+        couette::case(),
+        dam_break::case(),
+        wall_impact::case(),
+        obstacle::case(),
+        speed::case(),
+    ]
+}
