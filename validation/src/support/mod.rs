@@ -1,6 +1,7 @@
 //! What cases share: scenes, clouds, meshes, bare shells, and comparisons with tables and closed forms.
 
 pub mod clouds;
+pub mod coupled;
 pub mod fluids;
 pub mod linear;
 pub mod marched;

@@ -1,12 +1,32 @@
-//! Structures that stand in fluids: first alone, then in the fluid; a new case is a file, a line here, and one in the list.
+//! Structures that stand in fluids: first alone, then in the fluid; a new case is a file or folder, a line here, and one in
+//! the list.
 
+mod baffle;
 mod clamped_strip;
+pub mod column;
+mod gate;
 mod gate_alone;
+pub mod measure;
+mod plate;
+mod ring;
+mod square;
 mod turek_hron;
+mod wedge;
 
 use crate::Case;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![clamped_strip::case(), turek_hron::case(), gate_alone::case()]
+    vec![
+        clamped_strip::case(),
+        turek_hron::case(),
+        gate_alone::case(),
+        column::case(),
+        ring::case(),
+        square::case(),
+        gate::case(),
+        plate::case(),
+        wedge::case(),
+        baffle::case(),
+    ]
 }

@@ -4,6 +4,7 @@
 
 mod bodies;
 mod causes;
+mod coupled;
 mod crease;
 mod disorder;
 mod energy_drift;
@@ -61,5 +62,10 @@ pub fn all() -> Vec<Case> {
         fluids::jet::case(),
         fluids::kernel_width::case(),
         fluids::refused::case(),
+        coupled::fluid_first::case(),
+        coupled::light::case(),
+        coupled::thin::case(),
+        coupled::jet::case(),
+        coupled::drop::case(),
     ]
 }

@@ -1,0 +1,115 @@
+//! elastic-wedge: two aluminium plates, joined at 10°, go into water at 30 m/s.
+
+mod run;
+
+use benchmarks_ref::fluid_structure::{WedgeQuantity, wedge};
+
+use super::measure::{SHELL, Size, mean_and_deviation, outcome, peak, value_at};
+use crate::figures::{Axis, BLUE, Chart, Colour, Figure, GREEN, Line, ORANGE, SKY, Series};
+use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::support::studies::{SHOWN, figure};
+use crate::{JudgeError, Metric};
+use run::entry;
+
+const BENT: &str = "deflection at B";
+const APEX: &str = "pressure at the apex";
+const OUTSIDE: &str = "pressure at C";
+const BALANCE: &str = "missing energy";
+/// End \[s\].
+const END: f64 = 2.2e-3;
+
+/// The wedge, the published answers, and how far it may be from them.
+pub fn case() -> Case {
+    Case {
+        name: "elastic-wedge",
+        title: "An elastic wedge goes into water at 30 m/s",
+        about: "Ends and apex of the plates go down at constant speed. Published answers do not agree on \
+                how the plates are held: here they are joined at the apex, which symmetry then keeps \
+                from turning, and hinged at their outer ends; hinges at the apex too are shown.",
+        citation: "Scolan 2004 (semi-analytical); Oger 2010, Fourey 2010, Li 2015, Khayyer 2018 (particles)",
+        variants: variants(),
+        headline: Some(Headline::new("deflection at 2 ms", 2.0)),
+        figures,
+        ..Case::default()
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    [(4, true), (4, false), (8, true)]
+        .into_iter()
+        .map(|(layers, joined)| {
+            let held = if joined { "joined" } else { "hinged" };
+            let variant =
+                Variant::study(SHELL, &format!("{layers} across, {held}"), move || study(layers, joined));
+            variant.judged(move |run, _| judged(joined, run))
+        })
+        .collect()
+}
+
+fn study(layers: usize, joined: bool) -> Result<Outcome, String> {
+    let found = entry(layers, joined, END).map_err(|error| error.to_string())?;
+    let size = Size {
+        particles: found.particles,
+        spacing: run::THICKNESS / layers as f64,
+        steps: found.steps,
+        seconds: found.seconds,
+    };
+    let columns = [("time", "ms"), (BENT, "mm"), (APEX, "MPa"), (OUTSIDE, "MPa"), (BALANCE, "J/m")];
+    Ok(outcome(size, columns, &found.rows))
+}
+
+fn judged(joined: bool, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let times = run.column("time")?;
+    let (bent, apex, outside) = (run.column(BENT)?, run.column(APEX)?, run.column(OUTSIDE)?);
+    let arrival = times.iter().zip(&outside).find(|(_, p)| **p > 1.0).map(|(t, _)| *t);
+    let deflection = Metric::compared("deflection at 2 ms", value_at(&times, &bent, 2.0), "mm", 10.2);
+    let mean = mean_and_deviation(&times, &apex, [0.4, 1.6]).map(|found| found.0);
+    let mean = Metric::compared("mean pressure at the apex, .4 to 1.6 ms", mean, "MPa", 5.25);
+    let top = peak(&times, &outside, 2.2).map(|top| top.1);
+    let top = Metric::compared("greatest pressure at C", top, "MPa", 24.0);
+    let arrival = Metric::compared("arrival at C", arrival, "ms", 1.90);
+    if !joined {
+        let reason = "how the plates are held at the apex: shown beside those that are joined";
+        return Ok(vec![
+            deflection.shown(reason),
+            mean.shown(reason),
+            top.shown(reason),
+            arrival.shown(reason),
+        ]);
+    }
+    Ok(vec![
+        deflection.within(0.15 * 10.2, "published: 8.7 to 10.2 mm"),
+        mean.within(1.25, "published: 4.3 to 6.2 MPa"),
+        top.within(6.0, "published: 18 to 30 MPa; a peak that passes in a few steps"),
+        arrival.within(0.05 * 1.90, "asked: 5 %"),
+        figure(run, BALANCE, "J/m")?.shown(SHOWN),
+    ])
+}
+
+fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
+    let colours: [Colour; 3] = [GREEN, ORANGE, SKY];
+    let mut charts = Vec::new();
+    for (title, name, quantity, scale) in [
+        ("Deflection in the middle of a plate [mm]", BENT, WedgeQuantity::Deflection, 1e3),
+        ("Pressure three quarters out [MPa]", OUTSIDE, WedgeQuantity::PressureOutside, 1e-6),
+    ] {
+        let mut series = Vec::new();
+        for ((who, points), colour) in wedge(quantity)?.iter().zip(colours) {
+            let points = points.iter().map(|[t, value]| (1e3 * t, scale * value)).collect();
+            series.push(Series::line(who, points, colour, Line::Dashed));
+        }
+        for run in runs.iter() {
+            let points = run.column("time")?.into_iter().zip(run.column(name)?).collect();
+            let line = if run.variant.grid.contains("hinged") { Line::Dashed } else { Line::Solid };
+            series.push(Series::line(&run.variant.grid, points, BLUE, line));
+        }
+        charts.push(Figure::Chart(Chart {
+            title: title.into(),
+            caption: "Published answers dashed.".into(),
+            x: Axis::linear("time from contact [ms]"),
+            y: Axis::linear(title),
+            series,
+        }));
+    }
+    Ok(charts)
+}

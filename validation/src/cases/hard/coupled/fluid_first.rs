@@ -1,0 +1,61 @@
+//! fluid-first: the published order, in which the fluid moves before the structure, feeds the structure
+//! with energy.
+
+use crate::cases::coupled::column::{Body, Column, KINETIC};
+use crate::judge::measure::largest;
+use crate::judge::{Case, Headline, Run, Runs, Variant};
+use crate::support::studies::figure;
+use crate::{JudgeError, Metric};
+use explicit_dynamics::Order;
+
+const LATE: &str = "kinetic energy of the plate, late over early";
+const BALANCE: &str = "missing energy";
+const METHOD: &str = "shell";
+/// End \[s\], and the windows in which energies are compared.
+const END: f64 = 0.16;
+const EARLY: [f64; 2] = [0.02, 0.06];
+const LATE_SPAN: [f64; 2] = [0.12, 0.16];
+
+/// The column on its plate with four ways to exchange loads and velocities.
+pub fn case() -> Case {
+    Case {
+        name: "fluid-first",
+        title: "The order of fluid and structure, and what the plate gains by it",
+        about: "The column of hydrostatic-column. Where the fluid moves first, its pressure answers a \
+                motion of the plate one step too late, which feeds all modes whose period is a few steps \
+                of the fluid; where the structure moves first it does not. Asserted is the energy of the \
+                plate: a mean of the deflection says nothing.",
+        citation: "the order of published couplings of particles",
+        variants: [
+            ("structure first", Order::StructureFirst, true, true),
+            ("structure first, bare", Order::StructureFirst, false, false),
+            ("fluid first", Order::FluidFirst, true, true),
+            ("fluid first, bare", Order::FluidFirst, false, false),
+        ]
+        .into_iter()
+        .map(|(grid, order, impedance, centred)| {
+            let column =
+                Column { order, impedance, centred, duration: END, ..Column::published(Body::Shell, 1) };
+            Variant::study(METHOD, grid, move || column.study()).judged(move |run, _| judged(grid, run))
+        })
+        .collect(),
+        headline: Some(Headline::new(LATE, 0.1)),
+        together: |_: &Runs| Ok(Vec::new()),
+        ..Case::default()
+    }
+}
+
+fn judged(grid: &str, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+    let (times, energies) = (run.column("time")?, run.column(KINETIC)?);
+    let most = |[from, to]: [f64; 2]| {
+        largest(times.iter().zip(&energies).filter(|(t, _)| **t >= from && **t <= to).map(|(_, e)| Some(*e)))
+    };
+    let growth = most(LATE_SPAN).zip(most(EARLY)).map(|(late, early)| late / early);
+    let found = match grid {
+        "structure first" => Metric::error(LATE, growth, "-").within(1.0, "nothing feeds the plate"),
+        "fluid first, bare" => Metric::at_least(LATE, growth, "-", 10.0)
+            .within(0.0, "the published order feeds the plate: an energy that grows without bound"),
+        _ => Metric::error(LATE, growth, "-").shown("one remedy of several, beside none and all"),
+    };
+    Ok(vec![found, figure(run, BALANCE, "J/m")?.shown("what is fed in is missing in the balance")])
+}

@@ -1,0 +1,7 @@
+//! Ways to break a fluid with structures in it.
+
+pub mod drop;
+pub mod fluid_first;
+pub mod jet;
+pub mod light;
+pub mod thin;
