@@ -62,6 +62,8 @@ pub enum Doubt {
     LeakyWall,
     /// Fluid beyond the closed sides of a basin.
     LostFluid,
+    /// Bonds beyond their limit in a state of balance, which is none without them.
+    BrokenAtRest,
 }
 
 impl Doubt {
@@ -96,6 +98,7 @@ impl Doubt {
             Self::SlowSound => "slow-sound",
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
+            Self::BrokenAtRest => "broken-at-rest",
         }
     }
 }
@@ -151,6 +154,7 @@ mod tests {
             Doubt::SlowSound,
             Doubt::LeakyWall,
             Doubt::LostFluid,
+            Doubt::BrokenAtRest,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }

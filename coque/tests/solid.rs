@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, last, overridden, ran};
-use coque::{Outcome, Scene, Silent};
+use coque::{Doubt, Outcome, Scene, Silent};
 
 /// A bar between mirror planes, pulled at its end: uniform tension.
 const BAR: &str = r#"title = "Bar"
@@ -99,4 +99,63 @@ fn a_plate_breaks_and_threads_change_no_bit() {
     assert_eq!(energy[0], 0.0);
     assert!(*energy.last().unwrap() > 0.03 * 135.0, "{energy:?}");
     assert!(last(&one, "v") > 0.0);
+}
+
+/// A plate held at one end; its upper right corner is one node.
+const CORNER: &str = r#"title = "Corner"
+units = { length = "m", force = "N", time = "s" }
+analysis.static = { levels = 1 }
+supports = [{ on = "x0", clamped = {} }]
+loads = []
+sets.corner = { nearest = [1.0, 0.5, 0.0] }
+curve = [{ name = "v", of = "displacement", on = "corner", direction = [0.0, 1.0, 0.0] },
+         { name = "P", of = "reaction", on = "corner", direction = [0.0, 1.0, 0.0] }]
+[bodies.plate.solid]
+geometry.block = { lengths = [1.0, 0.5], spacing = 0.0625, nodes = "edges" }
+material.elastic = { young = 1.0, poisson = 0.3333333333333333, density = 1.0 }
+formulation.bond-based = { plane = "stress", horizon = 1.5 }
+"#;
+
+/// The force along the motion of one node is sought: it is the level of a path by arc length, and brings about what it does as
+/// a load.
+#[test]
+fn the_motion_of_one_node_seeks_its_force() {
+    let moved =
+        "[{ on = \"x0\", clamped = {} }, { on = \"corner\", moved = { direction = [0, -1, 0], by = 0.02 } }]";
+    let by_motion = run(CORNER, &[("supports", moved)]);
+    let (v, force) = (last(&by_motion, "v"), last(&by_motion, "P"));
+    assert!((v + 0.02).abs() < 1e-12 && force < 0.0, "{v} {force}");
+    let load = format!("[{{ on = \"corner\", force = {{ total = [0.0, {force:e}, 0.0] }} }}]");
+    // Newton's method ends at 1e-9 of the load.
+    let by_force = last(&run(CORNER, &[("loads", &load)]), "v");
+    assert!((by_force / v - 1.0).abs() < 1e-8, "{by_force} {v}");
+    let path = run(
+        CORNER,
+        &[("supports", moved), ("analysis", &format!("{{ arc-length = {{ until = {:e} }} }}", -force))],
+    );
+    let (level, end) = (last(&path, "level"), last(&path, "v"));
+    assert!((level / -force - 1.0).abs() < 1e-8 && (end / v - 1.0).abs() < 1e-7, "{level} {end}");
+    let held = moved.replace("}, {", "}, { on = \"corner\", held = { displacement = [[0, 1, 0]] } }, {");
+    let refused = overridden(CORNER, "scene.toml", &[("supports", &held)]).unwrap().build(1).err().unwrap();
+    assert!(refused.to_string().contains("other supports hold"), "{refused}");
+}
+
+/// Bonds that break in a state of balance are told of, with their share; a state within the limits is not.
+#[test]
+fn bonds_that_break_at_rest_raise_a_doubt() {
+    let moved = |by: f64| {
+        format!(
+            "[{{ on = \"x0\", clamped = {{}} }}, {{ on = \"x1\", moved = {{ direction = [1, 0, 0], by = {by} }} }}]"
+        )
+    };
+    let limit = ("bodies.plate.solid.fracture", "{ stretch = { tension = 0.01 } }");
+    let doubts = |by: f64| {
+        let outcome = run(CORNER, &[("supports", &moved(by)), limit]);
+        let found: Vec<_> = outcome.summary.record.warnings.into_iter().collect();
+        found.into_iter().filter(|warning| warning.doubt == Doubt::BrokenAtRest).collect::<Vec<_>>()
+    };
+    // Corners of the clamp are stretched twice as far as the rest.
+    assert!(doubts(0.003).is_empty());
+    let told = doubts(0.015);
+    assert!(told.len() == 1 && told[0].message.contains("% of the bonds"), "{told:?}");
 }

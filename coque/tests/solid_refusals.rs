@@ -178,3 +178,28 @@ fn broken_sheets() {
         ],
     ));
 }
+
+/// Contact is not in the tangent, nor in the masses of a relaxation.
+#[test]
+fn contact_needs_time() {
+    let text = BAR.replacen("material", "contact = { distance = 0.9 }\nmaterial", 1);
+    for (analysis, refuses) in [
+        ("static = { levels = 1 }", true),
+        ("linear = {}", true),
+        ("arc-length = { until = 1 }", true),
+        ("relaxation = { levels = 1 }", true),
+        ("modal = { modes = 1 }", true),
+        ("buckling = { modes = 1 }", true),
+        ("explicit.quasi-static = { levels = 1, period = 1.0 }", false),
+    ] {
+        let text = text.replacen("static = { levels = 1 }", analysis, 1);
+        let built = Scene::parse(&text, "scene.toml").and_then(|scene| scene.build(1));
+        let said = built.err().map(|error| render(&error, Rendering { width: 100, colour: false }));
+        let Some(said) = said else {
+            assert!(!refuses, "{analysis} is not refused");
+            continue;
+        };
+        let told = ["`bodies.bar.solid.contact`", "it is not in the tangent", "[analysis.explicit]", "───"];
+        assert!(refuses && told.iter().all(|words| said.contains(words)), "{analysis}: {said}");
+    }
+}

@@ -37,30 +37,30 @@ impl Ranges {
 impl Grid {
     /// The box around particles and one cell more on every side, of cells so wide \[L\].
     ///
-    /// A few particles far away, or at no place at all, must not make it huge: beyond a number of cells it is cut off about its middle. To count
+    /// A few particles far away must not make it huge: beyond a number of cells it is cut off about its middle. To count
     /// for the outermost cells keeps neighbours in cells beside each other.
     pub fn around(dimensions: usize, positions: impl ExactSizeIterator<Item = Vec3>, width: f64) -> Self {
         let count = positions.len();
         let inverse = 1.0 / width;
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        let mut cut_off = false;
         for position in positions {
-            if !position.iter().all(|x| x.is_finite()) {
-                cut_off = true;
-                continue;
-            }
-            for k in 0..3 {
-                low[k] = low[k].min(position[k]);
-                high[k] = high[k].max(position[k]);
+            let at: [f64; 3] = position.into();
+            for k in 0..dimensions {
+                // What is no number is above nothing and below nothing.
+                low[k] = if at[k] < low[k] { at[k] } else { low[k] };
+                high[k] = if at[k] > high[k] { at[k] } else { high[k] };
             }
         }
         let mut first = [0.0; 3];
         let mut counts = [1.0; 3];
         for k in 0..dimensions {
             let (from, to) = ((low[k] * inverse).floor() - 1.0, (high[k] * inverse).floor() + 1.0);
-            if from.is_finite() && to.is_finite() {
-                (first[k], counts[k]) = (from, to - from + 1.0);
-            }
+            (first[k], counts[k]) = (from, to - from + 1.0);
+        }
+        // Without particles, or with one at no place, all count for one cell.
+        let mut cut_off = !counts.iter().all(|count| count.is_finite());
+        if cut_off {
+            (first, counts) = ([0.0; 3], [1.0; 3]);
         }
         let most = (count * CELLS_A_PARTICLE + CELLS_BESIDE) as f64;
         while counts.iter().product::<f64>() > most {
@@ -89,11 +89,9 @@ impl Grid {
         for k in (0..3).rev() {
             let count = self.counts[k];
             let place = (at[k] - self.origin[k]) * self.inverse;
-            let place = if count == 1 {
-                0
-            } else if place >= 0.0 && place < count as f64 {
+            let place = if place >= 0.0 && place < count as f64 {
                 place as usize
-            } else if !self.cut_off {
+            } else if !self.cut_off && !place.is_nan() {
                 return NOWHERE;
             } else if place > 0.0 {
                 count - 1
@@ -147,7 +145,7 @@ mod tests {
                         state.2 = 0.0;
                     }
                     let p = Vec3::new(state.0.fract(), state.1.fract(), state.2.fract()) * 4.0;
-                    if i % 40 == 0 { p.map(|x| if x == 0.0 { 0.0 } else { x + far }) } else { p }
+                    if i.is_multiple_of(40) { p.map(|x| if x == 0.0 { 0.0 } else { x + far }) } else { p }
                 };
                 let points: Vec<Vec3> = (0..400).map(place).collect();
                 let grid = Grid::around(dimensions, points.iter().copied(), 0.5);

@@ -81,8 +81,8 @@ impl<L: Lanes, const D: usize, const DIFFUSED: bool> Pairs<L> for Rate<L, D, DIF
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
         let Constants { half, slope, eta2, strength, rest, one, zero } = self.constants;
-        let r = lanes.from_to::<D>(&self.place, &place);
-        let v = lanes.from_to::<D>(&self.motion, &motion);
+        let r = lanes.difference::<D>(&self.place, &place);
+        let v = lanes.difference::<D>(&self.motion, &motion);
         let square = lanes.dot::<D>(&r, &r);
         let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
         let factor = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));

@@ -1,4 +1,5 @@
-//! Diffusion of density between particles of the fluid \[molteni2009\], free of what gravity makes of the density:
+//! Diffusion of density between particles of the fluid \[molteni2009\], free of what gravity makes of the density as in
+//! \[fourtakas2019\]:
 //!
 //! ```text
 //! dρ_a/dt += δ h c₀ Σ_b 2 ψ_ab (−F r²)/(r² + η²) 2m/(ρ_a + ρ_b),   ψ_ab = ρ_b − ρ_a − (ρ₀/c₀²) g·(r_b − r_a)

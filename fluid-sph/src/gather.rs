@@ -2,7 +2,7 @@
 
 use crate::cells::Ranges;
 use crate::hidden::Hidden;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, Pack};
 use crate::sorted::Sorted;
 
 /// Room for neighbours between two rounds of pairs.
@@ -11,7 +11,7 @@ const ROOM: usize = 512;
 /// Particles looked at between two looks at the room left.
 const PIECE: u32 = 256;
 /// By number of particles left: the lanes that hold one.
-const VALID: [u8; 8] = [0, 1, 3, 7, 15, 15, 15, 15];
+const VALID: [usize; LANES] = [0, 1, 3, 7];
 /// By pattern of lanes: how many are set.
 const COUNT: [u8; 16] = [0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4];
 
@@ -127,30 +127,45 @@ impl<L: Lanes> Near<L> {
         let (first, end) = (from as usize, to as usize + LANES - 1);
         let (xs, ys) = (set.x[first..end].as_chunks::<LANES>().0, set.y[first..end].as_chunks::<LANES>().0);
         let zs = if D == 3 { set.z[first..end].as_chunks::<LANES>().0 } else { xs };
+        let whole = (to as usize - first) / LANES;
         let mut next = from;
-        for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
-            let dx = lanes.sub(self.at[0], lanes.load(x));
-            let dy = lanes.sub(self.at[1], lanes.load(y));
-            let mut square = lanes.add(lanes.mul(dx, dx), lanes.mul(dy, dy));
-            if D == 3 {
-                let dz = lanes.sub(self.at[2], lanes.load(z));
-                square = lanes.add(square, lanes.mul(dz, dz));
-            }
-            // Those of the last four that come after the range are not of the cells asked for.
-            let valid = VALID[to.wrapping_sub(next).min(LANES as u32) as usize & 7];
-            let near = lanes.below(square, self.at[3]) & valid;
-            let numbers = &PICKED[near as usize & 15];
-            // Never beyond: there is room for the piece and four more.
-            let Some(room) = found.get_mut(count..count + LANES) else { return count };
-            room[0] = next.wrapping_add(numbers[0]);
-            room[1] = next.wrapping_add(numbers[1]);
-            room[2] = next.wrapping_add(numbers[2]);
-            room[3] = next.wrapping_add(numbers[3]);
-            count = count.wrapping_add(COUNT[near as usize & 15] as usize);
+        for ((x, y), z) in xs[..whole].iter().zip(&ys[..whole]).zip(&zs[..whole]) {
+            let near = self.near::<D>(lanes, x, y, z);
+            count = list(found, count, next, near);
             next = next.wrapping_add(LANES as u32);
+        }
+        // Those of the last four that come after the range are not of the cells asked for.
+        if let (Some(x), Some(y), Some(z)) = (xs.get(whole), ys.get(whole), zs.get(whole)) {
+            let valid = VALID[(to as usize - first) % LANES];
+            count = list(found, count, next, self.near::<D>(lanes, x, y, z) & valid);
         }
         count
     }
+
+    /// The pattern of those near of four.
+    #[inline(always)]
+    fn near<const D: usize>(&self, lanes: L, x: &Pack, y: &Pack, z: &Pack) -> usize {
+        let dx = lanes.sub(self.at[0], lanes.load(x));
+        let dy = lanes.sub(self.at[1], lanes.load(y));
+        let mut square = lanes.add(lanes.mul(dx, dx), lanes.mul(dy, dy));
+        if D == 3 {
+            let dz = lanes.sub(self.at[2], lanes.load(z));
+            square = lanes.add(square, lanes.mul(dz, dz));
+        }
+        lanes.below(square, self.at[3]) as usize
+    }
+}
+
+/// Writes those of a pattern behind the first `count`; returns how many there are then. There is always room for four more.
+#[inline(always)]
+fn list(found: &mut [u32; ROOM], count: usize, next: u32, near: usize) -> usize {
+    let numbers = &PICKED[near & 15];
+    let Some(room) = found.get_mut(count..count.wrapping_add(LANES)) else { return count };
+    room[0] = next.wrapping_add(numbers[0]);
+    room[1] = next.wrapping_add(numbers[1]);
+    room[2] = next.wrapping_add(numbers[2]);
+    room[3] = next.wrapping_add(numbers[3]);
+    count.wrapping_add(COUNT[near & 15] as usize)
 }
 
 /// Takes out those that are not seen; returns how many are left.

@@ -50,7 +50,7 @@ pub(crate) trait Lanes: Copy {
 
     /// `a − b` of the first `D` of four; the third is zero in a plane.
     #[inline(always)]
-    fn from_to<const D: usize>(self, a: &[Self::Four; 4], b: &[Self::Four; 4]) -> [Self::Four; 3] {
+    fn difference<const D: usize>(self, a: &[Self::Four; 4], b: &[Self::Four; 4]) -> [Self::Four; 3] {
         let third = if D == 3 { self.sub(a[2], b[2]) } else { self.splat(0.0) };
         [self.sub(a[0], b[0]), self.sub(a[1], b[1]), third]
     }

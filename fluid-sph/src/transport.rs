@@ -22,7 +22,7 @@ struct Drag<L: Lanes, const D: usize> {
 impl<L: Lanes, const D: usize> Pairs<L> for Drag<L, D> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r = lanes.from_to::<D>(&self.place, &place);
+        let r = lanes.difference::<D>(&self.place, &place);
         let square =
             lanes.add(lanes.add(lanes.mul(r[0], r[0]), lanes.mul(r[1], r[1])), lanes.mul(r[2], r[2]));
         let half = lanes.mul(self.half, lanes.sqrt(square));
@@ -30,7 +30,7 @@ impl<L: Lanes, const D: usize> Pairs<L> for Drag<L, D> {
         let square = lanes.mul(s, s);
         let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
         let weight = lanes.div(lanes.mul(self.scale, shape), lanes.add(self.place[3], place[3]));
-        self.sum = lanes.add_scaled::<D>(&self.sum, weight, &lanes.from_to::<D>(&motion, &self.motion));
+        self.sum = lanes.add_scaled::<D>(&self.sum, weight, &lanes.difference::<D>(&motion, &self.motion));
     }
 }
 

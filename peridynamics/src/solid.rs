@@ -211,16 +211,19 @@ impl Solid {
         }
     }
 
-    /// Breaks the bonds that the present state takes beyond their limits.
-    pub(crate) fn break_beyond_limits(&mut self) {
+    /// Breaks the bonds that the present state takes beyond their limits; returns how many directed ones.
+    pub(crate) fn break_beyond_limits(&mut self) -> usize {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        if self.mechanics.noted() {
-            self.mechanics.break_bonds(&self.rows);
-            // Work goes on from the pulls of the bonds that are left; the forces stay those of the balance.
-            let (mut rows, mut forces) = (self.rows.clone(), self.internal.clone());
-            self.mechanics.evaluate(&mut rows, &mut forces, wanted);
+        if !self.mechanics.noted() {
+            return 0;
         }
+        let before = self.mechanics.broken()[0].len();
+        self.mechanics.break_bonds(&self.rows);
+        // Work goes on from the pulls of the bonds that are left; the forces stay those of the balance.
+        let (mut rows, mut forces) = (self.rows.clone(), self.internal.clone());
+        self.mechanics.evaluate(&mut rows, &mut forces, wanted);
+        self.mechanics.broken()[0].len() - before
     }
 
     /// The loads at an instant.

@@ -210,22 +210,20 @@ fn cayley_rate(w: &Tensor, rate: &Tensor) -> Tensor {
 
 /// `A_iJkL = F⁻¹_Jj F⁻¹_Ll A_ijkl`.
 fn pull_back(space: &PointTangent, inverse: &Tensor) -> PointTangent {
-    let mut half = [[0.0; 9]; 9];
+    let inverse: [[f64; 3]; 3] = [0, 1, 2].map(|j| [inverse[(j, 0)], inverse[(j, 1)], inverse[(j, 2)]]);
     let mut out = [[0.0; 9]; 9];
     for i in 0..3 {
-        for j in 0..3 {
-            for m in 0..3 {
-                let share = inverse[(j, m)];
-                for column in 0..9 {
-                    half[3 * i + j][column] += share * space[3 * i + m][column];
-                }
+        let [p, q, r] = [&space[3 * i], &space[3 * i + 1], &space[3 * i + 2]];
+        for (j, [a, b, c]) in inverse.into_iter().enumerate() {
+            let mut half = [0.0; 9];
+            for column in 0..9 {
+                half[column] = a * p[column] + b * q[column] + c * r[column];
             }
-        }
-    }
-    for row in 0..9 {
-        for k in 0..3 {
-            for l in 0..3 {
-                out[row][3 * k + l] = (0..3).map(|m| inverse[(l, m)] * half[row][3 * k + m]).sum();
+            let row = &mut out[3 * i + j];
+            for k in 0..3 {
+                for (l, [d, e, f]) in inverse.into_iter().enumerate() {
+                    row[3 * k + l] = d * half[3 * k] + e * half[3 * k + 1] + f * half[3 * k + 2];
+                }
             }
         }
     }

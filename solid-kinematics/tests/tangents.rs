@@ -14,19 +14,19 @@ fn step() -> (Tensor, Tensor) {
 
 fn stressed(material: &Material, gradient: &Tensor) -> PointState {
     let rest = PointState::rest(rotation([1.0, 2.0, -0.5], 0.7));
-    material.trial(&rest, gradient).unwrap().state
+    material.trial(&rest, gradient).expect("accepted").state
 }
 
 /// Greatest difference of a tangent from central differences, relative to the greatest entry.
 fn miss(material: &Material, from: &PointState, gradient: &Tensor, kind: Tangent) -> f64 {
-    let trial = material.trial(from, gradient).unwrap();
-    let tangent = material.tangent(kind, from, &trial).unwrap();
+    let trial = material.trial(from, gradient).expect("accepted");
+    let tangent = material.tangent(kind, from, &trial).expect("accepted");
     let step = 1e-5;
     let (mut most, mut scale): (f64, f64) = (0.0, 0.0);
     for column in 0..9 {
         let mut way = Tensor::zeros();
         way[(column / 3, column % 3)] = step;
-        let piola = |g: Tensor| material.trial(from, &g).unwrap().piola;
+        let piola = |g: Tensor| material.trial(from, &g).expect("accepted").piola;
         let difference = (piola(gradient + way) - piola(gradient - way)) / (2.0 * step);
         for row in 0..9 {
             most = most.max((tangent[row][column] - difference[(row / 3, row % 3)]).abs());
@@ -88,8 +88,11 @@ fn differential(n: [f64; 3]) -> ([[f64; 3]; 6], [[f64; 3]; 3]) {
     (strain, spin)
 }
 
+/// σ1, σ2, σ3.
+type StressMatrices = ([[f64; 6]; 6], [[f64; 3]; 3], [[f64; 3]; 6]);
+
 /// The source's σ1, σ2, σ3 (its equations 57–59, with the sign of row 5, column 1 of the last put right).
-fn stress_matrices(s: &[f64; 6]) -> ([[f64; 6]; 6], [[f64; 3]; 3], [[f64; 3]; 6]) {
+fn stress_matrices(s: &[f64; 6]) -> StressMatrices {
     let [s11, s22, s33, s12, s23, s13] = *s;
     let (h12, h23, h13) = (s12 / 2.0, s23 / 2.0, s13 / 2.0);
     let (q12, q23, q13) = (s12 / 4.0, s23 / 4.0, s13 / 4.0);

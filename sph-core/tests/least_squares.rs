@@ -19,7 +19,7 @@ fn nodes(disorder: f64) -> Vec<Vec3> {
         disorder,
         seed: 5,
     };
-    lattice.block().unwrap().positions
+    lattice.block().expect("a block").positions
 }
 
 /// Every basis on its support, with every weight.

@@ -102,7 +102,11 @@ impl Model {
             Ready::Dynamic(body) => {
                 marched(&self.task.analysis, body.as_mut(), self.description.tangent, &mut run, from)
             }
-            Ready::Static(body) => balanced(&self.task.analysis, body.as_mut(), &mut run, from),
+            Ready::Static(body) => {
+                let ended = balanced(&self.task.analysis, body.as_mut(), &mut run, from);
+                run.record.warnings.extend(body.warnings());
+                ended
+            }
         };
         if let Some(frames) = run.frames.take() {
             run.record.frames = frames.taken;

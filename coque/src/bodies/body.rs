@@ -12,6 +12,7 @@ use super::figures::FluidFigures;
 use super::shown::{Evaluated, Shown};
 use crate::Warning;
 use crate::scene::Measured;
+use crate::warning::Warning;
 
 /// Particles that move, whatever they are made of.
 ///
@@ -86,6 +87,11 @@ pub trait Balanced: Body + Equilibrium {
     /// Largest skew entry of the load stiffness over the largest entry \[–\]: zero for loads with a potential.
     fn skew_load_share(&self) -> f64 {
         0.0
+    }
+
+    /// What may be wrong with the states that were kept, known once they are.
+    fn warnings(&self) -> Vec<Warning> {
+        Vec::new()
     }
 
     /// Forces that fields show and that grow with the load of a linear answer, as one row of numbers.

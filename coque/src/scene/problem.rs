@@ -159,9 +159,8 @@ impl Scene {
 
     /// Number of the support whose motion is all that drives an analysis that seeks the force along it.
     ///
-    /// That it acts on one particle is known only after building; on more, and on solids, their displacement is prescribed.
+    /// That it acts on one particle is known only after building; on more their displacement is prescribed.
     pub(crate) fn sole_motion(&self) -> Option<usize> {
-        self.as_shell()?;
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
         let alone = self.loads.is_empty() && motions.next().is_none();

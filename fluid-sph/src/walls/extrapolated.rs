@@ -39,7 +39,7 @@ struct Mean<L: Lanes, const D: usize> {
 impl<L: Lanes, const D: usize> Pairs<L> for Mean<L, D> {
     #[inline(always)]
     fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r = lanes.from_to::<D>(&self.place, &place);
+        let r = lanes.difference::<D>(&self.place, &place);
         // q/2, so that 2q + 1 = 4 (q/2) + 1.
         let half = lanes.mul(self.half, lanes.sqrt(lanes.dot::<D>(&r, &r)));
         let s = lanes.max(lanes.sub(self.one, half), self.zero);

@@ -18,7 +18,7 @@ const SHORTEST: f64 = 0.1;
 
 /// A peridynamic body with what Newton's method and relaxation need.
 ///
-/// Built only when a static analysis asks for it. The body is its own, or lent (`&mut Solid`) for a look at the tangent of
+/// Contact is not in the tangent: bodies with it belong in time. Built only when a static analysis asks for it. The body is its own, or lent (`&mut Solid`) for a look at the tangent of
 /// a state. Bonds break in [`Equilibrium::accept`] alone: a state that is kept breaks the bonds that it stretches beyond
 /// their limits, and the next level finds the balance without them. Broken bonds stay broken, whatever state is restored.
 pub struct StaticSolid<S = Box<Solid>> {
@@ -28,6 +28,8 @@ pub struct StaticSolid<S = Box<Solid>> {
     couplings: OnceCell<Couplings>,
     /// Rows with a prescribed displacement.
     moved: Vec<u32>,
+    /// Greatest share of all bonds that one kept state broke.
+    broken_share: f64,
 }
 
 impl StaticSolid {
@@ -43,7 +45,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// of prescribed values too.
     pub fn lent(solid: S) -> Self {
         let unknowns = Unknowns::new(&solid.constraints, solid.len(), solid.block.greatest_spacing());
-        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new() }
+        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new(), broken_share: 0.0 }
     }
 
     /// The body in its present state; its forces are those last evaluated.
@@ -54,6 +56,11 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// The same, to put it into another state; whatever is evaluated is that of the state before.
     pub fn solid_mut(&mut self) -> &mut Solid {
         &mut self.solid
+    }
+
+    /// The greatest share of all bonds that broke in one state that was kept \[–\]. Without them that state is no balance.
+    pub fn broken_share(&self) -> f64 {
+        self.broken_share
     }
 
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
@@ -204,7 +211,8 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
     /// Breaks the bonds that the state stretches beyond their limits; those left whole are within them, so that a second
     /// call finds none.
     fn accept(&mut self) {
-        self.solid.break_beyond_limits();
+        let broken = self.solid.break_beyond_limits();
+        self.broken_share = self.broken_share.max(broken as f64 / self.solid.bonds() as f64);
     }
 
     /// Without a matrix: exact where no dilatation counts, else a bound. All unknowns of a node take the largest of theirs

@@ -14,13 +14,13 @@ pub fn rotation(axis: [f64; 3], angle: f64) -> Tensor {
 
 /// Moduli E = 1, ν = 0.3.
 pub fn unit() -> Moduli {
-    Moduli::isotropic(1.0, 0.3).unwrap()
+    Moduli::isotropic(1.0, 0.3).expect("accepted")
 }
 
 /// A material with three different axes.
 pub fn wood() -> Moduli {
     let of = Orthotropic { young: [3.0, 1.0, 0.7], poisson: [0.3, 0.2, 0.35], shear: [0.5, 0.3, 0.4] };
-    Moduli::orthotropic(&of).unwrap()
+    Moduli::orthotropic(&of).expect("accepted")
 }
 
 /// The updates with both measures.
@@ -50,7 +50,7 @@ pub fn lead(
 ) -> PointState {
     for step in 1..=steps {
         let t = span.0 + (span.1 - span.0) * step as f64 / steps as f64;
-        state = material.trial(&state, &path(t)).unwrap().state.settled();
+        state = material.trial(&state, &path(t)).expect("accepted").state.settled();
     }
     state
 }

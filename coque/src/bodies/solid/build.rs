@@ -1,15 +1,16 @@
 //! From a scene to a solid ready to move: nodes, sets, supports, loads.
 
-use peridynamics::{Parts, Solid, SolidError, StaticSolid};
+use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
-use super::conditions::{holds, loads, probes, set_out, supports};
+use super::conditions::{driver, holds, loads, probes, set_out, supports};
 use super::describe::describe;
 use super::doubts::doubts_of;
 use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
 use super::sets::NodeSets;
+use crate::bodies::build::amplitude;
 use crate::bodies::rigid::free_of;
-use crate::bodies::{Identity, Made, Memory, Model, Probe, Ready};
+use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene, SolidScene};
 
@@ -17,6 +18,8 @@ use crate::scene::{Analysis, Scene, SolidScene};
 struct Built {
     solid: Solid,
     probes: Vec<Probe>,
+    /// The one node whose motion a force that is sought brings about.
+    driven: Option<PrescribedPoint>,
     memory: Memory,
 }
 
@@ -41,14 +44,14 @@ impl Scene {
         threads: usize,
         wet: bool,
     ) -> Result<Made<Solid>, SceneError> {
-        let Built { mut solid, probes, memory } = self.assemble_solid(scene, threads)?;
+        let Built { mut solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
         if wet {
             solid.wet().map_err(|error| self.solid_refusal(scene, &error))?;
         }
         let description = describe(self, scene, &solid);
         let warnings = doubts_of(self, scene, &solid);
         let identity = Identity::default();
-        Ok(Made { body: solid, description, memory, identity, probes, driven: None, warnings, judge: None })
+        Ok(Made { body: solid, description, memory, identity, probes, driven, warnings, judge: None })
     }
 
     /// Builds the solid alone, for programs that march or solve it themselves.
@@ -68,9 +71,16 @@ impl Scene {
         let block = self.nodes(scene, &lattice)?;
         let sets = NodeSets::find(self, &lattice, &block)?;
         let probes = probes(self, &sets)?;
-        let supports = supports(self, scene.has_directors(), &sets)?;
+        let driver = driver(self, &sets)?;
+        let supports = supports(self, scene.has_directors(), &sets, driver.as_ref())?;
         let material = material(scene);
-        let loads = loads(self, material.density, &block, &sets)?;
+        let mut loads = loads(self, material.density, &block, &sets)?;
+        let driven = driver.map(|driver| driver.point(&supports)).transpose();
+        let driven = driven.map_err(|error| self.solid_refusal(scene, &error))?;
+        if let Some(PrescribedPoint { particle, direction, .. }) = driven {
+            let (forces, amplitude) = (vec![(particle, direction)], amplitude(None));
+            loads.push(AppliedLoad { forces, amplitude });
+        }
         self.refuse_free_motion(|| {
             let all = Vec::from_iter(0..block.len() as u32);
             free_of(&block.positions, &all, &holds(scene, &supports))
@@ -91,7 +101,7 @@ impl Scene {
         set_out(scene, &mut solid);
         self.refuse_freedoms(solid.freedoms())?;
         self.refuse_pieces(&solid)?;
-        Ok(Built { solid, probes, memory })
+        Ok(Built { solid, probes, driven, memory })
     }
 
     /// The nodes of the block, holes cut and the imperfection put in.

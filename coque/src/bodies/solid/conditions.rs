@@ -1,23 +1,68 @@
 //! Supports, loads, columns and the velocity at the start of a solid.
 
-use peridynamics::{AppliedLoad, Solid, Support, Supported};
+use peridynamics::{AppliedLoad, Solid, SolidError, Support, Supported};
 use sph_core::{Block, Vec3};
 
 use super::sets::NodeSets;
-use crate::bodies::Probe;
 use crate::bodies::build::amplitude;
 use crate::bodies::rigid::Hold;
+use crate::bodies::{PrescribedPoint, Probe};
 use crate::scene::error::SceneError;
-use crate::scene::{LoadKind, Scene, SolidScene, SupportKind, Traction};
+use crate::scene::{LoadKind, Moved, Scene, SolidScene, SupportKind, Traction};
 
-/// The supports.
+/// A held direction with more than this along a motion opposes it.
+const OPPOSED: f64 = 1e-9;
+
+/// A motion that becomes a force that is sought.
+pub(super) struct Driver {
+    /// Number of its support.
+    support: usize,
+    node: u32,
+    moved: Moved,
+}
+
+/// All that drives an analysis by levels, if it is the motion of one node. Every other motion is prescribed.
+pub(super) fn driver(scene: &Scene, sets: &NodeSets<'_>) -> Result<Option<Driver>, SceneError> {
+    let Some(support) = scene.sole_motion() else { return Ok(None) };
+    let nodes = sets.at(&format!("supports[{support}].on"), &scene.supports[support].on)?;
+    let moved = scene.supports[support].moved;
+    Ok(moved.and_then(|moved| match nodes {
+        &[node] => Some(Driver { support, node, moved }),
+        _ => None,
+    }))
+}
+
+impl Driver {
+    /// The node and its motion; what else holds it must not oppose that.
+    ///
+    /// # Errors
+    /// [`SolidError::Contradiction`].
+    pub fn point(&self, others: &[Supported]) -> Result<PrescribedPoint, SolidError> {
+        let Self { node, moved, .. } = *self;
+        let (direction, by) = (Vec3::from(moved.direction).normalize() * moved.by.signum(), moved.by.abs());
+        for Supported { nodes, support } in others {
+            let Support::Held { displacement, .. } = support else { continue };
+            let along = displacement.iter().map(|held| direction.dot(&held.normalize()));
+            let opposed = along.fold(0.0, |most: f64, along| most.max(along.abs()));
+            if nodes.contains(&node) && opposed > OPPOSED {
+                return Err(SolidError::Contradiction { node, wanted: opposed * by });
+            }
+        }
+        Ok(PrescribedPoint { particle: node, direction, by })
+    }
+}
+
+/// The supports, but that of the motion that is sought.
 pub(super) fn supports(
     scene: &Scene,
     directors: bool,
     sets: &NodeSets<'_>,
+    driver: Option<&Driver>,
 ) -> Result<Vec<Supported>, SceneError> {
     let mut supports = Vec::new();
-    for (i, support) in scene.supports.iter().enumerate() {
+    for (i, support) in
+        scene.supports.iter().enumerate().filter(|(i, _)| driver.is_none_or(|driver| driver.support != *i))
+    {
         let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
         for (_, kind) in support.kinds() {
             let held = |displacement: Vec<Vec3>, director: Vec<Vec3>| Support::Held {

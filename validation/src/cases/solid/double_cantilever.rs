@@ -12,6 +12,7 @@ use implicit_statics::{Newton, NewtonOptions, linear_response};
 use peridynamics::{Correction, Crack, Criterion, Elastic, Fracture, Law, Parts, Solid, Space, StaticSolid};
 use sph_core::{Block, Vec3};
 
+use super::measure::{Miss, between};
 use crate::judge::{Case, Headline, Outcome, Run, Variant};
 use crate::methods::{PAIRWISE, STATE};
 use crate::support::solids::{formulation, found, held, lattice, moved, nodes, parts, pulled, system};
@@ -65,19 +66,28 @@ fn variants() -> Vec<Variant> {
     .collect()
 }
 
+/// Why the crack grows late.
+const WAITS: &str = "the crack waits on every row of the lattice for a fifth to a quarter more than it takes";
+
 fn judged(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    Ok(vec![
+    let measured = match (run.variant.grid.as_str(), run.is(PAIRWISE)) {
+        (grid, _) if grid.ends_with("work") => 1.262,
+        (_, false) => 1.237,
+        (grid, true) if grid.starts_with("16") => 1.193,
+        _ => 1.268,
+    };
+    let waits = Some(Miss::of(1.0, measured, WAITS));
+    let mut metrics = between(GROWS, run.last(GROWS)?, "-", [0.9, 1.1], "a tenth is asked", waits);
+    metrics.extend([
         Metric::compared(RATIO, run.last(RATIO)?, "-", 1.0).within(
             0.15,
             "arms of twelve nodes bend 10 % softer than beams: their faces are corrected for uniform strains only",
         ),
         Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
             .within(0.1, "a tenth is asked: bonds of a crack hold the energy asked for"),
-        Metric::compared(GROWS, run.last(GROWS)?, "-", 1.0).shown(
-            "a tenth is missed: the crack waits on every row of the lattice for a fifth to a quarter more than it takes",
-        ),
         Metric::error(MOST, run.last(MOST)?, "-").shown("how long a row holds the crack"),
-    ])
+    ]);
+    Ok(metrics)
 }
 
 /// A double cantilever and how it is resolved.

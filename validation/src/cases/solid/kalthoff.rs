@@ -176,10 +176,10 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let asked = plate.speed == HALF;
     let mut metrics = if asked {
         let symmetric = "the plate and the blow are symmetric";
-        vec![
-            between(ANGLE, one, "°", [62.0, 71.0], "by the chord, as seen in the experiment", None),
-            Metric::error("between the notches", apart, "°").within(0.5, symmetric),
-        ]
+        let seen = "by the chord, as seen in the experiment";
+        let mut metrics = between(ANGLE, one, "°", [62.0, 71.0], seen, None);
+        metrics.push(Metric::error("between the notches", apart, "°").within(0.5, symmetric));
+        metrics
     } else {
         let reason = "the whole speed on the edge shatters the plate: the farthest node is no tip of a crack";
         vec![

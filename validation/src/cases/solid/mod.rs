@@ -9,9 +9,12 @@ mod kalthoff;
 mod measure;
 mod mode_one;
 mod moduli;
+mod plate_cracked;
 mod plate_post_buckling;
 mod plate_stability;
+mod plate_tear;
 mod strip;
+mod thin_plate;
 mod torsion;
 mod wave;
 
@@ -33,5 +36,7 @@ pub fn all() -> Vec<Case> {
         kalthoff::case(),
         plate_stability::case(),
         plate_post_buckling::case(),
+        plate_cracked::case(),
+        plate_tear::case(),
     ]
 }

@@ -11,7 +11,7 @@ use benchmarks_ref::waves::rayleigh_in_plane_stress;
 use peridynamics::{Correction, Crack, Criterion, Elastic, Fracture, Law, Parts, Solid, Space};
 use sph_core::{Block, Vec3};
 
-use super::measure::{bands, greatest_speed, mean_speed, tip};
+use super::measure::{Miss, bands, greatest_speed, mean_speed, tip};
 use crate::figures::{Axis, Chart, Figure, Line, Series, shade};
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::STATE;
@@ -33,6 +33,8 @@ const WINDOW: f64 = 3.0;
 /// Energy releases over that of a unit area of crack.
 const RELEASES: [f64; 5] = [0.9, 1.0, 1.5, 2.0, 3.0];
 
+/// Why a crack grows where less is released than it takes.
+const CREEPS: &str = "known to miss it: it slows but goes on; why is not isolated";
 const GROWN: &str = "growth";
 const OFF_AXIS: &str = "off the axis";
 const BRANCHES: &str = "most bands in a column";
@@ -182,15 +184,16 @@ impl Strip {
         let rayleigh = 1e-3 * rayleigh_in_plane_stress(young, poisson, density);
         let speed = |found: f64| run.done().then_some(found / rayleigh);
         let grown = run.last(GROWN)?;
-        let grows = if self.release < 1.0 {
+        let mut metrics = if self.release < 1.0 {
             let late = grown.zip(path.get(2 * path.len() / 3)).map(|(end, then)| end - then.1);
-            Metric::error("growth in the last third", late, "mm")
-                .shown("asked that it stop; known to miss it: it slows but goes on; why is not isolated")
+            let miss = Miss { measured: 6.0, margin: 1.5, cause: CREEPS };
+            let late = Metric::error("growth in the last third", late, "mm");
+            vec![late.shown(format!("asked that it stop; {CREEPS}")), miss.judged(GROWN, grown, "mm")]
         } else if self.release > 1.0 {
-            Metric::at_least(GROWN, grown, "mm", 20.0)
-                .within(0.0, "it runs: more is released than a crack takes")
+            let runs = "it runs: more is released than a crack takes";
+            vec![Metric::at_least(GROWN, grown, "mm", 20.0).within(0.0, runs)]
         } else {
-            Metric::error(GROWN, grown, "mm").shown("at just the energy of a crack it may do either")
+            vec![Metric::error(GROWN, grown, "mm").shown("at just the energy of a crack it may do either")]
         };
         let fastest = Metric::at_least(
             "c_R over greatest speed",
@@ -198,8 +201,7 @@ impl Strip {
             "-",
             1.0,
         );
-        Ok(vec![
-            grows,
+        metrics.extend([
             figure(run, GROWN, "mm")?
                 .shown("what the sudden cut gives carries it some millimetres at any release"),
             figure(run, OFF_AXIS, "Δx")?.within(2.0, "the crack runs straight: asked of it at every release"),
@@ -211,7 +213,8 @@ impl Strip {
                 .shown("a running crack damages more rows than it opens, the more the faster"),
             figure(run, BALANCE, "%")?
                 .near(0.5 * self.release, "bonds that break are booked in the middle of a step"),
-        ])
+        ]);
+        Ok(metrics)
     }
 }
 

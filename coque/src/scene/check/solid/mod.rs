@@ -5,6 +5,7 @@ mod fracture;
 mod geometry;
 mod material;
 
+use crate::scene::analysis::Analysis;
 use crate::scene::error::SceneError;
 use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;
@@ -38,6 +39,11 @@ impl Scene {
                 "remove it: a solid is written as it is",
             );
             return Err(SceneError::Choice(fault));
+        }
+        if solid.contact.is_some() && !matches!(self.analysis, Analysis::Explicit(_)) {
+            let bound = format!("none in {}: it is not in the tangent", self.analysis.kind().name);
+            let repair = "remove it, or use [analysis.explicit]";
+            return Err(SceneError::Choice(s.fault("contact", "contact", &bound, repair)));
         }
         self.check_solid_velocity(solid)
     }

@@ -1,0 +1,167 @@
+//! A symmetric matrix of blocks of three by three between nodes, its upper half by rows.
+
+use crate::discretisation::Cell;
+
+/// Which nodes couple, and the values between them.
+///
+/// Row I holds the columns J ≥ I, ascending; its nine component planes lie one after the other, each as long as the row.
+pub(crate) struct Blocks {
+    starts: Vec<usize>,
+    columns: Vec<u32>,
+    values: Vec<f64>,
+}
+
+impl Blocks {
+    /// Zeros between all nodes that share one of these lists, each ascending.
+    pub fn new<'a>(nodes: usize, lists: impl Iterator<Item = &'a [u32]>) -> Self {
+        let mut of: Vec<Vec<u32>> = (0..nodes).map(|node| vec![node as u32]).collect();
+        for list in lists {
+            for (at, &node) in list.iter().enumerate() {
+                merge(&mut of[node as usize], &list[at..]);
+            }
+        }
+        let mut starts = vec![0];
+        starts.extend(of.iter().scan(0, |sum, row| {
+            *sum += row.len();
+            Some(*sum)
+        }));
+        let columns = of.concat();
+        Self { values: vec![0.0; 9 * columns.len()], starts, columns }
+    }
+
+    /// Forgets all values.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Columns of a row.
+    pub fn columns(&self, row: usize) -> &[u32] {
+        &self.columns[self.starts[row]..self.starts[row + 1]]
+    }
+
+    /// Where the value between parameters `3I + i` and `3J + k`, J ≥ I, is stored, if nodes I and J couple.
+    pub fn place(&self, row: usize, column: usize) -> Option<usize> {
+        let (i, k) = (row % 3, column % 3);
+        let columns = self.columns(row / 3);
+        let at = columns.binary_search(&((column / 3) as u32)).ok()?;
+        Some(9 * self.starts[row / 3] + (3 * i + k) * columns.len() + at)
+    }
+
+    /// The values.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Adds the matrix of a cell: for each of its nodes I nine rows `3i + k` over its nodes J, of which J ≥ I count.
+    pub fn add_cell(&mut self, cell: &Cell, matrix: &[f64]) {
+        let width = cell.width;
+        for &(first, length) in &cell.runs {
+            for at in first..first + length {
+                let node = cell.nodes[at as usize] as usize;
+                let begin = self.starts[node];
+                let count = self.starts[node + 1] - begin;
+                for &(other, other_length) in cell.runs.iter().filter(|run| run.0 + run.1 > at) {
+                    let from = other.max(at) as usize;
+                    let length = (other + other_length) as usize - from;
+                    let place = self.columns[begin..][..count].partition_point(|&c| c < cell.nodes[from]);
+                    for component in 0..9 {
+                        let source = &matrix[(9 * at as usize + component) * width + from..][..length];
+                        let target = &mut self.values[9 * begin + component * count + place..][..length];
+                        target.iter_mut().zip(source).for_each(|(target, source)| *target += source);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a block between nodes `I ≤ J` that couple, by rows.
+    pub fn add(&mut self, row: u32, column: u32, block: &[[f64; 3]; 3]) {
+        let count = self.columns(row as usize).len();
+        if let Some(place) = self.place(3 * row as usize, 3 * column as usize) {
+            for i in 0..3 {
+                for k in 0..3 {
+                    self.values[place + (3 * i + k) * count] += block[i][k];
+                }
+            }
+        }
+    }
+
+    /// `out = K x` over all parameters.
+    pub fn product(&self, x: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        self.visit(|row, column, place| {
+            out[row] += self.values[place] * x[column];
+            if row != column {
+                out[column] += self.values[place] * x[row];
+            }
+        });
+    }
+
+    /// Visits every value once: parameters of row and column, place. Of diagonal blocks the upper half is left out.
+    pub fn visit(&self, mut found: impl FnMut(usize, usize, usize)) {
+        for row in 0..self.starts.len() - 1 {
+            let columns = self.columns(row);
+            for component in 0..9 {
+                let (i, k) = (component / 3, component % 3);
+                for (at, &column) in columns.iter().enumerate() {
+                    if column as usize > row || k >= i {
+                        let place = 9 * self.starts[row] + component * columns.len() + at;
+                        found(3 * row + i, 3 * column as usize + k, place);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Merges a rising list into another.
+fn merge(into: &mut Vec<u32>, list: &[u32]) {
+    // Lists of neighbouring cells are much alike: most of the time nothing is new.
+    let mut at = 0;
+    let mut new = false;
+    for node in list {
+        while at < into.len() && into[at] < *node {
+            at += 1;
+        }
+        if at == into.len() || into[at] != *node {
+            new = true;
+            break;
+        }
+    }
+    if new {
+        into.extend_from_slice(list);
+        into.sort_unstable();
+        into.dedup();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discretisation::runs;
+
+    #[test]
+    fn places_are_where_values_are_added_and_each_is_visited_once() {
+        let lists = [vec![0, 1, 3], vec![1, 2], vec![0, 1, 3]];
+        let mut blocks = Blocks::new(4, lists.iter().map(Vec::as_slice));
+        assert_eq!(blocks.columns(0), [0, 1, 3]);
+        assert_eq!(blocks.columns(1), [1, 2, 3]);
+        assert_eq!(blocks.place(0, 6), None);
+        blocks.add(1, 3, &[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]);
+        let mut count = 0;
+        blocks.visit(|row, column, place| {
+            count += 1;
+            assert_eq!(blocks.place(row, column), Some(place));
+            let inside = row / 3 == 1 && column / 3 == 3;
+            let value = if inside { (3 * (row % 3) + column % 3 + 1) as f64 } else { 0.0 };
+            assert_eq!(blocks.values()[place], value);
+        });
+        assert_eq!(count, blocks.len() - 3 * 4);
+        assert_eq!(runs(&[4, 5, 6, 9, 11, 12]), [(0, 3), (3, 1), (4, 2)]);
+    }
+}

@@ -1,0 +1,305 @@
+//! A body: its space of displacements, its state, and the internal forces of a state.
+
+use implicit_statics::OutOfBounds;
+use rayon::prelude::*;
+use solid_kinematics::{Formulation, Material, PointError, PointState, Tangent, Tensor, Trial};
+use sph_core::{CellList, MovingLeastSquares, Vec3};
+
+use crate::blocks::Blocks;
+use crate::discretisation::{Cell, Discretisation, LANES};
+use crate::error::GalerkinError;
+use crate::essential::Unknowns;
+use crate::loads::Loads;
+use crate::parts::Parts;
+use crate::reduction::Reduction;
+use crate::stiffness::Scratch;
+
+/// Nodes nearer than this share of the least radius of the support coincide.
+const COINCIDENT: f64 = 1e-9;
+/// Deviation of material axes from orthonormal that is rounding.
+const SKEW: f64 = 1e-9;
+/// |w| of a step beyond which it is refused: half a step turns by 27°.
+const WIDEST_TURN: f64 = 1.0;
+
+/// The point of a cell that cannot follow, and why.
+type Trouble = Option<(u32, PointError)>;
+
+/// An element-free Galerkin body in equilibrium, or on its way there.
+///
+/// Unknowns are nodal parameters d; displacements are `u(X) = Σ_I φ_I(X) d_I`, also at nodes. What an update needs of history is
+/// that of the last state that was accepted.
+pub struct Galerkin {
+    pub(crate) space: Discretisation,
+    pub(crate) squares: MovingLeastSquares,
+    pub(crate) material: Material,
+    pub(crate) axes: Tensor,
+    pub(crate) tangent: Tangent,
+    pub(crate) unknowns: Unknowns,
+    pub(crate) loads: Loads,
+    pub(crate) masses: Vec<f64>,
+    pub(crate) blocks: Blocks,
+    pub(crate) reduction: Reduction,
+    pub(crate) scratch: Vec<Scratch>,
+    pub(crate) threads: usize,
+    /// Nodal parameters \[L\].
+    pub(crate) parameters: Vec<f64>,
+    /// Those of the last state accepted, and its points.
+    pub(crate) accepted: Vec<f64>,
+    pub(crate) history: Vec<PointState>,
+    /// Points at the present state.
+    pub(crate) trials: Vec<Trial>,
+    /// Forces on parameters, of cells and of all.
+    cell_forces: Vec<f64>,
+    pub(crate) internal: Vec<f64>,
+    pub(crate) external: Vec<f64>,
+    troubles: Vec<Trouble>,
+    /// Whether points and internal forces are those of the parameters.
+    pub(crate) evaluated: bool,
+    /// Tangents since the last state accepted, and whether the consistent one is insisted on.
+    pub(crate) tangents: usize,
+    pub(crate) insists: bool,
+}
+
+impl Galerkin {
+    /// Builds a body at rest.
+    ///
+    /// # Errors
+    /// [`GalerkinError`].
+    pub fn new(parts: Parts) -> Result<Self, GalerkinError> {
+        check(&parts)?;
+        let squares = MovingLeastSquares::new(&parts.nodes, parts.basis, parts.support, parts.weight)?;
+        let space = Discretisation::new(&parts, &squares)?;
+        let unknowns = Unknowns::new(&space.nodal, &parts.conditions, parts.essential)?;
+        let loads = Loads::new(&parts.loads, (&parts.cells, parts.rule), &squares, &space)?;
+        let count = space.nodes.len();
+        let of_cells = space.cells.iter().map(|cell| cell.nodes.as_slice());
+        let blocks = Blocks::new(count, of_cells.chain(loads.pressed.iter().map(|p| p.nodes.as_slice())));
+        let reduction = Reduction::new(&blocks, &unknowns);
+        let rest = PointState::rest(parts.axes);
+        let trial = Trial {
+            state: rest,
+            kirchhoff: Tensor::zeros(),
+            piola: Tensor::zeros(),
+            inverse: Tensor::identity(),
+            turn: 0.0,
+        };
+        let stride = force_stride(&space);
+        Ok(Self {
+            masses: masses(&space, parts.density),
+            parameters: vec![0.0; 3 * count],
+            accepted: vec![0.0; 3 * count],
+            history: vec![rest; space.places.len()],
+            trials: vec![trial; space.places.len()],
+            cell_forces: vec![0.0; stride * space.cells.len()],
+            internal: vec![0.0; 3 * count],
+            external: vec![0.0; 3 * count],
+            troubles: vec![None; space.cells.len()],
+            scratch: Vec::new(),
+            evaluated: false,
+            tangents: 0,
+            insists: false,
+            material: parts.material,
+            axes: parts.axes,
+            tangent: parts.tangent,
+            threads: parts.threads.max(1),
+            space,
+            squares,
+            unknowns,
+            loads,
+            blocks,
+            reduction,
+        })
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.space.nodes.len()
+    }
+
+    /// Number of points of the quadrature.
+    pub fn points(&self) -> usize {
+        self.space.places.len()
+    }
+
+    /// Equations of conditions that said nothing new and were left out.
+    pub fn dependent_conditions(&self) -> usize {
+        self.unknowns.dropped
+    }
+
+    /// Whether stress has a history.
+    pub(crate) fn remembers(&self) -> bool {
+        matches!(self.material.formulation, Formulation::StrainRotation { .. })
+    }
+
+    /// Puts held parameters where a level has them, and evaluates points and internal forces unless that was done.
+    pub(crate) fn evaluate_internal(&mut self, level: f64) {
+        if self.unknowns.moves || !self.evaluated {
+            self.unknowns.put(level, &mut self.parameters);
+        }
+        if self.unknowns.moves || !self.evaluated {
+            self.sweep();
+            self.evaluated = true;
+        }
+    }
+
+    /// All points from the history to the present parameters, and the forces of their stresses.
+    pub(crate) fn sweep(&mut self) {
+        let stride = force_stride(&self.space);
+        let (points, material) = (self.space.points, &self.material);
+        let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);
+        let work = |number: usize, trials: &mut [Trial], forces: &mut [f64], trouble: &mut Trouble| {
+            let from = &history[number * points..][..points];
+            *trouble = sweep_cell(&cells[number], material, parameters, from, trials, forces).err();
+        };
+        if self.threads > 1 {
+            let both = self.trials.par_chunks_mut(points).zip(self.cell_forces.par_chunks_mut(stride));
+            let all = both.zip(self.troubles.par_iter_mut()).enumerate();
+            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
+        } else {
+            let both = self.trials.chunks_mut(points).zip(self.cell_forces.chunks_mut(stride));
+            let all = both.zip(self.troubles.iter_mut()).enumerate();
+            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
+        }
+        self.internal.fill(0.0);
+        for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
+            for (at, node) in cell.nodes.iter().enumerate() {
+                (0..3).for_each(|k| self.internal[3 * *node as usize + k] += forces[k * cell.width + at]);
+            }
+        }
+    }
+
+    /// The first point that could not follow the last deformation tried, and why.
+    pub fn trouble(&self) -> Option<(Vec3, PointError)> {
+        let found = |(cell, trouble): (usize, &Trouble)| {
+            trouble
+                .map(|(point, error)| (self.space.places[cell * self.space.points + point as usize], error))
+        };
+        self.troubles.iter().enumerate().find_map(found)
+    }
+
+    /// Refuses steps that turn too far for the update.
+    pub(crate) fn turns_within_bounds(&self) -> Result<(), OutOfBounds> {
+        let widest =
+            (0..self.trials.len()).max_by(|&a, &b| self.trials[a].turn.total_cmp(&self.trials[b].turn));
+        match widest.map(|point| (point, self.trials[point].turn)) {
+            Some((point, turn)) if turn > WIDEST_TURN => {
+                let x = self.space.places[point];
+                Err(OutOfBounds {
+                    place: format!("the Gauss point at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z),
+                    what: "spin of the step",
+                    value: turn,
+                    bound: "1 at most: take smaller steps",
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Numbers that a cell writes: three rows as wide as the widest.
+fn force_stride(space: &Discretisation) -> usize {
+    3 * space.cells.iter().fold(1, |most, cell| most.max(cell.width))
+}
+
+/// Leads the points of a cell from the history to the parameters; forces on its nodes, a row for each axis.
+///
+/// # Errors
+/// The first point that cannot follow; forces are then no numbers.
+fn sweep_cell(
+    cell: &Cell,
+    material: &Material,
+    parameters: &[f64],
+    history: &[PointState],
+    trials: &mut [Trial],
+    forces: &mut [f64],
+) -> Result<(), (u32, PointError)> {
+    const WIDEST: usize = 512;
+    let width = cell.width;
+    let mut room = [0.0; 3 * WIDEST];
+    let mut large = Vec::new();
+    let local: &mut [f64] = if width <= WIDEST {
+        &mut room[..3 * width]
+    } else {
+        large.resize(3 * width, 0.0);
+        &mut large
+    };
+    for (at, node) in cell.nodes.iter().enumerate() {
+        (0..3).for_each(|k| local[k * width + at] = parameters[3 * *node as usize + k]);
+    }
+    forces.fill(0.0);
+    for (point, from) in history.iter().enumerate() {
+        let gradient = Tensor::from_fn(|i, j| {
+            let one = if i == j { 1.0 } else { 0.0 };
+            one + dot(&local[i * width..][..width], cell.gradient(point, j))
+        });
+        match material.trial(from, &gradient) {
+            Ok(trial) => trials[point] = trial,
+            Err(error) => {
+                forces.fill(f64::NAN);
+                return Err((point as u32, error));
+            }
+        }
+        let piola = trials[point].piola * cell.volumes[point];
+        let [a, b, c] = [0, 1, 2].map(|j| cell.gradient(point, j));
+        for i in 0..3 {
+            let [p, q, r] = [0, 1, 2].map(|j| piola[(i, j)]);
+            let row = &mut forces[i * width..][..width];
+            for at in 0..width {
+                row[at] += p * a[at] + q * b[at] + r * c[at];
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Sum of products by lanes: the same order whatever the machine's vectors.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        (0..LANES).for_each(|lane| sums[lane] += a[lane] * b[lane]);
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
+}
+
+/// Masses of nodes \[M\]: integrals of the shape functions; where one is not positive, those of their squares, scaled to the whole.
+fn masses(space: &Discretisation, density: f64) -> Vec<f64> {
+    let sum = |k: usize| space.integrals.iter().map(|integral| integral[k]).sum::<f64>();
+    if space.integrals.iter().all(|integral| integral[0] > 0.0) {
+        return space.integrals.iter().map(|integral| density * integral[0]).collect();
+    }
+    let scale = density * sum(0) / sum(1);
+    space.integrals.iter().map(|integral| scale * integral[1]).collect()
+}
+
+fn check(parts: &Parts) -> Result<(), GalerkinError> {
+    for (number, x) in parts.nodes.iter().enumerate() {
+        if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
+            return Err(GalerkinError::NotFinite { what: "a coordinate of node", number, value });
+        }
+    }
+    if parts.nodes.is_empty() {
+        return Err(GalerkinError::EmptySet("the body"));
+    }
+    if parts.cells.cells.is_empty() {
+        return Err(GalerkinError::EmptySet("the quadrature"));
+    }
+    if !(parts.density > 0.0 && parts.density.is_finite()) {
+        return Err(GalerkinError::Density(parts.density));
+    }
+    let skew = (parts.axes.transpose() * parts.axes - Tensor::identity()).norm();
+    if skew > SKEW || skew.is_nan() {
+        return Err(GalerkinError::Axes(skew));
+    }
+    let least = parts.support.radii.iter().fold(f64::INFINITY, |least, &radius| least.min(radius));
+    if least > 0.0 && least.is_finite() {
+        let near = CellList::new(&parts.nodes, least);
+        let mut found = Vec::new();
+        for (node, x) in parts.nodes.iter().enumerate() {
+            near.within(x, COINCIDENT * least, &mut found);
+            if let Some(&other) = found.iter().find(|&&other| other as usize > node) {
+                return Err(GalerkinError::Coincident(node as u32, other));
+            }
+        }
+    }
+    Ok(())
+}

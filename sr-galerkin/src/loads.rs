@@ -1,0 +1,140 @@
+//! Loads as forces on nodal parameters: dead ones once, pressure that follows the face as it deforms, with its stiffness.
+
+use sph_core::{FacePoint, Hexahedra, MovingLeastSquares, PointShape, Vec3};
+
+use crate::discretisation::Discretisation;
+use crate::error::GalerkinError;
+use crate::parts::Load;
+
+/// A point of a face under pressure.
+pub(crate) struct PressedPoint {
+    /// Nodes, ascending.
+    pub nodes: Vec<u32>,
+    /// Pressure times φ, one a node, at level one.
+    values: Vec<f64>,
+    /// Derivatives of the shape functions along the tangents, which hold the area of the point.
+    slopes: Vec<[f64; 2]>,
+    /// Tangents at rest \[L\].
+    tangents: [Vec3; 2],
+}
+
+/// All loads of a body at level one.
+#[derive(Default)]
+pub(crate) struct Loads {
+    /// Dead forces on parameters.
+    pub dead: Vec<f64>,
+    /// Faces under pressure.
+    pub pressed: Vec<PressedPoint>,
+}
+
+impl Loads {
+    pub fn new(
+        loads: &[Load],
+        (cells, rule): (&Hexahedra, usize),
+        squares: &MovingLeastSquares,
+        space: &Discretisation,
+    ) -> Result<Self, GalerkinError> {
+        let mut out = Self { dead: vec![0.0; 3 * space.nodes.len()], pressed: Vec::new() };
+        for (number, load) in loads.iter().enumerate() {
+            match load {
+                Load::Body(force) => {
+                    finite("body force", number, force.as_slice())?;
+                    for (node, integral) in space.integrals.iter().enumerate() {
+                        (0..3).for_each(|k| out.dead[3 * node + k] += integral[0] * force[k]);
+                    }
+                }
+                Load::Point { place, force } => {
+                    finite("the force of load", number, force.as_slice())?;
+                    finite("the place of load", number, place.as_slice())?;
+                    out.add(&squares.at(place)?, force);
+                }
+                Load::Traction { faces, traction } => {
+                    finite("the traction of load", number, traction.as_slice())?;
+                    for point in points(cells, faces, rule)? {
+                        out.add(&squares.at(&point.place)?, &(traction * point.area().norm()));
+                    }
+                }
+                Load::Pressure { faces, pressure } => {
+                    finite("the pressure of load", number, &[*pressure])?;
+                    for point in points(cells, faces, rule)? {
+                        let shape = squares.at(&point.place)?;
+                        let along = |g: &[f64; 3], t: &Vec3| (0..3).map(|k| g[k] * t[k]).sum::<f64>();
+                        let [a, b] = point.tangents;
+                        out.pressed.push(PressedPoint {
+                            values: shape.values.iter().map(|phi| pressure * phi).collect(),
+                            slopes: shape.gradients.iter().map(|g| [along(g, &a), along(g, &b)]).collect(),
+                            nodes: shape.nodes,
+                            tangents: point.tangents,
+                        });
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    fn add(&mut self, shape: &PointShape, force: &Vec3) {
+        for (node, phi) in shape.nodes.iter().zip(&shape.values) {
+            (0..3).for_each(|k| self.dead[3 * *node as usize + k] += phi * force[k]);
+        }
+    }
+
+    /// Forces on parameters at a level.
+    pub fn forces(&self, level: f64, parameters: &[f64], out: &mut [f64]) {
+        for (out, dead) in out.iter_mut().zip(&self.dead) {
+            *out = level * dead;
+        }
+        for point in &self.pressed {
+            let [a, b] = point.present(parameters);
+            let area = a.cross(&b) * level;
+            for (node, value) in point.nodes.iter().zip(&point.values) {
+                (0..3).for_each(|k| out[3 * *node as usize + k] -= value * area[k]);
+            }
+        }
+    }
+
+    /// Visits `∂f_I/∂d_J` of the pressure at level one for all pairs of nodes of every point.
+    pub fn stiffness(&self, parameters: &[f64], mut found: impl FnMut(u32, u32, [[f64; 3]; 3])) {
+        for point in &self.pressed {
+            let [a, b] = point.present(parameters);
+            for (row, value) in point.nodes.iter().zip(&point.values) {
+                for (column, slopes) in point.nodes.iter().zip(&point.slopes) {
+                    // d(a × b) = −[b]ₓ da + [a]ₓ db
+                    let v = (a * slopes[1] - b * slopes[0]) * -*value;
+                    found(*row, *column, [[0.0, -v.z, v.y], [v.z, 0.0, -v.x], [-v.y, v.x, 0.0]]);
+                }
+            }
+        }
+    }
+}
+
+impl PressedPoint {
+    /// Tangents of the deformed face.
+    fn present(&self, parameters: &[f64]) -> [Vec3; 2] {
+        let mut out = self.tangents;
+        for (node, slopes) in self.nodes.iter().zip(&self.slopes) {
+            let d = Vec3::from_column_slice(&parameters[3 * *node as usize..][..3]);
+            out[0] += d * slopes[0];
+            out[1] += d * slopes[1];
+        }
+        out
+    }
+}
+
+fn points(cells: &Hexahedra, faces: &[[u32; 4]], rule: usize) -> Result<Vec<FacePoint>, GalerkinError> {
+    if faces.is_empty() {
+        return Err(GalerkinError::EmptySet("a load"));
+    }
+    let count = cells.corners.len();
+    if let Some(&node) = faces.iter().flatten().find(|&&corner| corner as usize >= count) {
+        return Err(GalerkinError::NoSuchNode { what: "the face of a load", node, count });
+    }
+    Ok(cells.face_points(faces, rule)?)
+}
+
+fn finite(what: &'static str, number: usize, values: &[f64]) -> Result<(), GalerkinError> {
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(&value) => Err(GalerkinError::NotFinite { what, number, value }),
+    }
+}

@@ -1,0 +1,97 @@
+//! What a body is made of: nodes, background cells, material, conditions, loads.
+
+use solid_kinematics::{Material, Tangent, Tensor};
+use sph_core::{Basis, Hexahedra, Support, Vec3, Weight};
+
+/// Everything that a body is built from.
+pub struct Parts {
+    /// Nodes \[L\].
+    pub nodes: Vec<Vec3>,
+    /// Background cells, where the integrals are taken.
+    pub cells: Hexahedra,
+    /// Gauss points along an edge of a cell, 1 to 4; 3 is usual.
+    pub rule: usize,
+    /// Basis of the shape functions.
+    pub basis: Basis,
+    /// Their support.
+    pub support: Support,
+    /// Their weight.
+    pub weight: Weight,
+    /// Material.
+    pub material: Material,
+    /// Material axes at rest, as columns.
+    pub axes: Tensor,
+    /// Density \[M/L³\].
+    pub density: f64,
+    /// What holds and moves nodes.
+    pub conditions: Vec<Condition>,
+    /// How conditions are imposed.
+    pub essential: Essential,
+    /// Loads at level one.
+    pub loads: Vec<Load>,
+    /// Derivative that Newton's method iterates with.
+    pub tangent: Tangent,
+    /// Threads; the answer is the same to the last bit.
+    pub threads: usize,
+}
+
+/// A prescribed displacement of nodes along a direction; the others stay free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// The nodes.
+    pub nodes: Vec<u32>,
+    /// Direction; its length does not matter.
+    pub direction: Vec3,
+    /// Displacement at level one \[L\]; it goes with the level.
+    pub by: f64,
+}
+
+impl Condition {
+    /// Nodes that stay where they are along a direction.
+    pub fn held(nodes: Vec<u32>, direction: Vec3) -> Self {
+        Self { nodes, direction, by: 0.0 }
+    }
+
+    /// Nodes that stay where they are.
+    pub fn fixed(nodes: &[u32]) -> [Self; 3] {
+        [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| Self::held(nodes.to_vec(), axis))
+    }
+}
+
+/// How conditions are imposed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Essential {
+    /// Displacements at the nodes have the prescribed values.
+    #[default]
+    Collocation,
+    /// Nodal parameters have them, as in the source: displacements leak. Only to reproduce it.
+    Direct,
+}
+
+/// A load at level one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Load {
+    /// A force per area at rest, its direction fixed \[F/L²\].
+    Traction {
+        /// Faces of background cells, by their corners.
+        faces: Vec<[u32; 4]>,
+        /// The traction.
+        traction: Vec3,
+    },
+    /// A force per volume at rest, its direction fixed \[F/L³\].
+    Body(Vec3),
+    /// A pressure that stays normal to the deformed face and presses on it \[F/L²\].
+    Pressure {
+        /// Faces of background cells, by their corners.
+        faces: Vec<[u32; 4]>,
+        /// The pressure.
+        pressure: f64,
+    },
+    /// A force at a point, its direction fixed.
+    Point {
+        /// Place at rest \[L\].
+        place: Vec3,
+        /// The force \[F\].
+        force: Vec3,
+    },
+}
