@@ -12,8 +12,8 @@ use sph_shell::{AppliedLoad, Gravity, Reach, Shell, Sides, Support, Supported, S
 /// A fluid and structures of one kind.
 pub type Coupled<S> = TwoClocks<Fluid, S>;
 
-/// Stiffness in bending of a strip of bonds over that of a plate, by layers: even weights, a horizon of 3.015 spacings
-/// (case strip-bending). Moduli of solids are raised by it.
+/// Stiffness in bending of a strip of bonds over that of a plate, by layers: even weights, a horizon of
+/// 3.015 spacings (case strip-bending). Moduli of solids are raised by it.
 const BENDING: [(usize, f64); 6] = [(3, 0.639), (4, 0.721), (5, 0.790), (8, 0.894), (10, 0.926), (20, 0.976)];
 
 /// Gravity \[m/s²\].
@@ -93,8 +93,8 @@ impl Strip {
     }
 }
 
-/// Young's modulus with which a strip of so many layers of bonds bends like a plate of the given one; the same for numbers
-/// of layers that were not measured.
+/// Young's modulus with which a strip of so many layers of bonds bends like a plate of the given one; the
+/// same for numbers of layers that were not measured.
 pub fn raised(young: f64, layers: usize) -> f64 {
     young / BENDING.iter().find(|known| known.0 == layers).map_or(1.0, |known| known.1)
 }

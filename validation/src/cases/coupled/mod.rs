@@ -1,5 +1,5 @@
-//! Structures that stand in fluids: first alone, then in the fluid; a new case is a file or folder, a line here, and one in
-//! the list.
+//! Structures that stand in fluids: first alone, then in the fluid; a new case is a file or folder, a line
+//! here, and one in the list.
 
 mod baffle;
 mod clamped_strip;
