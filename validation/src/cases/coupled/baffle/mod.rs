@@ -20,8 +20,6 @@ const LEFT: &str = "energy missing";
 const WEIGHT: &str = "work of gravity";
 const HEIGHT: &str = "height of the first broken bond";
 const ARRIVAL: &str = "arrival at the baffle";
-/// Damage of a node at a clean cut.
-const CUT: f64 = 0.35;
 
 /// The baffle, and what is known of how it breaks.
 pub fn case() -> Case {
@@ -33,13 +31,13 @@ pub fn case() -> Case {
                 the baffle breaks off before 1.5 s; the picture of the source shows it broken at 1.2 s. \
                 A limit of stretch spends more energy on a coarser lattice.",
         citation: "a published case of fluid and bonds; its spacing is lost",
-        variants: [(4, 0.9, false), (5, 1.2, false), (10, 3.0, true)]
+        variants: [(4, 0.7, false), (5, 1.5, false), (10, 3.0, true)]
             .into_iter()
             .map(|(layers, duration, heavy)| {
                 let run = move || study(layers, duration);
                 let variant = Variant::study(PAIRWISE, &format!("{layers} across"), run);
                 let variant = if heavy { variant.heavy() } else { variant };
-                variant.judged(move |run, _| judged(layers, run))
+                variant.judged(move |run, _| judged(layers, duration, run))
             })
             .collect(),
         headline: Some(Headline::new(ARRIVAL, 0.01)),
@@ -81,10 +79,15 @@ fn when(run: &Run, column: &str, more: f64) -> Result<Option<f64>, JudgeError> {
     Ok(pairs.into_iter().find(|(_, value)| *value > more).map(|(time, _)| time))
 }
 
-fn judged(layers: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+fn judged(layers: usize, duration: f64, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let dx = run::BAFFLE[0] / layers as f64;
     let first = when(run, DAMAGE, 0.0)?;
-    let through = when(run, OFF, 0.5)?;
+    let through = Metric::compared("baffle cut through", when(run, OFF, 0.5)?, "s", 0.9);
+    let through = if duration < 1.5 {
+        through.shown("asked before 1.5 s: this run ends earlier")
+    } else {
+        through.within(0.6, "asked before 1.5 s; the source's picture of it is of 1.2 s")
+    };
     let falls = run.last(WEIGHT)?.zip(run.last(LEFT)?).map(|(weight, left)| 100.0 * left / weight);
     let shown = "a figure of this method: the source gives none";
     Ok(vec![
@@ -93,13 +96,12 @@ fn judged(layers: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared("first broken bond", first, "s", 0.5).within(0.1, "asked .40 to .60 s"),
         Metric::error("height of the first broken bond", run.last(HEIGHT)?, "m")
             .within(3.0 * dx, "asked: at the foot, where the moment is greatest"),
-        Metric::compared("baffle cut through", through, "s", 0.9)
-            .within(0.6, "asked before 1.5 s; the source's picture of it is of 1.2 s"),
+        through,
         Metric::compared("mean damage of the lowest row", run.last(FOOT)?, "-", 0.475)
-            .shown(format!("a clean cut leaves about .4; from {CUT} on a node is cracked")),
+            .shown("asked .35 to .60 when it cracks; later more"),
         Metric::error("energy of broken bonds", run.last(SPENT)?, "J/m").shown(shown),
         Metric::error("energy missing, of the work of gravity", falls, "%")
-            .shown("fluid, baffle, broken bonds, friction, diffusion"),
+            .within(3.0, "asked: 3 % of fluid, baffle, broken bonds, friction and diffusion together"),
     ])
 }
 
