@@ -76,7 +76,7 @@ fn variants() -> Vec<Variant> {
     for (place, spacing) in SPACINGS.into_iter().enumerate() {
         for (name, crack, measured) in CRACKS {
             let run = move || crack.figures(spacing).map_err(|error| error.to_string());
-            let variant = Variant::study(SHEETS, &grid(name, spacing), run).quick_if(spacing == 10.0);
+            let variant = Variant::study(SHEETS, &grid(name, spacing), run);
             variants.push(
                 variant.judged(move |run, runs| judged(run, runs, name, &crack, spacing, measured[place])),
             );
