@@ -118,6 +118,9 @@
 //! A [`Block`] is the nodes of a solid, each with a volume and, at the border of the box, with its share of the faces. A
 //! [`BlockLattice`] places them, [`Block::without`] cuts holes.
 //!
+//! [`MovingLeastSquares`] gives shape functions on nodes in space, with exact gradients, that reproduce a [`Basis`]; [`Hexahedra`] are the
+//! background cells with Gauss points, over which a method without elements integrates.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -134,6 +137,8 @@
 //! | kernels: integral one, slope the derivative, smooth end | `every_kernel_integrates_to_one`, `every_slope_is_the_derivative_of_the_value`, `every_kernel_falls_smoothly_to_zero_at_its_support` (src/kernel.rs) |
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
 //! | volumes of a block sum to its box, shares of a face to its area | `volumes_and_faces_sum_to_those_of_the_box` (tests/blocks.rs) |
+//! | moving least squares reproduce their basis and its gradient; gradients are derivatives | `shape_functions_reproduce_their_basis_and_its_gradient`, `gradients_are_the_derivatives_of_the_values` (tests/least_squares.rs) |
+//! | hexahedra integrate to the degree of their rule; faces close | `hexahedra_integrate_volumes_and_areas` |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
