@@ -47,10 +47,10 @@ impl Scene {
     pub(super) fn check_together(&self) -> Checked {
         self.check_transient()?;
         self.check_owners()?;
+        self.check_dimensions()?;
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
         }
-        self.check_dimensions()?;
         self.check_sizes()?;
         self.check_spacings()?;
         self.check_sound_speed()?;
