@@ -116,8 +116,8 @@ fn gate_of_bonds(kind: Kind, layers: usize, what: &str) -> Variant {
     }
 }
 
-/// Bending stiffness of a strip of so many layers over what it should be, partial volumes and one factor a bond; one where the
-/// table has no such strip.
+/// Bending stiffness of a strip of so many layers over what it should be, partial volumes and one factor a bond; one
+/// where the table has no such strip.
 fn bending_ratio(layers: usize) -> f64 {
     let find = || {
         let table = reference("pd_strip_bending").ok()?;
