@@ -160,12 +160,10 @@ mod neighbours;
 mod random;
 mod sampling;
 mod surface;
+mod walls;
 
-pub use block::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
-pub use block::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
-pub use block::{surface_first_row, surface_rows};
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
@@ -175,6 +173,9 @@ pub use sampling::correction::{
     Correction, LinearlyExact, Neighbourhood, Shape, ThroughParticle, corrections,
 };
 pub use sampling::kernel_operator::kernel_operator;
+pub use sampling::moving_least_squares::{
+    Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight,
+};
 pub use sampling::nodal_operator::nodal_operator;
 pub use sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
 pub use surface::cell::{Cell, CellGeometry};
@@ -188,6 +189,8 @@ pub use surface::pairing::pair_triangles;
 pub use surface::patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
 pub use surface::poisson::poisson_cloud;
 pub use surface::sides::{Side, Sides};
+pub use walls::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
+pub use walls::{surface_first_row, surface_rows};
 
 /// A point or vector of space; positions are in `[L]`.
 pub type Vec3 = nalgebra::Vector3<f64>;
