@@ -54,7 +54,8 @@ pub fn gate(way: GateWay) -> Result<Gate, ReferenceError> {
     })
 }
 
-/// Root mean square of a curve's distance from a reference, over the reference's points up to `until` that the curve spans.
+/// Root mean square of a curve's distance from a reference, over the reference's points up to `until` that the curve
+/// spans.
 ///
 /// # Errors
 /// [`ReferenceError::EmptyRange`] where there are none.
@@ -111,7 +112,8 @@ pub struct Swing {
     pub frequency: f64,
 }
 
-/// The end of a bar under its weight, along and down: CSM1 (soft, at rest), CSM2 (stiff, at rest), CSM3 (soft, swinging).
+/// The end of a bar under its weight, along and down: CSM1 (soft, at rest), CSM2 (stiff, at rest), CSM3 (soft,
+/// swinging).
 ///
 /// The values of the benchmark's authors, on their finest mesh.
 ///

@@ -58,8 +58,8 @@ impl Strip {
         pressure * self.length.powi(4) / (384.0 * self.bending_stiffness())
     }
 
-    /// The strip with clamped ends that do not come nearer, under uniform pressure \[F/L²\], deflected by its thickness
-    /// or more.
+    /// The strip with clamped ends that do not come nearer, under uniform pressure \[F/L²\], deflected by its
+    /// thickness or more.
     ///
     /// ```text
     /// D w⁗ − N w″ = q      N = E t/(1 − ν²) · (1/L) ∫ ½ w′² dx      (von Kármán)
@@ -148,10 +148,12 @@ impl WetRing {
         (bending * n * (n - 1.0).powi(2) / (mass * (n + 1.0))).sqrt()
     }
 
-    /// Mass \[M/L²\] that fluid of a density \[M/L³\] adds to the radial motion of n waves at the radius R \[L\] where it acts.
+    /// Mass \[M/L²\] that fluid of a density \[M/L³\] adds to the radial motion of n waves at the radius R \[L\]
+    /// where it acts.
     ///
     /// ```text
-    /// m = ρ_f R/n · (b²ⁿ + R²ⁿ)/(b²ⁿ − R²ⁿ)        the potential φ ~ (rⁿ + b²ⁿ r⁻ⁿ) cos nθ, at rest at b [brennen1982]
+    /// m = ρ_f R/n · (b²ⁿ + R²ⁿ)/(b²ⁿ − R²ⁿ)        the potential φ ~ (rⁿ + b²ⁿ r⁻ⁿ) cos nθ, at rest at b
+    /// [brennen1982]
     /// ```
     pub fn added_mass(&self, waves: u32, density: f64, radius: f64) -> f64 {
         let (wall, ring) = (self.wall.powi(2 * waves as i32), radius.powi(2 * waves as i32));
@@ -164,8 +166,8 @@ impl WetRing {
     /// ω_wet = ω_dry / √(1 + n²/(n²+1) · m R/(ρ_s h a))
     /// ```
     ///
-    /// R is the outer surface of a thick ring, its middle for a shell whose fluid acts there. Of the motion of n waves
-    /// without stretch, `v = −u/n` around, the radial part n²/(n²+1) moves fluid.
+    /// R is the outer surface of a thick ring, its middle for a shell whose fluid acts there. Of the motion of n
+    /// waves without stretch, `v = −u/n` around, the radial part n²/(n²+1) moves fluid.
     pub fn wet(&self, waves: u32, density: f64, radius: f64) -> f64 {
         let n = f64::from(waves).powi(2);
         let mass = self.density * self.thickness * self.radius;

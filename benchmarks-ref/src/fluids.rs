@@ -12,8 +12,8 @@ use crate::error::ReferenceError;
 
 /// Time of a falling column without dimension, `T = t √(H/a) √(g/a)` \[martin1952\].
 ///
-/// `width` a and `height` H of the column in \[L\], `gravity` g in \[L/T²\], `time` in \[T\]. With it fronts x/a of columns of
-/// any size and one proportion H/a are one curve.
+/// `width` a and `height` H of the column in \[L\], `gravity` g in \[L/T²\], `time` in \[T\]. With it fronts x/a of
+/// columns of any size and one proportion H/a are one curve.
 pub fn dam_break_time(time: f64, [width, height]: [f64; 2], gravity: f64) -> f64 {
     time * (height * gravity).sqrt() / width
 }
@@ -102,7 +102,8 @@ pub fn wall_arrival(probe: WallProbe) -> Result<f64, ReferenceError> {
     hit.map(|[time, _]| *time).ok_or(ReferenceError::EmptyRange { first: 0.0, last: 7.0 })
 }
 
-/// A key figure of the box in a dam break by its name, such as `first peak P1` \[Pa\] or `front passes x=0.992` \[s\].
+/// A key figure of the box in a dam break by its name, such as `first peak P1` \[Pa\] or `front passes x=0.992`
+/// \[s\].
 ///
 /// # Errors
 /// [`ReferenceError::UnknownReference`] lists the names there are.

@@ -127,7 +127,7 @@
 //! | a run of a breaking solid goes on to the same bits | `a_breaking_solid_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
 //! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
-//! | a fluid with a shell in it goes on to the same bits | `a_fluid_and_a_shell_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
+//! | a fluid with a shell or a solid in it goes on to the same bits | `a_fluid_and_what_is_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |

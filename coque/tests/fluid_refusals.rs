@@ -112,7 +112,7 @@ fn broken_fluids() {
             (
                 "a set far from the fluid",
                 "{ of = \"tank\", nearest = [0.4, 0.02, 0.0] }",
-                "{ of = \"water\", box = { min = [1, 1, 0], max = [2, 2, 0] } }"
+                "{ of = \"tank\", box = { min = [1, 1, 0], max = [2, 2, 0] } }"
             ),
             ("reaction of a fluid", "of = \"position\"", "of = \"reaction\""),
             (
@@ -226,7 +226,7 @@ fn broken_structures_in_a_fluid() {
                 ("a skew place", "u = [0, 1, 0], v = [0, 0, 1]", "u = [0, 1, 1], v = [0, 0, 1]"),
                 (
                     "a turned frame",
-                    "placed = { origin = [0.11, 0.0, -0.01], u = [0, 1, 0], v = [0, 0, 1] }",
+                    "placed = { origin = [0.11, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }",
                     "orientation = { axis = [1, 1, 1], degrees = 120 }"
                 ),
                 ("unknown wet faces", "placed =", "wet = \"left\"\nplaced ="),

@@ -83,22 +83,20 @@ fn march_drop(dimensions: usize, spacing: f64, smoothing: f64, until: f64) -> [f
     [reach(&fluid, long) / start[0] / a, reach(&fluid, short) / start[1] / b, total / before.kinetic - 1.0]
 }
 
-/// A stretched lattice leaves gaps that a kernel of h = 1.3 Δx does not bridge: the short axis is too long by 8 %, which
+/// Measured 1.012, 1.104 with h = 1.3 Δx, 1.007, 1.000 with 2 Δx, and 1e-5 of energy (at half the spacing 0.998, 1.081
+/// and 0.994, 0.994). A stretched lattice leaves gaps that a kernel of h = 1.3 Δx does not bridge: the short axis is too long by 8 %, which
 /// h = 2 Δx cures. The energy closes to the error of the step.
 #[test]
 fn in_a_plane() {
     let [long, short, energy] = march_drop(2, 0.04, 1.3, 0.0076);
-    println!("{long} {short} {energy:e}");
     assert!((long - 1.0).abs() < 0.02 && (short - 1.0).abs() < 0.12 && energy.abs() < 1e-4);
     let [long, short, energy] = march_drop(2, 0.04, 2.0, 0.0076);
-    println!("{long} {short} {energy:e}");
     assert!((long - 1.0).abs() < 0.03 && (short - 1.0).abs() < 0.03 && energy.abs() < 1e-4);
 }
 
-/// The same in space.
+/// The same in space; measured 1.009, 1.000, 1e-5.
 #[test]
 fn in_space() {
     let [long, short, energy] = march_drop(3, 0.1, 1.5, 0.004);
-    println!("{long} {short} {energy:e}");
-    assert!((long - 1.0).abs() < 0.03 && (short - 1.0).abs() < 0.06 && energy.abs() < 1e-3);
+    assert!((long - 1.0).abs() < 0.03 && (short - 1.0).abs() < 0.03 && energy.abs() < 1e-4);
 }

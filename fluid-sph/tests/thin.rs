@@ -64,13 +64,13 @@ fn each_face_bears_its_own_water() {
         });
         let thrust = |depth: f64| 500.0 * GRAVITY * depth * depth;
         let [front, back] = sums.map(|sum| sum / count);
-        println!("right {right}: back {:.4} front {:.4}", back / thrust(depth), front / thrust(0.5));
-        // An error of the pressure by one spacing of head is 2Δx/H of the thrust: measured ....
-        assert!((back / thrust(depth) - 1.0).abs() < 0.1, "{back}");
+        // An error of the pressure by one spacing of head is 2Δx/H = 10 % of the thrust, 20 % of that of half the depth:
+        // measured 2.1 % and 4.1 %.
+        assert!((back / thrust(depth) - 1.0).abs() < 0.06, "{back}");
         if right == 0.0 {
             assert_eq!(front, 0.0);
         } else {
-            assert!((front / -thrust(0.5) - 1.0).abs() < 0.2, "{front}");
+            assert!((front / -thrust(0.5) - 1.0).abs() < 0.12, "{front}");
         }
         // Nobody crossed the plate.
         for (now, rest) in fluid.positions().iter().zip(fluid.rest()) {
@@ -106,13 +106,16 @@ fn past_a_free_edge_both_sides_meet() {
             .zip(fluid.positions())
             .map(|(v, p)| (v.x - 20.0 * (0.5 - p.x)).abs())
             .sum();
-        (change, fluid.structure_force(0).norm())
+        (change, on_faces(&fluid, &plate))
     };
     // Two that close in on each other through the plate do not feel it; above its head they do.
     let (apart, _) = force(vec![at(0.44, 0.25), at(0.56, 0.25)]);
     let (together, _) = force(vec![at(0.44, 0.56), at(0.56, 0.56)]);
-    println!("{apart} {together}");
-    assert!(together > 0.0);
+    let sum = force(vec![at(0.44, 0.56)]).0 + force(vec![at(0.56, 0.56)]).0;
+    assert!((together - sum).abs() > 0.01 * together, "{together} {sum}");
+    // Past the head, and nearer to the back: rows of the front would stand in the same place twice.
+    let (_, [front, back]) = force(vec![at(0.47, 0.56)]);
+    assert!(front == 0.0 && back > 0.0, "{front} {back}");
     let (alone_left, _) = force(vec![at(0.44, 0.25)]);
     let (alone_right, _) = force(vec![at(0.56, 0.25)]);
     assert_eq!(apart, alone_left + alone_right);

@@ -62,20 +62,18 @@ fn rest(mut parts: Parts) -> Rest {
     found
 }
 
-/// H/Δx = 50. Bounds of the study of the method; measured .
+/// H/Δx = 50. Bounds of the study of the method; measured 1.1 %, 5.6 % (at the floor), 0.45, 8e-6, 3e-4.
 #[test]
 fn in_a_plane() {
     let found = rest(pool(2, [0.2, 1.0, 0.0], [0.2, 1.2, 0.0], 0.02));
-    println!("{found:?}");
     assert!(found.rms < 0.02 && found.worst < 0.06 && found.bias.abs() < 1.5, "{found:?}");
     assert!(found.kinetic < 3e-5 && found.residual.abs() < 1e-3, "{found:?}");
 }
 
-/// H/Δx = 12.
+/// H/Δx = 12; measured 1.3 %, 3.9 %, 0.15, 1.7e-5, 2e-3.
 #[test]
 fn in_space() {
     let found = rest(pool(3, [0.5, 0.5, 1.0], [0.5, 0.5, 1.25], 1.0 / 12.0));
-    println!("{found:?}");
-    assert!(found.rms < 0.1 && found.worst < 0.25 && found.bias.abs() < 1.5, "{found:?}");
-    assert!(found.kinetic < 3e-4 && found.residual.abs() < 3e-3, "{found:?}");
+    assert!(found.rms < 0.04 && found.worst < 0.12 && found.bias.abs() < 1.5, "{found:?}");
+    assert!(found.kinetic < 6e-5 && found.residual.abs() < 6e-3, "{found:?}");
 }

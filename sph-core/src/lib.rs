@@ -125,6 +125,9 @@
 //! are the lines or surfaces at a distance from the face; corners are closed, no two particles are nearer than half a
 //! spacing, and [`leaks`] counts gaps.
 //!
+//! [`MovingLeastSquares`] gives shape functions on nodes in space, with exact gradients, that reproduce a [`Basis`]; [`Hexahedra`] are the
+//! background cells with Gauss points, over which a method without elements integrates.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -144,6 +147,8 @@
 //! | fluid in a basin has the neighbours of an endless lattice | `fluid_in_a_closed_basin_has_the_neighbours_of_an_endless_lattice` (tests/walls.rs) |
 //! | walls are closed at corners of any angle, no two particles too near | `corners_of_any_angle_are_closed_outside`, `round_any_star_of_fluid_the_wall_is_closed` |
 //! | surfaces: no hole, one particle for each square of the spacing | `the_row_behind_a_face_has_no_hole`, `a_box_of_triangles_is_closed_outside_and_inside` (tests/surface_walls.rs) |
+//! | moving least squares reproduce their basis and its gradient; gradients are derivatives | `shape_functions_reproduce_their_basis_and_its_gradient`, `gradients_are_the_derivatives_of_the_values` (tests/least_squares.rs) |
+//! | hexahedra integrate to the degree of their rule; faces close | `hexahedra_integrate_volumes_and_areas` |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -155,12 +160,10 @@ mod neighbours;
 mod random;
 mod sampling;
 mod surface;
+mod walls;
 
-pub use block::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
-pub use block::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
-pub use block::{surface_first_row, surface_rows};
 pub use error::SpaceError;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
@@ -170,6 +173,9 @@ pub use sampling::correction::{
     Correction, LinearlyExact, Neighbourhood, Shape, ThroughParticle, corrections,
 };
 pub use sampling::kernel_operator::kernel_operator;
+pub use sampling::moving_least_squares::{
+    Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight,
+};
 pub use sampling::nodal_operator::nodal_operator;
 pub use sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
 pub use surface::cell::{Cell, CellGeometry};
@@ -183,6 +189,8 @@ pub use surface::pairing::pair_triangles;
 pub use surface::patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
 pub use surface::poisson::poisson_cloud;
 pub use surface::sides::{Side, Sides};
+pub use walls::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
+pub use walls::{surface_first_row, surface_rows};
 
 /// A point or vector of space; positions are in `[L]`.
 pub type Vec3 = nalgebra::Vector3<f64>;

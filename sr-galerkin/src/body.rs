@@ -55,6 +55,8 @@ pub struct Galerkin {
     troubles: Vec<Trouble>,
     /// Whether points and internal forces are those of the parameters.
     pub(crate) evaluated: bool,
+    /// Level at which held parameters stand.
+    pub(crate) level: f64,
     /// Tangents since the last state accepted, and whether the consistent one is insisted on.
     pub(crate) tangents: usize,
     pub(crate) insists: bool,
@@ -96,6 +98,7 @@ impl Galerkin {
             troubles: vec![None; space.cells.len()],
             scratch: Vec::new(),
             evaluated: false,
+            level: 0.0,
             tangents: 0,
             insists: false,
             material: parts.material,
@@ -131,19 +134,26 @@ impl Galerkin {
         matches!(self.material.formulation, Formulation::StrainRotation { .. })
     }
 
-    /// Puts held parameters where a level has them, and evaluates points and internal forces unless that was done.
-    pub(crate) fn evaluate_internal(&mut self, level: f64) {
-        if self.unknowns.moves || !self.evaluated {
+    /// Puts held parameters where the unknowns and a level have them.
+    pub(crate) fn put(&mut self, level: f64) {
+        let stands = self.evaluated && (!self.unknowns.moves || self.level == level);
+        if !stands {
             self.unknowns.put(level, &mut self.parameters);
+            (self.level, self.evaluated) = (level, false);
         }
-        if self.unknowns.moves || !self.evaluated {
+    }
+
+    /// Evaluates points and internal forces at a level, unless that was done.
+    pub(crate) fn evaluate_internal(&mut self, level: f64) {
+        self.put(level);
+        if !self.evaluated {
             self.sweep();
             self.evaluated = true;
         }
     }
 
     /// All points from the history to the present parameters, and the forces of their stresses.
-    pub(crate) fn sweep(&mut self) {
+    fn sweep(&mut self) {
         let stride = force_stride(&self.space);
         let (points, material) = (self.space.points, &self.material);
         let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);

@@ -65,8 +65,8 @@
 //! # What the method does not do
 //!
 //! Gauss's rule does not integrate the rational shape functions exactly, and between held nodes a displacement is not held: an affine
-//! displacement of a block's boundary nodes goes through to .1 to .4 % of the greatest displacement on lattices and .5 to 2 % with nodes displaced by a
-//! quarter of their spacing (to 1e-15 on 3×3×3 nodes, where symmetry helps). The law of increments is hypoelastic: strains below .2.
+//! displacement of a block's boundary nodes goes through to .06 to .3 % of the greatest displacement on lattices and .7 to 1.2 % with nodes displaced by a
+//! quarter of their spacing (exactly on 3×3×3 nodes, where symmetry helps); more Gauss points and more nodes make it less. The law of increments is hypoelastic: strains below .2.
 //!
 //! # What holds, and the test that says so
 //!

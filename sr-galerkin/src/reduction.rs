@@ -28,8 +28,14 @@ struct Corner {
     /// Where entries of K_hf and K_hh come from: held row, column (unknown of the corner, or held), place in the blocks.
     free: Vec<(u32, u32, u32)>,
     held: Vec<(u32, u32, u32)>,
-    /// Place in the pattern of every entry of the lower triangle.
+    /// Those of `unknowns` that stand in terms, and the row of each among them.
+    masters: Vec<u32>,
+    row: Vec<u32>,
+    /// Place in the pattern of every master with every unknown.
     places: Vec<u32>,
+    /// Room for Z and TᵀZ.
+    z: Vec<f64>,
+    sums: Vec<f64>,
 }
 
 impl Reduction {
@@ -49,7 +55,7 @@ impl Reduction {
     }
 
     /// Values in the order of the pattern.
-    pub fn reduce(&self, blocks: &Blocks, values: &mut [f64]) {
+    pub fn reduce(&mut self, blocks: &Blocks, values: &mut [f64]) {
         values.fill(0.0);
         for (&place, &value) in self.direct.iter().zip(blocks.values()) {
             if place != NOWHERE {
@@ -91,7 +97,14 @@ impl Corner {
         let local = |unknown: u32| near.partition_point(|&other| other < unknown) as u32;
         free.iter_mut().for_each(|entry| entry.1 = local(entry.1));
         let terms = unknowns.held.iter().map(|held| held.terms.iter().map(|&(u, t)| (local(u), t)).collect());
-        Self { terms: terms.collect(), unknowns: near, free, held, places: Vec::new() }
+        let terms: Vec<Vec<(u32, f64)>> = terms.collect();
+        let n = near.len();
+        let mut row = vec![NOWHERE; n];
+        terms.iter().flatten().for_each(|term| row[term.0 as usize] = 0);
+        let masters: Vec<u32> = (0..n as u32).filter(|&at| row[at as usize] == 0).collect();
+        masters.iter().enumerate().for_each(|(number, &at)| row[at as usize] = number as u32);
+        let (z, sums) = (vec![0.0; terms.len() * n], vec![0.0; masters.len() * n]);
+        Self { terms, unknowns: near, free, held, masters, row, places: Vec::new(), z, sums }
     }
 
     /// Takes up what the pattern misses.
@@ -103,15 +116,19 @@ impl Corner {
         pattern: &mut Vec<(usize, usize)>,
     ) {
         let n = self.unknowns.len();
-        let mut masters = vec![false; n];
-        self.terms.iter().flatten().for_each(|term| masters[term.0 as usize] = true);
-        self.places = vec![NOWHERE; n * (n + 1) / 2];
-        for row in 0..n {
-            for column in (0..=row).filter(|&column| masters[row] || masters[column]) {
-                let [low, high] = [column, row].map(|at| self.unknowns[at] as usize);
+        self.places = vec![NOWHERE; self.masters.len() * n];
+        for number in 0..self.masters.len() {
+            for at in 0..n {
+                let master = self.masters[number] as usize;
+                let other = self.row[at];
+                if other != NOWHERE && (other as usize) < number {
+                    self.places[number * n + at] = self.places[other as usize * n + master];
+                    continue;
+                }
+                let [low, high] = [master.min(at), master.max(at)].map(|at| self.unknowns[at] as usize);
                 let parameters = [low, high].map(|u| unknowns.parameters[u] as usize);
                 let known = blocks.place(parameters[0], parameters[1]).map(|place| direct[place]);
-                self.places[row * (row + 1) / 2 + column] = known.unwrap_or_else(|| {
+                self.places[number * n + at] = known.unwrap_or_else(|| {
                     pattern.push((high, low));
                     (pattern.len() - 1) as u32
                 });
@@ -120,9 +137,11 @@ impl Corner {
     }
 
     /// Adds `TᵀZ + ZᵀT`.
-    fn add(&self, blocks: &[f64], values: &mut [f64]) {
+    fn add(&mut self, blocks: &[f64], values: &mut [f64]) {
         let n = self.unknowns.len();
-        let mut z = vec![0.0; self.terms.len() * n];
+        let (z, sums) = (&mut self.z, &mut self.sums);
+        z.fill(0.0);
+        sums.fill(0.0);
         for &(h, unknown, place) in &self.free {
             z[h as usize * n + unknown as usize] += blocks[place as usize];
         }
@@ -131,20 +150,17 @@ impl Corner {
                 z[h as usize * n + unknown as usize] += 0.5 * t * blocks[place as usize];
             }
         }
-        let mut sums = vec![0.0; n * n];
         for (h, terms) in self.terms.iter().enumerate() {
             let z = &z[h * n..][..n];
             for &(unknown, t) in terms {
-                let row = &mut sums[unknown as usize * n..][..n];
+                let row = &mut sums[self.row[unknown as usize] as usize * n..][..n];
                 row.iter_mut().zip(z).for_each(|(sum, z)| *sum += t * z);
             }
         }
-        for row in 0..n {
-            for column in 0..=row {
-                let place = self.places[row * (row + 1) / 2 + column];
-                if place != NOWHERE {
-                    values[place as usize] += sums[row * n + column] + sums[column * n + row];
-                }
+        for (number, &master) in self.masters.iter().enumerate() {
+            for at in 0..n {
+                let both = if at == master as usize { 2.0 } else { 1.0 };
+                values[self.places[number * n + at] as usize] += both * sums[number * n + at];
             }
         }
     }

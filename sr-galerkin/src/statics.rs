@@ -27,13 +27,13 @@ impl Equilibrium for Galerkin {
     }
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
-        self.unknowns.put(level, &mut self.parameters);
+        self.put(level);
         self.loads.forces(level, &self.parameters, &mut self.external);
         self.unknowns.project(&self.external, out);
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
-        self.unknowns.put(level, &mut self.parameters);
+        self.put(level);
         self.loads.forces(1.0, &self.parameters, &mut self.external);
         if self.unknowns.moves {
             self.assemble(level);
@@ -70,9 +70,7 @@ impl Equilibrium for Galerkin {
         if self.accepted == self.parameters {
             return;
         }
-        if !self.evaluated {
-            self.sweep();
-        }
+        self.evaluate_internal(self.level);
         for (state, trial) in self.history.iter_mut().zip(&self.trials) {
             *state = trial.state.settled();
         }
@@ -126,10 +124,7 @@ impl Equilibrium for Galerkin {
     }
 
     fn energy(&mut self) -> f64 {
-        if !self.evaluated {
-            self.sweep();
-            self.evaluated = true;
-        }
+        self.evaluate_internal(self.level);
         let volumes = self.space.cells.iter().flat_map(|cell| &cell.volumes);
         self.trials.iter().zip(volumes).map(|(trial, v)| v * self.material.energy(&trial.state)).sum()
     }

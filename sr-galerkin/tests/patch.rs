@@ -152,8 +152,8 @@ fn error_inside(mut parts: Parts, name: &str) -> f64 {
 #[test]
 fn an_affine_displacement_of_the_boundary_goes_through() {
     for (name, parts) in blocks() {
-        // Nodes displaced by a quarter: quadrature, measured 1.7 % at most; on lattices it and the boundary between nodes, .4 %.
-        let bound = if name.ends_with("disorder 0") { 0.012 } else { 0.05 };
+        // Nodes displaced by a quarter: quadrature, measured 1.2 % at most; on lattices it and the boundary between nodes, .29 %.
+        let bound = if name.ends_with("disorder 0") { 0.009 } else { 0.036 };
         let error = error_inside(parts, &name);
         assert!(error < bound, "{name}: {error:e}");
     }
@@ -162,7 +162,7 @@ fn an_affine_displacement_of_the_boundary_goes_through() {
     parts.basis = Basis::Linear;
     parts.support = Support::ellipsoid(SIZE);
     let error = error_inside(parts, "one node inside");
-    assert!(error < 1e-13, "{error:e}");
+    assert!(error < 1e-10, "{error:e}"); // what Newton's tolerance leaves
 }
 
 #[test]
@@ -223,8 +223,6 @@ fn forces_are_the_derivative_of_st_venants_energy() {
         let energy = |sign: f64, body: &mut Galerkin| {
             let saved = body.save();
             body.update(&way.iter().map(|w| sign * w).collect::<Vec<_>>());
-            let mut out = vec![0.0; way.len()];
-            body.internal(1.0, &mut out); // held values follow the unknowns here
             let energy = body.energy();
             body.restore(&saved);
             energy

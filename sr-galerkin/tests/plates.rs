@@ -61,7 +61,7 @@ fn centre(body: &Galerkin) -> f64 {
 fn isotropic(formulation: Formulation, in_plane: InPlane) -> Parts {
     let (a, h): (f64, f64) = (100.0, 1.0);
     let mut parts = quarter(a, h, in_plane, (h / a).powi(4));
-    parts.material.moduli = Moduli::isotropic(1.0, 0.316).unwrap();
+    parts.material.moduli = Moduli::isotropic(1.0, 0.316).expect("moduli");
     parts.material.formulation = formulation;
     parts
 }

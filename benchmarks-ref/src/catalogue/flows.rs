@@ -1,5 +1,6 @@
-//! References of fluids, and of structures that they load or that stand in for them: experiments, published simulations,
-//! closed forms. The grade: A exact or converged, B an independent code or an original record, C digitised or one code.
+//! References of fluids, and of structures that they load or that stand in for them: experiments, published
+//! simulations, closed forms. The grade: A exact or converged, B an independent code or an original record, C
+//! digitised or one code.
 
 use super::Entry;
 

@@ -12,7 +12,6 @@ use super::figures::FluidFigures;
 use super::shown::{Evaluated, Shown};
 use crate::Warning;
 use crate::scene::Measured;
-use crate::warning::Warning;
 
 /// Particles that move, whatever they are made of.
 ///

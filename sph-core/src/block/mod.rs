@@ -1,26 +1,12 @@
-//! Blocks of nodes: solids in a plane or in space; rows of particles that are walls.
+//! Blocks of nodes: solids in a plane or in space.
 
-mod basin;
-mod cover;
 mod cut_out;
 mod hexahedra;
 mod lattice;
-mod moving_least_squares;
-mod offsets;
-mod oriented;
-mod polyline_rows;
-mod stretch;
-mod surface_rows;
-mod wall_rows;
 
-pub use basin::{basin_rows, block_rows};
 pub use cut_out::CutOut;
 pub use hexahedra::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use lattice::{BlockLattice, NodePlaces};
-pub use moving_least_squares::{Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight};
-pub use polyline_rows::{WallSide, polyline_first_row, polyline_rows};
-pub use surface_rows::{surface_first_row, surface_rows};
-pub use wall_rows::leaks;
 
 use crate::Vec3;
 use crate::surface::cell::Cell;

@@ -68,7 +68,7 @@ impl Body for Coupled {
             present.extend(structure.configuration().present);
         }
         for piece in 0..self.layout.pieces.len() {
-            present.extend_from_slice(&fluid.wall_positions(piece));
+            present.extend_from_slice(fluid.wall_positions(piece));
         }
         Configuration { rest: &self.rest, present, cells: &self.cells }
     }

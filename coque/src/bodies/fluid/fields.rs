@@ -29,7 +29,7 @@ pub(in crate::bodies) fn of_walls<'a>(
 
 fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Result<()> {
     let positions = fluid.positions();
-    particles(&positions, to)?;
+    particles(positions, to)?;
     let (rest, velocities) = (fluid.rest(), fluid.velocities());
     let displacement = rows(positions.len(), |a| <[f64; 3]>::from(positions[a] - rest[a]));
     to.numbers(
@@ -43,7 +43,7 @@ fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Re
     to.numbers(At::Points, "velocity", &units.symbol(Quantity::Speed), &[], Values::Double(&velocity))?;
     let (pressures, densities, surface) = (fluid.pressures(), fluid.densities(), fluid.free_surface());
     numbers(to, "pressure", &units.symbol(Quantity::Stress), &pressures)?;
-    numbers(to, "density", &units.symbol(Quantity::Density), &densities)?;
+    numbers(to, "density", &units.symbol(Quantity::Density), densities)?;
     let marks: Vec<f64> = surface.iter().map(|&marked| f64::from(u8::from(marked))).collect();
     numbers(to, "free_surface", &units.symbol(Quantity::Ratio), &marks)?;
     sizes(fluid, positions.len(), units, to)
@@ -57,7 +57,7 @@ fn write_walls(
 ) -> io::Result<()> {
     let (mut positions, mut pressures) = (Vec::new(), Vec::new());
     for wall in walls {
-        positions.extend_from_slice(&fluid.wall_positions(wall));
+        positions.extend_from_slice(fluid.wall_positions(wall));
         pressures.extend_from_slice(&fluid.wall_pressures(wall));
     }
     particles(&positions, to)?;

@@ -79,6 +79,9 @@ pub struct Annulus {
     pub spacing: f64,
 }
 
+/// A box of fluid: its path below the fluid, its edges and, if it is given, its corner.
+pub(crate) type Part<'a> = (String, &'a [f64], Option<&'a [f64]>);
+
 /// A box of fluid, in space; in a plane its last length is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Extent {
@@ -130,7 +133,7 @@ impl FluidGeometry {
     }
 
     /// Its boxes, each with its path below the fluid; none of rings.
-    pub(crate) fn boxes(&self) -> Vec<(String, &[f64], Option<&[f64]>)> {
+    pub(crate) fn boxes(&self) -> Vec<Part<'_>> {
         match self {
             Self::Block(block) => {
                 vec![("geometry.block".into(), &block.lengths, block.origin.as_deref())]
@@ -151,7 +154,7 @@ impl FluidGeometry {
             return vec![Extent { least, lengths: [2.0 * outer, 2.0 * outer, 0.0] }];
         }
         let at = |list: &[f64], axis: usize| list.get(axis).copied().unwrap_or(0.0);
-        let extent = |(_, lengths, origin): (String, &[f64], Option<&[f64]>)| Extent {
+        let extent = |(_, lengths, origin): Part<'_>| Extent {
             least: [0, 1, 2].map(|axis| origin.map_or(0.0, |origin| at(origin, axis))),
             lengths: [0, 1, 2].map(|axis| at(lengths, axis)),
         };

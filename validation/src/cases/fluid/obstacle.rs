@@ -42,9 +42,14 @@ const PROBES: [(&str, [f64; 3]); 8] = [
     ("P7", [0.7235, 0.471, 0.161]),
     ("P8", [0.6835, 0.471, 0.161]),
 ];
-/// Where fronts are timed, with what the data call it: along the middle.
-const FRONTS: [(f64, &str); 3] =
-    [(1.488, "front passes x=1.488"), (0.992, "front passes x=0.992"), (0.496, "front passes x=0.496")];
+/// Where fronts are timed along the middle, with what the data call it: at two gauges and at the box.
+const FRONTS: [(f64, &str); 3] = [
+    (1.488, "front passes x=1.488"),
+    (0.992, "front passes x=0.992"),
+    (0.8245, "arrival at 25 % of the peak P1"),
+];
+/// The same behind the box.
+const BEHIND: (f64, &str) = (0.496, "front passes x=0.496");
 /// Half the width of the strip in which they are.
 const STRIP: f64 = 0.1;
 /// Over which impulses are taken \[s\], of the experiment's time.
@@ -65,7 +70,7 @@ pub fn case() -> Case {
         name: "dam-break-obstacle",
         title: "A dam break in space hits a box",
         about: "The column stands at the far end of the tank; the experiment's door opens in a time that is not known, so that one \
-                shift of time, the mean over the three fronts, is taken out of all that is compared. Heights at four gauges, \
+                shift of time, the mean over the fronts before the box, is taken out of all that is compared. Heights at four gauges, \
                 impulses of the pressures on the box from 0.38 to 0.70 s, peaks. The lattice is cubic and fits the width: water is \
                 0.5 % long and 1 % high.",
         citation: "Kleefsman et al. 2005; SPHERIC test 2; one realisation",
@@ -83,12 +88,12 @@ fn variants() -> Vec<Variant> {
         Variant::study(method, &grid, run).judged(move |run, _| judged(across, run))
     };
     vec![
-        variant(KICKS, 18, 0.8).quick(),
+        variant(KICKS, 18, 0.8),
         variant(KICKS, 18, 2.0),
-        variant(PUBLISHED, 18, 2.0),
-        variant(KICKS, 36, 1.0),
-        variant(KICKS, 36, 6.0).heavy(),
-        variant(KICKS, 54, 2.0).heavy(),
+        variant(PUBLISHED, 18, 0.8),
+        variant(KICKS, 36, 0.75),
+        variant(KICKS, 36, 4.0).heavy(),
+        variant(KICKS, 54, 1.0).heavy(),
     ]
 }
 
@@ -125,7 +130,7 @@ fn broken(across: usize, until: f64, formulation: Formulation) -> Result<Outcome
         // Behind the box only water on the floor counts: what flies over it is no front.
         row.push(middle().filter(behind).filter(|place| place.z < 2.0 * dx).fold(CORNER[0], first));
         row.push(100.0 * fluid.greatest_density_error());
-        row.extend(PROBES.iter().map(|&(_, at)| fluid.pressure_at(Vec3::from(at)).unwrap_or(0.0)));
+        row.extend(PROBES.iter().map(|&(_, at)| pressure(fluid, at)));
         rows.push(row);
         ControlFlow::Continue(())
     });
@@ -139,24 +144,27 @@ fn broken(across: usize, until: f64, formulation: Formulation) -> Result<Outcome
     Ok(Outcome { curve: in_time(&columns, rows), ..marched.outcome(&mut fluid) })
 }
 
+/// What a probe reads \[Pa\]: as a wall feels it, which does not pull.
+fn pressure(fluid: &Fluid, at: [f64; 3]) -> f64 {
+    fluid.pressure_at(Vec3::from(at)).unwrap_or(0.0).max(0.0)
+}
+
 /// A column over time in seconds, later by a shift.
 fn later(run: &Run, name: &str, shift: f64) -> Result<Vec<(f64, f64)>, JudgeError> {
     let times = run.column(TIME)?.into_iter().map(|time| 1e-3 * time + shift);
     Ok(times.zip(run.column(name)?).collect())
 }
 
-/// When fronts pass \[s\]; none for those that the run did not see.
-fn fronts(run: &Run) -> Result<[Option<f64>; 3], JudgeError> {
-    let mut times = [None; 3];
-    for (time, (x, _)) in times.iter_mut().zip(FRONTS) {
-        let path = later(run, NEAREST[usize::from(x < CORNER[0])], 0.0)?;
-        let past = path.windows(2).find(|pair| pair[1].1 <= x);
-        *time = past.map(|pair| {
-            let [(t0, x0), (t1, x1)] = [pair[0], pair[1]];
-            if x0 > x1 { t0 + (t1 - t0) * ((x0 - x) / (x0 - x1)).clamp(0.0, 1.0) } else { t1 }
-        });
-    }
-    Ok(times)
+/// When a front gets to a place \[s\]; none where the run did not see it.
+fn passed(run: &Run, x: f64) -> Result<Option<f64>, JudgeError> {
+    let path = later(run, NEAREST[usize::from(x < CORNER[0])], 0.0)?;
+    // At the box the front stops: it is there when less than a spacing is left.
+    let x = if x > CORNER[0] + BOX[0] + 1e-9 { x } else { x + 0.5 * run.outcome.spacing };
+    let past = path.windows(2).find(|pair| pair[1].1 <= x);
+    Ok(past.map(|pair| {
+        let [(t0, x0), (t1, x1)] = [pair[0], pair[1]];
+        if x0 > x1 { t0 + (t1 - t0) * ((x0 - x) / (x0 - x1)).clamp(0.0, 1.0) } else { t1 }
+    }))
 }
 
 /// A key figure of the experiment.
@@ -166,11 +174,11 @@ fn key(name: &str) -> Result<f64, JudgeError> {
     Ok(table.number(row, "value")?)
 }
 
-/// Mean by which the experiment is later than a run, over the fronts that the run saw \[s\].
+/// Mean by which the experiment is later than a run, over the fronts before the box that the run saw \[s\].
 fn shift(run: &Run) -> Result<f64, JudgeError> {
     let (mut sum, mut count) = (0.0, 0.0);
-    for (time, (_, name)) in fronts(run)?.into_iter().zip(FRONTS) {
-        if let Some(time) = time {
+    for (x, name) in FRONTS {
+        if let Some(time) = passed(run, x)? {
             (sum, count) = (sum + key(name)? - time, count + 1.0);
         }
     }
@@ -181,13 +189,19 @@ fn judged(across: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let shift = shift(run)?;
     let mut metrics =
         vec![Metric::error(SHIFT, Some(1e3 * shift), "ms").shown("the door's, which is not known")];
-    let mut late: Option<f64> = None;
-    for (time, (_, name)) in fronts(run)?.into_iter().zip(FRONTS) {
-        let exact = key(name)?;
-        let off = time.map(|time| 1e3 * (time + shift - exact));
-        late = off.map(|off| late.map_or(off.abs(), |most| most.max(off.abs()))).or(late);
+    let mut late = None;
+    for (x, name) in FRONTS.into_iter().chain([BEHIND]) {
+        let (time, exact) = (passed(run, x)?, key(name)?);
+        if let (true, Some(time)) = (x > BEHIND.0, time) {
+            let off = 1e3 * (time + shift - exact).abs();
+            late = Some(late.map_or(off, |most: f64| most.max(off)));
+        }
         let after = time.map(|time| 1e3 * (time + shift));
-        metrics.push(Metric::compared(name, after, "ms", 1e3 * exact).shown(SHOWN));
+        metrics.push(Metric::compared(name, after, "ms", 1e3 * exact).shown(if x > BEHIND.0 {
+            SHOWN
+        } else {
+            "behind the box water comes through the air: a wire sees spray as particles on the floor do not"
+        }));
     }
     let fine = across >= 54;
     let coarse = "asked where particles are 18.5 mm apart, which is the heavy set; a trend here";
@@ -230,7 +244,8 @@ fn judged(across: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     }
     metrics.extend([
         figure(run, NEAREST[2], "%")?.shown("where the front hits the box; the speed of sound sets it"),
-        figure(run, BALANCE, "%")?.within(3.0, "asked: what is left of the ledger of a flow that breaks"),
+        figure(run, BALANCE, "%")?
+            .within(3.0, "asked at any spacing: what is left of the ledger of a flow that breaks on a box"),
     ]);
     Ok(metrics)
 }
@@ -247,7 +262,8 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         }
         charts.push(Figure::Chart(Chart {
             title: title.into(),
-            caption: "Runs are later by one shift of time each, the mean over the fronts.".into(),
+            caption: "Runs are later by one shift of time each, the mean over the fronts before the box."
+                .into(),
             x: Axis::linear("time of the experiment [s]").between(0.0, if unit == "m" { 6.0 } else { 1.2 }),
             y: Axis::linear(&format!("{column} [{unit}]")),
             series,

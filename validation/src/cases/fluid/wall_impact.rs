@@ -89,7 +89,8 @@ fn hit(high: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error>>
     let mut window = Vec::new();
     let marched = march(&mut fluid, UNTIL * second, WINDOW / RECORDS as f64, |fluid, record| {
         let read = |&(_, height, _): &(&str, f64, &str)| {
-            fluid.pressure_at(Vec3::new(BASIN[0], height, 0.0)).unwrap_or(0.0) / head
+            // As a wall feels it, which does not pull.
+            fluid.pressure_at(Vec3::new(BASIN[0], height, 0.0)).unwrap_or(0.0).max(0.0) / head
         };
         window.push(PROBES.each_ref().map(read));
         if window.len() == RECORDS {

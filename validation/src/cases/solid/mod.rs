@@ -12,7 +12,6 @@ mod moduli;
 mod plate_cracked;
 mod plate_post_buckling;
 mod plate_stability;
-mod plate_tear;
 mod strip;
 mod thin_plate;
 mod torsion;
@@ -37,6 +36,5 @@ pub fn all() -> Vec<Case> {
         plate_stability::case(),
         plate_post_buckling::case(),
         plate_cracked::case(),
-        plate_tear::case(),
     ]
 }

@@ -1,0 +1,89 @@
+//! What one Newton iteration and a whole curve of the cantilever (21×3×3 nodes, quadratic) cost; with `large` a linear answer of 20 000
+//! nodes: `cargo bench -p sr-galerkin --bench newton -- [threads] [large]`.
+
+#[path = "../tests/bodies/mod.rs"]
+mod bodies;
+
+use std::time::Instant;
+
+use bodies::{On, body, cantilever, curve, tip};
+use implicit_statics::{Equilibrium, SymmetricSolver, linear_response};
+use solid_kinematics::Moduli;
+use sph_core::{Basis, Support, Vec3};
+use sr_galerkin::{Condition, Galerkin, Load};
+
+/// Least time of many trials: others on the machine only add to it.
+fn least(name: &str, mut work: impl FnMut()) {
+    let times = (0..40).map(|_| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    });
+    println!("{name:12} {:8.3} ms", 1e3 * times.fold(f64::INFINITY, f64::min));
+}
+
+fn iteration(body: &mut Galerkin) {
+    let (n, pattern) = (body.unknowns(), body.pattern());
+    println!("{} nodes, {} points, {n} unknowns, {} entries", body.nodes(), body.points(), pattern.len());
+    let (mut values, mut forces, zero) = (vec![0.0; pattern.len()], vec![0.0; n], vec![0.0; n]);
+    let mut solver = SymmetricSolver::new(n, &pattern).expect("a pattern");
+    least("forces", || {
+        body.update(&zero); // points are evaluated anew
+        body.internal(0.0, &mut forces);
+    });
+    least("stiffness", || body.tangent(0.0, &mut values));
+    least("factor", || {
+        solver.factor(&values).expect("finite");
+    });
+    body.external(1.0, &mut forces);
+    least("solve", || solver.solve(&mut forces.clone()).expect("regular"));
+}
+
+/// A clamped block of 81×16×16 nodes, linear basis on balls of 1.8 spacings, under its weight.
+fn large(threads: usize) {
+    let start = Instant::now();
+    let lengths = [80.0, 15.0, 15.0];
+    let mut parts = bodies::block(lengths, [81, 16, 16], 0.0);
+    parts.basis = Basis::Linear;
+    parts.support = Support::sphere(1.8);
+    parts.rule = 2;
+    parts.threads = threads;
+    parts.material.moduli = Moduli::isotropic(1.0, 0.2).expect("moduli");
+    parts.conditions.extend(Condition::fixed(&bodies::nodes(&parts, |x| x.x == 0.0)));
+    parts.loads.push(Load::Body(Vec3::new(0.0, 0.0, -1e-9)));
+    let mut body = body(parts);
+    println!("built in {:?}: {} nodes, {} entries", start.elapsed(), body.nodes(), body.pattern().len());
+    let start = Instant::now();
+    let answer = linear_response(&mut body, 0.0).expect("an answer");
+    body.update(&answer);
+    let mut forces = vec![0.0; answer.len()];
+    body.internal(0.0, &mut forces);
+    let end = body.nodes() - 1;
+    // a cantilever of Bernoulli's: q L⁴/(8 E I), with shear 2 (1 + ν) (h/L)² more or less
+    let beam = 1e-9 * 225.0 * 80.0_f64.powi(4) / (8.0 * 15.0_f64.powi(4) / 12.0);
+    println!(
+        "{} unknowns in {:?}; end over a beam's {:.4}",
+        answer.len(),
+        start.elapsed(),
+        -body.displacement(end).z / beam
+    );
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let threads = arguments.iter().find_map(|text| text.parse().ok()).unwrap_or(1);
+    if arguments.iter().any(|text| text == "large") {
+        return large(threads);
+    }
+    let with = || {
+        let mut parts = cantilever(21, 10.0, On::Top);
+        parts.threads = threads;
+        body(parts)
+    };
+    iteration(&mut with());
+    let start = Instant::now();
+    let levels: Vec<f64> = (1..=10).map(f64::from).collect();
+    let (values, steps) = curve(&mut with(), &levels, tip);
+    let iterations: usize = steps.iter().map(|step| step.converged.iterations).sum();
+    println!("curve in {:?}, {iterations} iterations, K = 10: {:.5}", start.elapsed(), values[9]);
+}
