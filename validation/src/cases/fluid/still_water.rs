@@ -33,8 +33,9 @@ pub fn case() -> Case {
     Case {
         name: "still-water",
         title: "A basin at rest for ten √(H/g)",
-        about: "Pressures start hydrostatic and have to stay so: errors in parts of ρgH, of all particles below 0.9 H and all \
-                records; kinetic energy and what its balance misses in parts of ρgH²A/2. The mean error at 0.3 H falls with Δx/H and is given in it.",
+        about: "Pressures start hydrostatic and have to stay so: errors in parts of ρgH, of all particles below 0.9 H and \
+                all records; kinetic energy and what its balance misses in parts of ρgH²A/2. The mean error at 0.3 H \
+                falls with Δx/H and is given in it.",
         citation: "closed form p = ρg(H − y); speed of sound 20 √(gH)",
         variants: variants(),
         headline: Some(Headline::new(RMS, 0.1)),
@@ -182,7 +183,7 @@ fn judged(asked: Asked, run: &Run) -> Result<Vec<Metric>, JudgeError> {
             kinetic,
             bias.within(1.5, "asked: an error of a head of one and a half spacings"),
             lift.within(0.005, "what walls carry is the weight; records see it swing with the sound"),
-            balance.within(1.0, "asked: a percent; velocities live half a step off the places, walls book their work a step late"),
+            balance.within(1.0, "asked: a percent of the energy that the water could release"),
         ]);
     };
     let beside = "a rule of the walls or a lack of diffusion beside the default set: nothing is asked of it";

@@ -72,7 +72,9 @@ fn variants() -> Vec<Variant> {
     .map(|(method, high, formulation, quick)| {
         let named = if method == PUBLISHED { String::new() } else { apart(&formulation) };
         let run = move || hit(high, formulation).map_err(|e| e.to_string());
-        Variant::study(method, &format!("H/Δx {high}{named}"), run).quick_if(quick).judged(move |run, _| judged(high, &formulation, run))
+        Variant::study(method, &format!("H/Δx {high}{named}"), run)
+            .quick_if(quick)
+            .judged(move |run, _| judged(high, &formulation, run))
     })
     .collect()
 }

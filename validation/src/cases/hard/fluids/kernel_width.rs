@@ -70,7 +70,7 @@ fn judged(run: &Run, runs: &Runs) -> Result<Vec<Metric>, JudgeError> {
     }
     metrics.extend([
         figure(run, DENSITY_ERROR, "%")?.within(5.0, "a fluid that is weakly compressible; 0.4 measured"),
-        figure(run, BALANCE, "%")?.within(4.0, "1.3 measured at h = 2 Δx: walls book their work a step late"),
+        figure(run, BALANCE, "%")?.within(4.0, "1.3 measured at h = 2 Δx"),
     ]);
     Ok(metrics)
 }
