@@ -64,7 +64,7 @@ fn variants() -> Vec<Variant> {
         (KICKS, 30, usual, false),
         (KICKS, 60, usual, false),
         (KICKS, 30, Formulation { viscosity: 0.1, ..usual }, false),
-        (CORRECTED, 15, formulation(CORRECTED), true),
+        (CORRECTED, 15, formulation(CORRECTED), false),
         (CORRECTED, 30, formulation(CORRECTED), false),
         (PUBLISHED, 30, formulation(PUBLISHED), false),
     ]
