@@ -1,4 +1,4 @@
-//! dam-break-obstacle: SPHERIC test 2, a dam break in space that hits a box; heights, pressures and fronts of an experiment.
+//! dam-break-obstacle: SPHERIC test 2, a dam break in space that hits a box; fronts, heights, pressures of an experiment.
 
 use std::error::Error;
 use std::ops::ControlFlow;
@@ -120,7 +120,9 @@ fn broken(across: usize, until: f64, formulation: Formulation) -> Result<Outcome
         let mut row = vec![1e3 * record.at.time];
         let level = |&(_, x, _): &(&str, f64, usize)| fluid.level_at(Vec3::new(x, 0.5, 0.0)).max(0.0);
         match rows.last() {
-            Some(last) if rows.len() % HEIGHTS != 0 => row.extend_from_slice(&last[1..=GAUGES.len()]),
+            Some(last) if !rows.len().is_multiple_of(HEIGHTS) => {
+                row.extend_from_slice(&last[1..=GAUGES.len()])
+            }
             _ => row.extend(GAUGES.iter().map(level)),
         }
         let middle = || fluid.positions().iter().filter(|place| (place.y - 0.5 * TANK[1]).abs() < STRIP);

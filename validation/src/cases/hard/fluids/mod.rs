@@ -1,4 +1,4 @@
-//! Hard cases of fluids: a tank that rolls, a narrow corner, one particle, a jet, kernels of any width, runs that must end.
+//! Hard cases of fluids: a tank that rolls, a narrow corner, one particle, a jet, widths of kernels, runs that must end.
 
 pub mod corner;
 pub mod jet;
