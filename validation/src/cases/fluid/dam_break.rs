@@ -91,19 +91,11 @@ fn variants() -> Vec<Variant> {
     columns().into_iter().map(variant).collect()
 }
 
-<<<<<<< HEAD
 /// A set of data with its name: fronts over times.
 type Fronts = (&'static str, Vec<(f64, f64)>);
 
 /// The three sets of data.
 fn experiments() -> Result<[Fronts; 3], JudgeError> {
-=======
-/// A name, and fronts over times.
-type Front = (&'static str, Vec<(f64, f64)>);
-
-/// The three sets of data.
-fn experiments() -> Result<[Front; 3], JudgeError> {
->>>>>>> fluidcases
     let scale = (2.0 * GRAVITY / COLUMN[0]).sqrt();
     // The last set is of a column of these measures, in seconds and metres.
     let third = published("dambreak_koshizuka_oka_exp_b", [0, 1])?;

@@ -108,7 +108,7 @@ fn judged(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
             .within(0.5, "waves that break are never twice the same; 1.12 measured, and nothing may grow"),
         figure(run, DENSITY_ERROR, "%")?.near(2.92, "sheets of water that slam on walls and on each other"),
         figure(run, BALANCE, "%")?
-            .shown("the share of a wall's pressure in the force on a particle does work that nothing stores"),
+            .shown("walls store no energy, and their pressure does work on the fluid: the likely cause, not isolated"),
         figure(run, RUN_UP, "depths")?.shown(SHOWN),
     ])
 }
