@@ -5,6 +5,7 @@
 
 pub mod fields;
 pub mod fluids;
+pub mod refused;
 pub mod solids;
 
 use std::fs;
