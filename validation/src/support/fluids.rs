@@ -203,11 +203,11 @@ pub fn published(name: &str, [x, y]: [usize; 2]) -> Result<Vec<(f64, f64)>, Judg
     Ok(column(x)?.into_iter().zip(column(y)?).collect())
 }
 
-/// The ordinate of points with growing abscissae, linear between them; none beyond their ends.
+/// The ordinate of points with growing abscissae, linear between them, the first of equal ones; none beyond their ends.
 pub fn between(points: &[(f64, f64)], at: f64) -> Option<f64> {
     let right = points.partition_point(|&(x, _)| x < at).max(1);
     let (&(x0, y0), &(x1, y1)) = (points.get(right - 1)?, points.get(right)?);
-    (x0 <= at && at <= x1).then(|| if x1 > x0 { y0 + (y1 - y0) * (at - x0) / (x1 - x0) } else { y1 })
+    (x0 <= at && at <= x1).then(|| if x1 > x0 { y0 + (y1 - y0) * (at - x0) / (x1 - x0) } else { y0 })
 }
 
 /// The mean of points over a range of abscissae by the trapezoidal rule between its ends.

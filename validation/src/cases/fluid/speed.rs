@@ -43,7 +43,7 @@ fn variants() -> Vec<Variant> {
     .into_iter()
     .map(|(method, dimensions, across, grid)| {
         let run = move || timed(method, dimensions, across).map_err(|e| e.to_string());
-        Variant::study(method, grid, run).quick_if(grid == SMALL).alone().judged(judged)
+        Variant::study(method, grid, run).alone().judged(judged)
     })
     .collect()
 }
