@@ -36,7 +36,7 @@ struct Cli {
     /// Write one record per run: particles, steps, time, metrics with tolerances, curve
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Folder for report.html
+    /// Folder for report.html and the pages beside it
     #[arg(long, value_name = "DIR", default_value = "target/validation")]
     report: PathBuf,
     /// Scenes that run at the same time, one thread each [default: one for each core]
@@ -118,12 +118,13 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         let text = serde_json::to_string_pretty(&records).map_err(|error| write_error(file, &error))?;
         fs::write(file, text).map_err(|error| write_error(file, &error))?;
     }
-    let page = cli.report.join("report.html");
-    let html = report::html(&results, &selection)?;
-    fs::create_dir_all(&cli.report)
-        .and_then(|()| fs::write(&page, html))
-        .map_err(|error| write_error(&page, &error))?;
-    println!("report: {}", page.display());
+    for page in report::pages(&results, &selection)? {
+        let file = cli.report.join(page.file);
+        fs::create_dir_all(&cli.report)
+            .and_then(|()| fs::write(&file, page.html))
+            .map_err(|error| write_error(&file, &error))?;
+    }
+    println!("report: {}", cli.report.join(report::FIRST).display());
     Ok(exit_code(&results))
 }
 

@@ -14,15 +14,20 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
-    cases.extend(fluid::all());
-    cases.extend(coupled::all());
-    cases.push(option_cost::case());
+    cases.extend(family("Fluids", fluid::all()));
+    cases.extend(family("Fluids and structures", coupled::all()));
+    cases.extend(family("Cost", [option_cost::case()]));
     cases
+}
+
+/// Cases of one family, whose errors are drawn against their costs in one figure.
+fn family(name: &'static str, cases: impl IntoIterator<Item = Case>) -> impl Iterator<Item = Case> {
+    cases.into_iter().map(move |case| Case { family: name, ..case })
 }
 
 /// The hard cases, in the order of the survival table.
 pub fn hard() -> Vec<Case> {
-    hard::all()
+    family("Hard cases", hard::all()).collect()
 }
 
 #[cfg(test)]

@@ -9,6 +9,8 @@ use crate::figures::Figure;
 pub struct Case {
     /// Name, as in `--case NAME`.
     pub name: &'static str,
+    /// Its family: errors of one family are drawn against their costs in one figure.
+    pub family: &'static str,
     /// The problem in one line.
     pub title: &'static str,
     /// What is compared with what, and what this problem tells that the others do not.
@@ -31,6 +33,7 @@ impl Default for Case {
     fn default() -> Self {
         Self {
             name: "",
+            family: "",
             title: "",
             about: "",
             citation: "",

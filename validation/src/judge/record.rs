@@ -128,6 +128,19 @@ impl Metric {
     }
 }
 
+impl Metric {
+    /// The part of its tolerance that the error uses; negative where there is none to use.
+    pub fn share(&self) -> f64 {
+        match (self.error, self.tolerance) {
+            _ if self.name == REST && self.pass => -2.0,
+            (_, None) => -1.0,
+            (Some(error), Some(tolerance)) if tolerance > 0.0 => error / tolerance,
+            (Some(error), Some(_)) if error == 0.0 => 0.0,
+            (_, Some(_)) => f64::INFINITY,
+        }
+    }
+}
+
 impl Found {
     fn new(name: String, value: Option<f64>, unit: &str, reference: Option<f64>, error: Option<f64>) -> Self {
         // JSON knows no infinities: what is not a number counts as not reached.
@@ -199,6 +212,11 @@ impl Record {
                 rows: outcome.curve.rows.clone(),
             },
         }
+    }
+
+    /// The metric that uses most of its tolerance; the first one where nothing is asked.
+    pub fn nearest(&self) -> Option<&Metric> {
+        self.metrics.iter().rev().max_by(|a, b| a.share().total_cmp(&b.share()))
     }
 
     /// Whether every metric passes.

@@ -1,10 +1,12 @@
-//! Error against cost: one mark a run.
+//! Error against cost: one mark a run, in a figure for each case and in one for each family of cases.
 
-use crate::figures::{Axis, Chart, Figure, GREY, Line, Series};
+use crate::figures::{
+    Axis, BLACK, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, Series,
+};
 use crate::format::short;
 use crate::judge::CaseResult;
 use crate::judge::measure::frontier;
-use crate::methods::METHODS;
+use crate::methods::{METHODS, setting};
 use crate::tables::{answers, unit_of_answers};
 
 /// Error over wall time, one mark a run; none for fewer than three.
@@ -43,4 +45,77 @@ pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
         y: Axis::log(&format!("error [{}]", unit_of_answers(result))),
         series,
     }))
+}
+
+/// Looks of methods that have none of their own, in the order in which they appear.
+const OTHERS: [(Colour, Mark); 5] = [
+    (SKY, Mark::Disc),
+    (ORANGE, Mark::Square),
+    (GREEN, Mark::Triangle),
+    (PURPLE, Mark::Diamond),
+    (BLACK, Mark::Circle),
+];
+
+/// Errors in percent over wall times of a point: a chart for each family of cases that has at least three such runs.
+pub fn family_charts(results: &[&CaseResult]) -> Vec<Chart> {
+    let mut families: Vec<&str> = Vec::new();
+    for result in results {
+        if !families.contains(&result.case.family) {
+            families.push(result.case.family);
+        }
+    }
+    let members =
+        |family: &str| results.iter().copied().filter(|result| result.case.family == family).collect();
+    families.into_iter().filter_map(|family| family_chart(family, members(family))).collect()
+}
+
+fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
+    let mut methods: Vec<(&str, Vec<(f64, f64)>)> = Vec::new();
+    let mut bests = Vec::new();
+    let mut names = Vec::new();
+    for result in results {
+        let Some(headline) = result.case.headline else { continue };
+        if unit_of_answers(result) != "%" {
+            continue;
+        }
+        let mut points = Vec::new();
+        for answer in answers(result) {
+            let point = (answer.run.outcome.seconds_per_point(), answer.error.max(headline.floor));
+            // A run without steps of its own, as one that shares its cloud, has no cost to show.
+            if !(point.0 > 0.0 && point.1 > 0.0) {
+                continue;
+            }
+            points.push(point);
+            let method = answer.run.variant.method.as_str();
+            match methods.iter_mut().find(|(name, _)| *name == method) {
+                Some((_, own)) => own.push(point),
+                None => methods.push((method, vec![point])),
+            }
+        }
+        if !points.is_empty() {
+            names.push(result.case.name);
+            bests.push(frontier(&points).into_iter().map(|i| points[i]).collect::<Vec<_>>());
+        }
+    }
+    if methods.iter().map(|(_, own)| own.len()).sum::<usize>() < 3 {
+        return None;
+    }
+    let mut series: Vec<Series> = Vec::new();
+    for (number, best) in bests.into_iter().enumerate() {
+        let label = if number == 0 { "best of a case in error and cost" } else { "" };
+        series.push(Series::line(label, best, GREY, Line::Solid));
+    }
+    let mut others = OTHERS.into_iter().cycle();
+    for (method, own) in methods {
+        let look = setting(method).map(|setting| (setting.colour, setting.mark)).or_else(|| others.next());
+        let (colour, mark) = look.unwrap_or((GREY, Mark::Cross));
+        series.push(Series::marks(method, own, colour, mark));
+    }
+    Some(Chart {
+        title: family.to_owned(),
+        caption: format!("Left and down is better. A mark is a run of {}.", names.join(", ")),
+        x: Axis::log("wall time of a point of the curve, one thread [s]"),
+        y: Axis::log("error [%]"),
+        series,
+    })
 }

@@ -60,10 +60,11 @@ pub fn without_reason(results: &[CaseResult]) -> Faults {
 pub fn left_out(results: &[CaseResult]) -> Faults {
     let table = validation::tables::table(results);
     let selection = Selection { set: Effort::Quick, hard: false, names: Vec::new(), jobs: 1 };
-    let report = match validation::report::html(results, &selection) {
-        Ok(report) => report,
+    let pages = match validation::report::pages(results, &selection) {
+        Ok(pages) => pages,
         Err(error) => return vec![format!("there is no report: {error}")],
     };
+    let report: String = pages.iter().map(|page| page.html.as_str()).collect();
     let mut faults = Faults::new();
     for case in results.iter().map(|result| result.case.name) {
         if !table.contains(case) {

@@ -62,5 +62,6 @@ pub fn case() -> Case {
                            crosses.";
             STRIP.figures(runs, "Tip of the cantilever against the end force", caption)
         },
+        ..Case::default()
     }
 }

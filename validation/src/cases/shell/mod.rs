@@ -24,33 +24,35 @@ mod thin_ring;
 mod turned;
 mod twisted_beam;
 
+use super::family;
 use crate::Case;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![
-        ring::case(),
-        ring_green_lagrange::case(),
-        thin_ring::case(),
-        cantilever_end_shear::case(),
-        panel::case(),
-        panel_snap_back::case(),
-        panel_laminated::case(),
-        scordelis_lo::case(),
-        pinched_cylinder::case(),
-        hemisphere::case(),
-        twisted_beam::case(),
-        plate::case(),
-        plate_frequencies::case(),
-        buckling::case(),
-        shortened::case(),
-        clamped_cap::case(),
-        external_pressure::case(),
-        hemisphere_large::case(),
-        open_cylinder::case(),
-        pinched_cylinder_large::case(),
-        point_load_smoothness::case(),
-        turned::case(),
-        patch_test::case(),
-    ]
+    let mut cases = Vec::new();
+    cases.extend(family(
+        "Strips and rings",
+        [ring::case(), ring_green_lagrange::case(), thin_ring::case(), cantilever_end_shear::case()],
+    ));
+    cases.extend(family("Panels", [panel::case(), panel_snap_back::case(), panel_laminated::case()]));
+    cases.extend(family(
+        "Linear shells",
+        [scordelis_lo::case(), pinched_cylinder::case(), hemisphere::case(), twisted_beam::case()],
+    ));
+    cases.extend(family("Plates", [plate::case(), plate_frequencies::case()]));
+    cases.extend(family(
+        "Stability of shells",
+        [buckling::case(), shortened::case(), clamped_cap::case(), external_pressure::case()],
+    ));
+    cases.extend(family(
+        "Shells through large rotations",
+        [
+            hemisphere_large::case(),
+            open_cylinder::case(),
+            pinched_cylinder_large::case(),
+            point_load_smoothness::case(),
+        ],
+    ));
+    cases.extend(family("Invariance of shells", [turned::case(), patch_test::case()]));
+    cases
 }

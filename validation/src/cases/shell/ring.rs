@@ -47,6 +47,7 @@ pub fn case() -> Case {
             published,
         }),
         figures,
+        ..Case::default()
     }
 }
 

@@ -48,6 +48,7 @@ pub fn case() -> Case {
                 "Marks of the shell on the lines of the closed form; the published table as small crosses.";
             STRIP.figures(runs, "Tip of the thin strip against the moment", caption)
         },
+        ..Case::default()
     }
 }
 

@@ -12,29 +12,38 @@ mod moduli;
 mod plate_cracked;
 mod plate_post_buckling;
 mod plate_stability;
+mod plate_tear;
 mod strip;
 mod thin_plate;
 mod torsion;
 mod wave;
 
+use super::family;
 use crate::Case;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![
-        moduli::case(),
-        strip::case(),
-        bar::case(),
-        hole::case(),
-        double_cantilever::case(),
-        wave::case(),
-        torsion::case(),
-        drift::case(),
-        mode_one::case(),
-        branching::case(),
-        kalthoff::case(),
-        plate_stability::case(),
-        plate_post_buckling::case(),
-        plate_cracked::case(),
-    ]
+    let mut cases = Vec::new();
+    cases.extend(family(
+        "Peridynamic solids",
+        [
+            moduli::case(),
+            strip::case(),
+            bar::case(),
+            hole::case(),
+            double_cantilever::case(),
+            wave::case(),
+            torsion::case(),
+            drift::case(),
+        ],
+    ));
+    cases.extend(family(
+        "Cracks in peridynamic solids",
+        [mode_one::case(), branching::case(), kalthoff::case()],
+    ));
+    cases.extend(family(
+        "Peridynamic plates",
+        [plate_stability::case(), plate_post_buckling::case(), plate_cracked::case(), plate_tear::case()],
+    ));
+    cases
 }

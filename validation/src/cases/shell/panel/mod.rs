@@ -49,6 +49,7 @@ pub fn case() -> Case {
         // 2.222 kN is known to half its last digit.
         headline: Some(Headline { metric: "limit load", floor: 100.0 * 0.0005 / LIMIT, published }),
         figures: figures::figures,
+        ..Case::default()
     }
 }
 

@@ -1,0 +1,83 @@
+//! The report as a browser shows it: every drawing is there, nothing is wider than a screen of 1280 pixels.
+//!
+//! Without a browser on the path (`chromium`, `google-chrome`, `chrome`) only the text of the pages is looked at, and the
+//! test says so.
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use validation::report::{Page, pages};
+use validation::{Effort, Selection, cases, judge};
+
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+/// Cases with a picture, with curves and with tables, each of less than a second.
+const CASES: [&str; 3] = ["cantilever-end-shear", "strip-bending", "couette"];
+
+/// Opens all sections and writes what is wrong into the title; the report itself runs no scripts.
+const LOOK: &str = "<script>addEventListener('load', () => {
+  document.querySelectorAll('details').forEach(d => d.open = true);
+  const faults = [];
+  if (document.documentElement.scrollWidth > innerWidth) faults.push('page ' + document.documentElement.scrollWidth);
+  const scrolls = e => { for (; e && e !== document.body; e = e.parentElement)
+    if (['auto', 'scroll'].includes(getComputedStyle(e).overflowX)) return true; return false; };
+  document.querySelectorAll('body *').forEach(e => {
+    if (e.getBoundingClientRect().right > innerWidth + 1 && !scrolls(e)) faults.push(e.tagName + ' overflows'); });
+  document.querySelectorAll('svg').forEach(e => {
+    const seen = e.getBoundingClientRect(), held = e.getBBox();
+    if (!(seen.width > 20 && seen.height > 20 && held.width > 0)) faults.push('empty drawing ' + e.id); });
+  document.title = 'looked: ' + document.querySelectorAll('svg').length + ' drawings; ' + faults.join(', ') + ';';
+});</script></body>";
+
+fn report() -> Result<Vec<Page>, Box<dyn Error>> {
+    let names = CASES.map(String::from).to_vec();
+    let selection = Selection { set: Effort::Quick, hard: false, names, jobs: 2 };
+    Ok(pages(&judge(cases::usual(), &selection, &|_| {})?, &selection)?)
+}
+
+/// All that stands between two texts.
+fn between<'a>(text: &'a str, start: &'a str, end: char) -> impl Iterator<Item = &'a str> {
+    text.split(start).skip(1).filter_map(move |rest| rest.split(end).next())
+}
+
+fn browser() -> Option<&'static str> {
+    BROWSERS
+        .into_iter()
+        .find(|name| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success()))
+}
+
+fn title(browser: &str, page: &Page, folder: &Path) -> Result<String, Box<dyn Error>> {
+    let file = folder.join(page.file);
+    fs::write(&file, page.html.replacen("</body>", LOOK, 1))?;
+    let profile = format!("--user-data-dir={}", folder.join("profile").display());
+    let flags = ["--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,900", "--dump-dom"];
+    let seen =
+        Command::new(browser).args(flags).arg(profile).arg(format!("file://{}", file.display())).output()?;
+    let dom = String::from_utf8_lossy(&seen.stdout).into_owned();
+    let title = between(&dom, "<title>", '<').next().unwrap_or_default().to_owned();
+    Ok(title)
+}
+
+#[test]
+fn every_drawing_is_shown_and_nothing_is_wider_than_the_screen() -> Result<(), Box<dyn Error>> {
+    let pages = report()?;
+    let first = &pages[0].html;
+    let lines = first.matches("class='small'").count();
+    assert_eq!(lines, CASES.len(), "a case has no drawing in the list");
+    for target in between(first, "href='#", '\'') {
+        assert_eq!(first.matches(&format!("id='{target}'")).count(), 1, "{target}");
+    }
+    let Some(browser) = browser() else {
+        eprintln!("SKIPPED: none of {} is on the path; the pages were read, not seen", BROWSERS.join(", "));
+        return Ok(());
+    };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
+    fs::create_dir_all(&folder)?;
+    for page in &pages {
+        let title = title(browser, page, &folder)?;
+        let drawings = page.html.matches("<svg ").count();
+        assert_eq!(title, format!("looked: {drawings} drawings; ;"), "{}", page.file);
+    }
+    Ok(())
+}
