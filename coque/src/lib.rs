@@ -149,7 +149,7 @@ pub use bodies::{
     Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, Marched, Memory, Mismatch,
     Model, Part, PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
 };
-pub use fields::{FieldFiles, FieldSink, Frame, FrameFields};
+pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
     read_text, rows, write_whole,
