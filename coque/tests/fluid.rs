@@ -144,9 +144,11 @@ fn each_body_has_frames_of_its_own() {
     assert!(gate.get("displacement").iter().any(|&u| u != 0.0));
     // Both faces of the strip, a thickness apart.
     assert_eq!(points(&thick), 2 * points(&gate));
-    let across: Vec<f64> = thick.get("Points").chunks(3).map(|x| x[0]).collect();
-    let [least, most] = [f64::min, f64::max].map(|pick| across.iter().copied().reduce(pick).unwrap());
-    assert!((most - least - 0.02).abs() < 1e-3, "{least} {most}");
+    let (lower, upper) = thick.get("Points").split_at(3 * points(&gate));
+    for (low, high) in lower.chunks(3).zip(upper.chunks(3)) {
+        let square: f64 = low.iter().zip(high).map(|(a, b)| (a - b) * (a - b)).sum();
+        assert!((square.sqrt() - 0.02).abs() < 1e-12, "{low:?} {high:?}");
+    }
     assert!(fs::read_dir(&folder).unwrap().count() >= 28);
 }
 

@@ -111,7 +111,11 @@ fn broken_fluids() {
                 "of = \"pressure\", direction = [1, 0, 0], on"
             ),
             ("a point of a force", "of = \"force\", on", "of = \"force\", about = [0, 0, 0], on"),
-            ("a flux through nothing", "of = \"pressure\", on = \"gauge\"", "of = \"flux\", on = \"water.all\""),
+            (
+                "a flux through nothing",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", on = \"water.all\""
+            ),
             (
                 "a flux of walls",
                 "of = \"pressure\", on",
@@ -128,7 +132,11 @@ fn broken_fluids() {
                 "of = \"flux\", on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 0], min = [0, 1, 0], \
                  max = [1, 0, 0] }"
             ),
-            ("a direction of a flux", "of = \"pressure\", on = \"gauge\"", "of = \"flux\", direction = [1, 0, 0], on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 0] }"),
+            (
+                "a direction of a flux",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", direction = [1, 0, 0], on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 0] }"
+            ),
             (
                 "a section of a pressure",
                 "of = \"pressure\", on",
@@ -218,7 +226,11 @@ fn broken_structures_in_a_fluid() {
                     "of = \"force\", on = \"gate.all\", direction = [1, 0, 0]",
                     "of = \"pressure\", on = \"gate.all\""
                 ),
-                ("moment on a part", "of = \"force\", on = \"gate.all\"", "of = \"moment\", on = \"gate.x0\""),
+                (
+                    "moment on a part",
+                    "of = \"force\", on = \"gate.all\"",
+                    "of = \"moment\", on = \"gate.x0\""
+                ),
                 (
                     "another spacing",
                     "lengths = [0.04, 0.2], spacing = 0.01",

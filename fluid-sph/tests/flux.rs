@@ -37,12 +37,8 @@ fn a_lattice_in_motion_flows_as_a_continuum() {
         }
         // Downwards as fast, through what is as long; the other way through a section that is turned.
         let unbounded = Vec3::repeat(9.0);
-        let turned = Section {
-            point: Vec3::new(0.0, 0.2, 0.0),
-            normal: -Vec3::y(),
-            min: -unbounded,
-            max: unbounded,
-        };
+        let turned =
+            Section { point: Vec3::new(0.0, 0.2, 0.0), normal: -Vec3::y(), min: -unbounded, max: unbounded };
         // Two rows on either side: the spline reaches all of them.
         assert!((flux(&turned) - 7.0 * depth).abs() < 1e-13);
         assert_eq!(fluid.flux(&turned, std::iter::empty()), 0.0);

@@ -85,7 +85,8 @@ impl FieldFiles {
         }
         let body = |body: &Written<'_>| {
             let [surface, extruded] = series(folder, body.name);
-            let extruded = (wanted.extruded && body.shell).then(|| extruded.up_to(frames as usize)).transpose()?;
+            let extruded =
+                (wanted.extruded && body.shell).then(|| extruded.up_to(frames as usize)).transpose()?;
             Ok((surface.up_to(frames as usize)?, extruded))
         };
         let bodies = bodies.iter().map(body).collect::<Result<_, FieldError>>()?;

@@ -37,8 +37,7 @@ pub(super) fn at_point(of: Measured, fluid: &Fluid, point: Vec3) -> f64 {
 
 /// The section that a scene describes.
 pub(super) fn section(through: &Through) -> Section {
-    let bound =
-        |given: Option<[f64; 3]>, none: f64| given.map_or_else(|| Vec3::repeat(none), Vec3::from);
+    let bound = |given: Option<[f64; 3]>, none: f64| given.map_or_else(|| Vec3::repeat(none), Vec3::from);
     Section {
         point: through.point.into(),
         normal: Vec3::from(through.normal).normalize(),

@@ -80,13 +80,10 @@ impl Measuring<'_> {
         let BuiltWalls { scene, rows, .. } = &self.walls[walls];
         let first = self.layout.walls[walls].start;
         let particles: Vec<_> = (rows.pieces.iter().enumerate())
-            .flat_map(|(piece, of)| {
-                of.points.iter().enumerate().map(move |(a, x)| ((first + piece, a), *x))
-            })
+            .flat_map(|(piece, of)| of.points.iter().enumerate().map(move |(a, x)| ((first + piece, a), *x)))
             .collect();
-        let carried = scene.motion.as_ref().and_then(|_| {
-            Carried::new(point, &particles, self.fluid.dimensions())
-        });
+        let carried =
+            scene.motion.as_ref().and_then(|_| Carried::new(point, &particles, self.fluid.dimensions()));
         carried.map_or(Gauge::InSpace(point), Gauge::OnWalls)
     }
 

@@ -57,7 +57,11 @@ impl Scene {
         s.sized_all(&at("through.point"), &through.point)?;
         s.direction(&at("through.normal"), through.normal)?;
         let plane = matches!(self.body(), BodyScene::Fluid(fluid) if fluid.dimensions() == 2);
-        s.in_plane(&at("through.normal"), through.normal, plane)?;
+        if plane && through.normal[2] != 0.0 {
+            let repair = "set its third component to zero: a plane fluid flows in its plane";
+            let value = format!("{:?}", through.normal);
+            return Err(s.value(&at("through.normal"), value, "in the plane of x and y", repair));
+        }
         let (min, max) = (through.min, through.max);
         for (key, bounds) in [("min", min), ("max", max)] {
             bounds.map_or(Ok(()), |bounds| s.sized_all(&at(&format!("through.{key}")), &bounds))?;
