@@ -7,7 +7,7 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::fluids::{CUBE, DAM, PISTON, ROLLING, SHELL_GATE};
+use common::fluids::{CUBE, DAM, PISTON, ROLLING, ROLLING_IN_SPACE, SHELL_GATE};
 use common::{Replaced, column, last, overridden};
 use coque::{Ended, Outcome, Scene, Silent};
 
@@ -21,19 +21,18 @@ fn warned(outcome: &Outcome) -> Vec<&'static str> {
     outcome.summary.record.warnings.iter().map(|warning| warning.doubt.word()).collect()
 }
 
-/// Pressure is zero at the highest particles, half a spacing under the surface; beside the walls rows of a plate reach no
-/// further than its edge: 6.6 % of the force measured. A fluid that is symmetric turns nothing about its middle, to round-off;
-/// gauges read ρg times a depth, and nothing flows.
+/// Gauges read ρg times a depth at once; the force of a lattice that has not settled is short by a spacing of head, of ten
+/// rows 11 % measured. A fluid that is symmetric turns nothing about its middle, to round-off, and nothing flows.
 #[test]
 fn a_cube_of_water_stands_on_a_plate() {
     let outcome = ran(CUBE, &[]);
     let first = |name: &str| column(&outcome, name)[0];
-    let weight = 1000.0 * 10.0 * 0.2 * 0.2 * 0.19;
-    assert!((first("F") / -weight - 1.0).abs() < 0.1, "{} of {weight}", first("F"));
+    let weight = 1000.0 * 10.0 * 0.2 * 0.2 * 0.2;
+    assert!((first("F") / -weight - 1.0).abs() < 0.15, "{} of {weight}", first("F"));
     assert!(first("Mc").abs() < 1e-9 * weight, "{}", first("Mc"));
     // About the origin the force acts an arm of .1 along y away: M_x = y F_z.
     assert!((first("Mx") / (0.1 * first("F")) - 1.0).abs() < 1e-9, "{}", first("Mx"));
-    assert!((first("p") / (1000.0 * 10.0 * 0.14) - 1.0).abs() < 0.02, "{}", first("p"));
+    assert!((first("p") / (1000.0 * 10.0 * 0.15) - 1.0).abs() < 1e-3, "{}", first("p"));
     assert!((first("h") - 0.2).abs() < 0.005, "{}", first("h"));
     assert!(column(&outcome, "Q").iter().all(|q| q.abs() < 1e-3 * 0.04), "{:?}", column(&outcome, "Q"));
     assert!(last(&outcome, "w") < -1e-7, "{:?}", column(&outcome, "w"));
@@ -68,7 +67,7 @@ fn tub(lengths: [f64; 3], height: f64) -> String {
     text + "endsolid tub\n"
 }
 
-/// Water in walls from a file bears on them with its weight, less that of half a row; walls of a file hold as those of a box.
+/// Water in walls from a file bears on them with its weight, at the start less a spacing of head; nothing leaks.
 #[test]
 fn water_stands_in_walls_from_a_file() {
     let folder = folder("tub");
@@ -86,12 +85,12 @@ fn water_stands_in_walls_from_a_file() {
     let scene = Scene::parse(&text, &folder.join("scene.toml").to_string_lossy()).unwrap();
     let outcome = scene.build(1).unwrap().run(&mut Silent);
     assert_eq!(outcome.ended, Ended::Done);
-    let weight = 1000.0 * 10.0 * 0.2 * 0.2 * 0.19;
+    let weight = 1000.0 * 10.0 * 0.2 * 0.2 * 0.2;
     let forces = column(&outcome, "F");
-    assert!((forces[0] / -weight - 1.0).abs() < 0.03, "{} of {weight}", forces[0]);
+    assert!((forces[0] / -weight - 1.0).abs() < 0.15, "{} of {weight}", forces[0]);
     // At rest walls bear all of the weight.
     let mean = forces[50..].iter().sum::<f64>() / forces[50..].len() as f64;
-    assert!((mean / -80.0 - 1.0).abs() < 0.05, "{mean}");
+    assert!((mean / -weight - 1.0).abs() < 0.05, "{mean}");
     assert!(warned(&outcome).is_empty(), "{:?}", outcome.summary.record.warnings);
     assert!(outcome.shapes.last().unwrap().positions[..1000].iter().all(|x| x.z > 0.0), "leaks");
 }
@@ -135,6 +134,15 @@ fn gauges_turn_with_a_rolling_tank() {
     assert!((wet[0] - fixed[0]).abs() < 1e-9 && (wet[0] / 1000.0 - 1.0).abs() < 0.01, "{wet:?} {fixed:?}");
     // The floor rises past the point that stays: that one is dry behind it, the other stands on it.
     assert!(fixed[10] == 0.0 && wet[10] > 300.0, "{wet:?} {fixed:?}");
+}
+
+/// In space a gauge goes the way of the particle of the wall that it stands on.
+#[test]
+fn gauges_turn_with_walls_in_space() {
+    let outcome = ran(ROLLING_IN_SPACE, &[]);
+    let (dry, particle) = (column(&outcome, "dry"), column(&outcome, "z"));
+    assert!((particle[5] - particle[0]).abs() > 0.02, "{particle:?}");
+    assert!(dry.iter().zip(&particle).all(|(a, b)| (a - b).abs() < 1e-12), "{dry:?} {particle:?}");
 }
 
 /// The published method on the same scene: its own defaults, and a front as fast to within a row.

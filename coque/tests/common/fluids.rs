@@ -142,3 +142,26 @@ centre = [0.2, 0.1, 0.0]
 by = 20.0
 amplitude = { table = [[0.0, 0.0], [0.1, 0.5], [0.2, 1.0]] }
 "#;
+
+/// A tank in space that rolls about a skew axis; a gauge stands where a particle of its dry wall does.
+pub const ROLLING_IN_SPACE: &str = r#"title = "Rolling tank in space"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.1, record_every = 0.02 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, -10.0] } }]
+curve = [
+    { name = "dry", of = "level", on = "tank.all", at = [0.31, 0.15, 0.25] },
+    { name = "z", of = "position", on = "corner", direction = [0, 0, 1] },
+]
+[sets]
+corner = { of = "tank", nearest = [0.31, 0.15, 0.25] }
+[bodies.water.fluid]
+geometry.block = { lengths = [0.1, 0.1, 0.1], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 25.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0, 0.0], max = [0.3, 0.3, 0.3], open = ["z1"] }
+[bodies.tank.walls.motion.rotation]
+axis = [1, -2, 0.5]
+centre = [0.2, 0.1, 0.0]
+by = 20.0
+amplitude = { table = [[0.0, 0.0], [0.1, 1.0]] }
+"#;
