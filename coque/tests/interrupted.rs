@@ -187,7 +187,11 @@ fn killed_at_any_moment_it_ends_in_the_same_bytes() {
 
 #[test]
 fn killed_at_any_moment_a_coupled_run_ends_in_the_same_bytes() {
-    killed_again_and_again("gate", gate, &["curve.csv", "fields/water-0001.vtu", "fields/gate-0001.vtu"]);
+    killed_again_and_again(
+        "gate",
+        gate,
+        &["curve.csv", "fields/water-0001.vtu", "fields/gate-solid-0001.vtu"],
+    );
 }
 
 /// Kills and resumes a run until it is through; files of it are those of a run that went on.
