@@ -43,7 +43,6 @@ fn dam() -> Variant {
         .set("bodies.tank.walls.geometry.basin.max", "[0.876, 0.5]")
         .set(TRANSIENT, "{ duration = 0.28, record_every = 0.0025 }")
         .restless()
-        .quick()
         .judged(|run, _| fronts(run))
 }
 
