@@ -149,7 +149,7 @@ pub use bodies::{
     Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, Marched, Memory, Mismatch,
     Model, Part, PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
 };
-pub use fields::{FieldFiles, FieldSink, Frame, FrameFields};
+pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
     read_text, rows, write_whole,
@@ -157,7 +157,7 @@ pub use mesh_io::{
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
-pub use results::picture::{FieldNotThere, Picture, picture_range, picture_svg, strip, together};
+pub use results::picture::{FieldNotThere, Picture, faces, picture_range, picture_svg, strip, together};
 pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,

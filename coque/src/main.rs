@@ -28,7 +28,7 @@ use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
     Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
-    Outcome, RunOptions, Scene, Task, Warning, read_text,
+    Outcome, RunOptions, Scene, Task, Warning, Written, read_text,
 };
 
 const DONE: u8 = 0;
@@ -244,13 +244,16 @@ fn fields(
 ) -> Result<Option<FieldFiles>, FieldError> {
     let Some(wanted) = &task.output.fields else { return Ok(None) };
     let folder = out.join("fields");
-    let mut names = model.body.body().bodies();
-    if names.is_empty() {
-        names.push(model.description.kind);
+    let described = &model.description;
+    let of = |name| described.bodies.get(name).unwrap_or(described);
+    let written = |name| Written { name, shell: of(name).kind == "shell" };
+    let mut bodies: Vec<Written<'_>> = model.body.body().bodies().into_iter().map(written).collect();
+    if bodies.is_empty() {
+        bodies.push(written(described.kind));
     }
     let files = match from {
-        None => FieldFiles::create_all(&folder, &names, wanted),
-        Some(checkpoint) => FieldFiles::go_on_all(&folder, &names, wanted, checkpoint.frames()),
+        None => FieldFiles::create_all(&folder, &bodies, wanted),
+        Some(checkpoint) => FieldFiles::go_on_all(&folder, &bodies, wanted, checkpoint.frames()),
     };
     files.map(Some)
 }

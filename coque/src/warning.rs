@@ -62,6 +62,8 @@ pub enum Doubt {
     LeakyWall,
     /// Fluid beyond the closed sides of a basin.
     LostFluid,
+    /// A coupling that feeds energy into structures.
+    FluidFirst,
     /// Bonds beyond their limit in a state of balance, which is none without them.
     BrokenAtRest,
 }
@@ -98,6 +100,7 @@ impl Doubt {
             Self::SlowSound => "slow-sound",
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
+            Self::FluidFirst => "fluid-first",
             Self::BrokenAtRest => "broken-at-rest",
         }
     }
@@ -154,6 +157,7 @@ mod tests {
             Doubt::SlowSound,
             Doubt::LeakyWall,
             Doubt::LostFluid,
+            Doubt::FluidFirst,
             Doubt::BrokenAtRest,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());

@@ -10,7 +10,7 @@ use common::fields::{Read, folder, listed, run};
 use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::{column, last};
 use coque::scene::Fields;
-use coque::{Ended, FieldFiles, Outcome, Scene, Silent};
+use coque::{Ended, FieldFiles, Outcome, Scene, Silent, Written};
 
 /// Runs a scene after replacements of one text by another.
 fn ran(text: &str, replaced: &[(&str, &str)], threads: usize) -> Outcome {
@@ -124,23 +124,32 @@ fn water_leans_on_a_gate_of_a_solid() {
 fn each_body_has_frames_of_its_own() {
     let folder = folder("gate");
     let scene = Scene::parse(SHELL_GATE, "scene.toml").unwrap();
-    let wanted = Fields { every: 1, extruded: false, stresses: false };
-    let mut files = FieldFiles::create_all(&folder, &["water", "gate", "tank"], &wanted).unwrap();
+    let wanted = Fields { every: 1, extruded: true, stresses: false };
+    let bodies = ["water", "gate", "tank"].map(|name| Written { name, shell: name == "gate" });
+    let mut files = FieldFiles::create_all(&folder, &bodies, &wanted).unwrap();
     let outcome = run(&scene, &mut files);
-    let frames: Vec<usize> =
-        ["water", "gate", "tank"].map(|name| listed(&folder.join(format!("{name}.pvd"))).len()).into();
+    let names = ["water", "gate", "tank", "gate-solid"];
+    let frames: Vec<usize> = names.map(|name| listed(&folder.join(format!("{name}.pvd"))).len()).into();
     // One at each record.
-    assert_eq!(frames, [6, 6, 6]);
+    assert_eq!(frames, [6; 4]);
+    assert!(!folder.join("water-solid.pvd").exists());
     assert_eq!(outcome.summary.record.frames, 6);
     let read = |name: &str| Read::new(&listed(&folder.join(format!("{name}.pvd"))).last().unwrap().1);
-    let [water, gate, tank] = ["water", "gate", "tank"].map(read);
+    let [water, gate, tank, thick] = names.map(read);
     let points = |read: &Read| read.get("Points").len() / 3;
     let count = |name: &str| outcome.summary.body.bodies[name].particles;
     assert_eq!([points(&water), points(&gate), points(&tank)], ["water", "gate", "tank"].map(count));
     assert_eq!(water.get("pressure").len(), 160);
     assert_eq!(water.get("velocity").len(), 480);
     assert!(gate.get("displacement").iter().any(|&u| u != 0.0));
-    assert!(fs::read_dir(&folder).unwrap().count() >= 21);
+    // Both faces of the strip, a thickness apart.
+    assert_eq!(points(&thick), 2 * points(&gate));
+    let (lower, upper) = thick.get("Points").split_at(3 * points(&gate));
+    for (low, high) in lower.chunks(3).zip(upper.chunks(3)) {
+        let square: f64 = low.iter().zip(high).map(|(a, b)| (a - b) * (a - b)).sum();
+        assert!((square.sqrt() - 0.02).abs() < 1e-12, "{low:?} {high:?}");
+    }
+    assert!(fs::read_dir(&folder).unwrap().count() >= 28);
 }
 
 /// A cantilever, and the same placed elsewhere with its load turned along.

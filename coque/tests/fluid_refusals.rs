@@ -111,6 +111,39 @@ fn broken_fluids() {
                 "of = \"pressure\", direction = [1, 0, 0], on"
             ),
             ("a point of a force", "of = \"force\", on", "of = \"force\", about = [0, 0, 0], on"),
+            (
+                "a flux through nothing",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", on = \"water.all\""
+            ),
+            (
+                "a flux of walls",
+                "of = \"pressure\", on",
+                "of = \"flux\", through = { point = [0, 0, 0], normal = [1, 0, 0] }, on"
+            ),
+            (
+                "a flux across the plane",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 1] }"
+            ),
+            (
+                "a section inside out",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 0], min = [0, 1, 0], \
+                 max = [1, 0, 0] }"
+            ),
+            (
+                "a direction of a flux",
+                "of = \"pressure\", on = \"gauge\"",
+                "of = \"flux\", direction = [1, 0, 0], on = \"water.all\", through = { point = [0, 0, 0], normal = [1, 0, 0] }"
+            ),
+            (
+                "a section of a pressure",
+                "of = \"pressure\", on",
+                "of = \"pressure\", through = { point = [0, 0, 0], normal = [1, 0, 0] }, on"
+            ),
+            ("a point of a position", "of = \"position\", on", "of = \"position\", at = [0, 0, 0], on"),
+            ("a point of a set", "of = \"pressure\", on", "of = \"pressure\", at = [0, 0, 0], on"),
             ("a plot of nothing", "loads =", "output.plot = { x = \"time\", y = \"fornt\" }\nloads ="),
             (
                 "walls alone",
@@ -192,6 +225,16 @@ fn broken_structures_in_a_fluid() {
                     "pressure on a structure",
                     "of = \"force\", on = \"gate.all\", direction = [1, 0, 0]",
                     "of = \"pressure\", on = \"gate.all\""
+                ),
+                (
+                    "moment on a part",
+                    "of = \"force\", on = \"gate.all\"",
+                    "of = \"moment\", on = \"gate.x0\""
+                ),
+                (
+                    "another spacing",
+                    "lengths = [0.04, 0.2], spacing = 0.01",
+                    "lengths = [0.04, 0.2], spacing = 0.02"
                 ),
                 ("no direction of a force", "on = \"gate.all\", direction = [1, 0, 0]", "on = \"gate.all\""),
                 ("a name twice", "name = \"F\"", "name = \"dx\""),

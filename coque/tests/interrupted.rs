@@ -171,12 +171,35 @@ fn killed_without_a_checkpoint_it_leaves_the_rows_so_far() {
     assert_eq!(left[..shorter], whole[..shorter], "not the rows of the same run");
 }
 
+/// A gate in water for a few hundredths of a second, with a checkpoint every few milliseconds of the clock.
+fn gate(out: &str) -> Vec<&str> {
+    let mut arguments = vec!["run", "scenes/gate.toml", "--out", out];
+    for replaced in ["analysis.explicit.transient.duration=0.02", "output.checkpoint_every=0.005"] {
+        arguments.extend(["--set", replaced]);
+    }
+    arguments
+}
+
 #[test]
 fn killed_at_any_moment_it_ends_in_the_same_bytes() {
-    let (whole, out) = (folder("whole"), folder("killed"));
+    killed_again_and_again("ring", |out| ring(out, &[]), &["curve.csv"]);
+}
+
+#[test]
+fn killed_at_any_moment_a_coupled_run_ends_in_the_same_bytes() {
+    killed_again_and_again(
+        "gate",
+        gate,
+        &["curve.csv", "fields/water-0001.vtu", "fields/gate-solid-0001.vtu"],
+    );
+}
+
+/// Kills and resumes a run until it is through; files of it are those of a run that went on.
+fn killed_again_and_again(name: &str, arguments: fn(&str) -> Vec<&str>, files: &[&str]) {
+    let (whole, out) = (folder(&format!("{name}-whole")), folder(&format!("{name}-killed")));
     let (whole_path, path) = (whole.to_string_lossy(), out.to_string_lossy());
-    finished(&coque(&ring(&whole_path, &[])).output().unwrap());
-    let mut run = coque(&ring(&path, &[])).spawn().unwrap();
+    finished(&coque(&arguments(&whole_path)).output().unwrap());
+    let mut run = coque(&arguments(&path)).spawn().unwrap();
     begun(&mut run, &out);
     let mut killed = 0;
     // Moments without a pattern, the same on every run.
@@ -197,8 +220,10 @@ fn killed_at_any_moment_it_ends_in_the_same_bytes() {
     }
     assert!(killed >= 1);
     finished(&run.wait_with_output().unwrap());
-    let curve = |folder: &Path| fs::read(folder.join("curve.csv")).unwrap();
-    assert_eq!(curve(&whole), curve(&out));
+    for file in files {
+        let [whole, killed] = [&whole, &out].map(|folder| fs::read(folder.join(file)).unwrap());
+        assert!(whole == killed, "{file} is another one");
+    }
     assert!(!out.join("checkpoint.bin").exists());
 
     let again = coque(&["resume", &path]).output().unwrap();

@@ -9,7 +9,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use common::fluids::{DAM, GATE, SHELL_GATE};
+use common::fluids::{CUBE, DAM, GATE, ROLLING, SHELL_GATE};
 use coque::{
     CHECKPOINT, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, Origin, Outcome, Progress,
     ProgressReport, RunOptions, SCENE_COPY, Scene, Silent,
@@ -123,6 +123,12 @@ fn a_fluid_and_what_is_in_it_go_on_to_the_same_bits() {
     let replaced = [("analysis.explicit.transient.duration", "0.006")];
     stopped_again_and_again("shell-gate", SHELL_GATE, &replaced, 4);
     stopped_again_and_again("solid-gate", GATE, &replaced, 4);
+    stopped_again_and_again("cube", CUBE, &[("analysis.explicit.transient.duration", "0.002")], 3);
+    stopped_again_and_again("rolling", ROLLING, &[], 6);
+    let source = ("bodies.water.fluid.formulation", "{ weakly-compressible = { method = \"source\" } }");
+    stopped_again_and_again("source", DAM, &[source], 6);
+    let first = ("coupling", "{ order = \"fluid-first\", impedance = false }");
+    stopped_again_and_again("fluid-first", SHELL_GATE, &[replaced[0], first], 4);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What instruments would read: pressures at places and walls, levels, the free surface.
+//! What instruments would read: pressures at places and walls, levels, moments on structures, the free surface.
 
 use sph_core::Vec3;
 
@@ -28,6 +28,14 @@ impl Fluid {
     /// Pressures at the points of a structure \[F/L²\], as [`Fluid::wall_pressures`].
     pub fn structure_pressures(&self, structure: usize) -> Vec<f64> {
         self.means_at(&self.boundary.points[self.boundary.structure(structure)])
+    }
+
+    /// Moment of the fluid on a structure about a point \[F L; F in a plane\], of the last evaluation: that of the forces on its
+    /// points, of a shell of those on its faces.
+    pub fn structure_moment(&self, structure: usize, about: Vec3) -> Vec3 {
+        let range = self.boundary.structure(structure);
+        let pairs = self.boundary.points[range.clone()].iter().zip(&self.boundary.forces[range]);
+        pairs.map(|(point, force)| (point - about).cross(&Vec3::from(*force))).sum()
     }
 
     /// Height along −g (the second axis in a plane, the third in space, without gravity) of the highest wet place of the

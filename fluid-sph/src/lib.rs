@@ -62,6 +62,7 @@
 //! | walls hand over impulses and work; laminar flow decays as its mode | tests/moving_walls.rs |
 //! | each face of a thin plate bears its own water; past its edge both sides meet | tests/thin.rs |
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
+//! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |
 //! | the kernel is one in sum, its factor its slope; the state has its sound and energy | src/kernel.rs, src/liquid.rs |
 //! | lanes of AVX2 and plain loops agree; cells beside each other hold all neighbours | src/lanes.rs, src/cells.rs |
 #![warn(missing_docs)]
@@ -75,6 +76,7 @@ mod dispatch;
 mod energies;
 mod error;
 mod fluid;
+mod flux;
 mod formulation;
 mod gather;
 mod gauges;
@@ -99,6 +101,7 @@ mod walls;
 pub use energies::Energies;
 pub use error::FluidError;
 pub use fluid::{Fluid, StepBounds};
+pub use flux::Section;
 pub use formulation::{Formulation, Scheme, WallRule};
 pub use liquid::Liquid;
 pub use parts::{Motion, Parts, Rotation, Start, Structure, Wall};

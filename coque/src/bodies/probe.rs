@@ -126,6 +126,7 @@ fn usual(of: Measured) -> Quantity {
         Measured::FractureEnergy | Measured::Moment => Quantity::Energy,
         Measured::StrainEnergy | Measured::Pressure => Quantity::Stress,
         Measured::Density => Quantity::Density,
+        Measured::Flux => Quantity::Flux,
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{
-    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip,
+    Curve, Picture, ReadError, Sheet, faces, listed, picture_range, picture_svg, plot_svg, read_text, strip,
     together, write_whole,
 };
 
@@ -169,7 +169,7 @@ fn frame(
             let count = frames.len();
             return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
         };
-        sheets.push(Sheet::read(path).map_err(unread)?);
+        sheets.push(faces(Sheet::read(path).map_err(unread)?));
         at = *along;
     }
     let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };
@@ -195,7 +195,12 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
     if all.is_empty() || all == [shell.clone(), solid] {
         return Ok(vec![shell]);
     }
-    Ok(all)
+    // Of a shell beside others what has its thickness is drawn, if it was written.
+    let thick = |list: &PathBuf| {
+        let name = list.file_stem().unwrap_or_default().to_string_lossy();
+        list.with_file_name(format!("{name}-solid.pvd"))
+    };
+    Ok(all.iter().filter(|list| !all.contains(&thick(list))).cloned().collect())
 }
 
 fn unread(error: ReadError) -> String {

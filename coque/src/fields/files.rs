@@ -8,6 +8,15 @@ use mesh_io::{FieldError, Series};
 use super::{FieldSink, Frame, Part};
 use crate::scene::Fields;
 
+/// A body whose frames are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Written<'a> {
+    /// Its name, that of its files.
+    pub name: &'a str,
+    /// Whether it is a shell, which can be written with its thickness as well.
+    pub shell: bool,
+}
+
 /// Writes the frames of one body or of several into a folder: `NAME.pvd` and `NAME-0000.vtu` …, and of an extruded shell
 /// likewise, `solid` of a lone shell, else `NAME-solid`.
 ///
@@ -27,22 +36,22 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a folder that cannot be made or cleared.
     pub fn create(folder: &Path, name: &str, wanted: &Fields) -> Result<Self, FieldError> {
-        Self::create_all(folder, &[name], wanted)
+        Self::create_all(folder, &[Written { name, shell: true }], wanted)
     }
 
     /// The same for several bodies, in the order of [`crate::Body::bodies`].
     ///
     /// # Errors
     /// As [`FieldFiles::create`].
-    pub fn create_all(folder: &Path, names: &[&str], wanted: &Fields) -> Result<Self, FieldError> {
+    pub fn create_all(folder: &Path, bodies: &[Written<'_>], wanted: &Fields) -> Result<Self, FieldError> {
         fs::create_dir_all(folder)
             .map_err(|error| FieldError { path: folder.display().to_string(), reason: error.to_string() })?;
-        names.iter().try_for_each(|name| Self::clear(folder, name))?;
-        let body = |name: &&str| {
-            let [surface, extruded] = series(folder, name);
-            (surface, wanted.extruded.then_some(extruded))
+        bodies.iter().try_for_each(|body| Self::clear(folder, body.name))?;
+        let body = |body: &Written<'_>| {
+            let [surface, extruded] = series(folder, body.name);
+            (surface, (wanted.extruded && body.shell).then_some(extruded))
         };
-        Ok(Self { stresses: wanted.stresses, bodies: names.iter().map(body).collect() })
+        Ok(Self { stresses: wanted.stresses, bodies: bodies.iter().map(body).collect() })
     }
 
     /// Takes out the frames that an earlier run left in a folder, and their lists; whatever else is there stays.
@@ -58,7 +67,7 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a list that does not hold them, and a folder that cannot be cleared.
     pub fn go_on(folder: &Path, name: &str, wanted: &Fields, frames: u64) -> Result<Self, FieldError> {
-        Self::go_on_all(folder, &[name], wanted, frames)
+        Self::go_on_all(folder, &[Written { name, shell: true }], wanted, frames)
     }
 
     /// The same for several bodies.
@@ -67,19 +76,20 @@ impl FieldFiles {
     /// As [`FieldFiles::go_on`].
     pub fn go_on_all(
         folder: &Path,
-        names: &[&str],
+        bodies: &[Written<'_>],
         wanted: &Fields,
         frames: u64,
     ) -> Result<Self, FieldError> {
         if frames == 0 {
-            return Self::create_all(folder, names, wanted);
+            return Self::create_all(folder, bodies, wanted);
         }
-        let body = |name: &&str| {
-            let [surface, extruded] = series(folder, name);
-            let extruded = wanted.extruded.then(|| extruded.up_to(frames as usize)).transpose()?;
+        let body = |body: &Written<'_>| {
+            let [surface, extruded] = series(folder, body.name);
+            let extruded =
+                (wanted.extruded && body.shell).then(|| extruded.up_to(frames as usize)).transpose()?;
             Ok((surface.up_to(frames as usize)?, extruded))
         };
-        let bodies = names.iter().map(body).collect::<Result<_, FieldError>>()?;
+        let bodies = bodies.iter().map(body).collect::<Result<_, FieldError>>()?;
         Ok(Self { stresses: wanted.stresses, bodies })
     }
 }

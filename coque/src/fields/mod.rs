@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 
 use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
-pub use files::FieldFiles;
+pub use files::{FieldFiles, Written};
 
 use crate::bodies::{Body, Evaluated, Part, Shown, State, Task};
 use crate::results::picture::together;

@@ -3,12 +3,14 @@
 //! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other, and for
 //! particles, which are squares.
 
+mod faces;
 mod field;
 mod paint;
 mod together;
 
 use std::collections::BTreeMap;
 
+pub use faces::faces;
 pub use field::FieldNotThere;
 use field::{Values, values};
 use mesh_io::Sheet;

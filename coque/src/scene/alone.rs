@@ -60,6 +60,10 @@ impl Scene {
         alone.sets.retain(|_, region| region.of.as_ref().is_none_or(|of| of == name));
         alone.coupling = None;
         alone.output.plot = None;
+        // Of several bodies the shells have a thickness to be written: that there is one is seen to of them together.
+        if let Some(fields) = alone.output.fields.as_mut().filter(|_| self.bodies.len() > 1) {
+            fields.extruded = false;
+        }
         let structure = matches!(self.bodies.get(name), Some(BodyScene::Shell(_) | BodyScene::Solid(_)));
         let of_itself = |column: usize| !(structure && self.curve[column].of.is_of_contact());
         let mut renumbered = BTreeMap::new();

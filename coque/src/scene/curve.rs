@@ -13,17 +13,35 @@ pub struct Probe {
     pub of: Measured,
     /// Particle set.
     pub on: String,
-    /// What is taken of the values of its particles; left out, the mean, for forces, moments and fracture
-    /// energies the sum.
+    /// What is taken of the values of its particles; left out, the mean, for forces, moments, fluxes and
+    /// fracture energies the sum.
     pub take: Option<Take>,
-    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities and levels, which are
-    /// numbers, none.
+    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities, levels and fluxes, which
+    /// are numbers, none.
     pub direction: Option<[f64; 3]>,
     /// Point about which a moment is taken \[L\]; left out, the origin.
     pub about: Option<[f64; 3]>,
+    /// Point at which a pressure, over which a level is told \[L\]: on a fluid it stays, on walls it goes with them.
+    pub at: Option<[f64; 3]>,
+    /// Line of a plane, face in space, through which a flux is told.
+    pub through: Option<Through>,
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
+}
+
+/// A line of a plane, a face in space: the part between bounds of what lies across a normal.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Through {
+    /// A point of it \[L\].
+    pub point: [f64; 3],
+    /// Its normal, along which flow counts as positive; the length does not matter.
+    pub normal: [f64; 3],
+    /// Least coordinates of the part that counts \[L\]; left out, unbounded.
+    pub min: Option<[f64; 3]>,
+    /// Greatest coordinates of that part \[L\]; left out, unbounded.
+    pub max: Option<[f64; 3]>,
 }
 
 /// What a column takes of the values of its particles.
@@ -51,7 +69,11 @@ impl Take {
     /// What is taken where nothing is said: the sum of forces, moments and fracture energies, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
-            Measured::Reaction | Measured::FractureEnergy | Measured::Force | Measured::Moment => Self::Sum,
+            Measured::Reaction
+            | Measured::FractureEnergy
+            | Measured::Force
+            | Measured::Moment
+            | Measured::Flux => Self::Sum,
             _ => Self::Mean,
         }
     }
@@ -79,16 +101,18 @@ pub enum Measured {
     FractureEnergy,
     /// Stored energy by volume at a node of a solid \[F/L²\].
     StrainEnergy,
-    /// Pressure of a fluid: of its particles, or before a wall; zero where that is dry \[F/L²\].
+    /// Pressure of a fluid: of its particles, before a wall, or at a point; zero where that is dry \[F/L²\].
     Pressure,
     /// Density of the particles of a fluid \[F T²/L⁴\].
     Density,
-    /// Height of the surface of a fluid over places of a wall, against gravity from the origin \[L\].
+    /// Height of the surface of a fluid over places of a wall, or over a point, against gravity from the origin \[L\].
     Level,
     /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\].
     Force,
-    /// Component of the moment of the forces of a fluid on walls \[F L; by depth in a plane F\].
+    /// Component of the moment of the forces of a fluid on walls or on a structure \[F L; by depth in a plane F\].
     Moment,
+    /// Volume of a fluid at rest that flows through a line or a face in a time \[L³/T; by depth in a plane L²/T\].
+    Flux,
 }
 
 impl Measured {
@@ -109,6 +133,7 @@ impl Measured {
             Self::Level => "level",
             Self::Force => "force",
             Self::Moment => "moment",
+            Self::Flux => "flux",
         }
     }
 
@@ -122,6 +147,7 @@ impl Measured {
                 | Self::Pressure
                 | Self::Density
                 | Self::Level
+                | Self::Flux
         )
     }
 

@@ -22,7 +22,7 @@ pub struct Fields {
     /// Every N-th settled level, record in time, converged point or mode; the first always.
     #[serde(default = "each")]
     pub every: u64,
-    /// The shell with its thickness as well, in files of its own.
+    /// Shells with their thickness as well, in files of their own.
     #[serde(default)]
     pub extruded: bool,
     /// Strains, resultants and, of homogeneous sections, surface stresses at the sampling points.

@@ -110,6 +110,10 @@ pub enum Quantity {
     Volume,
     /// \[F T²/L⁴\].
     Density,
+    /// \[L³/T\].
+    Flux,
+    /// \[L²/T\].
+    FluxByDepth,
 }
 
 impl Length {
@@ -179,6 +183,8 @@ impl Units {
             Quantity::Area => format!("{length}²"),
             Quantity::Volume => format!("{length}³"),
             Quantity::Density => format!("{force} {time}²/{length}⁴"),
+            Quantity::Flux => format!("{length}³/{time}"),
+            Quantity::FluxByDepth => format!("{length}²/{time}"),
         }
     }
 }
@@ -194,6 +200,7 @@ mod tests {
         assert_eq!(units.symbol(Quantity::Angle), "rad");
         assert_eq!(units.symbol(Quantity::Stress), "N/cm²");
         assert_eq!(units.symbol(Quantity::MomentPerLength), "N cm/cm");
+        assert_eq!(units.symbol(Quantity::Flux), "cm³/s");
         assert!(units.consistent());
     }
 

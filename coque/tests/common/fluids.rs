@@ -63,3 +63,105 @@ placed = { origin = [0.11, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }
 material.elastic = { young = 1e6, poisson = 0.3, density = 1100.0 }
 section.homogeneous = { thickness = 0.02 }
 "#;
+
+/// A cube of water on a square plate in space, clamped all round and wet on its upper face.
+pub const CUBE: &str = r#"title = "Cube of water on a plate"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.004, record_every = 0.001 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, -10.0] } }]
+supports = [
+    { on = "plate.u0", clamped = {} },
+    { on = "plate.u1", clamped = {} },
+    { on = "plate.v0", clamped = {} },
+    { on = "plate.v1", clamped = {} },
+]
+curve = [
+    { name = "F", of = "force", on = "plate.all", direction = [0, 0, 1] },
+    { name = "Mx", of = "moment", on = "plate.all", direction = [1, 0, 0] },
+    { name = "Mc", of = "moment", on = "plate.all", direction = [1, 0, 0], about = [0.1, 0.1, 0.0] },
+    { name = "w", of = "displacement", on = "plate.all", take = "min", direction = [0, 0, 1] },
+    { name = "p", of = "pressure", on = "water.all", at = [0.1, 0.1, 0.05] },
+    { name = "h", of = "level", on = "water.all", at = [0.1, 0.1, 0.0] },
+    { name = "Q", of = "flux", on = "water.all", through = { point = [0.1, 0.0, 0.0], normal = [1, 0, 0] } },
+]
+[bodies.water.fluid]
+geometry.block = { lengths = [0.2, 0.2, 0.2], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 20.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0, -0.06], max = [0.2, 0.2, 0.3], open = ["z0", "z1"] }
+[bodies.plate.shell]
+geometry.plate = { lengths = [0.2, 0.2], particles = [11, 11] }
+placed = { origin = [0.0, 0.0, -0.01], u = [1, 0, 0], v = [0, 1, 0] }
+wet = "front"
+material.elastic = { young = 1e8, poisson = 0.3, density = 2700.0 }
+section.homogeneous = { thickness = 0.02 }
+"#;
+
+/// A piston that pushes a fifth of the water's length, with a smooth course.
+pub const PISTON: &str = r#"title = "Piston"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 1.0, record_every = 0.005 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, -10.0, 0.0] } }]
+curve = [
+    { name = "Q", of = "flux", on = "water.all", through = { point = [0.1, 0, 0], normal = [1, 0, 0], max = [1, 0.3, 1] } },
+    { name = "h", of = "level", on = "water.all", at = [0.15, 0.0, 0.0] },
+    { name = "x", of = "position", on = "piston.all", take = "max", direction = [1, 0, 0] },
+    { name = "F", of = "force", on = "piston.all", direction = [1, 0, 0] },
+]
+[bodies.water.fluid]
+geometry.block = { lengths = [0.2, 0.1], spacing = 0.01 }
+material.liquid = { density = 1000.0, sound_speed = 15.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [-0.1, 0.0], max = [0.2, 0.2], open = ["x0", "y1"] }
+[bodies.piston.walls]
+geometry.block = { lengths = [0.03, 0.2], origin = [-0.03, 0.0] }
+motion.translation = { by = [0.04, 0.0, 0.0], amplitude = { smooth = 0.6 } }
+"#;
+
+/// A tank that rolls by a table, with a gauge high on its dry right wall, and one below the water.
+pub const ROLLING: &str = r#"title = "Rolling tank"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.2, record_every = 0.02 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, -10.0, 0.0] } }]
+curve = [
+    { name = "dry", of = "level", on = "tank.all", at = [0.7, 0.35, 0.0] },
+    { name = "wet", of = "pressure", on = "tank.all", at = [0.3, 0.0, 0.0] },
+    { name = "fixed", of = "pressure", on = "water.all", at = [0.3, 0.0, 0.0] },
+    { name = "corner", of = "position", on = "corner", direction = [0, 1, 0] },
+]
+[sets]
+corner = { of = "tank", nearest = [0.4, 0.4, 0.0] }
+[bodies.water.fluid]
+geometry.block = { lengths = [0.4, 0.1], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 20.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0], max = [0.4, 0.4], open = ["y1"] }
+[bodies.tank.walls.motion.rotation]
+axis = [0, 0, 1]
+centre = [0.2, 0.1, 0.0]
+by = 20.0
+amplitude = { table = [[0.0, 0.0], [0.1, 0.5], [0.2, 1.0]] }
+"#;
+
+/// A tank in space that rolls about a skew axis; a gauge stands where a particle of its dry wall does.
+pub const ROLLING_IN_SPACE: &str = r#"title = "Rolling tank in space"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.1, record_every = 0.02 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, -10.0] } }]
+curve = [
+    { name = "dry", of = "level", on = "tank.all", at = [0.31, 0.15, 0.25] },
+    { name = "z", of = "position", on = "corner", direction = [0, 0, 1] },
+]
+[sets]
+corner = { of = "tank", nearest = [0.31, 0.15, 0.25] }
+[bodies.water.fluid]
+geometry.block = { lengths = [0.1, 0.1, 0.1], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 25.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0, 0.0], max = [0.3, 0.3, 0.3], open = ["z1"] }
+[bodies.tank.walls.motion.rotation]
+axis = [1, -2, 0.5]
+centre = [0.2, 0.1, 0.0]
+by = 20.0
+amplitude = { table = [[0.0, 0.0], [0.1, 1.0]] }
+"#;

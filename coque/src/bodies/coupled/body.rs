@@ -8,7 +8,8 @@ use explicit_dynamics::{
 use fluid_sph::Fluid;
 use sph_core::{Cell, Vec3};
 
-use super::layout::{Gauge, Layout, Place};
+use super::gauges::at_point;
+use super::layout::{Layout, Place};
 use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::{Sides, lost};
@@ -50,14 +51,6 @@ impl Coupled {
         let positions = self.clocks.fluid().wall_positions(piece);
         positions.get(particle).copied().unwrap_or_default()
     }
-
-    /// A pressure or a level at a point; no pressure where it is dry.
-    fn gauged(&self, of: Measured, point: Vec3) -> f64 {
-        match of {
-            Measured::Level => self.clocks.fluid().level_at(point),
-            _ => self.clocks.fluid().pressure_at(point).unwrap_or(0.0),
-        }
-    }
 }
 
 impl Body for Coupled {
@@ -88,17 +81,17 @@ impl Body for Coupled {
             Place::Wall(piece, a) => match of {
                 Measured::Position => self.looked_at((piece, a)).dot(along),
                 Measured::Displacement => (self.looked_at((piece, a)) - self.rest[number]).dot(along),
-                of => self.gauged(of, self.looked_at((piece, a))),
+                of => at_point(of, fluid, self.looked_at((piece, a))),
             },
             Place::Piece(piece) => match of {
                 Measured::Moment => fluid.wall_moment(piece, Vec3::zeros()).dot(along),
                 _ => fluid.wall_force(piece).dot(along),
             },
-            Place::Whole(structure) => fluid.structure_force(structure).dot(along),
-            Place::Gauge(gauge) => {
-                let Some(Gauge { at, beside }) = self.layout.gauges.get(gauge) else { return 0.0 };
-                self.gauged(of, self.looked_at(*at) + beside)
-            }
+            Place::Whole(structure) => match of {
+                Measured::Moment => fluid.structure_moment(structure, Vec3::zeros()).dot(along),
+                _ => fluid.structure_force(structure).dot(along),
+            },
+            Place::Gauge(gauge) => self.layout.gauges.get(gauge).map_or(0.0, |gauge| gauge.read(of, fluid)),
         }
     }
 

@@ -16,7 +16,7 @@ use crate::bodies::fluid::walls::{BuiltWalls, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, CouplingOrder, FluidScene, Scene};
+use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene, Scene};
 use crate::warning::{Doubt, Warning};
 
 impl Scene {
@@ -45,6 +45,8 @@ impl Scene {
         };
         let mut description = describe::of_fluid(&alone, wanted, &fluid);
         let mut warnings = leaks(&walls);
+        let coupling = self.coupling.unwrap_or_default();
+        warnings.extend(fluid_first(coupling));
         let mut made = Vec::new();
         for (name, wet) in wets {
             let own = wet.made.warnings.iter();
@@ -78,7 +80,6 @@ impl Scene {
             judges.iter().flat_map(look).collect()
         };
         let mut clocks = TwoClocks::new(fluid, structures);
-        let coupling = self.coupling.unwrap_or_default();
         clocks.order = match coupling.order {
             CouplingOrder::StructureFirst => Order::StructureFirst,
             CouplingOrder::FluidFirst => Order::FluidFirst,
@@ -216,6 +217,14 @@ fn leaks(walls: &[BuiltWalls<'_>]) -> Vec<Warning> {
         Warning::new(Doubt::LeakyWall, message)
     };
     leaky.map(warning).collect()
+}
+
+/// The warning of the order that pumps.
+fn fluid_first(coupling: Coupling) -> Option<Warning> {
+    let message = "the fluid goes first through a step: structures then answer to forces of a step before, which feeds energy \
+                   into them, into light ones most; judge energies, not displacements alone, or use order = \
+                   \"structure-first\"";
+    (coupling.order == CouplingOrder::FluidFirst).then(|| Warning::new(Doubt::FluidFirst, message))
 }
 
 /// What each body is, and what they are together.

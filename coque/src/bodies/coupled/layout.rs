@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use sph_core::Vec3;
+use super::gauges::Gauge;
 
 /// How the bodies lie one behind the other.
 #[derive(Clone, Debug, Default)]
@@ -20,17 +20,8 @@ pub(super) struct Layout {
     pub pieces: Vec<Range<usize>>,
     /// Pieces of each body of walls.
     pub walls: Vec<Range<usize>>,
-    /// Gauges: pressures and levels are read there.
+    /// Gauges: pressures, levels and fluxes are read there.
     pub gauges: Vec<Gauge>,
-}
-
-/// A point that goes with a particle of a wall.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Gauge {
-    /// Piece of walls, and number of the particle in it.
-    pub at: (usize, usize),
-    /// From the particle to the point \[L\].
-    pub beside: Vec3,
 }
 
 /// What a number stands for.
@@ -101,6 +92,7 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sph_core::Vec3;
 
     #[test]
     fn every_number_stands_for_one_place() {
@@ -108,7 +100,7 @@ mod tests {
             fluid: 3,
             structures: vec![3..5, 5..6],
             pieces: vec![6..8, 8..8, 8..9],
-            gauges: vec![Gauge { at: (0, 1), beside: Vec3::zeros() }],
+            gauges: vec![Gauge::InSpace(Vec3::zeros())],
             ..Layout::default()
         };
         let places: Vec<Place> = (0..15).map(|number| layout.place(number)).collect();

@@ -2,6 +2,7 @@
 
 mod body;
 mod build;
+mod gauges;
 mod layout;
 mod probes;
 mod structures;

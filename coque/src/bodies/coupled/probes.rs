@@ -3,14 +3,15 @@
 use fluid_sph::Fluid;
 use sph_core::Vec3;
 
-use super::layout::{Gauge, Layout};
+use super::gauges::{Carried, Gauge, section};
+use super::layout::Layout;
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::alone::Owner;
 use crate::scene::error::SceneError;
 use crate::scene::units::Quantity;
-use crate::scene::{Measured, Scene};
+use crate::scene::{Measured, Probe as Column, Scene};
 
 /// What columns are found from; gauges are added to the layout.
 pub(super) struct Measuring<'a> {
@@ -30,10 +31,7 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
         let number = of.layout.names.iter().position(|name| *name == body);
         let contact = column.of.is_of_contact();
         let particles = match number.unwrap_or_default() {
-            0 => {
-                let alone = of.scene.alone(&body)?;
-                of_fluid(&alone, &set, of.fluid.rest(), of.fluid.spacing())?
-            }
+            0 => of.on_fluid(column, &body, &set)?,
             number if number <= structures && contact => vec![of.layout.whole(number - 1)],
             number if number <= structures => {
                 let first = of.layout.structures[number - 1].start as u32;
@@ -43,7 +41,7 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
                 }
                 continue;
             }
-            number => of.on_walls(number - structures - 1, column.of, &body, &set)?,
+            number => of.on_walls(number - structures - 1, column, &body, &set)?,
         };
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
         let mut probe = Probe::new(&column.name, column.of, particles, direction);
@@ -58,28 +56,61 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
 }
 
 impl Measuring<'_> {
-    /// Numbers of what is measured on a set of walls: pieces for forces, a gauge at the one point of a set, else particles.
+    fn gauge(&mut self, gauge: Gauge) -> Vec<u32> {
+        let number = self.layout.gauge(self.layout.gauges.len());
+        self.layout.gauges.push(gauge);
+        vec![number]
+    }
+
+    /// Numbers of what is measured on a set of the fluid: a gauge at a point or through a section, else particles.
+    fn on_fluid(&mut self, column: &Column, body: &str, set: &str) -> Result<Vec<u32>, SceneError> {
+        if let Some(point) = column.at {
+            return Ok(self.gauge(Gauge::InSpace(point.into())));
+        }
+        let alone = self.scene.alone(body)?;
+        let particles = of_fluid(&alone, set, self.fluid.rest(), self.fluid.spacing())?;
+        Ok(match &column.through {
+            Some(through) => self.gauge(Gauge::Section(section(through), particles)),
+            None => particles,
+        })
+    }
+
+    /// A point that goes with walls, if they move.
+    fn beside(&self, walls: usize, point: Vec3) -> Gauge {
+        let BuiltWalls { scene, rows, .. } = &self.walls[walls];
+        let first = self.layout.walls[walls].start;
+        let particles: Vec<_> = (rows.pieces.iter().enumerate())
+            .flat_map(|(piece, of)| of.points.iter().enumerate().map(move |(a, x)| ((first + piece, a), *x)))
+            .collect();
+        let carried =
+            scene.motion.as_ref().and_then(|_| Carried::new(point, &particles, self.fluid.dimensions()));
+        carried.map_or(Gauge::InSpace(point), Gauge::OnWalls)
+    }
+
+    /// Numbers of what is measured on a set of walls: pieces for forces, a gauge at a point, else particles.
     fn on_walls(
         &mut self,
         walls: usize,
-        of: Measured,
+        column: &Column,
         body: &str,
         set: &str,
     ) -> Result<Vec<u32>, SceneError> {
+        if let Some(point) = column.at {
+            let gauge = self.beside(walls, point.into());
+            return Ok(self.gauge(gauge));
+        }
         let alone = self.scene.alone(body)?;
         let first = self.layout.walls[walls].start;
         let OnWalls { particles, pieces, point } =
             of_walls(&alone, set, &self.walls[walls].rows.pieces, self.fluid.spacing())?;
         let place = |&(piece, a): &(usize, usize)| (self.layout.pieces[first + piece].start + a) as u32;
-        match (of, point, &particles[..]) {
-            (Measured::Force | Measured::Moment, ..) => {
+        match (column.of, point) {
+            (Measured::Force | Measured::Moment, _) => {
                 Ok(pieces.iter().map(|piece| self.layout.piece(first + piece)).collect())
             }
-            (Measured::Pressure | Measured::Level, Some(point), &[(piece, a)]) => {
-                let beside = point - self.walls[walls].rows.pieces[piece].points[a];
-                let number = self.layout.gauge(self.layout.gauges.len());
-                self.layout.gauges.push(Gauge { at: (first + piece, a), beside });
-                Ok(vec![number])
+            (Measured::Pressure | Measured::Level, Some(point)) => {
+                let gauge = self.beside(walls, point);
+                Ok(self.gauge(gauge))
             }
             _ => Ok(particles.iter().map(place).collect()),
         }
@@ -91,6 +122,7 @@ fn by_depth(quantity: Quantity) -> Quantity {
     match quantity {
         Quantity::Force => Quantity::ForcePerLength,
         Quantity::Energy => Quantity::MomentPerLength,
+        Quantity::Flux => Quantity::FluxByDepth,
         other => other,
     }
 }

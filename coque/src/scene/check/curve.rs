@@ -57,8 +57,9 @@ impl Scene {
         self.check_measured_alike(at, probe)
     }
 
-    /// Refuses a direction where there is nothing to take a component of, and a point that no moment is taken about.
+    /// Refuses a direction where there is nothing to take a component of, points and sections of what has none.
     pub(super) fn check_measured_alike(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
+        self.check_gauge(at, probe)?;
         let (s, word) = (&self.scope(), probe.of.word());
         let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
@@ -90,11 +91,13 @@ impl Scene {
     /// What can be measured on the body.
     fn measured(&self) -> Vec<Measured> {
         use Measured::{
-            Damage, Density, Director, Displacement, Force, FractureEnergy, Level, Moment, Position,
+            Damage, Density, Director, Displacement, Flux, Force, FractureEnergy, Level, Moment, Position,
             Pressure, Reaction, Rotation, StrainEnergy, Velocity,
         };
         match self.body() {
-            BodyScene::Fluid(_) => return vec![Displacement, Position, Velocity, Pressure, Density],
+            BodyScene::Fluid(_) => {
+                return vec![Displacement, Position, Velocity, Pressure, Density, Level, Flux];
+            }
             BodyScene::Walls(_) => return vec![Displacement, Position, Pressure, Level, Force, Moment],
             BodyScene::Shell(_) | BodyScene::Solid(_) => {}
         }

@@ -4,6 +4,7 @@ mod analysis;
 mod conditions;
 mod curve;
 mod fluid;
+mod gauges;
 mod sets;
 mod shell;
 mod solid;

@@ -11,7 +11,7 @@ use sph_core::Vec3;
 
 type Checked = Result<(), SceneError>;
 
-/// Part of its own by which the spacing of a solid may differ from that of a fluid: pressures differ by the same part.
+/// Part of its own by which the spacing of a solid may differ from that of a fluid.
 const ALIKE: f64 = 0.05;
 /// Bounds what walls may allocate.
 const MOST_PARTICLES: f64 = 1e7;
@@ -47,10 +47,10 @@ impl Scene {
     pub(super) fn check_together(&self) -> Checked {
         self.check_transient()?;
         self.check_owners()?;
-        self.check_dimensions()?;
         for name in self.bodies.keys() {
             self.alone(name)?.check_alone()?;
         }
+        self.check_dimensions()?;
         self.check_sizes()?;
         self.check_spacings()?;
         self.check_sound_speed()?;
@@ -171,7 +171,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Nodes of a solid are the points that a fluid feels: as far apart as its own particles.
+    /// Nodes of a solid are the points that a fluid feels, each with the weight of one of its own particles: those `a` times as
+    /// far apart make a wall that is 1/aᵈ as dense, and pull or push the fluid beside them by as much.
     fn check_spacings(&self) -> Checked {
         let Some((name, fluid)) = self.fluid() else { return Ok(()) };
         let spacing = fluid.geometry.spacing();
@@ -181,13 +182,24 @@ impl Scene {
             // Lengths and spacings were checked before.
             let Ok(cells) = lattice.cells() else { continue };
             for axis in 0..solid.dimensions() {
-                let own = lattice.lengths[axis] / cells[axis] as f64;
-                if (own / spacing - 1.0).abs() > ALIKE {
-                    let bound = format!("within {} % of {spacing}, that of `{name}`", 100.0 * ALIKE);
-                    let repair = "give both the same: nodes stand for the wall that the fluid feels";
+                let length = lattice.lengths[axis];
+                let own = length / cells[axis] as f64;
+                let apart = (own / spacing - 1.0).abs();
+                if apart > ALIKE {
+                    let percent = 100.0 * ALIKE;
+                    let wall = percent * solid.dimensions() as f64;
+                    let bound = format!(
+                        "within {percent} % of {spacing}, that of `{name}`, to which each node is a wall particle of its own \
+                         size: {percent} % in distance are {wall} % in the density of the wall"
+                    );
+                    let nearest = length / libm::round(length / spacing).max(1.0);
+                    let repair = format!(
+                        "use {nearest:.6} for both, a whole number of times in the edge of {length}; a thin body may be a \
+                         shell, which takes any"
+                    );
                     let value = format!("{own:.6} along {}", ["x", "y", "z"][axis]);
                     let path = "geometry.block.spacing";
-                    return Err(self.source.body(body, "solid").value(path, value, &bound, repair));
+                    return Err(self.source.body(body, "solid").value(path, value, &bound, &repair));
                 }
             }
         }
@@ -209,14 +221,14 @@ impl Scene {
             if !self.structures().any(|(known, _)| *known == name) {
                 continue;
             }
-            if probe.of != Measured::Force {
+            if !matches!(probe.of, Measured::Force | Measured::Moment) {
                 let value = format!("\"{}\"", probe.of.word());
-                let bound = "`force`, or what the structure has of itself";
-                let repair = "measure pressures, levels and moments on walls";
+                let bound = "`force`, `moment`, or what the structure has of itself";
+                let repair = "measure it on the fluid, with `at` a point beside the structure";
                 return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
             }
             if set != "all" {
-                let bound = "but the force of a fluid is that on the whole structure";
+                let bound = "but what a fluid does is told of the whole structure";
                 let repair = format!("use on = \"{name}.all\"");
                 let value = format!("\"{}\"", probe.on);
                 return Err(SceneError::Set(s.fault(&at("on"), &value, bound, &repair)));
@@ -232,8 +244,10 @@ impl Scene {
         for (i, probe) in self.curve.iter().enumerate() {
             self.check_column_name(&format!("curve[{i}].name"), &probe.name, &mut names)?;
         }
-        if self.output.fields.is_some_and(|fields| fields.extruded) {
-            let bound = "none beside a fluid: each body is written as it is";
+        let mut bodies = self.bodies.values();
+        let extruded = self.output.fields.is_some_and(|fields| fields.extruded);
+        if extruded && !bodies.any(|body| matches!(body, BodyScene::Shell(_))) {
+            let bound = "none where there is no shell: the other bodies are written as they are";
             let fault = self.scope().fault("output.fields.extruded", "a thickness", bound, "remove it");
             return Err(SceneError::Choice(fault));
         }

@@ -9,6 +9,7 @@ mod gate_alone;
 pub mod measure;
 mod plate;
 mod ring;
+mod scenes;
 mod square;
 mod turek_hron;
 mod wedge;
@@ -28,5 +29,6 @@ pub fn all() -> Vec<Case> {
         plate::case(),
         wedge::case(),
         baffle::case(),
+        scenes::case(),
     ]
 }
