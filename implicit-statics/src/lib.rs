@@ -187,6 +187,7 @@ mod geometric;
 mod modal;
 mod newton;
 mod options;
+mod ordering;
 mod path;
 mod pattern;
 mod relaxation;
