@@ -98,6 +98,7 @@ mod discretisation;
 mod error;
 mod essential;
 mod loads;
+mod one_solve;
 mod parts;
 mod reduction;
 mod results;
@@ -107,6 +108,7 @@ mod stiffness;
 
 pub use body::Galerkin;
 pub use error::GalerkinError;
+pub use one_solve::OneSolve;
 pub use parts::{Condition, Essential, Load, Parts};
 pub use results::PointResult;
 pub use steps::{Step, lead};

@@ -10,7 +10,7 @@ use bodies::{MIDPOINT, On, STEP_START, as_in_the_source, body, cantilever, curve
 use implicit_statics::Equilibrium;
 use nalgebra::DVector;
 use solid_kinematics::Formulation;
-use sr_galerkin::{Essential, Parts, lead};
+use sr_galerkin::{Essential, OneSolve, Parts, lead};
 
 /// Where figures are given.
 const GIVEN: [f64; 6] = [1.0, 2.0, 4.0, 6.0, 8.0, 10.0];
@@ -137,6 +137,24 @@ fn newton_is_quadratic_with_the_whole_load_stiffness() {
         |r: &[f64]| r.windows(3).filter(|r| r[0] < 0.1 && r[1] > 1e-7).all(|r| r[2] < r[1].powf(1.5));
     assert!(quadratic(&exact) && exact[9] < 1e-10, "{exact:?}");
     assert!(!quadratic(&symmetric), "{symmetric:?}");
+}
+
+/// The source's scheme, one solve a step: what the prototype measured with the same scheme, and that the error is of first order.
+#[test]
+fn one_solve_a_step_as_in_the_source() {
+    let run = |steps: usize| {
+        let mut body = body(linear(On::Top, MIDPOINT));
+        let mut scheme = OneSolve::new(&body).unwrap();
+        let level = |step: usize| 10.0 * step as f64 / steps as f64;
+        let mut found = Vec::new();
+        for step in 1..=steps {
+            let left = scheme.step(&mut body, (level(step - 1), level(step))).unwrap();
+            assert!(left > 1e-6, "balance is not iterated for, {left:e} is left");
+            found.push(tip(&body));
+        }
+        [found[steps / 10 - 1], found[steps - 1]]
+    };
+    println!("{:?} {:?}", run(20), run(100));
 }
 
 /// A slender body in large steps: the symmetric tangent of the rate equation does not converge at the third.
