@@ -32,11 +32,7 @@ impl OneSolve {
     ///
     /// # Errors
     /// Of the factor; [`EquilibriumError::Force`] where a point cannot follow.
-    pub fn step(
-        &mut self,
-        body: &mut Galerkin,
-        (from, to): (f64, f64),
-    ) -> Result<f64, EquilibriumError> {
+    pub fn step(&mut self, body: &mut Galerkin, (from, to): (f64, f64)) -> Result<f64, EquilibriumError> {
         self.steps += 1;
         body.tangent(from, &mut self.values);
         self.solver.factor(&self.values)?;
