@@ -276,13 +276,13 @@ fn held_values_move_with_the_level_and_kept_states_are_told() {
 }
 
 /// A spring that stiffens, `f = q + q³`, and counts its tangents.
-struct Stiffening {
+struct CountedSpring {
     q: f64,
     keeps: bool,
     tangents: usize,
 }
 
-impl Equilibrium for Stiffening {
+impl Equilibrium for CountedSpring {
     fn unknowns(&self) -> usize {
         1
     }
@@ -340,7 +340,7 @@ impl Equilibrium for Stiffening {
 #[test]
 fn a_factor_that_still_serves_is_kept_where_the_system_asks_for_it() {
     let run = |keeps: bool| {
-        let mut spring = Stiffening { q: 0.0, keeps, tangents: 0 };
+        let mut spring = CountedSpring { q: 0.0, keeps, tangents: 0 };
         let mut newton = Newton::new(&spring, &tight()).unwrap();
         for level in [1.0, 2.0, 3.0] {
             let converged = newton.at_level(&mut spring, level).unwrap();

@@ -134,7 +134,9 @@ fn error_inside(mut parts: Parts, name: &str) -> f64 {
         }
     }
     let mut body = body(parts);
-    newton(&body).at_level(&mut body, 1.0).expect("equilibrium");
+    let mut newton = newton(&body);
+    newton.options.tolerance = 1e-10;
+    newton.at_level(&mut body, 1.0).expect("equilibrium");
     let (mut inside, mut greatest): (f64, f64) = (0.0, 0.0);
     for node in 0..body.nodes() {
         let x = body.rest()[node];
