@@ -193,6 +193,7 @@ mod pattern;
 mod relaxation;
 mod solver;
 mod stepper;
+mod symbolic;
 mod vectors;
 
 pub use bounds::OutOfBounds;

@@ -1,18 +1,14 @@
-//! The sparse symmetric solver and the small dense one: the only file that sees faer.
+//! The sparse symmetric solver and the small dense one: symbolic.rs beside it is the only other file that sees faer.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::perm::{Perm, PermRef};
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
+use faer::perm::PermRef;
+use faer::sparse::linalg::cholesky::{IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, Mat, MatMut, Par, Side};
 
 use crate::EquilibriumError;
-use crate::ordering::{dissection, sweep};
 use crate::pattern::columns;
+use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
 
 /// A pivot below this, after scaling to a unit diagonal, asks for the exact count of vanishing eigenvalues.
@@ -75,18 +71,8 @@ impl SymmetricSolver {
         places: Option<&[[f64; 3]]>,
     ) -> Result<Self, EquilibriumError> {
         let (pointers, rows, slots) = columns(unknowns, pattern)?;
-        let orders: Vec<_> = match places {
-            None => Vec::new(),
-            Some(places) => [sweep(places), dissection(places, &pointers, &rows)]
-                .map(|order| Perm::new_checked(order.clone().into(), inverse(&order).into(), unknowns))
-                .into(),
-        };
         let matrix = SymbolicSparseColMat::new_checked(unknowns, unknowns, pointers, None, rows);
-        let symbolic = orders
-            .iter()
-            .map(|order| analyse(&matrix, SymmetricOrdering::Custom(order.as_ref())))
-            .min_by(|a, b| multiplications(a).total_cmp(&multiplications(b)))
-            .unwrap_or_else(|| analyse(&matrix, SymmetricOrdering::Amd));
+        let symbolic = analyse(&matrix, places);
         let scratch = StackReq::any_of(&[
             symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
             symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
@@ -375,38 +361,6 @@ impl SymmetricSolver {
     fn force_norm(&self, scaled: &[f64]) -> f64 {
         scaled.iter().zip(&self.scale).map(|(f, s)| (f / s) * (f / s)).sum::<f64>().sqrt()
     }
-}
-
-/// The symbolic factor of a pattern in an order, by supernodes.
-fn analyse(
-    matrix: &SymbolicSparseColMat<usize>,
-    order: SymmetricOrdering<'_, usize>,
-) -> SymbolicCholesky<usize> {
-    // FORCE_SUPERNODAL is a ratio of 0, which a diagonal matrix (no multiplications) does not exceed.
-    let threshold = SupernodalThreshold(SupernodalThreshold::FORCE_SUPERNODAL.0 - 1.0);
-    let parameters =
-        CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..Default::default() };
-    factorize_symbolic_cholesky(matrix.as_ref(), Side::Lower, order, parameters)
-        .expect("memory for the symbolic factor")
-}
-
-/// Multiplications of the factor: each column updates half a square as large as what is below it.
-fn multiplications(symbolic: &SymbolicCholesky<usize>) -> f64 {
-    let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
-        unreachable!("the supernodal factor was asked for");
-    };
-    let of = |s: usize| {
-        let width = (supernodes.supernode_end()[s] - supernodes.supernode_begin()[s]) as f64;
-        let below = supernodes.supernode(s).pattern().len() as f64;
-        width * (width * width / 6.0 + 0.5 * width * below + 0.5 * below * below)
-    };
-    (0..supernodes.n_supernodes()).map(of).sum()
-}
-
-fn inverse(order: &[usize]) -> Vec<usize> {
-    let mut out = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(new, &old)| out[old] = new);
-    out
 }
 
 /// Eigenvalues in rising order and unit eigenvectors (one after the other) of a small dense symmetric matrix,
