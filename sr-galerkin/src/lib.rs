@@ -50,7 +50,8 @@
 //! ```
 //!
 //! The same solution as the system bordered by multipliers has, but definite where the body is stable: its inertia counts what is unstable.
-//! [`Galerkin::reactions`] are the forces of the conditions. Equations that depend on others drop out ([`Galerkin::dependent_conditions`]) or contradict them, an error.
+//! [`Galerkin::reactions`] are the forces of the conditions. Equations that depend on others drop out
+//! ([`Galerkin::dependent_conditions`]) or contradict them, an error.
 //!
 //! A simply supported plate is held on the **line** of its mid-plane: held over its face an edge cannot turn without stretching, 3.5 %
 //! stiffer with immovable edges, 10 to 13 % with movable ones. Symmetry planes are held along their normal.
@@ -70,7 +71,8 @@
 //!
 //! A stiffness takes 27 products for every pair of nodes that a Gauss point sees, symmetric half only. Elimination goes along slender
 //! bodies and by nested dissection of others, whichever multiplies less: 61 440 unknowns of 20 736 nodes on 81×16×16 (linear basis, balls
-//! of 1.8 spacings: 23 million entries) make 1.6·10⁸ entries of the factor in 2·10¹¹ multiplications: 41 s of one core of a shared Xeon (2.5 GHz), 31 of them for the factor, and 3.5 GB; minimum degree
+//! of 1.8 spacings: 23 million entries) make 1.6·10⁸ entries of the factor in 2·10¹¹ multiplications: 41 s of one core
+//! of a shared Xeon (2.5 GHz), 31 of them for the factor, and 3.5 GB; minimum degree
 //! needs three to eight times as many multiplications on slender bodies, as many on a cube. `cargo bench -p sr-galerkin --bench newton` measures.
 //!
 //! # What the method does not do
