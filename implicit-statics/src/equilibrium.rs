@@ -16,6 +16,12 @@ pub trait Equilibrium {
     /// Known beforehand and the same for every state; the tangent's values come in this order.
     fn pattern(&self) -> Vec<(usize, usize)>;
 
+    /// Places of the unknowns, in units in which they couple about equally far along all axes: the factor is then ordered by
+    /// them. Worth it where every unknown couples with very many others; None, the default, orders by the pattern alone.
+    fn places(&self) -> Option<Vec<[f64; 3]>> {
+        None
+    }
+
     /// `out = ∂U/∂q` at the present unknowns \[F, F L\], held values at level λ.
     fn internal(&mut self, level: f64, out: &mut [f64]);
 
@@ -29,6 +35,12 @@ pub trait Equilibrium {
     /// the part of a follower load that is not symmetric is symmetrised: critical points are then those of the symmetric
     /// part.
     fn tangent(&mut self, level: f64, values: &mut [f64]);
+
+    /// Whether Newton's method goes on with the factor of an iterate before as long as the residual falls fast: worth it where
+    /// tangent and factor cost many times what forces do.
+    fn keeps_factor(&self) -> bool {
+        false
+    }
 
     /// Whether held values depend on the level. Load steps are then predicted by [`Equilibrium::load_rate`], so that
     /// the rest of the system goes along instead of being torn.

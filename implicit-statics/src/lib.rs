@@ -187,11 +187,13 @@ mod geometric;
 mod modal;
 mod newton;
 mod options;
+mod ordering;
 mod path;
 mod pattern;
 mod relaxation;
 mod solver;
 mod stepper;
+mod symbolic;
 mod vectors;
 
 pub use bounds::OutOfBounds;

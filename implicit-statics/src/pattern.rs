@@ -11,16 +11,17 @@ pub(crate) fn columns(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Col
     let refuse = |(row, column): (usize, usize), what: &'static str| {
         Err(EquilibriumError::Pattern { row, column, unknowns, what })
     };
-    let mut order: Vec<usize> = (0..pattern.len()).collect();
-    order.sort_unstable_by_key(|&k| (pattern[k].1, pattern[k].0));
+    if let Some(&entry) = pattern.iter().find(|entry| entry.0.max(entry.1) >= unknowns) {
+        return refuse(entry, "outside");
+    }
+    let by_row = buckets(unknowns, &(0..pattern.len()).collect::<Vec<_>>(), |k| pattern[k].0);
+    let order = buckets(unknowns, &by_row, |k| pattern[k].1);
+    drop(by_row);
     let mut pointers = vec![0; unknowns + 1];
     let mut rows = Vec::with_capacity(pattern.len());
     let mut slots = vec![0; pattern.len()];
     for (slot, &k) in order.iter().enumerate() {
         let (row, column) = pattern[k];
-        if row >= unknowns || column >= unknowns {
-            return refuse((row, column), "outside");
-        }
         if row < column {
             return refuse((row, column), "above the diagonal");
         }
@@ -38,6 +39,20 @@ pub(crate) fn columns(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Col
         }
     }
     Ok((pointers, rows, slots))
+}
+
+/// Entries by a number below `count` that each has, those with the same in the order given.
+fn buckets(count: usize, entries: &[usize], of: impl Fn(usize) -> usize) -> Vec<usize> {
+    let mut next = vec![0; count + 1];
+    entries.iter().for_each(|&k| next[of(k) + 1] += 1);
+    (0..count).for_each(|number| next[number + 1] += next[number]);
+    let mut out = vec![0; entries.len()];
+    for &k in entries {
+        let place = &mut next[of(k)];
+        out[*place] = k;
+        *place += 1;
+    }
+    out
 }
 
 /// `out = K x` for values in the order of a lower-triangular pattern.

@@ -1,17 +1,14 @@
-//! The sparse symmetric solver and the small dense one: the only file that sees faer.
+//! The sparse symmetric solver and the small dense one: symbolic.rs beside it is the only other file that sees faer.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::perm::PermRef;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
+use faer::sparse::linalg::cholesky::{IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, Mat, MatMut, Par, Side};
 
 use crate::EquilibriumError;
 use crate::pattern::columns;
+use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
 
 /// A pivot below this, after scaling to a unit diagonal, asks for the exact count of vanishing eigenvalues.
@@ -63,15 +60,19 @@ pub struct SymmetricSolver {
 impl SymmetricSolver {
     /// Orders and analyses a pattern: lower triangle with the whole diagonal, each entry once, any order.
     pub fn new(unknowns: usize, pattern: &[(usize, usize)]) -> Result<Self, EquilibriumError> {
+        Self::placed(unknowns, pattern, None)
+    }
+
+    /// The same where the places of the unknowns are known: elimination goes along the body or by nested dissection, whichever
+    /// multiplies less; without places by approximate minimum degree.
+    pub fn placed(
+        unknowns: usize,
+        pattern: &[(usize, usize)],
+        places: Option<&[[f64; 3]]>,
+    ) -> Result<Self, EquilibriumError> {
         let (pointers, rows, slots) = columns(unknowns, pattern)?;
         let matrix = SymbolicSparseColMat::new_checked(unknowns, unknowns, pointers, None, rows);
-        // FORCE_SUPERNODAL is a ratio of 0, which a diagonal matrix (no multiplications) does not exceed.
-        let threshold = SupernodalThreshold(SupernodalThreshold::FORCE_SUPERNODAL.0 - 1.0);
-        let parameters =
-            CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..Default::default() };
-        let symbolic =
-            factorize_symbolic_cholesky(matrix.as_ref(), Side::Lower, SymmetricOrdering::Amd, parameters)
-                .expect("memory for the symbolic factor");
+        let symbolic = analyse(&matrix, places);
         let scratch = StackReq::any_of(&[
             symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
             symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
@@ -97,6 +98,11 @@ impl SymmetricSolver {
     /// Entries of the factor, a measure of its cost.
     pub fn factor_entries(&self) -> usize {
         self.factor.len()
+    }
+
+    /// Multiplications of one factorisation, its cost.
+    pub fn multiplications(&self) -> f64 {
+        multiplications(&self.symbolic)
     }
 
     /// Factorises for values in the order of the pattern.

@@ -274,3 +274,81 @@ fn held_values_move_with_the_level_and_kept_states_are_told() {
         assert!(((minus[i] - plus[i]) / 2e-5 - rate[i]).abs() < 1e-6 * rate[3], "{i}");
     }
 }
+
+/// A spring that stiffens, `f = q + q³`, and counts its tangents.
+struct CountedSpring {
+    q: f64,
+    keeps: bool,
+    tangents: usize,
+}
+
+impl Equilibrium for CountedSpring {
+    fn unknowns(&self) -> usize {
+        1
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        vec![(0, 0)]
+    }
+
+    fn internal(&mut self, _level: f64, out: &mut [f64]) {
+        out[0] = self.q + self.q.powi(3);
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        out[0] = level;
+    }
+
+    fn load_rate(&mut self, _level: f64, out: &mut [f64]) {
+        out[0] = 1.0;
+    }
+
+    fn tangent(&mut self, _level: f64, values: &mut [f64]) {
+        self.tangents += 1;
+        values[0] = 1.0 + 3.0 * self.q * self.q;
+    }
+
+    fn keeps_factor(&self) -> bool {
+        self.keeps
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        self.q += increment[0];
+    }
+
+    fn save(&self) -> Vec<f64> {
+        vec![self.q]
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        self.q = saved[0];
+    }
+
+    fn energy(&mut self) -> f64 {
+        0.5 * self.q.powi(2) + 0.25 * self.q.powi(4)
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        vec![1.0]
+    }
+
+    fn name_unknown(&self, _unknown: usize) -> String {
+        "the end of the spring".into()
+    }
+}
+
+#[test]
+fn a_factor_that_still_serves_is_kept_where_the_system_asks_for_it() {
+    let run = |keeps: bool| {
+        let mut spring = CountedSpring { q: 0.0, keeps, tangents: 0 };
+        let mut newton = Newton::new(&spring, &tight()).unwrap();
+        for level in [1.0, 2.0, 3.0] {
+            let converged = newton.at_level(&mut spring, level).unwrap();
+            assert_eq!(converged.inertia.positive, 1);
+        }
+        assert!((spring.q + spring.q.powi(3) - 3.0).abs() < 1e-12);
+        spring.tangents
+    };
+    let (kept, always) = (run(true), run(false));
+    assert!(kept < always, "{kept} tangents for {always}");
+}

@@ -17,8 +17,8 @@ impl Galerkin {
         if self.scratch.is_empty() {
             let widest =
                 self.space.cells.iter().fold(0, |most, cell| most.max(cell.nodes.len() * cell.width));
-            let room = || Scratch { moduli: vec![[[0.0; 9]; 9]; points], matrix: vec![0.0; 9 * widest] };
-            self.scratch = (0..BATCH.min(self.space.cells.len())).map(|_| room()).collect();
+            let rooms = 0..BATCH.min(self.space.cells.len());
+            self.scratch = rooms.map(|_| Scratch::new(points, 9 * widest)).collect();
         }
         self.blocks.clear();
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -69,8 +69,7 @@ impl Galerkin {
                 }
             }
         }
-        let size = 9 * cell.nodes.len() * cell.width;
-        cell_stiffness(cell, &room.moduli, self.space.slice, &mut room.matrix[..size]);
+        cell_stiffness(cell, self.space.slice, room);
     }
 
     /// Derivative of the stress of a point; where the update failed, that of its last sound state.

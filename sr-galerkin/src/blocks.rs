@@ -13,19 +13,30 @@ pub(crate) struct Blocks {
 
 impl Blocks {
     /// Zeros between all nodes that share one of these lists, each ascending.
-    pub fn new<'a>(nodes: usize, lists: impl Iterator<Item = &'a [u32]>) -> Self {
-        let mut of: Vec<Vec<u32>> = (0..nodes).map(|node| vec![node as u32]).collect();
-        for list in lists {
+    pub fn new(nodes: usize, lists: &[&[u32]]) -> Self {
+        let mut of: Vec<Vec<(u32, u32)>> = vec![Vec::new(); nodes]; // lists that hold a node, and where
+        for (number, list) in lists.iter().enumerate() {
             for (at, &node) in list.iter().enumerate() {
-                merge(&mut of[node as usize], &list[at..]);
+                of[node as usize].push((number as u32, at as u32));
             }
         }
-        let mut starts = vec![0];
-        starts.extend(of.iter().scan(0, |sum, row| {
-            *sum += row.len();
-            Some(*sum)
-        }));
-        let columns = of.concat();
+        let (mut starts, mut columns) = (vec![0], Vec::new());
+        let mut seen = vec![u32::MAX; nodes];
+        for (node, lists_of_node) in of.iter().enumerate() {
+            let begin = columns.len();
+            seen[node] = node as u32;
+            columns.push(node as u32);
+            for &(list, at) in lists_of_node {
+                for &other in &lists[list as usize][at as usize..] {
+                    if seen[other as usize] != node as u32 {
+                        seen[other as usize] = node as u32;
+                        columns.push(other);
+                    }
+                }
+            }
+            columns[begin..].sort_unstable();
+            starts.push(columns.len());
+        }
         Self { values: vec![0.0; 9 * columns.len()], starts, columns }
     }
 
@@ -119,27 +130,6 @@ impl Blocks {
     }
 }
 
-/// Merges a rising list into another.
-fn merge(into: &mut Vec<u32>, list: &[u32]) {
-    // Lists of neighbouring cells are much alike: most of the time nothing is new.
-    let mut at = 0;
-    let mut new = false;
-    for node in list {
-        while at < into.len() && into[at] < *node {
-            at += 1;
-        }
-        if at == into.len() || into[at] != *node {
-            new = true;
-            break;
-        }
-    }
-    if new {
-        into.extend_from_slice(list);
-        into.sort_unstable();
-        into.dedup();
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,7 +138,7 @@ mod tests {
     #[test]
     fn places_are_where_values_are_added_and_each_is_visited_once() {
         let lists = [vec![0, 1, 3], vec![1, 2], vec![0, 1, 3]];
-        let mut blocks = Blocks::new(4, lists.iter().map(Vec::as_slice));
+        let mut blocks = Blocks::new(4, &[&lists[0], &lists[1], &lists[2]]);
         assert_eq!(blocks.columns(0), [0, 1, 3]);
         assert_eq!(blocks.columns(1), [1, 2, 3]);
         assert_eq!(blocks.place(0, 6), None);

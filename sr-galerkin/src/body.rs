@@ -33,8 +33,12 @@ pub struct Galerkin {
     pub(crate) squares: MovingLeastSquares,
     pub(crate) material: Material,
     pub(crate) axes: Tensor,
+    /// Radii of the support \[L\].
+    pub(crate) radii: [f64; 3],
     pub(crate) tangent: Tangent,
     pub(crate) unknowns: Unknowns,
+    /// Number of conditions.
+    conditions: usize,
     pub(crate) loads: Loads,
     pub(crate) masses: Vec<f64>,
     pub(crate) blocks: Blocks,
@@ -75,7 +79,8 @@ impl Galerkin {
         let loads = Loads::new(&parts.loads, (&parts.cells, parts.rule), &squares, &space)?;
         let count = space.nodes.len();
         let of_cells = space.cells.iter().map(|cell| cell.nodes.as_slice());
-        let blocks = Blocks::new(count, of_cells.chain(loads.pressed.iter().map(|p| p.nodes.as_slice())));
+        let together = of_cells.chain(loads.pressed.iter().map(|point| point.nodes.as_slice()));
+        let blocks = Blocks::new(count, &together.collect::<Vec<_>>());
         let reduction = Reduction::new(&blocks, &unknowns);
         let rest = PointState::rest(parts.axes);
         let trial = Trial {
@@ -103,6 +108,8 @@ impl Galerkin {
             insists: false,
             material: parts.material,
             axes: parts.axes,
+            radii: parts.support.radii,
+            conditions: parts.conditions.len(),
             tangent: parts.tangent,
             threads: parts.threads.max(1),
             space,
@@ -127,6 +134,17 @@ impl Galerkin {
     /// Equations of conditions that said nothing new and were left out.
     pub fn dependent_conditions(&self) -> usize {
         self.unknowns.dropped
+    }
+
+    /// Forces with which the conditions hold their nodes along their directions, one a condition, at the present state and a
+    /// level \[F\]. Where conditions say the same, the first of them has the force.
+    pub fn reactions(&mut self, level: f64) -> Vec<f64> {
+        self.evaluate_internal(level);
+        self.loads.forces(level, &self.parameters, &mut self.external);
+        let forces: Vec<f64> = self.internal.iter().zip(&self.external).map(|(a, b)| a - b).collect();
+        let mut out = vec![0.0; self.conditions];
+        self.unknowns.reactions(&forces, &mut out);
+        out
     }
 
     /// Whether stress has a history.

@@ -8,8 +8,8 @@ use crate::parts::Parts;
 
 /// Lanes that the rows of a cell are padded to.
 pub(crate) const LANES: usize = 4;
-/// Points that are summed at once: those of one slice across the first direction of a cell.
-pub(crate) const MOST_IN_SLICE: usize = 16;
+/// Most points of a cell.
+pub(crate) const MOST_POINTS: usize = 64;
 
 /// One background cell: the nodes that any of its points sees, and the gradients of their shape functions.
 pub(crate) struct Cell {

@@ -1,15 +1,18 @@
 //! Prescribed displacements as linear equations between nodal parameters, eliminated.
 //!
-//! Collocation asks `Σ_J φ_J(X_I) n·d_J = λ ū` of every condition. Elimination with complete pivots gives as many *held* parameters in
-//! terms of the free ones, `d_h = Σ T_hj q_j + λ g_h`; dependent equations that agree drop out. Without the border of
+//! Collocation asks `Σ_J φ_J(X_I) n·d_J = λ ū` of every condition. Elimination gives as many *held* parameters in terms of the free
+//! ones, `d_h = Σ T_hj q_j + Σ_c G_hc λū_c`; dependent equations that agree drop out. Without the border of
 //! multipliers the stiffness stays that of a mechanical system: its inertia counts what is unstable.
+//!
+//! A unit of a condition moves held parameters by G_hc, the free ones staying: the work of the forces that balance the body on this
+//! motion, `Σ_h G_hc (f_int − f_ext)_h`, is the force with which the condition holds its nodes.
 
 use sph_core::{PointShape, Vec3};
 
 use crate::error::GalerkinError;
 use crate::parts::{Condition, Essential};
 
-/// A pivot below this share of the first is an equation that depends on the others.
+/// An equation of which the others leave less than this share depends on them.
 const DEPENDENT: f64 = 1e-8;
 /// Coefficients below this are rounding.
 const ROUNDING: f64 = 1e-14;
@@ -23,6 +26,8 @@ pub(crate) struct HeldParameter {
     pub parameter: u32,
     /// Unknowns with their coefficients T.
     pub terms: Vec<(u32, f64)>,
+    /// Conditions with the value that a unit of each gives, unknowns zero: G.
+    pub moves: Vec<(u32, f64)>,
     /// Value at level one, unknowns zero \[L\].
     pub rate: f64,
 }
@@ -45,8 +50,8 @@ pub(crate) struct Unknowns {
 /// One equation over parameters.
 struct Equation {
     node: u32,
+    condition: u32,
     terms: Vec<(u32, f64)>,
-    value: f64,
 }
 
 impl Unknowns {
@@ -58,23 +63,8 @@ impl Unknowns {
     ) -> Result<Self, GalerkinError> {
         let equations = equations(nodal, conditions, essential)?;
         let mut out = Self { of: vec![0; 3 * nodal.len()], ..Self::default() };
-        let along = |equation: &Equation| {
-            let axis = equation.terms.first().map_or(0, |term| term.0 % 3);
-            equation.terms.iter().all(|term| term.0 % 3 == axis).then_some(axis)
-        };
-        let mut solved = Vec::new();
-        // Equations along different axes have no parameter in common.
-        if equations.iter().all(|equation| along(equation).is_some()) {
-            let mut by_axis = [const { Vec::new() }; 3];
-            for equation in equations {
-                by_axis[along(&equation).unwrap_or(0) as usize].push(equation);
-            }
-            for group in by_axis {
-                out.dropped += eliminate(&group, &mut solved)?;
-            }
-        } else {
-            out.dropped += eliminate(&equations, &mut solved)?;
-        }
+        let mut solved = eliminate(&equations, conditions, 3 * nodal.len())?;
+        out.dropped = equations.len() - solved.len();
         solved.sort_by_key(|row| row.parameter);
         solved.iter().for_each(|row| out.of[row.parameter as usize] = HELD);
         for parameter in 0..out.of.len() {
@@ -105,6 +95,15 @@ impl Unknowns {
         }
     }
 
+    /// Forces with which conditions hold their nodes, from those on parameters that balance the body \[F\].
+    pub fn reactions(&self, forces: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        for held in &self.held {
+            let force = forces[held.parameter as usize];
+            held.moves.iter().for_each(|&(condition, g)| out[condition as usize] += g * force);
+        }
+    }
+
     /// Forces on unknowns from those on parameters: `f_j + Σ_h T_hj f_h`.
     pub fn project(&self, forces: &[f64], out: &mut [f64]) {
         for (out, parameter) in out.iter_mut().zip(&self.parameters) {
@@ -123,7 +122,7 @@ fn equations(
     essential: Essential,
 ) -> Result<Vec<Equation>, GalerkinError> {
     let mut out = Vec::new();
-    for condition in conditions {
+    for (number, condition) in conditions.iter().enumerate() {
         if condition.nodes.is_empty() {
             return Err(GalerkinError::EmptySet("a condition"));
         }
@@ -133,7 +132,7 @@ fn equations(
         }
         if !condition.by.is_finite() {
             let (what, value) = ("the displacement of condition", condition.by);
-            return Err(GalerkinError::NotFinite { what, number: out.len(), value });
+            return Err(GalerkinError::NotFinite { what, number, value });
         }
         let n: Vec3 = condition.direction / length;
         for &node in &condition.nodes {
@@ -149,73 +148,118 @@ fn equations(
             let terms = nodes.iter().zip(values).flat_map(|(&b, &phi)| {
                 (0..3).filter(|&k| n[k] != 0.0).map(move |k| (3 * b + k as u32, phi * n[k]))
             });
-            out.push(Equation { node, terms: terms.collect(), value: condition.by });
+            out.push(Equation { node, condition: number as u32, terms: terms.collect() });
         }
     }
     Ok(out)
 }
 
-/// Solves equations for as many parameters by Gauss and Jordan with complete pivots; the number of those that said nothing.
-fn eliminate(equations: &[Equation], solved: &mut Vec<HeldParameter>) -> Result<usize, GalerkinError> {
-    let mut columns: Vec<u32> = equations.iter().flat_map(|e| e.terms.iter().map(|term| term.0)).collect();
-    columns.sort_unstable();
-    columns.dedup();
-    let (m, n) = (equations.len(), columns.len());
-    let width = n + 1; // the last is the value
-    let mut rows = vec![0.0; m * width];
-    for (i, equation) in equations.iter().enumerate() {
-        for (parameter, value) in &equation.terms {
-            let at = columns.partition_point(|column| column < parameter);
-            rows[i * width + at] += value;
+/// Solves equations one after the other, each for the parameter that it weighs most; those that say nothing new are left out.
+fn eliminate(
+    equations: &[Equation],
+    conditions: &[Condition],
+    parameters: usize,
+) -> Result<Vec<HeldParameter>, GalerkinError> {
+    let scale = conditions.iter().fold(0.0, |most: f64, condition| most.max(condition.by.abs()));
+    let mut row = SparseRow::new(parameters + conditions.len()); // conditions stand behind the parameters
+    let mut rows: Vec<(u32, Vec<(u32, f64)>)> = Vec::new();
+    for equation in equations {
+        let mut most = 0.0_f64;
+        for &(column, value) in &equation.terms {
+            row.add(column, value);
+            most = most.max(value.abs());
         }
-        rows[i * width + n] = equation.value;
-    }
-    let mut pivots: Vec<(usize, usize)> = Vec::new();
-    let mut open = vec![true; m];
-    let mut first = 0.0;
-    while pivots.len() < m {
-        let mut best = (0.0, 0, 0);
-        for i in (0..m).filter(|&i| open[i]) {
-            for (j, value) in rows[i * width..][..n].iter().enumerate() {
-                if value.abs() > best.0 {
-                    best = (value.abs(), i, j);
-                }
-            }
+        row.add(parameters as u32 + equation.condition, -1.0);
+        for (pivot, terms) in &rows {
+            row.eliminate(*pivot, terms);
         }
-        let (size, row, column) = best;
-        first = f64::max(first, size);
-        if size <= DEPENDENT * first {
-            break;
+        let (column, pivot) = row.largest(parameters as u32);
+        if pivot.abs() > DEPENDENT * most {
+            rows.push((column, row.take(1.0 / pivot)));
+            continue;
         }
-        open[row] = false;
-        pivots.push((row, column));
-        let pivot = rows[row * width + column];
-        let own: Vec<f64> = rows[row * width..][..width].iter().map(|value| value / pivot).collect();
-        for i in (0..m).filter(|&i| i != row) {
-            let share = rows[i * width + column];
-            if share != 0.0 {
-                let other = &mut rows[i * width..][..width];
-                other.iter_mut().zip(&own).for_each(|(value, own)| *value -= share * own);
-                other[column] = 0.0;
-            }
-        }
-        rows[row * width..][..width].copy_from_slice(&own);
-    }
-    let scale = equations.iter().fold(0.0, |most: f64, e| most.max(e.value.abs()));
-    for i in (0..m).filter(|&i| open[i]) {
-        let left = rows[i * width + n];
+        let rest = row.take(1.0).into_iter().filter(|&(column, _)| column as usize >= parameters);
+        let left: f64 = rest.map(|(column, g)| -g * conditions[column as usize - parameters].by).sum();
         if left.abs() > DEPENDENT * scale {
-            let Equation { node, value, .. } = equations[i];
-            return Err(GalerkinError::Contradiction { node, wanted: value, left });
+            let (node, wanted) = (equation.node, conditions[equation.condition as usize].by);
+            return Err(GalerkinError::Contradiction { node, wanted, left });
         }
     }
-    let mut leads = vec![false; n];
-    pivots.iter().for_each(|pivot| leads[pivot.1] = true);
-    for &(row, column) in &pivots {
-        let own = &rows[row * width..][..width];
-        let terms =
-            (0..n).filter(|&j| !leads[j] && own[j].abs() > ROUNDING).map(|j| (columns[j], -own[j])).collect();
-        solved.push(HeldParameter { parameter: columns[column], terms, rate: own[n] });
+    // Backwards: rows behind hold no held parameter but their own.
+    for at in (0..rows.len()).rev() {
+        let (before, behind) = rows.split_at_mut(at + 1);
+        let (_, terms) = &mut before[at];
+        terms.iter().for_each(|&(column, value)| row.add(column, value));
+        for (pivot, terms) in behind.iter() {
+            row.eliminate(*pivot, terms);
+        }
+        *terms = row.take(1.0);
     }
-    Ok(m - pivots.len())
+    let held = |(parameter, terms): (u32, Vec<(u32, f64)>)| {
+        let split = terms.partition_point(|term| (term.0 as usize) < parameters);
+        let of = |part: &[(u32, f64)], first: usize| {
+            part.iter().filter(|term| term.0 != parameter).map(|&(c, t)| (c - first as u32, -t)).collect()
+        };
+        let moves: Vec<(u32, f64)> = of(&terms[split..], parameters);
+        let rate = moves.iter().map(|&(condition, g)| g * conditions[condition as usize].by).sum();
+        HeldParameter { parameter, terms: of(&terms[..split], 0), moves, rate }
+    };
+    Ok(rows.into_iter().map(held).collect())
+}
+
+/// A row under elimination: its values in full, and which of them were touched.
+struct SparseRow {
+    values: Vec<f64>,
+    touched: Vec<bool>,
+    columns: Vec<u32>,
+}
+
+impl SparseRow {
+    fn new(width: usize) -> Self {
+        Self { values: vec![0.0; width], touched: vec![false; width], columns: Vec::new() }
+    }
+
+    fn add(&mut self, column: u32, value: f64) {
+        let at = column as usize;
+        if !self.touched[at] {
+            self.touched[at] = true;
+            self.columns.push(column);
+        }
+        self.values[at] += value;
+    }
+
+    /// Takes out a parameter by the row that was solved for it.
+    fn eliminate(&mut self, pivot: u32, terms: &[(u32, f64)]) {
+        let share = self.values[pivot as usize];
+        if share != 0.0 {
+            terms.iter().for_each(|&(column, value)| self.add(column, -share * value));
+            self.values[pivot as usize] = 0.0;
+        }
+    }
+
+    /// The parameter that weighs most, the first of several, with its value.
+    fn largest(&self, parameters: u32) -> (u32, f64) {
+        let mut best = (u32::MAX, 0.0_f64);
+        for &column in self.columns.iter().filter(|&&column| column < parameters) {
+            let value = self.values[column as usize];
+            let more = value.abs() > best.1.abs() || value.abs() == best.1.abs() && column < best.0;
+            best = if more { (column, value) } else { best };
+        }
+        best
+    }
+
+    /// The row times a factor, by rising columns, without what is rounding; the next starts from zeros.
+    fn take(&mut self, factor: f64) -> Vec<(u32, f64)> {
+        self.columns.sort_unstable();
+        let mut out = Vec::with_capacity(self.columns.len());
+        for column in self.columns.drain(..) {
+            let at = column as usize;
+            let value = factor * self.values[at];
+            if value.abs() > ROUNDING {
+                out.push((column, value));
+            }
+            (self.values[at], self.touched[at]) = (0.0, false);
+        }
+        out
+    }
 }

@@ -20,6 +20,15 @@ impl Equilibrium for Galerkin {
         self.reduction.pattern.clone()
     }
 
+    /// Places of the parameters in units of the support.
+    fn places(&self) -> Option<Vec<[f64; 3]>> {
+        let place = |&parameter: &u32| {
+            let x = self.space.nodes[parameter as usize / 3];
+            std::array::from_fn(|k| x[k] / self.radii[k])
+        };
+        Some(self.unknowns.parameters.iter().map(place).collect())
+    }
+
     /// Where a point cannot follow, the forces on its nodes are no numbers, and [`Galerkin::trouble`] says why.
     fn internal(&mut self, level: f64, out: &mut [f64]) {
         self.evaluate_internal(level);
@@ -58,6 +67,11 @@ impl Equilibrium for Galerkin {
         self.assemble(level);
         self.add_load_stiffness(level);
         self.reduction.reduce(&self.blocks, values);
+    }
+
+    /// A stiffness and its factor cost ten times what forces and a solve do.
+    fn keeps_factor(&self) -> bool {
+        true
     }
 
     fn held_values_move(&self) -> bool {

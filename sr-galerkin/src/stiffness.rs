@@ -1,25 +1,27 @@
 //! The stiffness of a background cell, `K_iIkL = Σ_g V_g ∂_Jφ_I A_iJkL ∂_Lφ_K`.
 //!
-//! Points are summed by slices: nine rows of the result stay in registers while the points of a slice pass. The sums go over the points
-//! in their order, so that the widest vectors give the same bits as the narrowest.
+//! Nine rows of the result stay in registers while all points pass, by slices that see less than the whole cell. The sums go over the
+//! points in their order, so that the widest vectors give the same bits as the narrowest.
 
 use pulp::{Simd, WithSimd};
 use solid_kinematics::PointTangent;
 
-use crate::discretisation::{Cell, LANES, MOST_IN_SLICE};
+use crate::discretisation::{Cell, MOST_POINTS};
 
 /// Entries of a row of moduli, three times nine, up to a multiple of the lanes.
 const ROW: usize = 28;
 
 /// Writes the matrix of a cell: for each node I nine rows `3i + k` over the nodes K ≥ I, as wide as the cell.
-pub(crate) fn cell_stiffness(cell: &Cell, moduli: &[PointTangent], slice: usize, out: &mut [f64]) {
-    pulp::Arch::new().dispatch(Work { cell, moduli, slice, out });
+pub(crate) fn cell_stiffness(cell: &Cell, slice: usize, room: &mut Scratch) {
+    let Scratch { moduli, arranged, matrix } = room;
+    pulp::Arch::new().dispatch(Work { cell, moduli, slice, arranged, out: matrix });
 }
 
 struct Work<'a> {
     cell: &'a Cell,
     moduli: &'a [PointTangent],
     slice: usize,
+    arranged: &'a mut [[[f64; ROW]; 3]],
     out: &'a mut [f64],
 }
 
@@ -28,31 +30,35 @@ impl WithSimd for Work<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { cell, moduli, slice, out } = self;
-        for (node, rows) in out.chunks_exact_mut(9 * cell.width).enumerate() {
-            // nodes before are left out
-            rows.chunks_exact_mut(cell.width).for_each(|row| row[node / LANES * LANES..].fill(0.0));
+        let Self { cell, moduli, slice, arranged, out } = self;
+        for (p, arranged) in arranged.iter_mut().enumerate() {
+            arrange(&moduli[p], cell.volumes[p], arranged);
         }
         let lanes = size_of::<S::f64s>() / size_of::<f64>();
         let (gradients, _) = S::as_simd_f64s(&cell.gradients);
         let (out, _) = S::as_mut_simd_f64s(out);
         let width = cell.width / lanes;
-        let mut arranged = [[[0.0; ROW]; 3]; MOST_IN_SLICE];
-        let mut left = [[0.0; ROW]; MOST_IN_SLICE];
-        for (number, &(first, end)) in cell.slices.iter().enumerate() {
-            let (points, end) = (number * slice, end as usize);
-            for p in 0..slice {
-                arrange(&moduli[points + p], cell.volumes[points + p], &mut arranged[p]);
+        let mut left = [[0.0; ROW]; MOST_POINTS];
+        for node in 0..cell.nodes.len() {
+            let sees = |&(first, end): &(u32, u32)| (first as usize..end as usize).contains(&node);
+            let first = cell.slices.iter().position(sees).unwrap_or(0);
+            let count = cell.slices[first..].iter().take_while(|range| sees(range)).count();
+            for p in first * slice..(first + count) * slice {
+                let g = [0, 1, 2].map(|j| cell.gradient(p, j)[node]);
+                contract(simd, g, &arranged[p], &mut left[p]);
             }
-            let seen = &gradients[3 * points * width..][..3 * slice * width];
-            for node in first as usize..end.min(cell.nodes.len()) {
-                for p in 0..slice {
-                    let g = [0, 1, 2].map(|j| cell.gradient(points + p, j)[node]);
-                    contract(simd, g, &arranged[p], &mut left[p]);
+            let rows = &mut out[9 * node * width..][..9 * width];
+            for at in node / lanes..width {
+                let mut sums = [simd.splat_f64s(0.0); 9];
+                for number in first..first + count {
+                    let (low, high) = cell.slices[number];
+                    if (low as usize..high as usize).contains(&(at * lanes)) {
+                        let seen = &gradients[3 * number * slice * width..][..3 * slice * width];
+                        multiply(simd, &left[number * slice..][..slice], (seen, width, at), &mut sums);
+                    }
                 }
-                let rows = &mut out[9 * node * width..][..9 * width];
-                for at in node / lanes..end / lanes {
-                    multiply(simd, &left[..slice], (seen, width, at), rows);
+                for (component, sum) in sums.iter().enumerate() {
+                    rows[component * width + at] = *sum;
                 }
             }
         }
@@ -91,12 +97,8 @@ fn multiply<S: Simd>(
     simd: S,
     left: &[[f64; ROW]],
     (gradients, width, at): (&[S::f64s], usize, usize),
-    rows: &mut [S::f64s],
+    sums: &mut [S::f64s; 9],
 ) {
-    let mut sums = [simd.splat_f64s(0.0); 9];
-    for (component, sum) in sums.iter_mut().enumerate() {
-        *sum = rows[component * width + at];
-    }
     for (left, gradients) in left.iter().zip(gradients.chunks_exact(3 * width)) {
         for l in 0..3 {
             let g = gradients[l * width + at];
@@ -106,15 +108,22 @@ fn multiply<S: Simd>(
             }
         }
     }
-    for (component, sum) in sums.iter().enumerate() {
-        rows[component * width + at] = *sum;
-    }
 }
 
 /// Room for the matrix of one cell.
 pub(crate) struct Scratch {
     /// Moduli of its points.
     pub moduli: Vec<PointTangent>,
+    /// The same times volumes, arranged for the sums.
+    arranged: Vec<[[f64; ROW]; 3]>,
     /// Its matrix.
     pub matrix: Vec<f64>,
+}
+
+impl Scratch {
+    /// Room for a cell of so many points and a matrix of so many numbers.
+    pub fn new(points: usize, size: usize) -> Self {
+        let (moduli, arranged) = (vec![[[0.0; 9]; 9]; points], vec![[[0.0; ROW]; 3]; points]);
+        Self { moduli, arranged, matrix: vec![0.0; size] }
+    }
 }

@@ -10,7 +10,7 @@ use bodies::{MIDPOINT, On, STEP_START, as_in_the_source, body, cantilever, curve
 use implicit_statics::Equilibrium;
 use nalgebra::DVector;
 use solid_kinematics::Formulation;
-use sr_galerkin::{Essential, Parts, lead};
+use sr_galerkin::{Essential, OneSolve, Parts, lead};
 
 /// Where figures are given.
 const GIVEN: [f64; 6] = [1.0, 2.0, 4.0, 6.0, 8.0, 10.0];
@@ -139,16 +139,37 @@ fn newton_is_quadratic_with_the_whole_load_stiffness() {
     assert!(!quadratic(&symmetric), "{symmetric:?}");
 }
 
-/// A slender body in large steps: the symmetric tangent of the rate equation does not converge at the third.
+/// The source's scheme, one solve a step, against what the prototype measured with it: at K = 1 after 2 and 10 steps, where the
+/// converged value is .1250, and at K = 10 after 100 steps, .7488 (20 steps give .7478 here, .7421 there).
+#[test]
+fn one_solve_a_step_as_in_the_source() {
+    let run = |per_unit: usize, last: usize| {
+        let mut body = body(linear(On::Top, MIDPOINT));
+        let mut scheme = OneSolve::new(&body).unwrap();
+        let level = |step: usize| step as f64 / per_unit as f64;
+        for step in 1..=last * per_unit {
+            let left = scheme.step(&mut body, (level(step - 1), level(step))).unwrap();
+            assert!(left > 1e-9, "balance is not iterated for, {left:e} is left");
+        }
+        tip(&body)
+    };
+    let found = [run(2, 1), run(10, 1), run(10, 10)];
+    for (found, given) in found.iter().zip([0.0779, 0.1233, 0.7488]) {
+        assert!((found - given).abs() < 1e-4, "{found:.5} for {given}"); // figures of four digits
+    }
+}
+
+/// A slender body in large steps: the symmetric tangent of the rate equation does not converge at the first.
 #[test]
 fn a_step_that_fails_is_made_again_with_the_consistent_tangent() {
-    let mut body = body(cantilever(41, 20.0, On::Volume));
+    let mut body = body(cantilever(21, 40.0, On::Volume));
     let mut newton = newton(&body);
     let mut steps = Vec::new();
-    for k in 1..=4 {
-        lead(&mut body, &mut newton, (k as f64 - 1.0, k as f64), |step, _| steps.push(step.clone())).unwrap();
+    for k in [2.0, 4.0] {
+        lead(&mut body, &mut newton, (k - 2.0, k), |step, _| steps.push(step.clone())).unwrap();
     }
     let tries: Vec<_> = steps.iter().map(|step| (step.failures, step.insisted)).collect();
-    assert_eq!(tries, [(0, false), (0, false), (1, true), (0, false)]);
-    assert!((tip(&body) / HOLDEN[2] - 1.0).abs() < 0.007, "{}", tip(&body));
+    assert_eq!(tries, [(1, true), (0, false)]);
+    // steps of two lower the deflection: measured 1.7 %, that of 21 columns .9 %
+    assert!((tip(&body) / HOLDEN[2] - 1.0).abs() < 0.03, "{}", tip(&body));
 }

@@ -268,6 +268,47 @@ fn conditions_that_say_the_same_drop_out_and_those_that_contradict_are_refused()
     assert!(matches!(error, GalerkinError::Contradiction { node: 1, .. }), "{error}");
 }
 
+/// Forces of conditions balance the loads, and do the work of the motion that they prescribe.
+#[test]
+fn reactions_balance_the_loads() {
+    let mut parts = beam(6);
+    let end = nodes(&parts, |x| x.x == 10.0);
+    parts.conditions.push(Condition { nodes: end.clone(), direction: Vec3::new(0.0, 3.0, 4.0), by: 0.2 });
+    parts.conditions.push(Condition::held(vec![end[4]], Vec3::new(0.0, 0.6, 0.8))); // what was said before
+    parts.conditions[4].by = 0.2;
+    parts.loads.push(Load::Body(Vec3::new(2e-4, 0.0, -1e-4)));
+    parts.loads.push(Load::Point { place: Vec3::new(5.0, 0.5, 1.0), force: Vec3::new(0.0, 0.001, 0.0) });
+    parts.material.formulation = Formulation::StVenant;
+    let mut body = body(parts);
+    let mut newton = newton(&body);
+    newton.at_level(&mut body, 1.0).unwrap();
+    let found = body.reactions(1.0);
+    assert_eq!((found.len(), found[4], body.dependent_conditions()), (5, 0.0, 1));
+    let sum = Vec3::new(found[0], found[1], found[2]) + Vec3::new(0.0, 0.6, 0.8) * found[3];
+    let load = Vec3::new(2e-3, 1e-3, -1e-3); // ten of volume
+    let size = found.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+    assert!((sum + load).norm() < 1e-7 * size, "{sum} of {size} for {load}");
+}
+
+/// Without other loads, St Venant's solid stores the work of the force that moves an end: `dU/dλ = R ū`.
+#[test]
+fn the_force_of_a_moved_end_is_the_derivative_of_the_energy() {
+    let mut parts = beam(6);
+    let (by, end) = (0.5, nodes(&parts, |x| x.x == 10.0));
+    parts.conditions.push(Condition { nodes: end, direction: Vec3::new(0.0, 3.0, 4.0), by });
+    parts.material.formulation = Formulation::StVenant;
+    let mut body = body(parts);
+    let mut newton = newton(&body);
+    let step = 1e-3;
+    let [before, force, after] = [1.0 - step, 1.0, 1.0 + step].map(|level| {
+        newton.at_level(&mut body, level).unwrap();
+        if level == 1.0 { body.reactions(level)[3] } else { body.energy() }
+    });
+    let difference = (after - before) / (2.0 * step);
+    // the third derivative by the level over six times its square: 1e-6 of it
+    assert!((force * by / difference - 1.0).abs() < 3e-6, "{} for {difference}", force * by);
+}
+
 #[test]
 fn fixed_parameters_leak() {
     for essential in [Essential::Collocation, Essential::Direct] {

@@ -1,0 +1,79 @@
+//! Orders of elimination from the places of the unknowns: a sweep along the body, and nested dissection \[george1973\].
+
+/// Unknowns of a part that is not divided any more.
+const LEAF: usize = 200;
+
+/// Unknowns by their places along the longest extent: what is best for slender bodies, whose factor is then a narrow band.
+pub(crate) fn sweep(places: &[[f64; 3]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    let axis = longest(places, &order);
+    order.sort_by(|&a, &b| places[a][axis].total_cmp(&places[b][axis]));
+    order
+}
+
+/// Halves, each ordered in the same way, before what separates them; `pointers` and `rows` are compressed columns of the lower
+/// triangle of the pattern.
+pub(crate) fn dissection(places: &[[f64; 3]], pointers: &[usize], rows: &[usize]) -> Vec<usize> {
+    let mut order = Vec::with_capacity(places.len());
+    let mut side = vec![Side::Elsewhere; places.len()];
+    divide((0..places.len()).collect(), &mut order, &mut side, (places, pointers, rows));
+    order
+}
+
+/// Where an unknown of the part that is divided lies.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Elsewhere,
+    Lower,
+    Upper,
+    Between,
+}
+
+fn divide(
+    part: Vec<usize>,
+    order: &mut Vec<usize>,
+    side: &mut [Side],
+    graph: (&[[f64; 3]], &[usize], &[usize]),
+) {
+    let (places, pointers, rows) = graph;
+    let axis = longest(places, &part);
+    let mut along: Vec<f64> = part.iter().map(|&unknown| places[unknown][axis]).collect();
+    along.sort_by(f64::total_cmp);
+    let (first, middle) = (along.first().copied(), along.get(along.len() / 2).copied());
+    let Some(middle) = middle.filter(|_| part.len() > LEAF && middle != first) else {
+        return order.extend(part); // small, or all at one place
+    };
+    for &unknown in &part {
+        side[unknown] = if places[unknown][axis] < middle { Side::Lower } else { Side::Upper };
+    }
+    // Those of the lower half that couple with the upper one separate the halves.
+    for &column in &part {
+        for &row in &rows[pointers[column]..pointers[column + 1]] {
+            match (side[column], side[row]) {
+                (Side::Lower, Side::Upper) => side[column] = Side::Between,
+                (Side::Upper, Side::Lower) => side[row] = Side::Between,
+                _ => {}
+            }
+        }
+    }
+    let of = |wanted: Side| part.iter().copied().filter(|&unknown| side[unknown] == wanted).collect();
+    let [lower, upper, between]: [Vec<usize>; 3] = [Side::Lower, Side::Upper, Side::Between].map(of);
+    part.iter().for_each(|&unknown| side[unknown] = Side::Elsewhere);
+    drop(part);
+    if lower.is_empty() {
+        order.extend(upper);
+        return order.extend(between);
+    }
+    divide(lower, order, side, graph);
+    divide(upper, order, side, graph);
+    order.extend(between);
+}
+
+/// The axis along which a part is longest.
+fn longest(places: &[[f64; 3]], part: &[usize]) -> usize {
+    let extent = |axis: usize| {
+        let along = || part.iter().map(|&unknown| places[unknown][axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
+}
