@@ -15,7 +15,8 @@ use crate::kernel::Wendland;
 use crate::liquid::Liquid;
 use crate::momentum::{Felt, Momentum};
 use crate::parts::{Parts, Start};
-use crate::sorted::{Row, Sorted};
+use crate::row::Row;
+use crate::sorted::Sorted;
 use crate::start;
 use crate::viscosity::Viscosity;
 
@@ -116,7 +117,7 @@ impl Fluid {
             Start::Uniform => vec![liquid.density; count],
         };
         let sound = liquid.sound_speed / (liquid.density * liquid.density * liquid.density);
-        let viscosity = Viscosity::new(&formulation, &liquid, &kernel);
+        let viscosity = Viscosity::new(dimensions, &formulation, &liquid, &kernel);
         let momentum = Momentum { kernel, mass, viscosity, sound };
         let diffusion = Diffusion::new(&formulation, &liquid, &kernel, &gravity);
         let continuity = Continuity { kernel, mass, diffusion };

@@ -68,10 +68,10 @@
 
 mod books;
 mod boundary;
+mod candidates;
 mod cells;
 mod continuity;
 mod diffusion;
-mod dispatch;
 mod energies;
 mod error;
 mod fluid;
@@ -80,13 +80,14 @@ mod gather;
 mod gauges;
 mod hidden;
 mod kernel;
-mod lanes;
 mod liquid;
 mod momentum;
 mod nearby;
 mod overlap;
+mod pair;
 mod parallel;
 mod parts;
+mod row;
 mod sorted;
 mod start;
 mod state;
@@ -94,6 +95,7 @@ mod sweeps;
 mod time;
 mod transport;
 mod viscosity;
+mod walk;
 mod walls;
 
 pub use energies::Energies;

@@ -10,7 +10,8 @@ use crate::boundary::sides::Thin;
 use crate::cells::{Grid, NOWHERE};
 use crate::error::FluidError;
 use crate::parts::{Motion, Parts, Structure, Wall};
-use crate::sorted::{Row, Sorted};
+use crate::row::Row;
+use crate::sorted::Sorted;
 use crate::walls::extrapolated::Seen;
 use crate::walls::motion::place;
 
@@ -200,9 +201,9 @@ impl Boundary {
     }
 
     /// Fills what the sweeps read of them, where they were so long a time before the end of the step \[T\].
-    pub fn fill(&mut self, dimensions: usize, far: Row, before: f64) {
+    pub fn fill(&mut self, dimensions: usize, grid: &Grid, far: Row, before: f64) {
         let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.fill(1, dimensions, far, |i| {
+        self.sorted.fill(1, dimensions, grid, far, |i| {
             Row::new(points[i] - velocities[i] * before, 0.0, velocities[i], 0.0)
         });
     }

@@ -11,9 +11,11 @@ use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, OutOfBounds, OutOfRange, StableStep, Step, Work,
 };
 
+use sph_core::Vec3;
+
 use crate::fluid::{CELL, Fluid, Sums};
 use crate::formulation::{Scheme, WallRule};
-use crate::parallel::{reduced, reduced_of_two};
+use crate::parallel::reduced;
 use crate::start::outside;
 
 impl Dynamics for Fluid {
@@ -99,7 +101,7 @@ impl Fluid {
         let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
         let Self { threads, present, accelerations, sorted, sums, .. } = self;
         let slots = &sorted.slots;
-        reduced(*threads, &mut present.velocities, sums, |first, velocities| {
+        reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut sums = Sums::default();
             for (i, velocity) in velocities.iter_mut().enumerate() {
                 let acceleration = accelerations[slots[first + i] as usize];
@@ -145,7 +147,8 @@ impl Fluid {
         let velocities = if moves.is_empty() { &present.velocities } else { &*moves };
         let slots = &sorted.slots;
         let (positions, densities) = (&mut present.positions, &mut present.densities);
-        reduced_of_two(*threads, positions, densities, sums, |first, positions, densities| {
+        let lists = (&mut positions[..], &mut densities[..]);
+        reduced(*threads, lists, sums, |first, (positions, densities): (&mut [Vec3], &mut [f64])| {
             let mut sums = Sums::default();
             for (i, (position, density)) in positions.iter_mut().zip(densities).enumerate() {
                 let [rate, exchange] = rates[slots[first + i] as usize];
@@ -182,7 +185,7 @@ impl Fluid {
 
     fn check_speeds(&self) -> Result<(), OutOfBounds> {
         let bound = self.liquid.sound_speed;
-        let square = |(particle, v): (usize, &sph_core::Vec3)| {
+        let square = |(particle, v): (usize, &Vec3)| {
             let square = v.norm_squared();
             (particle, if square.is_nan() { f64::INFINITY } else { square })
         };
@@ -210,7 +213,7 @@ impl Fluid {
         }
         if let Some(domain) = &self.domain {
             let positions = &self.present.positions;
-            let outside = |at: &sph_core::Vec3| outside(self.dimensions, domain, at);
+            let outside = |at: &Vec3| outside(self.dimensions, domain, at);
             if let Some(particle) = positions.iter().position(outside) {
                 let [low, high] = domain;
                 let beyond =
