@@ -115,6 +115,7 @@ impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Pairs<L>
         // −Π.
         let mut friction = lanes.mul(lanes.mul(artificial, cubes), lanes.min(speed, shape.zero));
         if LAMINAR {
+            let speed = lanes.mul(speed, lanes.add(pair.square, shape.eta2));
             friction = lanes.add(friction, lanes.mul(laminar, speed));
         }
         let stress = lanes.sub(lanes.add(self.own.share, four.share), friction);

@@ -39,6 +39,11 @@ impl Row {
         self.first[2]
     }
 
+    /// Its P/ρ².
+    pub fn share(&self) -> f64 {
+        self.first[3]
+    }
+
     /// Puts density and P/ρ².
     pub fn press(&mut self, density: f64, share: f64) {
         (self.first[2], self.first[3]) = (density, share);

@@ -16,6 +16,8 @@ pub(crate) struct Sorted {
     pub order: Vec<u32>,
     /// By particle: its slot; [`NOWHERE`] where no fluid can be near.
     pub slots: Vec<u32>,
+    /// By particle: its slot in the sort before.
+    pub before: Vec<u32>,
     /// By slot, and of a particle far away beyond the last: what it is.
     pub rows: Vec<Row>,
     /// By slot, padded: places along the axes from the origin of the grid on; none along the third in a plane.
@@ -40,19 +42,22 @@ impl Sorted {
         [self.x[slot], self.y[slot], self.z.get(slot).map_or(0.0, |z| *z)]
     }
 
-    /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`].
+    /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`]. Places may be
+    /// told by the slots before.
     pub fn sort(
         &mut self,
         threads: usize,
         grid: &Grid,
         count: usize,
-        position: impl Fn(usize) -> [f64; 3] + Sync,
+        position: impl Fn(usize, &[u32]) -> [f64; 3] + Sync,
     ) {
+        std::mem::swap(&mut self.slots, &mut self.before);
         // Cells take the place of slots until those are known.
         self.slots.resize(count, NOWHERE);
+        let before = &self.before[..];
         chunks(threads, &mut self.slots[..], |first, cells: &mut [u32]| {
             for (i, cell) in cells.iter_mut().enumerate() {
-                *cell = grid.cell(&position(first + i));
+                *cell = grid.cell(&position(first + i, before));
             }
         });
         self.starts.clear();
@@ -75,26 +80,26 @@ impl Sorted {
         }
     }
 
-    /// Fills the rows; the one beyond the last is far away from all, so that it adds nothing to any sum.
+    /// Fills the rows, from the particle, its slot and the slots of all before the last sort; the one beyond the last is far away from all, so that it adds nothing to any sum.
     pub fn fill(
         &mut self,
         threads: usize,
         dimensions: usize,
         grid: &Grid,
         far: Row,
-        row: impl Fn(usize) -> Row + Sync,
+        row: impl Fn(usize, usize, &[u32]) -> Row + Sync,
     ) {
         let count = self.len();
         self.rows.resize(count + 1, far);
         self.rows[count] = far;
-        let (order, depth) = (&self.order, if dimensions == 3 { count } else { 0 });
+        let (order, before, depth) = (&self.order, &self.before[..], if dimensions == 3 { count } else { 0 });
         for (axis, length) in [(&mut self.x, count), (&mut self.y, count), (&mut self.z, depth)] {
             axis.resize(if length == 0 { 0 } else { length + EIGHT }, 0.0);
         }
         let lists = (&mut self.rows[..count], (&mut self.x[..count], &mut self.y[..count]));
         chunks(threads, lists, |first, (rows, (x, y))| {
             for (s, ((slot, x), y)) in rows.iter_mut().zip(x).zip(y).enumerate() {
-                *slot = row(order[first + s] as usize);
+                *slot = row(order[first + s] as usize, first + s, before);
                 [*x, *y, _] = grid.single(&slot.at());
             }
         });
@@ -121,7 +126,7 @@ impl Sorted {
 
     /// Bytes held for each of so many particles.
     pub fn bytes(&self) -> usize {
-        let words = self.starts.len() + self.order.len() + self.slots.len();
+        let words = self.starts.len() + self.order.len() + self.slots.len() + self.before.len();
         let places = self.x.len() + self.y.len() + self.z.len();
         4 * (words + places + self.faces.len() + self.sides.len()) + size_of::<Row>() * self.rows.len()
     }

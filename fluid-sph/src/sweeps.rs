@@ -5,7 +5,7 @@ use crate::cells::Grid;
 use crate::continuity::Rates;
 use sph_core::lanes::widest;
 
-use crate::fluid::{CELL, Fluid, State};
+use crate::fluid::{CELL, Fluid};
 use crate::formulation::WallRule;
 use crate::momentum::{Felt, Forces};
 use crate::parallel::{chunks, reduced};
@@ -14,30 +14,30 @@ use crate::transport::Transport;
 use crate::walls::extrapolated::{Means, Seen};
 
 impl Fluid {
-    /// Sorts the particles of a state, moved on by a time, and the boundaries, so long before the end of the step \[T\].
-    pub(crate) fn sort(&mut self, state: &State, ahead: f64, before: f64) {
+    /// Sorts the particles, moved on by a time, and the boundaries, so long before the end of the step \[T\].
+    pub(crate) fn sort(&mut self, ahead: f64, before: f64) {
         let width = CELL * 2.0 * self.momentum.kernel.h;
-        let Self { threads, dimensions, moves, grid, sorted, boundary, .. } = self;
-        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
-        let place = |i: usize| state.positions[i] + moves[i] * ahead;
-        let count = state.positions.len();
-        *grid = Grid::around(*dimensions, (0..count).map(place), width);
-        sorted.sort(*threads, grid, count, |i| place(i).into());
+        let Self { threads, dimensions, present, drags, grid, sorted, boundary, .. } = self;
+        let count = present.positions.len();
+        let place = |i: usize, slots: &[u32]| {
+            present.place(i, drags, slots.get(i).map_or(0, |slot| *slot as usize), ahead)
+        };
+        *grid = Grid::around(*dimensions, (0..count).map(|i| place(i, &sorted.slots)), width);
+        sorted.sort(*threads, grid, count, |i, before| place(i, before).into());
         boundary.sort(grid, before);
     }
 
-    /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\].
-    pub(crate) fn fill(&mut self, state: &State, ahead: f64, before: f64) {
+    /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\];
+    /// `sorted_anew` since drags were found.
+    pub(crate) fn fill(&mut self, ahead: f64, before_end: f64, sorted_anew: bool) {
         let far = self.far();
-        let Self { threads, dimensions, liquid, moves, grid, sorted, boundary, .. } = self;
-        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
-        sorted.fill(*threads, *dimensions, grid, far, |i| {
-            let (at, v, density) =
-                (state.positions[i] + moves[i] * ahead, state.velocities[i], state.densities[i]);
-            let share = liquid.pressure(density) / (density * density);
-            Row::new(at, density, v, share)
+        let Self { threads, dimensions, liquid, present, drags, grid, sorted, boundary, .. } = self;
+        sorted.fill(*threads, *dimensions, grid, far, |i, slot, before| {
+            let slot = if sorted_anew { before[i] as usize } else { slot };
+            let (v, density) = (present.velocities[i], present.densities[i]);
+            Row::new(present.place(i, drags, slot, ahead), density, v, liquid.share(density))
         });
-        boundary.fill(*dimensions, grid, far, before);
+        boundary.fill(*dimensions, grid, far, before_end);
     }
 
     /// Finds for the sorted particles which faces of thin structures they see.
@@ -71,7 +71,7 @@ impl Fluid {
                 let Boundary { sorted, densities, .. } = &mut self.boundary;
                 for (row, &point) in sorted.rows.iter_mut().zip(&sorted.order) {
                     let density = densities[point as usize];
-                    row.press(density, self.liquid.pressure(density) / (density * density));
+                    row.press(density, self.liquid.share(density));
                 }
             }
         }
@@ -139,7 +139,7 @@ impl Fluid {
         boundary.keep_forces(self.mass);
     }
 
-    /// Rates of density of the fluid, and of boundaries that have their own, from the rows as they are.
+    /// Rates of density of the fluid and of boundaries, from the rows as they are.
     pub(crate) fn sweep_rates(&mut self) {
         let Self { threads, dimensions, grid, continuity, sorted, boundary, rates, .. } = self;
         let (fluid, points, continuity, grid) = (&*sorted, &boundary.sorted, &*continuity, &*grid);
@@ -152,21 +152,18 @@ impl Fluid {
             }
         };
         chunks(*threads, &mut rates[..], |first, out| sweep(first, fluid, [Some(fluid), Some(points)], out));
-        if self.formulation.walls == WallRule::Dynamic {
-            let out = &mut boundary.rates[..];
-            chunks(*threads, out, |first, out| sweep(first, points, [None, Some(fluid)], out));
-        }
+        let out = &mut boundary.rates[..];
+        chunks(*threads, out, |first, out| sweep(first, points, [None, Some(fluid)], out));
     }
 
-    /// With XSPH: the velocities with which the particles of a state move, from the rows as they are.
-    pub(crate) fn sweep_moves(&mut self, state: &State) {
+    /// With XSPH: what it adds to the velocities with which particles move, from the rows as they are.
+    pub(crate) fn sweep_drags(&mut self) {
         let share = 2.0 * self.formulation.xsph * self.mass;
         if share == 0.0 {
             return;
         }
-        let Self { threads, dimensions, grid, momentum, sorted, drags, moves, .. } = self;
+        let Self { threads, dimensions, grid, momentum, sorted, drags, .. } = self;
         drags.resize(sorted.len(), [0.0; 3]);
-        moves.resize(sorted.len(), Default::default());
         let (fluid, kernel, grid) = (&*sorted, &momentum.kernel, &*grid);
         let plane = *dimensions == 2;
         chunks(*threads, &mut drags[..], |first, out: &mut [[f64; 3]]| {
@@ -176,8 +173,5 @@ impl Fluid {
                 widest(Transport::<3> { kernel, share, grid, fluid, first, out });
             }
         });
-        for (i, moved) in moves.iter_mut().enumerate() {
-            *moved = state.velocities[i] + sph_core::Vec3::from(drags[fluid.slots[i] as usize]);
-        }
     }
 }
