@@ -1,7 +1,7 @@
 //! Whole steps in disordered water, sorting included: time of one core and memory a particle, and what two cores gain.
 //!
-//! `cargo bench -p fluid-sph --bench step -- [NAME]`. Times of one thread are those of the processor, so that other work on
-//! the machine counts little; those of two threads are of the wall and hold on a quiet machine only.
+//! `cargo bench -p fluid-sph --bench step -- [NAME | two]`. Times of one thread are those of the processor, so that other
+//! work on the machine counts little; those of two threads are of the wall and hold on a quiet machine only.
 
 mod waters;
 
@@ -29,30 +29,30 @@ fn main() {
     let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with("--")).unwrap_or_default();
     for water in WATERS.iter().filter(|water| water.name.contains(&wanted)) {
         let (mut fluid, mut clock) = water.fluid(1);
-        let (bytes, one) = (fluid.bytes_per_particle(), median(&mut fluid, &mut clock, thread_seconds));
+        let one = 1e-6 / median(&mut fluid, &mut clock, thread_seconds);
+        let bytes = fluid.bytes_per_particle();
         println!(
-            "{}: {:.2} million particle-steps a second of one core, {bytes} bytes a particle",
-            water.name,
-            1e-6 / one
+            "{}: {one:.2} million particle-steps a second of one core, {bytes} bytes a particle",
+            water.name
         );
-        if wanted == "two" || wanted.is_empty() {
-            continue;
-        }
     }
-    if !wanted.is_empty() && wanted != "two" {
-        return;
+    for water in WATERS.iter().filter(|water| wanted == "two" && water.side > 100) {
+        println!(
+            "{}: two threads are {:.2} times as fast as one",
+            water.name,
+            wall(water, 1) / wall(water, 2)
+        );
     }
-    for water in &WATERS[1..3] {
-        let wall = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            pool.install(|| {
-                let (mut fluid, mut clock) = water.fluid(threads);
-                let start = Instant::now();
-                median(&mut fluid, &mut clock, || start.elapsed().as_secs_f64())
-            })
-        };
-        println!("{}: two threads are {:.2} times as fast", water.name, wall(1) / wall(2));
-    }
+}
+
+/// Time of the wall for a particle-step \[s\].
+fn wall(water: &Water, threads: usize) -> f64 {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+    pool.install(|| {
+        let (mut fluid, mut clock) = water.fluid(threads);
+        let start = Instant::now();
+        median(&mut fluid, &mut clock, || start.elapsed().as_secs_f64())
+    })
 }
 
 /// Median time of a particle-step \[s\] by a clock.
@@ -69,15 +69,9 @@ fn median(fluid: &mut Fluid, clock: &mut Clock, seconds: impl Fn() -> f64) -> f6
     times[ROUNDS / 2]
 }
 
-/// Time of the processor on this thread where the system tells it; else that of the wall.
+/// Time of the processor on this thread \[s\].
 fn thread_seconds() -> f64 {
-    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| Instant::now().duration_since(start()).as_secs_f64(), |told| 1e-9 * told)
-}
-
-/// The first time that this was asked.
-fn start() -> Instant {
-    static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
-    *START.get_or_init(Instant::now)
+    let told =
+        fs::read_to_string("/proc/thread-self/schedstat").expect("a system that tells the time of a thread");
+    1e-9 * told.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
 }

@@ -57,7 +57,8 @@ impl Candidates {
     #[inline(always)]
     pub fn of(&self, Range { start, end }: Range<usize>) -> impl Iterator<Item = Eight<'_>> {
         let (x, y) = (&self.x.as_chunks::<EIGHT>().0[start..end], &self.y.as_chunks::<EIGHT>().0[start..end]);
-        let (z, slots) = (&self.z.as_chunks::<EIGHT>().0[start..end], &self.slots.as_chunks::<EIGHT>().0[start..end]);
+        let (z, slots) =
+            (&self.z.as_chunks::<EIGHT>().0[start..end], &self.slots.as_chunks::<EIGHT>().0[start..end]);
         x.iter().zip(y).zip(z.iter().zip(slots)).map(|((x, y), (z, slots))| Eight { at: [x, y, z], slots })
     }
 

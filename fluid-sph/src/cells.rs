@@ -13,6 +13,7 @@ const CELLS_BESIDE: usize = 4096;
 /// A box of cells, those along the first axis next to each other.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
+    dimensions: usize,
     origin: [f64; 3],
     width: f64,
     inverse: f64,
@@ -71,6 +72,7 @@ impl Grid {
             cut_off = true;
         }
         Self {
+            dimensions,
             origin: first.map(|x| x * width),
             width,
             inverse,
@@ -88,7 +90,7 @@ impl Grid {
     #[inline(always)]
     pub fn cell(&self, at: &[f64; 3]) -> u32 {
         let mut cell = 0;
-        for k in (0..3).rev() {
+        for k in (0..self.dimensions).rev() {
             let count = self.counts[k];
             let place = (at[k] - self.origin[k]) * self.inverse;
             let place = if place >= 0.0 && place < count as f64 {

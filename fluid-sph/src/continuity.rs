@@ -106,7 +106,10 @@ impl<const D: usize> Sweep for Rates<'_, '_, D> {
                 if strength != 0.0 {
                     let mut rate = Rate::<L, D, true>::new(lanes, constants, &of.rows[slot]);
                     gather::<L, _, D>(lanes, search, &mut room, &mut rate);
-                    *out = [factor * lanes.total(rate.divergence), -strength * factor * lanes.total(rate.exchange)];
+                    *out = [
+                        factor * lanes.total(rate.divergence),
+                        -strength * factor * lanes.total(rate.exchange),
+                    ];
                 } else {
                     let mut rate = Rate::<L, D, false>::new(lanes, constants, &of.rows[slot]);
                     gather::<L, _, D>(lanes, search, &mut room, &mut rate);

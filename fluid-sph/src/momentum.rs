@@ -102,7 +102,8 @@ impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Force<L, D
 }
 
 impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Pairs<L>
-    for Force<L, D, WALL, LAMINAR> {
+    for Force<L, D, WALL, LAMINAR>
+{
     #[inline(always)]
     fn add(&mut self, lanes: L, four: Four<L>) {
         let Constants { shape, artificial, laminar } = self.constants;
@@ -150,7 +151,11 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Felt {
-        if self.momentum.viscosity.laminar == 0.0 { self.sum::<L, false>(lanes) } else { self.sum::<L, true>(lanes) }
+        if self.momentum.viscosity.laminar == 0.0 {
+            self.sum::<L, false>(lanes)
+        } else {
+            self.sum::<L, true>(lanes)
+        }
     }
 }
 

@@ -93,13 +93,18 @@ mod tests {
         for count in [0, 1, CHUNK, CHUNK + 1, 7 * CHUNK - 3] {
             for threads in [1, 4] {
                 let (mut a, mut b, mut found) = (vec![0; count], vec![0; count], Vec::new());
-                reduced(threads, (&mut a[..], &mut b[..]), &mut found, |first, (a, b): (&mut [usize], &mut [usize])| {
-                    for (i, (a, b)) in a.iter_mut().zip(b).enumerate() {
-                        *a += first + i;
-                        *b += first;
-                    }
-                    first
-                });
+                reduced(
+                    threads,
+                    (&mut a[..], &mut b[..]),
+                    &mut found,
+                    |first, (a, b): (&mut [usize], &mut [usize])| {
+                        for (i, (a, b)) in a.iter_mut().zip(b).enumerate() {
+                            *a += first + i;
+                            *b += first;
+                        }
+                        first
+                    },
+                );
                 assert!(a.iter().enumerate().all(|(i, &a)| a == i));
                 assert!(b.iter().enumerate().all(|(i, &b)| b == i / CHUNK * CHUNK));
                 assert!(found.iter().enumerate().all(|(k, &first)| first == k * CHUNK));

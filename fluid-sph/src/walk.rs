@@ -19,7 +19,13 @@ pub(crate) struct Walk<'a> {
 impl<'a> Walk<'a> {
     /// From a slot on, within a reach \[L\].
     #[inline(always)]
-    pub fn new(grid: &'a Grid, of: &'a Sorted, first: usize, sets: [Option<&'a Sorted>; 2], reach: f64) -> Self {
+    pub fn new(
+        grid: &'a Grid,
+        of: &'a Sorted,
+        first: usize,
+        sets: [Option<&'a Sorted>; 2],
+        reach: f64,
+    ) -> Self {
         let cell = of.starts.partition_point(|&start| start as usize <= first) - 1;
         let reach = grid.longer(reach);
         let mut walk = Self { grid, of, sets, reach, cell, near: [Ranges::default(); 2] };
@@ -31,7 +37,8 @@ impl<'a> Walk<'a> {
     fn look(&mut self) {
         for (near, set) in self.near.iter_mut().zip(self.sets) {
             let filled = set.filter(|set| set.len() > 0);
-            *near = filled.map_or_else(Ranges::default, |set| self.grid.beside(self.cell as u32, &set.starts));
+            *near =
+                filled.map_or_else(Ranges::default, |set| self.grid.beside(self.cell as u32, &set.starts));
         }
     }
 

@@ -78,7 +78,8 @@ impl Lanes for V3 {
     #[inline(always)]
     fn outside(self, a: __m256d, low: __m256d, high: __m256d) -> u8 {
         let avx = self.avx;
-        let (above, below) = (avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, high), avx._mm256_cmp_pd::<_CMP_LT_OQ>(a, low));
+        let (above, below) =
+            (avx._mm256_cmp_pd::<_CMP_GT_OQ>(a, high), avx._mm256_cmp_pd::<_CMP_LT_OQ>(a, low));
         avx._mm256_movemask_pd(avx._mm256_or_pd(above, below)) as u8
     }
 
