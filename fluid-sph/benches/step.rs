@@ -1,41 +1,77 @@
-//! A whole step of kick and drift on one core, in disordered water: time and memory a particle.
+//! Whole steps in disordered water, sorting included: time of one core and memory a particle, and what two cores gain.
+//!
+//! `cargo bench -p fluid-sph --bench step -- [NAME | two]`. Times of one thread are those of the processor, so that other
+//! work on the machine counts little; those of two threads are of the wall and hold on a quiet machine only.
 
-#![allow(missing_docs, clippy::unwrap_used)] // a bench may stop where it stands
+mod waters;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+use std::fs;
+use std::time::Instant;
 
-use common::{disorder, pool};
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
-use fluid_sph::Fluid;
+use fluid_sph::{Fluid, Scheme};
+use waters::{Water, steps};
 
-/// A square or cube of so many particles a side in disorder, without walls: what is measured are the fluid's own sweeps.
-fn water(dimensions: usize, side: usize) -> Fluid {
-    let size = if dimensions == 2 { [1.0, 1.0, 0.0] } else { [1.0; 3] };
-    let mut parts = pool(dimensions, size, size, 1.0 / side as f64);
-    parts.walls.clear();
-    disorder(&mut parts, 0.4, 0.5);
-    Fluid::new(parts).unwrap()
-}
+const KICK: Scheme = Scheme::KickDriftKick;
+const WATERS: [Water; 5] = [
+    Water::new("plane-1e4", 2, 100, KICK),
+    Water::new("plane-1e5", 2, 316, KICK),
+    Water::new("plane-1e6", 2, 1000, KICK),
+    Water::new("space-1e5", 3, 46, KICK),
+    Water::new("plane-1e4-predicted", 2, 100, Scheme::PredictorCorrector),
+];
+/// Particle-steps of one measurement, about.
+const WORK: usize = 1_000_000;
+/// Measurements, of which the median counts.
+const ROUNDS: usize = 5;
 
-fn step(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("step");
-    group.sample_size(10);
-    for (name, dimensions, side) in
-        [("plane 1e4", 2, 100), ("plane 1e5", 2, 316), ("plane 1e6", 2, 1000), ("space 1e5", 3, 46)]
-    {
-        let mut fluid = water(dimensions, side);
-        let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
-        clock.step(&mut fluid, f64::INFINITY, |_| 1.0).unwrap();
-        println!("{name}: {} bytes a particle", fluid.bytes_per_particle());
-        group.throughput(Throughput::Elements(fluid.len() as u64));
-        group.bench_function(BenchmarkId::from_parameter(name), |bencher| {
-            bencher.iter(|| clock.step(&mut fluid, f64::INFINITY, |_| 1.0).unwrap());
-        });
+fn main() {
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with("--")).unwrap_or_default();
+    for water in WATERS.iter().filter(|water| water.name.contains(&wanted)) {
+        let (mut fluid, mut clock) = water.fluid(1);
+        let one = 1e-6 / median(&mut fluid, &mut clock, thread_seconds);
+        let bytes = fluid.bytes_per_particle();
+        println!(
+            "{}: {one:.2} million particle-steps a second of one core, {bytes} bytes a particle",
+            water.name
+        );
     }
-    group.finish();
+    for water in WATERS.iter().filter(|water| wanted == "two" && water.side > 100) {
+        println!(
+            "{}: two threads are {:.2} times as fast as one",
+            water.name,
+            wall(water, 1) / wall(water, 2)
+        );
+    }
 }
 
-criterion_group!(benches, step);
-criterion_main!(benches);
+/// Time of the wall for a particle-step \[s\].
+fn wall(water: &Water, threads: usize) -> f64 {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+    pool.install(|| {
+        let (mut fluid, mut clock) = water.fluid(threads);
+        let start = Instant::now();
+        median(&mut fluid, &mut clock, || start.elapsed().as_secs_f64())
+    })
+}
+
+/// Median time of a particle-step \[s\] by a clock.
+fn median(fluid: &mut Fluid, clock: &mut Clock, seconds: impl Fn() -> f64) -> f64 {
+    let count = (WORK / fluid.len()).max(2);
+    let mut times: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let before = seconds();
+            steps(fluid, clock, count);
+            (seconds() - before) / (count * fluid.len()) as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[ROUNDS / 2]
+}
+
+/// Time of the processor on this thread \[s\].
+fn thread_seconds() -> f64 {
+    let told =
+        fs::read_to_string("/proc/thread-self/schedstat").expect("a system that tells the time of a thread");
+    1e-9 * told.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
+}

@@ -13,7 +13,9 @@ const CELLS_BESIDE: usize = 4096;
 /// A box of cells, those along the first axis next to each other.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
+    dimensions: usize,
     origin: [f64; 3],
+    width: f64,
     inverse: f64,
     counts: [usize; 3],
     /// Whether particles lie beyond the box: they count for the outermost cells then.
@@ -70,7 +72,9 @@ impl Grid {
             cut_off = true;
         }
         Self {
+            dimensions,
             origin: first.map(|x| x * width),
+            width,
             inverse,
             counts: counts.map(|count| count as usize),
             cut_off,
@@ -86,7 +90,7 @@ impl Grid {
     #[inline(always)]
     pub fn cell(&self, at: &[f64; 3]) -> u32 {
         let mut cell = 0;
-        for k in (0..3).rev() {
+        for k in (0..self.dimensions).rev() {
             let count = self.counts[k];
             let place = (at[k] - self.origin[k]) * self.inverse;
             let place = if place >= 0.0 && place < count as f64 {
@@ -101,6 +105,32 @@ impl Grid {
             cell = cell * count + place;
         }
         cell as u32
+    }
+
+    /// A place from the origin of the box on, in single precision. A place beyond cells that were cut off is no number, so that
+    /// no distance to it is above any other; one that is no number is at no end of distance.
+    #[inline(always)]
+    pub fn single(&self, at: &[f64; 3]) -> [f32; 3] {
+        std::array::from_fn(|k| {
+            let place = at[k] - self.origin[k];
+            let beyond = place < -self.width || place > self.width * (self.counts[k] + 1) as f64;
+            if place.is_nan() {
+                f32::INFINITY
+            } else if self.cut_off && beyond {
+                f32::NAN
+            } else {
+                place as f32
+            }
+        })
+    }
+
+    /// A reach \[L\], longer by what places and distances in single precision may be wrong: each coordinate by half of the
+    /// last place of the greatest, a distance by twice that along each axis and by a few roundings of its own.
+    pub fn longer(&self, reach: f64) -> f32 {
+        let greatest = |k: usize| self.width * (self.counts[k] + 1) as f64;
+        let single = (0..3).map(greatest).fold(0.0, f64::max) * f64::from(f32::EPSILON);
+        let double = self.origin.iter().fold(0.0, |most: f64, x| most.max(x.abs())) * f64::EPSILON;
+        ((reach + 4.0 * (single + double)) * (1.0 + 8.0 * f64::from(f32::EPSILON))) as f32
     }
 
     /// The sorted particles in a cell and beside it, when those of cell c are `starts[c]..starts[c + 1]`.
@@ -133,7 +163,8 @@ mod tests {
         (0..=grid.len()).map(count).collect()
     }
 
-    /// All pairs within a width are found in cells beside each other, also where far particles cut the box off.
+    /// All pairs within a width are found in cells beside each other and by their places in single precision, also where far
+    /// particles cut the box off.
     #[test]
     fn no_neighbour_is_missed() {
         for dimensions in [2, 3] {
@@ -158,7 +189,10 @@ mod tests {
                     for (b, point) in points.iter().enumerate() {
                         let slot = order.iter().position(|&i| i == b).unwrap() as u32;
                         let seen = ranges.filled().iter().any(|&(from, to)| from <= slot && slot < to);
-                        assert!(seen || (point - points[a]).norm() > 0.5, "{a} {b}");
+                        let single = [points[a], *point].map(|p| grid.single(&p.into()));
+                        let square = (0..3).fold(0.0, |sum, k| sum + (single[0][k] - single[1][k]).powi(2));
+                        let apart = square > grid.longer(0.5).powi(2);
+                        assert!((seen && !apart) || (point - points[a]).norm() > 0.5, "{a} {b}");
                     }
                 }
             }

@@ -1,12 +1,15 @@
 //! The rate of density: `dρ_a/dt = Σ_b m F_ab v_ab·r_ab` over all neighbours, and its diffusion over those of the fluid.
 
-use crate::cells::{Grid, NOWHERE, Ranges};
+use sph_core::lanes::{Lanes, Sweep};
+
+use crate::cells::Grid;
 use crate::diffusion::Diffusion;
-use crate::dispatch::Sweep;
 use crate::gather::{Pairs, Room, gather};
 use crate::kernel::Wendland;
-use crate::lanes::Lanes;
-use crate::sorted::{Row, Sorted};
+use crate::pair::Shape;
+use crate::row::{Four, Row};
+use crate::sorted::Sorted;
+use crate::walk::Walk;
 
 /// What pairs need beside themselves.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +22,8 @@ pub(crate) struct Continuity {
 
 /// Numbers of all pairs, in lanes.
 struct Constants<L: Lanes> {
-    half: L::Four,
-    slope: L::Four,
-    eta2: L::Four,
-    strength: L::Four,
+    shape: Shape<L>,
     rest: [L::Four; 3],
-    one: L::Four,
-    zero: L::Four,
 }
 
 impl<L: Lanes> Clone for Constants<L> {
@@ -37,29 +35,16 @@ impl<L: Lanes> Copy for Constants<L> {}
 
 impl<L: Lanes> Constants<L> {
     #[inline(always)]
-    fn new(lanes: L, continuity: &Continuity) -> Self {
-        let Continuity { kernel, mass, diffusion } = continuity;
-        Self {
-            half: lanes.splat(kernel.half),
-            slope: lanes.splat(mass * kernel.slope),
-            eta2: lanes.splat(kernel.eta2),
-            strength: lanes.splat(diffusion.strength),
-            rest: [
-                lanes.splat(diffusion.rest[0]),
-                lanes.splat(diffusion.rest[1]),
-                lanes.splat(diffusion.rest[2]),
-            ],
-            one: lanes.splat(1.0),
-            zero: lanes.splat(0.0),
-        }
+    fn new(lanes: L, Continuity { kernel, diffusion, .. }: &Continuity) -> Self {
+        let [x, y, z] = diffusion.rest;
+        Self { shape: Shape::new(lanes, kernel), rest: [lanes.splat(x), lanes.splat(y), lanes.splat(z)] }
     }
 }
 
-/// The sum over the neighbours of one particle; `DIFFUSED` those that exchange density with it.
+/// The sum over the neighbours of one particle, without the factors of all pairs; `DIFFUSED` those that exchange density.
 struct Rate<L: Lanes, const D: usize, const DIFFUSED: bool> {
     constants: Constants<L>,
-    place: [L::Four; 4],
-    motion: [L::Four; 4],
+    own: Four<L>,
     divergence: L::Four,
     exchange: L::Four,
 }
@@ -67,32 +52,24 @@ struct Rate<L: Lanes, const D: usize, const DIFFUSED: bool> {
 impl<L: Lanes, const D: usize, const DIFFUSED: bool> Rate<L, D, DIFFUSED> {
     #[inline(always)]
     fn new(lanes: L, constants: Constants<L>, row: &Row) -> Self {
-        Self {
-            constants,
-            place: lanes.splats(&row.place),
-            motion: lanes.splats(&row.motion),
-            divergence: constants.zero,
-            exchange: constants.zero,
-        }
+        let zero = constants.shape.zero;
+        Self { constants, own: Four::all(lanes, row), divergence: zero, exchange: zero }
     }
 }
 
 impl<L: Lanes, const D: usize, const DIFFUSED: bool> Pairs<L> for Rate<L, D, DIFFUSED> {
     #[inline(always)]
-    fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let Constants { half, slope, eta2, strength, rest, one, zero } = self.constants;
-        let r = lanes.difference::<D>(&self.place, &place);
-        let v = lanes.difference::<D>(&self.motion, &motion);
-        let square = lanes.dot::<D>(&r, &r);
-        let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
-        let factor = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        self.divergence = lanes.add(self.divergence, lanes.mul(factor, lanes.dot::<D>(&v, &r)));
+    fn add(&mut self, lanes: L, four: Four<L>) {
+        let Constants { shape, rest } = self.constants;
+        let pair = shape.pair::<D>(lanes, &self.own, &four);
+        self.divergence = lanes.add(self.divergence, lanes.mul(pair.slope, pair.closing));
         if DIFFUSED {
-            let densities = lanes.add(self.place[3], place[3]);
-            let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
-            let excess = lanes.add(lanes.sub(place[3], self.place[3]), lanes.dot::<D>(&rest, &r));
-            let share = lanes.mul(lanes.mul(strength, inverse), lanes.mul(factor, square));
-            self.exchange = lanes.sub(self.exchange, lanes.mul(share, excess));
+            let densities = lanes.add(self.own.density, four.density);
+            let volume = lanes.mul(lanes.add(pair.square, shape.eta2), densities);
+            let level = lanes.dot::<D>(&rest, &pair.way);
+            let excess = lanes.add(lanes.sub(four.density, self.own.density), level);
+            let share = lanes.mul(lanes.mul(pair.slope, pair.square), excess);
+            self.exchange = lanes.add(self.exchange, lanes.div(share, volume));
         }
     }
 }
@@ -105,10 +82,8 @@ pub(crate) struct Rates<'a, 'b, const D: usize> {
     pub of: &'a Sorted,
     /// First slot of the chunk.
     pub first: usize,
-    /// Whether those of their own kind count: walls see the fluid only.
-    pub own: bool,
-    /// Neighbours of the other kind.
-    pub other: &'a Sorted,
+    /// Neighbours of their own kind if they count, for walls see the fluid only; and of the other kind.
+    pub sets: [Option<&'a Sorted>; 2],
     /// By slot of the chunk: rate, and what diffusion adds to it \[M/(L³ T)\].
     pub out: &'b mut [[f64; 2]],
 }
@@ -118,35 +93,33 @@ impl<const D: usize> Sweep for Rates<'_, '_, D> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Self { continuity, grid, of, first, own, other, out } = self;
+        let Self { continuity, grid, of, first, sets, out } = self;
+        let Continuity { kernel, mass, diffusion } = continuity;
         let constants = Constants::new(lanes, continuity);
-        let (reach2, diffused) = (continuity.kernel.reach2, continuity.diffusion.strength != 0.0);
-        let (mut room, mut last) = (Room::new(), NOWHERE);
-        let mut near = [Ranges::default(); 2];
+        let (factor, strength) = (mass * kernel.slope, diffusion.strength);
+        let mut walk = Walk::new(grid, of, first, sets, kernel.reach());
+        let mut room = Room::new();
         for (slot, out) in (first..).zip(out) {
-            let (row, cell) = (&of.rows[slot], of.cell(slot));
-            if cell != last {
-                near[0] = if own { grid.beside(cell, &of.starts) } else { Ranges::default() };
-                near[1] = grid.beside(cell, &other.starts);
-                last = cell;
-            }
+            walk.go(slot, &mut room);
             *out = [0.0; 2];
-            if own && diffused {
-                let mut rate = Rate::<L, D, true>::new(lanes, constants, row);
-                let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut rate);
-                *out = [lanes.total(rate.divergence), lanes.total(rate.exchange)];
-            } else if own {
-                let mut rate = Rate::<L, D, false>::new(lanes, constants, row);
-                let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut rate);
-                out[0] = lanes.total(rate.divergence);
+            if let Some(search) = walk.own(slot) {
+                if strength != 0.0 {
+                    let mut rate = Rate::<L, D, true>::new(lanes, constants, &of.rows[slot]);
+                    gather::<L, _, D>(lanes, search, &mut room, &mut rate);
+                    *out = [
+                        factor * lanes.total(rate.divergence),
+                        -strength * factor * lanes.total(rate.exchange),
+                    ];
+                } else {
+                    let mut rate = Rate::<L, D, false>::new(lanes, constants, &of.rows[slot]);
+                    gather::<L, _, D>(lanes, search, &mut room, &mut rate);
+                    out[0] = factor * lanes.total(rate.divergence);
+                }
             }
-            if !near[1].filled().is_empty() {
-                let mut rate = Rate::<L, D, false>::new(lanes, constants, row);
-                let hidden = of.hidden_faces(slot, other);
-                gather::<L, _, D>(lanes, other, &near[1], row.at(), reach2, hidden, &mut room, &mut rate);
-                out[0] += lanes.total(rate.divergence);
+            if let Some(search) = walk.other(slot) {
+                let mut rate = Rate::<L, D, false>::new(lanes, constants, &of.rows[slot]);
+                gather::<L, _, D>(lanes, search, &mut room, &mut rate);
+                out[0] += factor * lanes.total(rate.divergence);
             }
         }
     }

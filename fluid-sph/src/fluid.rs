@@ -3,7 +3,7 @@
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
 
-use crate::books::Books;
+use crate::books::{Books, Sums};
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::Continuity;
@@ -15,7 +15,8 @@ use crate::kernel::Wendland;
 use crate::liquid::Liquid;
 use crate::momentum::{Felt, Momentum};
 use crate::parts::{Parts, Start};
-use crate::sorted::{Row, Sorted};
+use crate::row::Row;
+use crate::sorted::Sorted;
 use crate::start;
 use crate::viscosity::Viscosity;
 
@@ -30,6 +31,15 @@ pub(crate) struct State {
     pub densities: Vec<f64>,
 }
 
+impl State {
+    /// The place of a particle after a time \[T\] with its velocity and, where there is any, the drag of its slot.
+    #[inline(always)]
+    pub fn place(&self, i: usize, drags: &[[f64; 3]], slot: usize, ahead: f64) -> Vec3 {
+        let drag = drags.get(slot).map_or_else(Vec3::zeros, |drag| Vec3::from(*drag));
+        self.positions[i] + (self.velocities[i] + drag) * ahead
+    }
+}
+
 /// Bounds of a stable step, before the part of them that is taken \[T\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepBounds {
@@ -41,16 +51,6 @@ pub struct StepBounds {
     pub friction: f64,
     /// `h/(4|v|)` of the fastest point of a boundary; not divided further.
     pub boundary: f64,
-}
-
-/// Sums over the particles of a chunk.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sums {
-    pub velocity: Vec3,
-    pub square: f64,
-    pub fastest: f64,
-    pub loss: f64,
-    pub error: f64,
 }
 
 /// A weakly compressible fluid.
@@ -68,17 +68,13 @@ pub struct Fluid {
     pub(crate) continuity: Continuity,
     pub(crate) rest: Vec<Vec3>,
     pub(crate) present: State,
-    /// Half a step ahead, of a predictor and corrector.
-    pub(crate) half: State,
     pub(crate) boundary: Boundary,
     pub(crate) grid: Grid,
     pub(crate) sorted: Sorted,
-    /// By slot: accelerations, rates of density, what XSPH adds to velocities.
+    /// By slot: accelerations, rates of density, and what XSPH adds to velocities, by the slots for which it was found.
     pub(crate) accelerations: Vec<[f64; 3]>,
     pub(crate) rates: Vec<[f64; 2]>,
     pub(crate) drags: Vec<[f64; 3]>,
-    /// By particle, with XSPH: velocities of their places.
-    pub(crate) moves: Vec<Vec3>,
     /// By chunk.
     pub(crate) felts: Vec<Felt>,
     pub(crate) sums: Vec<Sums>,
@@ -116,7 +112,7 @@ impl Fluid {
             Start::Uniform => vec![liquid.density; count],
         };
         let sound = liquid.sound_speed / (liquid.density * liquid.density * liquid.density);
-        let viscosity = Viscosity::new(&formulation, &liquid, &kernel);
+        let viscosity = Viscosity::new(dimensions, &formulation, &liquid, &kernel);
         let momentum = Momentum { kernel, mass, viscosity, sound };
         let diffusion = Diffusion::new(&formulation, &liquid, &kernel, &gravity);
         let continuity = Continuity { kernel, mass, diffusion };
@@ -133,14 +129,12 @@ impl Fluid {
             continuity,
             rest: positions.clone(),
             present: State { positions, velocities, densities },
-            half: State::default(),
             boundary,
             grid: Grid::around(dimensions, std::iter::empty(), 1.0),
             sorted: Sorted::default(),
             accelerations: vec![[0.0; 3]; count],
             rates: vec![[0.0; 2]; count],
             drags: Vec::new(),
-            moves: Vec::new(),
             felts: Vec::new(),
             sums: Vec::new(),
             felt: Felt::default(),
@@ -149,9 +143,7 @@ impl Fluid {
             bounds: StepBounds::default(),
             books: Books::default(),
         };
-        let state = std::mem::take(&mut fluid.present);
-        fluid.sort(&state, 0.0, 0.0);
-        fluid.present = state;
+        fluid.sort(0.0, 0.0);
         fluid.check_overlap()?;
         Ok(fluid)
     }
@@ -256,11 +248,9 @@ impl Fluid {
 
     /// Bytes held for each particle, boundaries included.
     pub fn bytes_per_particle(&self) -> usize {
-        let state = |state: &State| 56 * state.positions.len();
-        let by_slot =
-            24 * (self.accelerations.len() + self.drags.len() + self.moves.len()) + 16 * self.rates.len();
+        let by_slot = 24 * (self.accelerations.len() + self.drags.len()) + 16 * self.rates.len();
         let chunks = size_of::<Felt>() * self.felts.len() + size_of::<Sums>() * self.sums.len();
-        let fluid = 24 * self.rest.len() + state(&self.present) + state(&self.half) + by_slot + chunks;
+        let fluid = (24 + 56) * self.len() + by_slot + chunks;
         (fluid + self.sorted.bytes() + self.boundary.bytes()) / self.len()
     }
 

@@ -1,171 +1,141 @@
-//! The neighbours of one particle: found among those of the cells beside it, and handed on four at a time.
+//! The neighbours of one particle: found among the candidates of its cell, and handed on four at a time.
+//!
+//! They are looked for eight at a time in single precision, with a reach that is longer by what single precision may be
+//! wrong; a kernel is zero for whoever comes along beyond its own reach.
 
+use sph_core::lanes::{EIGHT, LANES, Lanes};
+
+use crate::candidates::Candidates;
 use crate::cells::Ranges;
 use crate::hidden::Hidden;
-use crate::lanes::{LANES, Lanes, Pack};
+use crate::row::Four;
 use crate::sorted::Sorted;
 
 /// Room for neighbours between two rounds of pairs.
 const ROOM: usize = 512;
-
-/// Particles looked at between two looks at the room left.
-const PIECE: u32 = 256;
-/// By number of particles left: the lanes that hold one.
-const VALID: [usize; LANES] = [0, 1, 3, 7];
-/// By pattern of lanes: how many are set.
-const COUNT: [u8; 16] = [0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4];
-
-/// By pattern of lanes within reach: their numbers, first.
-const PICKED: [[u32; LANES]; 16] = picked();
-
-const fn picked() -> [[u32; LANES]; 16] {
-    let mut all = [[0; LANES]; 16];
-    let mut pattern = 0;
-    while pattern < 16 {
-        let (mut lane, mut place) = (0, 0);
-        while lane < LANES {
-            if pattern >> lane & 1 == 1 {
-                all[pattern][place] = lane as u32;
-                place += 1;
-            }
-            lane += 1;
-        }
-        pattern += 1;
-    }
-    all
-}
+/// Eights of candidates looked at between two looks at the room left.
+const PIECE: usize = 32;
 
 /// A sum over the neighbours of a particle.
 pub(crate) trait Pairs<L: Lanes> {
-    /// Adds four neighbours: places and densities, velocities and P/ρ², as a `Row` has them. One far away or in
-    /// the place of the particle itself adds nothing.
-    fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]);
+    /// Adds four neighbours. One far away or in the place of the particle itself adds nothing.
+    fn add(&mut self, lanes: L, four: Four<L>);
 }
 
-/// Room for the neighbours of a particle, kept from one to the next.
-pub(crate) struct Room([u32; ROOM]);
+/// Room for the neighbours of a particle and for the candidates of its cell, kept from one to the next.
+pub(crate) struct Room {
+    found: [u32; ROOM],
+    /// Of its own kind and of the other kind.
+    candidates: [Candidates; 2],
+}
 
 impl Room {
     /// Empty room.
+    #[inline(always)]
     pub fn new() -> Self {
-        Self([0; ROOM])
+        Self { found: [0; ROOM], candidates: [Candidates::new(), Candidates::new()] }
+    }
+
+    /// Forgets the candidates: the cell has changed.
+    pub fn forget(&mut self) {
+        self.candidates.iter_mut().for_each(Candidates::forget);
     }
 }
 
-/// Hands on all within the reach of a place.
+/// Where a particle looks for neighbours.
+pub(crate) struct Search<'a> {
+    /// Its place and the reach, as the particles sorted have theirs.
+    pub at: [f32; 3],
+    pub reach: f32,
+    pub set: &'a Sorted,
+    /// Whether that is the other kind.
+    pub other: bool,
+    /// All that stand in the cells beside, of which the candidates hold a part.
+    pub ranges: &'a Ranges,
+    pub hidden: Hidden<'a>,
+}
+
+/// Hands on all within reach.
 #[inline(always)]
 pub(crate) fn gather<L: Lanes, P: Pairs<L>, const D: usize>(
     lanes: L,
-    set: &Sorted,
-    ranges: &Ranges,
-    at: [f64; 3],
-    reach2: f64,
-    hidden: Hidden<'_>,
+    search: Search<'_>,
     room: &mut Room,
     pairs: &mut P,
 ) {
-    let ranges = ranges.filled();
-    let Some(&(mut next, _)) = ranges.first() else { return };
-    let found = &mut room.0;
-    let rows = &set.rows[..];
-    let near = Near { at: lanes.splats(&[[at[0], at[1]], [at[2], reach2]]) };
-    let (mut count, mut range) = (0, 0);
+    let Search { at, reach, set, other, ranges, hidden } = search;
+    let Room { found, candidates } = room;
+    let candidates = &mut candidates[usize::from(other)];
+    let near = Near::<L> { at: at.map(|x| lanes.splat_eight(x)), square: lanes.splat_eight(reach * reach) };
+    let (mut count, mut part) = (0, 0);
     loop {
-        while range < ranges.len() {
-            let to = ranges[range].1.min(next + PIECE);
-            if count > ROOM - PIECE as usize - LANES {
-                break;
+        candidates.hold::<D>(set, ranges, part);
+        let eights = candidates.eights();
+        let (mut first, last) = (0, candidates.is_last());
+        while first < eights {
+            let to = (first + PIECE).min(eights);
+            count = near.find::<D>(lanes, candidates, first..to, found, count);
+            first = to;
+            if hidden.faces != 0 {
+                count = seen(found, count, hidden);
             }
-            count = near.find::<D>(lanes, set, next, to, found, count);
-            next = to;
-            if to == ranges[range].1 {
-                range += 1;
-                next = ranges.get(range).map_or(0, |range| range.0);
+            let all = last && first == eights;
+            if all {
+                // Four more at least fit: the rows beyond the last add nothing.
+                found[count..count + LANES].fill(set.len() as u32);
+                count = count.next_multiple_of(LANES);
+            }
+            let whole = count / LANES * LANES;
+            if all || count > ROOM - PIECE * EIGHT - 2 * EIGHT {
+                let rows = &set.rows[..];
+                for &[a, b, c, d] in found[..whole].as_chunks::<LANES>().0 {
+                    let four = [&rows[a as usize], &rows[b as usize], &rows[c as usize], &rows[d as usize]];
+                    pairs.add(lanes, Four::of(lanes, four));
+                }
+                found.copy_within(whole..count, 0);
+                count -= whole;
             }
         }
-        if hidden.faces != 0 {
-            count = seen(found, count, hidden);
-        }
-        let all = range == ranges.len();
-        while all && !count.is_multiple_of(LANES) {
-            found[count] = set.len() as u32;
-            count += 1;
-        }
-        let whole = count / LANES * LANES;
-        for four in found[..whole].as_chunks::<LANES>().0 {
-            let (a, b) = (&rows[four[0] as usize], &rows[four[1] as usize]);
-            let (c, d) = (&rows[four[2] as usize], &rows[four[3] as usize]);
-            let place = lanes.columns([&a.place, &b.place, &c.place, &d.place]);
-            let motion = lanes.columns([&a.motion, &b.motion, &c.motion, &d.motion]);
-            pairs.add(lanes, place, motion);
-        }
-        if all {
+        if last {
             return;
         }
-        found.copy_within(whole..count, 0);
-        count -= whole;
+        part += 1;
     }
 }
 
 /// A place, and the square of a reach about it.
 struct Near<L: Lanes> {
-    at: [L::Four; 4],
+    at: [L::Eight; 3],
+    square: L::Eight,
 }
 
 impl<L: Lanes> Near<L> {
-    /// Writes those of `from..to` that are near behind the first `count`; returns how many there are then.
+    /// Writes those of some eights that are near behind the first `count`; returns how many there are then.
     #[inline(always)]
     fn find<const D: usize>(
         &self,
         lanes: L,
-        set: &Sorted,
-        from: u32,
-        to: u32,
+        candidates: &Candidates,
+        eights: std::ops::Range<usize>,
         found: &mut [u32; ROOM],
         mut count: usize,
     ) -> usize {
-        let (first, end) = (from as usize, to as usize + LANES - 1);
-        let (xs, ys) = (set.x[first..end].as_chunks::<LANES>().0, set.y[first..end].as_chunks::<LANES>().0);
-        let zs = if D == 3 { set.z[first..end].as_chunks::<LANES>().0 } else { xs };
-        let whole = (to as usize - first) / LANES;
-        let mut next = from;
-        for ((x, y), z) in xs[..whole].iter().zip(&ys[..whole]).zip(&zs[..whole]) {
-            let near = self.near::<D>(lanes, x, y, z);
-            count = list(found, count, next, near);
-            next = next.wrapping_add(LANES as u32);
-        }
-        // Those of the last four that come after the range are not of the cells asked for.
-        if let (Some(x), Some(y), Some(z)) = (xs.get(whole), ys.get(whole), zs.get(whole)) {
-            let valid = VALID[(to as usize - first) % LANES];
-            count = list(found, count, next, self.near::<D>(lanes, x, y, z) & valid);
+        for eight in candidates.of(eights) {
+            let dx = lanes.sub_eight(self.at[0], lanes.load_eight(eight.at[0]));
+            let dy = lanes.sub_eight(self.at[1], lanes.load_eight(eight.at[1]));
+            let mut square = lanes.add_eight(lanes.mul_eight(dx, dx), lanes.mul_eight(dy, dy));
+            if D == 3 {
+                let dz = lanes.sub_eight(self.at[2], lanes.load_eight(eight.at[2]));
+                square = lanes.add_eight(square, lanes.mul_eight(dz, dz));
+            }
+            let near = lanes.not_above(square, self.square);
+            // There is always room for eight more.
+            let Some(room) = found.get_mut(count..count.wrapping_add(EIGHT)) else { return count };
+            room.copy_from_slice(&lanes.picked(near, eight.slots));
+            count = count.wrapping_add(near.count_ones() as usize);
         }
         count
     }
-
-    /// The pattern of those near of four.
-    #[inline(always)]
-    fn near<const D: usize>(&self, lanes: L, x: &Pack, y: &Pack, z: &Pack) -> usize {
-        let dx = lanes.sub(self.at[0], lanes.load(x));
-        let dy = lanes.sub(self.at[1], lanes.load(y));
-        let mut square = lanes.add(lanes.mul(dx, dx), lanes.mul(dy, dy));
-        if D == 3 {
-            let dz = lanes.sub(self.at[2], lanes.load(z));
-            square = lanes.add(square, lanes.mul(dz, dz));
-        }
-        lanes.below(square, self.at[3]) as usize
-    }
-}
-
-/// Writes those of a pattern behind the first `count`; returns how many there are then. There is always room for four more.
-#[inline(always)]
-fn list(found: &mut [u32; ROOM], count: usize, next: u32, near: usize) -> usize {
-    let numbers = &PICKED[near & 15];
-    let Some(room) = found.get_mut(count..count.wrapping_add(LANES)) else { return count };
-    room[0] = next.wrapping_add(numbers[0]);
-    room[1] = next.wrapping_add(numbers[1]);
-    room[2] = next.wrapping_add(numbers[2]);
-    room[3] = next.wrapping_add(numbers[3]);
-    count.wrapping_add(COUNT[near & 15] as usize)
 }
 
 /// Takes out those that are not seen; returns how many are left.
@@ -174,7 +144,7 @@ fn seen(found: &mut [u32], count: usize, hidden: Hidden<'_>) -> usize {
     for k in 0..count {
         let slot = found[k];
         found[kept] = slot;
-        kept += usize::from(hidden.of[slot as usize] & hidden.faces == 0);
+        kept += usize::from(hidden.of.get(slot as usize).is_none_or(|faces| faces & hidden.faces == 0));
     }
     kept
 }

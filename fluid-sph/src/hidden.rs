@@ -1,7 +1,7 @@
 //! What a particle does not see though it is near: the other side of a thin structure.
 
 /// Which neighbours a particle does not see.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Hidden<'a> {
     /// Faces that it does not see.
     pub faces: u32,

@@ -32,6 +32,11 @@ impl Wendland {
         }
     }
 
+    /// 2h \[L\].
+    pub fn reach(&self) -> f64 {
+        2.0 * self.h
+    }
+
     /// The kernel at a distance.
     pub fn value(&self, distance: f64) -> f64 {
         let s = (1.0 - self.half * distance).max(0.0);

@@ -23,6 +23,12 @@ impl Liquid {
         self.modulus() * (cube * cube * x - 1.0)
     }
 
+    /// P/ρ² \[L⁵/(M T²)\].
+    #[inline(always)]
+    pub(crate) fn share(&self, density: f64) -> f64 {
+        self.pressure(density) / (density * density)
+    }
+
     /// The density under a pressure \[M/L³\]: the inverse of [`Liquid::pressure`].
     pub fn density_at(&self, pressure: f64) -> f64 {
         self.density * libm::pow((1.0 + pressure / self.modulus()).max(0.0), 1.0 / 7.0)

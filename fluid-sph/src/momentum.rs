@@ -1,14 +1,18 @@
-//! Forces: `dv_a/dt = −Σ_b m (P_a/ρ_a² + P_b/ρ_b² + Π_ab) F_ab r_ab + laminar friction` \[monaghan1992\].
+//! Forces: `dv_a/dt = −Σ_b m (P_a/ρ_a² + P_b/ρ_b² + Π_ab) F_ab r_ab` \[monaghan1992\], friction within Π.
 //!
 //! Every expression of a pair changes no bit, or its sign only, when a and b change places: forces are opposite to the bit.
+//! All act along the line of centres, so that they exert no moment on the pair.
 
-use crate::cells::{Grid, NOWHERE, Ranges};
-use crate::dispatch::Sweep;
+use sph_core::lanes::{Lanes, Sweep};
+
+use crate::cells::Grid;
 use crate::gather::{Pairs, Room, gather};
 use crate::kernel::Wendland;
-use crate::lanes::Lanes;
-use crate::sorted::{Row, Sorted};
+use crate::pair::Shape;
+use crate::row::{Four, Row};
+use crate::sorted::Sorted;
 use crate::viscosity::Viscosity;
+use crate::walk::Walk;
 
 /// What pairs need beside themselves.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +30,7 @@ pub(crate) struct Momentum {
 pub(crate) struct Felt {
     /// Sum over the particles: power that friction takes a unit of mass \[L²/T³\].
     pub friction: f64,
-    /// Greatest `c_a + max_b |h v_ab·r_ab/(r² + η²)|` \[L/T\].
+    /// Greatest `c_a + max_b |h v_ab·r_ab/(r² + η²)| 2ρ_a/(ρ_a + ρ_b)` \[L/T\].
     pub signal: f64,
     /// Greatest square of an acceleration \[L²/T⁴\].
     pub square: f64,
@@ -43,27 +47,11 @@ impl Felt {
     }
 }
 
-/// The sum over the neighbours of one particle.
-struct Force<L: Lanes, const D: usize> {
-    constants: Constants<L>,
-    place: [L::Four; 4],
-    motion: [L::Four; 4],
-    cube: L::Four,
-    laminar: bool,
-    acceleration: [L::Four; 3],
-    friction: L::Four,
-    approach: L::Four,
-}
-
+/// Numbers of all pairs, in lanes.
 struct Constants<L: Lanes> {
-    half: L::Four,
-    slope: L::Four,
-    eta2: L::Four,
-    h: L::Four,
+    shape: Shape<L>,
     artificial: L::Four,
     laminar: L::Four,
-    one: L::Four,
-    zero: L::Four,
 }
 
 impl<L: Lanes> Clone for Constants<L> {
@@ -75,32 +63,37 @@ impl<L: Lanes> Copy for Constants<L> {}
 
 impl<L: Lanes> Constants<L> {
     #[inline(always)]
-    fn new(lanes: L, momentum: &Momentum) -> Self {
-        let Momentum { kernel, mass, viscosity, .. } = momentum;
+    fn new(lanes: L, Momentum { kernel, viscosity, .. }: &Momentum) -> Self {
         Self {
-            half: lanes.splat(kernel.half),
-            slope: lanes.splat(-mass * kernel.slope),
-            eta2: lanes.splat(kernel.eta2),
-            h: lanes.splat(kernel.h),
+            shape: Shape::new(lanes, kernel),
             artificial: lanes.splat(viscosity.artificial),
             laminar: lanes.splat(viscosity.laminar),
-            one: lanes.splat(1.0),
-            zero: lanes.splat(0.0),
         }
     }
 }
 
-impl<L: Lanes, const D: usize> Force<L, D> {
+/// The sum over the neighbours of one particle, without the factor of all pairs; `WALL` where fluid and walls meet,
+/// `LAMINAR` with laminar friction.
+struct Force<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> {
+    constants: Constants<L>,
+    own: Four<L>,
+    /// Velocity with which friction does work on the particle, where its neighbours bear the rest of it.
+    slide: [L::Four; 3],
+    cube: L::Four,
+    acceleration: [L::Four; 3],
+    friction: L::Four,
+    approach: L::Four,
+}
+
+impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Force<L, D, WALL, LAMINAR> {
     #[inline(always)]
-    fn new(lanes: L, constants: Constants<L>, row: &Row, laminar: bool) -> Self {
-        let [x, y, z, density] = lanes.splats(&row.place);
-        let zero = constants.zero;
+    fn new(lanes: L, constants: Constants<L>, row: &Row, velocity: [f64; 3]) -> Self {
+        let (own, zero) = (Four::all(lanes, row), constants.shape.zero);
         Self {
             constants,
-            place: [x, y, z, density],
-            motion: lanes.splats(&row.motion),
-            cube: lanes.mul(lanes.mul(density, density), density),
-            laminar,
+            slide: velocity.map(|v| lanes.splat(v)),
+            cube: lanes.mul(lanes.mul(own.density, own.density), own.density),
+            own,
             acceleration: [zero; 3],
             friction: zero,
             approach: zero,
@@ -108,35 +101,30 @@ impl<L: Lanes, const D: usize> Force<L, D> {
     }
 }
 
-impl<L: Lanes, const D: usize> Pairs<L> for Force<L, D> {
+impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Pairs<L>
+    for Force<L, D, WALL, LAMINAR>
+{
     #[inline(always)]
-    fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let Constants { half, slope, eta2, h, artificial, laminar, one, zero } = self.constants;
-        let r = lanes.difference::<D>(&self.place, &place);
-        let v = lanes.difference::<D>(&self.motion, &motion);
-        let square = lanes.dot::<D>(&r, &r);
-        let s = lanes.max(lanes.sub(one, lanes.mul(half, lanes.sqrt(square))), zero);
-        // −m F, never negative.
-        let pull = lanes.mul(slope, lanes.mul(lanes.mul(s, s), s));
-        let vr = lanes.dot::<D>(&v, &r);
-        let densities = lanes.add(self.place[3], place[3]);
-        let inverse = lanes.div(one, lanes.mul(lanes.add(square, eta2), densities));
-        let cubes = lanes.add(self.cube, lanes.mul(lanes.mul(place[3], place[3]), place[3]));
-        let closing = lanes.min(vr, zero);
-        let friction = lanes.mul(lanes.mul(artificial, cubes), lanes.mul(closing, inverse));
-        // −Π, never positive.
-        let stress = lanes.sub(lanes.add(self.motion[3], motion[3]), friction);
-        let along = lanes.mul(pull, stress);
-        self.acceleration = lanes.add_scaled::<D>(&self.acceleration, along, &r);
-        self.friction = lanes.add(self.friction, lanes.mul(lanes.mul(pull, friction), vr));
-        if self.laminar {
-            let across = lanes.mul(lanes.mul(laminar, inverse), lanes.mul(pull, square));
-            self.acceleration = lanes.sub_scaled::<D>(&self.acceleration, across, &v);
-            self.friction = lanes.add(self.friction, lanes.mul(across, lanes.dot::<D>(&v, &v)));
+    fn add(&mut self, lanes: L, four: Four<L>) {
+        let Constants { shape, artificial, laminar } = self.constants;
+        let pair = shape.pair::<D>(lanes, &self.own, &four);
+        let densities = lanes.add(self.own.density, four.density);
+        let volume = lanes.mul(lanes.add(pair.square, shape.eta2), densities);
+        let inverse = lanes.div(shape.one, volume);
+        let cubes = lanes.add(self.cube, lanes.mul(lanes.mul(four.density, four.density), four.density));
+        let speed = lanes.mul(pair.closing, inverse);
+        // −Π.
+        let mut friction = lanes.mul(lanes.mul(artificial, cubes), lanes.min(speed, shape.zero));
+        if LAMINAR {
+            let speed = lanes.mul(speed, lanes.add(pair.square, shape.eta2));
+            friction = lanes.add(friction, lanes.mul(laminar, speed));
         }
-        let speed = lanes.max(vr, lanes.sub(zero, vr));
-        let approach = lanes.mul(lanes.mul(h, speed), lanes.mul(inverse, densities));
-        self.approach = lanes.max(self.approach, approach);
+        let stress = lanes.sub(lanes.add(self.own.share, four.share), friction);
+        let along = lanes.mul(pair.slope, stress);
+        self.acceleration = lanes.add_scaled::<D>(&self.acceleration, along, &pair.way);
+        let power = if WALL { lanes.dot::<D>(&self.slide, &pair.way) } else { pair.closing };
+        self.friction = lanes.add(self.friction, lanes.mul(lanes.mul(pair.slope, friction), power));
+        self.approach = lanes.max(self.approach, lanes.max(speed, lanes.sub(shape.zero, speed)));
     }
 }
 
@@ -148,12 +136,12 @@ pub(crate) struct Forces<'a, 'b, const D: usize> {
     pub of: &'a Sorted,
     /// First slot of the chunk.
     pub first: usize,
-    /// Whether those of their own kind act: walls feel the fluid only.
-    pub own: bool,
-    /// Neighbours of the other kind.
-    pub other: &'a Sorted,
+    /// Neighbours of their own kind if they act, for walls feel the fluid only; and of the other kind.
+    pub sets: [Option<&'a Sorted>; 2],
     /// What acts on each unit of mass beside them \[L/T²\].
     pub gravity: [f64; 3],
+    /// By particle of a boundary: its velocity, where that of its row is mirrored \[L/T\].
+    pub velocities: &'a [sph_core::Vec3],
     /// By slot of the chunk: accelerations \[L/T²\].
     pub out: &'b mut [[f64; 3]],
 }
@@ -163,42 +151,51 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Felt {
-        let Self { momentum, grid, of, first, own, other, gravity, out } = self;
+        if self.momentum.viscosity.laminar == 0.0 {
+            self.sum::<L, false>(lanes)
+        } else {
+            self.sum::<L, true>(lanes)
+        }
+    }
+}
+
+impl<const D: usize> Forces<'_, '_, D> {
+    #[inline(always)]
+    fn sum<L: Lanes, const LAMINAR: bool>(self, lanes: L) -> Felt {
+        let Self { momentum, grid, of, first, sets, gravity, velocities, out } = self;
+        let Momentum { kernel, mass, sound, .. } = momentum;
         let constants = Constants::new(lanes, momentum);
-        let (reach2, laminar) = (momentum.kernel.reach2, momentum.viscosity.laminar != 0.0);
-        let (mut room, mut last, mut felt) = (Room::new(), NOWHERE, Felt::default());
-        let mut near = [Ranges::default(); 2];
+        let factor = -mass * kernel.slope;
+        let mut walk = Walk::new(grid, of, first, sets, kernel.reach());
+        let (mut room, mut felt) = (Room::new(), Felt::default());
         for (slot, out) in (first..).zip(out) {
-            let (row, cell) = (&of.rows[slot], of.cell(slot));
-            if cell != last {
-                near[0] = if own { grid.beside(cell, &of.starts) } else { Ranges::default() };
-                near[1] = grid.beside(cell, &other.starts);
-                last = cell;
-            }
-            let mut force = Force::<L, D>::new(lanes, constants, row, laminar);
-            if own {
-                let hidden = of.hidden_sides(slot);
-                gather::<L, _, D>(lanes, of, &near[0], row.at(), reach2, hidden, &mut room, &mut force);
+            walk.go(slot, &mut room);
+            let row = &of.rows[slot];
+            let velocity = velocities.get(of.order[slot] as usize).map_or(row.velocity(), |v| (*v).into());
+            let (mut acceleration, mut friction, mut approach) = ([0.0; 3], 0.0, 0.0);
+            if let Some(search) = walk.own(slot) {
+                let mut force = Force::<L, D, false, LAMINAR>::new(lanes, constants, row, velocity);
+                gather::<L, _, D>(lanes, search, &mut room, &mut force);
+                acceleration = lanes.totals(&force.acceleration);
                 // The other of the pair counts the other half.
-                force.friction = lanes.mul(force.friction, lanes.splat(0.5));
+                friction = 0.5 * lanes.total(force.friction);
+                approach = lanes.greatest(force.approach);
             }
-            if !near[1].filled().is_empty() {
-                if laminar {
-                    // Velocities of boundaries are mirrored, so that a pair slides twice as fast as it does at the face.
-                    force.friction = lanes.add(force.friction, force.friction);
+            if let Some(search) = walk.other(slot) {
+                let mut force = Force::<L, D, true, LAMINAR>::new(lanes, constants, row, velocity);
+                gather::<L, _, D>(lanes, search, &mut room, &mut force);
+                for (sum, more) in acceleration.iter_mut().zip(lanes.totals(&force.acceleration)) {
+                    *sum += more;
                 }
-                let hidden = of.hidden_faces(slot, other);
-                gather::<L, _, D>(lanes, other, &near[1], row.at(), reach2, hidden, &mut room, &mut force);
-                if laminar {
-                    force.friction = lanes.mul(force.friction, lanes.splat(0.5));
-                }
+                friction += lanes.total(force.friction);
+                approach = approach.max(lanes.greatest(force.approach));
             }
-            let [x, y, z] = lanes.totals(&force.acceleration);
-            *out = [x + gravity[0], y + gravity[1], z + gravity[2]];
-            let sound = momentum.sound * (row.density() * row.density() * row.density());
+            let [x, y, z] = acceleration;
+            *out = [factor * x + gravity[0], factor * y + gravity[1], factor * z + gravity[2]];
+            let density = row.density();
             felt = felt.and(&Felt {
-                friction: lanes.total(force.friction),
-                signal: sound + lanes.greatest(force.approach),
+                friction: factor * friction,
+                signal: sound * (density * density * density) + 2.0 * kernel.h * density * approach,
                 square: out[0] * out[0] + out[1] * out[1] + out[2] * out[2],
             });
         }

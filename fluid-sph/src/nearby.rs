@@ -19,8 +19,8 @@ impl Nearby {
         let (positions, points) = (&fluid.present.positions, &fluid.boundary.points);
         let grid = Grid::around(fluid.dimensions, positions.iter().copied(), 2.0 * fluid.momentum.kernel.h);
         let (mut own, mut boundary) = (Sorted::default(), Sorted::default());
-        own.sort(1, &grid, positions.len(), |i| positions[i].into());
-        boundary.sort(1, &grid, points.len(), |i| points[i].into());
+        own.sort(1, &grid, positions.len(), |i, _| positions[i].into());
+        boundary.sort(1, &grid, points.len(), |i, _| points[i].into());
         Self { grid, fluid: own, boundary }
     }
 

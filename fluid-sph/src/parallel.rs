@@ -1,68 +1,114 @@
 //! Loops over chunks of a fixed size, so that sums do not depend on threads.
 
-use rayon::prelude::*;
-
 /// Entries of a chunk.
 pub(crate) const CHUNK: usize = 512;
 
-/// Calls `work(first, chunk)` for each chunk of a list.
-pub(crate) fn chunks<T: Send>(threads: usize, list: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
-    if threads > 1 {
-        list.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(k * CHUNK, chunk));
-    } else {
-        list.chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(k * CHUNK, chunk));
+/// Lists that are worked on in chunks, entry by entry of all of them.
+pub(crate) trait Lists: Sized + Send {
+    /// Number of entries.
+    fn len(&self) -> usize;
+    /// Those before an entry, a whole number of chunks, and the rest.
+    fn split(self, entry: usize) -> (Self, Self);
+}
+
+impl<T: Send> Lists for &mut [T] {
+    fn len(&self) -> usize {
+        (**self).len()
+    }
+
+    fn split(self, entry: usize) -> (Self, Self) {
+        self.split_at_mut(entry)
     }
 }
 
-/// Calls `work(first, chunk of a, chunk of b)`, two lists of one length.
-pub(crate) fn chunks_of_two<A: Send, B: Send>(
-    threads: usize,
-    a: &mut [A],
-    b: &mut [B],
-    work: impl Fn(usize, &mut [A], &mut [B]) + Sync,
-) {
-    if threads > 1 {
-        let both = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK));
-        both.enumerate().for_each(|(k, (a, b))| work(k * CHUNK, a, b));
-    } else {
-        let both = a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK));
-        both.enumerate().for_each(|(k, (a, b))| work(k * CHUNK, a, b));
+impl<A: Lists, B: Lists> Lists for (A, B) {
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    fn split(self, entry: usize) -> (Self, Self) {
+        let ((a, c), (b, d)) = (self.0.split(entry), self.1.split(entry));
+        ((a, b), (c, d))
     }
 }
 
-/// Calls `work(first, chunk)` for each chunk of a list and keeps what it returns, by chunk.
-pub(crate) fn reduced<T: Send, R: Send + Clone + Default>(
+/// One entry for each chunk of the lists beside it.
+pub(crate) struct ByChunk<'a, R>(pub &'a mut [R]);
+
+impl<R: Send> Lists for ByChunk<'_, R> {
+    fn len(&self) -> usize {
+        self.0.len() * CHUNK
+    }
+
+    fn split(self, entry: usize) -> (Self, Self) {
+        let (a, b) = self.0.split_at_mut(entry / CHUNK);
+        (Self(a), Self(b))
+    }
+}
+
+/// Calls `work(first, chunk)` for each chunk of lists.
+pub(crate) fn chunks<L: Lists>(threads: usize, lists: L, work: impl Fn(usize, L) + Sync) {
+    each(threads, 0, lists, &work);
+}
+
+fn each<L: Lists>(threads: usize, first: usize, lists: L, work: &(impl Fn(usize, L) + Sync)) {
+    let count = lists.len();
+    if threads > 1 && count > CHUNK {
+        let middle = count.div_ceil(CHUNK) / 2 * CHUNK;
+        let (before, after) = lists.split(middle);
+        rayon::join(|| each(threads, first, before, work), || each(threads, first + middle, after, work));
+        return;
+    }
+    let (mut next, mut rest) = (first, lists);
+    while rest.len() > CHUNK {
+        let (chunk, after) = rest.split(CHUNK);
+        work(next, chunk);
+        (next, rest) = (next + CHUNK, after);
+    }
+    work(next, rest);
+}
+
+/// Calls `work(first, chunk)` for each chunk of lists and keeps what it returns, by chunk.
+pub(crate) fn reduced<L: Lists, R: Send + Clone + Default>(
     threads: usize,
-    list: &mut [T],
+    lists: L,
     found: &mut Vec<R>,
-    work: impl Fn(usize, &mut [T]) -> R + Sync,
+    work: impl Fn(usize, L) -> R + Sync,
 ) {
     found.clear();
-    found.resize(list.len().div_ceil(CHUNK), R::default());
-    if threads > 1 {
-        let both = list.par_chunks_mut(CHUNK).zip(found.par_iter_mut());
-        both.enumerate().for_each(|(k, (chunk, found))| *found = work(k * CHUNK, chunk));
-    } else {
-        let both = list.chunks_mut(CHUNK).zip(found.iter_mut());
-        both.enumerate().for_each(|(k, (chunk, found))| *found = work(k * CHUNK, chunk));
-    }
+    found.resize(lists.len().div_ceil(CHUNK), R::default());
+    chunks(threads, (lists, ByChunk(found)), |first, (chunk, found)| {
+        let told = work(first, chunk);
+        found.0.iter_mut().for_each(|found| *found = told.clone());
+    });
 }
 
-/// As [`reduced`], over two lists of one length.
-pub(crate) fn reduced_of_two<A: Send, B: Send, R: Send + Clone + Default>(
-    threads: usize,
-    a: &mut [A],
-    b: &mut [B],
-    found: &mut Vec<R>,
-    work: impl Fn(usize, &mut [A], &mut [B]) -> R + Sync,
-) {
-    found.clear();
-    found.resize(a.len().div_ceil(CHUNK), R::default());
-    if threads > 1 {
-        let all = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).zip(found.par_iter_mut());
-        all.enumerate().for_each(|(k, ((a, b), found))| *found = work(k * CHUNK, a, b));
-    } else {
-        let all = a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK)).zip(found.iter_mut());
-        all.enumerate().for_each(|(k, ((a, b), found))| *found = work(k * CHUNK, a, b));
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every entry is met once, with its own number, and each chunk of whole size but the last.
+    #[test]
+    fn chunks_are_the_same_for_any_number_of_threads() {
+        for count in [0, 1, CHUNK, CHUNK + 1, 7 * CHUNK - 3] {
+            for threads in [1, 4] {
+                let (mut a, mut b, mut found) = (vec![0; count], vec![0; count], Vec::new());
+                reduced(
+                    threads,
+                    (&mut a[..], &mut b[..]),
+                    &mut found,
+                    |first, (a, b): (&mut [usize], &mut [usize])| {
+                        for (i, (a, b)) in a.iter_mut().zip(b).enumerate() {
+                            *a += first + i;
+                            *b += first;
+                        }
+                        first
+                    },
+                );
+                assert!(a.iter().enumerate().all(|(i, &a)| a == i));
+                assert!(b.iter().enumerate().all(|(i, &b)| b == i / CHUNK * CHUNK));
+                assert!(found.iter().enumerate().all(|(k, &first)| first == k * CHUNK));
+            }
+        }
     }
 }

@@ -1,61 +1,29 @@
 //! Particles in the order of their cells: what the sweeps read.
 
-use sph_core::Vec3;
+use sph_core::lanes::EIGHT;
 
 use crate::cells::{Grid, NOWHERE};
 use crate::hidden::{Hidden, opposite};
-use crate::lanes::{Halves, LANES};
-use crate::parallel::{chunks, chunks_of_two};
-
-/// What a sweep reads of a particle, a cache line.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(align(64))]
-pub(crate) struct Row {
-    /// Place \[L\] and density \[M/L³\].
-    pub place: Halves,
-    /// Velocity \[L/T\] and P/ρ² \[L⁵/(M T²)\].
-    pub motion: Halves,
-}
-
-impl Row {
-    /// The row of a particle.
-    pub fn new(place: Vec3, density: f64, velocity: Vec3, share: f64) -> Self {
-        Self {
-            place: [[place.x, place.y], [place.z, density]],
-            motion: [[velocity.x, velocity.y], [velocity.z, share]],
-        }
-    }
-
-    /// Its place.
-    #[inline(always)]
-    pub fn at(&self) -> [f64; 3] {
-        [self.place[0][0], self.place[0][1], self.place[1][0]]
-    }
-
-    /// Its density.
-    #[inline(always)]
-    pub fn density(&self) -> f64 {
-        self.place[1][1]
-    }
-}
+use crate::parallel::chunks;
+use crate::row::Row;
 
 /// Particles of a kind, sorted.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sorted {
-    /// By particle: its cell.
-    cells: Vec<u32>,
     /// By cell: where its particles begin.
     pub starts: Vec<u32>,
     /// By slot: the particle.
     pub order: Vec<u32>,
     /// By particle: its slot; [`NOWHERE`] where no fluid can be near.
     pub slots: Vec<u32>,
+    /// By particle: its slot in the sort before.
+    pub before: Vec<u32>,
     /// By slot, and of a particle far away beyond the last: what it is.
     pub rows: Vec<Row>,
-    /// By slot, padded: places along the axes; none along the third in a plane.
-    pub x: Vec<f64>,
-    pub y: Vec<f64>,
-    pub z: Vec<f64>,
+    /// By slot, padded: places along the axes from the origin of the grid on; none along the third in a plane.
+    pub x: Vec<f32>,
+    pub y: Vec<f32>,
+    pub z: Vec<f32>,
     /// By slot: faces of thin structures that it belongs to; empty where there are none.
     pub faces: Vec<u32>,
     /// By slot: the same where the other side cannot be seen past an edge; empty for boundaries.
@@ -68,29 +36,33 @@ impl Sorted {
         self.order.len()
     }
 
-    /// The cell of a slot.
+    /// The place of a slot from the origin of the grid on.
     #[inline(always)]
-    pub fn cell(&self, slot: usize) -> u32 {
-        self.cells[self.order[slot] as usize]
+    pub fn single(&self, slot: usize) -> [f32; 3] {
+        [self.x[slot], self.y[slot], self.z.get(slot).map_or(0.0, |z| *z)]
     }
 
-    /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`].
+    /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`]. Places may be
+    /// told by the slots before.
     pub fn sort(
         &mut self,
         threads: usize,
         grid: &Grid,
         count: usize,
-        position: impl Fn(usize) -> [f64; 3] + Sync,
+        position: impl Fn(usize, &[u32]) -> [f64; 3] + Sync,
     ) {
-        self.cells.resize(count, 0);
-        chunks(threads, &mut self.cells, |first, cells| {
+        std::mem::swap(&mut self.slots, &mut self.before);
+        // Cells take the place of slots until those are known.
+        self.slots.resize(count, NOWHERE);
+        let before = &self.before[..];
+        chunks(threads, &mut self.slots[..], |first, cells: &mut [u32]| {
             for (i, cell) in cells.iter_mut().enumerate() {
-                *cell = grid.cell(&position(first + i));
+                *cell = grid.cell(&position(first + i, before));
             }
         });
         self.starts.clear();
         self.starts.resize(grid.len() + 2, 0);
-        for &cell in self.cells.iter().filter(|&&cell| cell != NOWHERE) {
+        for &cell in self.slots.iter().filter(|&&cell| cell != NOWHERE) {
             self.starts[cell as usize + 2] += 1;
         }
         for cell in 2..self.starts.len() {
@@ -98,45 +70,45 @@ impl Sorted {
         }
         let inside = self.starts[grid.len() + 1] as usize;
         self.order.resize(inside, 0);
-        self.slots.resize(count, NOWHERE);
-        for (i, (&cell, slot)) in self.cells.iter().zip(&mut self.slots).enumerate() {
-            *slot = NOWHERE;
-            if cell != NOWHERE {
-                let next = &mut self.starts[cell as usize + 1];
-                self.order[*next as usize] = i as u32;
+        for (i, slot) in self.slots.iter_mut().enumerate() {
+            if *slot != NOWHERE {
+                let next = &mut self.starts[*slot as usize + 1];
                 *slot = *next;
+                self.order[*next as usize] = i as u32;
                 *next += 1;
             }
         }
     }
 
-    /// Fills the rows; the one beyond the last is far away from all, so that it adds nothing to any sum.
-    pub fn fill(&mut self, threads: usize, dimensions: usize, far: Row, row: impl Fn(usize) -> Row + Sync) {
+    /// Fills the rows, from the particle, its slot and the slots of all before the last sort; the one beyond the last is far away from all, so that it adds nothing to any sum.
+    pub fn fill(
+        &mut self,
+        threads: usize,
+        dimensions: usize,
+        grid: &Grid,
+        far: Row,
+        row: impl Fn(usize, usize, &[u32]) -> Row + Sync,
+    ) {
         let count = self.len();
         self.rows.resize(count + 1, far);
         self.rows[count] = far;
-        self.x.resize(count + LANES, 0.0);
-        self.y.resize(count + LANES, 0.0);
-        let order = &self.order;
-        chunks(threads, &mut self.rows[..count], |first, rows| {
-            for (s, slot) in rows.iter_mut().enumerate() {
-                *slot = row(order[first + s] as usize);
+        let (order, before, depth) = (&self.order, &self.before[..], if dimensions == 3 { count } else { 0 });
+        for (axis, length) in [(&mut self.x, count), (&mut self.y, count), (&mut self.z, depth)] {
+            axis.resize(if length == 0 { 0 } else { length + EIGHT }, 0.0);
+        }
+        let lists = (&mut self.rows[..count], (&mut self.x[..count], &mut self.y[..count]));
+        chunks(threads, lists, |first, (rows, (x, y))| {
+            for (s, ((slot, x), y)) in rows.iter_mut().zip(x).zip(y).enumerate() {
+                *slot = row(order[first + s] as usize, first + s, before);
+                [*x, *y, _] = grid.single(&slot.at());
             }
         });
         let rows = &self.rows;
-        chunks_of_two(threads, &mut self.x[..count], &mut self.y[..count], |first, x, y| {
-            for (s, (x, y)) in x.iter_mut().zip(y).enumerate() {
-                (*x, *y) = rows[first + s].place[0].into();
+        chunks(threads, &mut self.z[..depth], |first, z: &mut [f32]| {
+            for (s, z) in z.iter_mut().enumerate() {
+                *z = grid.single(&rows[first + s].at())[2];
             }
         });
-        if dimensions == 3 {
-            self.z.resize(count + LANES, 0.0);
-            chunks(threads, &mut self.z[..count], |first, z| {
-                for (s, z) in z.iter_mut().enumerate() {
-                    *z = rows[first + s].place[1][0];
-                }
-            });
-        }
     }
 
     /// What a particle of the fluid does not see of its own kind: those on the other side of a thin structure.
@@ -154,8 +126,8 @@ impl Sorted {
 
     /// Bytes held for each of so many particles.
     pub fn bytes(&self) -> usize {
-        let words = self.cells.len() + self.starts.len() + self.order.len() + self.slots.len();
-        let numbers = self.x.len() + self.y.len() + self.z.len();
-        4 * (words + self.faces.len() + self.sides.len()) + 8 * numbers + size_of::<Row>() * self.rows.len()
+        let words = self.starts.len() + self.order.len() + self.slots.len() + self.before.len();
+        let places = self.x.len() + self.y.len() + self.z.len();
+        4 * (words + places + self.faces.len() + self.sides.len()) + size_of::<Row>() * self.rows.len()
     }
 }

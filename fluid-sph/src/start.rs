@@ -91,7 +91,7 @@ pub(crate) fn hydrostatic(
 fn bodies(dimensions: usize, distance: f64, positions: &[Vec3]) -> Vec<usize> {
     let grid = Grid::around(dimensions, positions.iter().copied(), distance);
     let mut sorted = Sorted::default();
-    sorted.sort(1, &grid, positions.len(), |i| positions[i].into());
+    sorted.sort(1, &grid, positions.len(), |i, _| positions[i].into());
     let mut body = vec![usize::MAX; positions.len()];
     let mut front = Vec::new();
     for first in 0..positions.len() {

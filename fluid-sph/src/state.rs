@@ -26,6 +26,7 @@ impl Fluid {
             books.dissipated,
             books.density_error,
             self.fastest,
+            boundary.ledger.time,
         ];
         let forces = boundary.forces.as_flattened();
         vec![
@@ -36,6 +37,7 @@ impl Fluid {
             ("boundary_velocities", flat(&boundary.velocities)),
             ("boundary_densities", Cow::Borrowed(&boundary.densities)),
             ("boundary_forces", Cow::Borrowed(forces)),
+            ("boundary_owed", Cow::Borrowed(&boundary.ledger.owed)),
             ("thin_boundaries", Cow::Owned(boundary.thin.iter().flat_map(|thin| thin.state()).collect())),
             ("ledger", Cow::Owned(ledger)),
         ]
@@ -59,6 +61,7 @@ impl Fluid {
             point_velocities,
             point_densities,
             forces,
+            owed,
             thin,
             ledger,
         ] = found[..]
@@ -73,18 +76,19 @@ impl Fluid {
         put(&mut boundary.velocities, point_velocities);
         boundary.densities.copy_from_slice(point_densities);
         boundary.forces.as_flattened_mut().copy_from_slice(forces);
+        boundary.ledger.owed.copy_from_slice(owed);
         let mut rest = thin;
         for part in &mut boundary.thin {
             let (own, after) = rest.split_at(part.state_len());
             part.set_state(own);
             rest = after;
         }
-        if let [viscous, diffusion, external, dissipated, density_error, fastest] = *ledger {
+        if let [viscous, diffusion, external, dissipated, density_error, fastest, time] = *ledger {
+            boundary.ledger.time = time;
             (books.viscous, books.diffusion, books.external) = (viscous, diffusion, external);
             (books.dissipated, books.density_error, self.fastest) = (dissipated, density_error, fastest);
         }
         boundary.advance = 0.0;
-        self.moves.clear();
         self.fresh = false;
         Ok(())
     }

@@ -1,41 +1,43 @@
 //! The sweeps of a fluid over its particles: sorted, filled, forces, rates.
 
+use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::Rates;
-use crate::dispatch::widest;
-use crate::fluid::{CELL, Fluid, State};
+use sph_core::lanes::widest;
+
+use crate::fluid::{CELL, Fluid};
 use crate::formulation::WallRule;
 use crate::momentum::{Felt, Forces};
-use crate::parallel::{chunks, chunks_of_two, reduced};
-use crate::sorted::Row;
+use crate::parallel::{chunks, reduced};
+use crate::row::Row;
 use crate::transport::Transport;
-use crate::walls::extrapolated::Means;
+use crate::walls::extrapolated::{Means, Seen};
 
 impl Fluid {
-    /// Sorts the particles of a state, moved on by a time, and the boundaries, so long before the end of the step \[T\].
-    pub(crate) fn sort(&mut self, state: &State, ahead: f64, before: f64) {
+    /// Sorts the particles, moved on by a time, and the boundaries, so long before the end of the step \[T\].
+    pub(crate) fn sort(&mut self, ahead: f64, before: f64) {
         let width = CELL * 2.0 * self.momentum.kernel.h;
-        let Self { threads, dimensions, moves, grid, sorted, boundary, .. } = self;
-        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
-        let place = |i: usize| state.positions[i] + moves[i] * ahead;
-        let count = state.positions.len();
-        *grid = Grid::around(*dimensions, (0..count).map(place), width);
-        sorted.sort(*threads, grid, count, |i| place(i).into());
+        let Self { threads, dimensions, present, drags, grid, sorted, boundary, .. } = self;
+        let count = present.positions.len();
+        let place = |i: usize, slots: &[u32]| {
+            present.place(i, drags, slots.get(i).map_or(0, |slot| *slot as usize), ahead)
+        };
+        *grid = Grid::around(*dimensions, (0..count).map(|i| place(i, &sorted.slots)), width);
+        sorted.sort(*threads, grid, count, |i, before| place(i, before).into());
         boundary.sort(grid, before);
     }
 
-    /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\].
-    pub(crate) fn fill(&mut self, state: &State, ahead: f64, before: f64) {
+    /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\];
+    /// `sorted_anew` since drags were found.
+    pub(crate) fn fill(&mut self, ahead: f64, before_end: f64, sorted_anew: bool) {
         let far = self.far();
-        let Self { threads, dimensions, liquid, moves, sorted, boundary, .. } = self;
-        let moves = if moves.is_empty() { &state.velocities } else { &*moves };
-        sorted.fill(*threads, *dimensions, far, |i| {
-            let (at, v, density) =
-                (state.positions[i] + moves[i] * ahead, state.velocities[i], state.densities[i]);
-            let share = liquid.pressure(density) / (density * density);
-            Row::new(at, density, v, share)
+        let Self { threads, dimensions, liquid, present, drags, grid, sorted, boundary, .. } = self;
+        sorted.fill(*threads, *dimensions, grid, far, |i, slot, before| {
+            let slot = if sorted_anew { before[i] as usize } else { slot };
+            let (v, density) = (present.velocities[i], present.densities[i]);
+            Row::new(present.place(i, drags, slot, ahead), density, v, liquid.share(density))
         });
-        boundary.fill(*dimensions, far, before);
+        boundary.fill(*dimensions, grid, far, before_end);
     }
 
     /// Finds for the sorted particles which faces of thin structures they see.
@@ -48,7 +50,8 @@ impl Fluid {
         sorted.faces.resize(count, 0);
         sorted.sides.resize(count, 0);
         let rows = &sorted.rows;
-        chunks_of_two(*threads, &mut sorted.faces, &mut sorted.sides, |first, faces, sides| {
+        let lists = (&mut sorted.faces[..], &mut sorted.sides[..]);
+        chunks(*threads, lists, |first, (faces, sides): (&mut [u32], &mut [u32])| {
             for (s, (face, side)) in faces.iter_mut().zip(sides).enumerate() {
                 (*face, *side) = (0, 0);
                 for thin in &boundary.thin {
@@ -65,11 +68,10 @@ impl Fluid {
         match self.formulation.walls {
             WallRule::Extrapolated => self.extrapolate(),
             WallRule::Dynamic => {
-                let crate::boundary::points::Boundary { sorted, densities, .. } = &mut self.boundary;
+                let Boundary { sorted, densities, .. } = &mut self.boundary;
                 for (row, &point) in sorted.rows.iter_mut().zip(&sorted.order) {
                     let density = densities[point as usize];
-                    row.place[1][1] = density;
-                    row.motion[1][1] = self.liquid.pressure(density) / (density * density);
+                    row.press(density, self.liquid.share(density));
                 }
             }
         }
@@ -81,7 +83,7 @@ impl Fluid {
         } = self;
         let boundary_rows = &boundary.sorted;
         let (kernel, gravity) = (&momentum.kernel, (*gravity).into());
-        chunks(*threads, &mut boundary.seen, |first, out| {
+        chunks(*threads, &mut boundary.seen[..], |first, out: &mut [Seen]| {
             if *dimensions == 2 {
                 widest(Means::<2> { kernel, gravity, grid, of: boundary_rows, first, fluid: sorted, out });
             } else {
@@ -89,19 +91,20 @@ impl Fluid {
             }
         });
         let count = boundary.seen.len();
-        let rows = &mut boundary.sorted.rows[..count];
-        chunks_of_two(*threads, rows, &mut boundary.seen, |_, rows, seen| {
+        let lists = (&mut boundary.sorted.rows[..count], &mut boundary.seen[..]);
+        chunks(*threads, lists, |_, (rows, seen): (&mut [Row], &mut [Seen])| {
             for (row, seen) in rows.iter_mut().zip(seen) {
                 let wet = seen.weight > 0.0;
                 let pressure = if wet { seen.pressure / seen.weight } else { 0.0 };
                 let pressure = if formulation.confined { pressure } else { pressure.max(0.0) };
                 let density = if pressure == 0.0 { liquid.density } else { liquid.density_at(pressure) };
-                row.place[1][1] = density;
-                row.motion[1][1] = pressure / (density * density);
+                row.press(density, pressure / (density * density));
                 if wet && formulation.kinematic_viscosity > 0.0 {
-                    for (v, sum) in row.motion.as_flattened_mut().iter_mut().zip(seen.velocity) {
+                    let mut velocity = row.velocity();
+                    for (v, sum) in velocity.iter_mut().zip(seen.velocity) {
                         *v = 2.0 * *v - sum / seen.weight;
                     }
+                    row.set_velocity(velocity);
                 }
             }
         });
@@ -112,73 +115,63 @@ impl Fluid {
         let Self {
             threads, dimensions, gravity, grid, momentum, sorted, boundary, accelerations, felts, ..
         } = self;
-        let (of, other, momentum, grid) = (&*sorted, &boundary.sorted, &*momentum, &*grid);
+        let Boundary { sorted: points, velocities, felt, .. } = boundary;
+        let (fluid, points, momentum, grid) = (&*sorted, &*points, &*momentum, &*grid);
         let plane = *dimensions == 2;
+        let forces = |first, of, sets, gravity, velocities, out: &mut [[f64; 3]]| {
+            if plane {
+                widest(Forces::<2> { momentum, grid, of, first, sets, gravity, velocities, out })
+            } else {
+                widest(Forces::<3> { momentum, grid, of, first, sets, gravity, velocities, out })
+            }
+        };
         let gravity = (*gravity).into();
-        reduced(*threads, accelerations, felts, |first, out| {
-            if plane {
-                widest(Forces::<2> { momentum, grid, of, first, own: true, other, gravity, out })
-            } else {
-                widest(Forces::<3> { momentum, grid, of, first, own: true, other, gravity, out })
-            }
+        reduced(*threads, &mut accelerations[..], felts, |first, out| {
+            forces(first, fluid, [Some(fluid), Some(points)], gravity, &[], out)
         });
-        self.felt = felts.iter().fold(Felt::default(), Felt::and);
-        let (of, other, gravity, own) = (&boundary.sorted, &*sorted, [0.0; 3], false);
-        chunks(*threads, &mut boundary.felt, |first, out| {
-            if plane {
-                widest(Forces::<2> { momentum, grid, of, first, own, other, gravity, out });
-            } else {
-                widest(Forces::<3> { momentum, grid, of, first, own, other, gravity, out });
-            }
+        let fluids = felts.iter().fold(Felt::default(), Felt::and);
+        reduced(*threads, &mut felt[..], felts, |first, out| {
+            forces(first, points, [None, Some(fluid)], [0.0; 3], velocities, out)
         });
+        // Boundaries have no signal and no acceleration of their own; what their motion does to friction counts.
+        let friction: f64 = felts.iter().map(|felt| felt.friction).sum();
+        self.felt = Felt { friction: fluids.friction + friction, ..fluids };
         boundary.keep_forces(self.mass);
     }
 
-    /// Rates of density of the fluid, and of boundaries that have their own, from the rows as they are.
+    /// Rates of density of the fluid and of boundaries, from the rows as they are.
     pub(crate) fn sweep_rates(&mut self) {
         let Self { threads, dimensions, grid, continuity, sorted, boundary, rates, .. } = self;
-        let (of, other, continuity, grid) = (&*sorted, &boundary.sorted, &*continuity, &*grid);
+        let (fluid, points, continuity, grid) = (&*sorted, &boundary.sorted, &*continuity, &*grid);
         let plane = *dimensions == 2;
-        chunks(*threads, rates, |first, out| {
+        let sweep = |first, of, sets, out: &mut [[f64; 2]]| {
             if plane {
-                widest(Rates::<2> { continuity, grid, of, first, own: true, other, out });
+                widest(Rates::<2> { continuity, grid, of, first, sets, out });
             } else {
-                widest(Rates::<3> { continuity, grid, of, first, own: true, other, out });
+                widest(Rates::<3> { continuity, grid, of, first, sets, out });
             }
-        });
-        if self.formulation.walls == WallRule::Extrapolated {
-            return;
-        }
-        let (of, other, own) = (&boundary.sorted, &*sorted, false);
-        chunks(*threads, &mut boundary.rates, |first, out| {
-            if plane {
-                widest(Rates::<2> { continuity, grid, of, first, own, other, out });
-            } else {
-                widest(Rates::<3> { continuity, grid, of, first, own, other, out });
-            }
-        });
+        };
+        chunks(*threads, &mut rates[..], |first, out| sweep(first, fluid, [Some(fluid), Some(points)], out));
+        let out = &mut boundary.rates[..];
+        chunks(*threads, out, |first, out| sweep(first, points, [None, Some(fluid)], out));
     }
 
-    /// With XSPH: the velocities with which the particles of a state move, from the rows as they are.
-    pub(crate) fn sweep_moves(&mut self, state: &State) {
+    /// With XSPH: what it adds to the velocities with which particles move, from the rows as they are.
+    pub(crate) fn sweep_drags(&mut self) {
         let share = 2.0 * self.formulation.xsph * self.mass;
         if share == 0.0 {
             return;
         }
-        let Self { threads, dimensions, grid, momentum, sorted, drags, moves, .. } = self;
+        let Self { threads, dimensions, grid, momentum, sorted, drags, .. } = self;
         drags.resize(sorted.len(), [0.0; 3]);
-        moves.resize(sorted.len(), Default::default());
         let (fluid, kernel, grid) = (&*sorted, &momentum.kernel, &*grid);
         let plane = *dimensions == 2;
-        chunks(*threads, drags, |first, out| {
+        chunks(*threads, &mut drags[..], |first, out: &mut [[f64; 3]]| {
             if plane {
                 widest(Transport::<2> { kernel, share, grid, fluid, first, out });
             } else {
                 widest(Transport::<3> { kernel, share, grid, fluid, first, out });
             }
         });
-        for (i, moved) in moves.iter_mut().enumerate() {
-            *moved = state.velocities[i] + sph_core::Vec3::from(drags[fluid.slots[i] as usize]);
-        }
     }
 }

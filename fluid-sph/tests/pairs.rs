@@ -39,14 +39,42 @@ fn forces_sum_to_the_weight_and_what_walls_bear() {
             let accelerations = accelerations(&mut fluid);
             let total: Vec3 = accelerations.iter().sum::<Vec3>() * fluid.mass();
             let scale: f64 = accelerations.iter().map(|a| a.norm()).sum::<f64>() * fluid.mass();
-            let mut weight = Vec3::zeros();
-            weight[dimensions - 1] = -common::GRAVITY * fluid.mass() * fluid.len() as f64;
+            let weight = fluid_gravity(dimensions) * (fluid.mass() * fluid.len() as f64);
             let borne = if basin { fluid.wall_force(0) } else { Vec3::zeros() };
             assert_eq!(basin, borne.norm() > 0.0);
             let lack = (total + borne - weight).norm() / scale;
             assert!(lack < 6e-15, "{dimensions} {basin}: {lack:e}");
         }
     }
+}
+
+/// Forces act along lines of centres: their moments about any point sum to those of the weight and of what walls bear.
+#[test]
+fn moments_sum_to_the_weight_and_what_walls_bear() {
+    for dimensions in [2, 3] {
+        for basin in [false, true] {
+            let mut fluid = block(dimensions, basin);
+            let accelerations = accelerations(&mut fluid);
+            let about = Vec3::new(0.3, -0.7, if dimensions == 3 { 0.2 } else { 0.0 });
+            let gravity = fluid_gravity(dimensions);
+            let (mut lack, mut scale) = (Vec3::zeros(), 0.0);
+            for (place, a) in fluid.positions().iter().zip(&accelerations) {
+                let moment = (place - about).cross(&(a - gravity)) * fluid.mass();
+                lack += moment;
+                scale += moment.norm();
+            }
+            if basin {
+                lack += fluid.wall_moment(0, about);
+            }
+            assert!(lack.norm() < 2e-14 * scale, "{dimensions} {basin}: {:e}", lack.norm() / scale);
+        }
+    }
+}
+
+fn fluid_gravity(dimensions: usize) -> Vec3 {
+    let mut gravity = Vec3::zeros();
+    gravity[dimensions - 1] = -common::GRAVITY;
+    gravity
 }
 
 /// Measured 1.3e-16.

@@ -1,5 +1,6 @@
 //! Particles that are not fluid: those of walls and the points of structures.
 
 pub(crate) mod check;
+pub(crate) mod ledger;
 pub(crate) mod points;
 pub(crate) mod sides;

@@ -6,11 +6,13 @@ use explicit_dynamics::BoundaryState;
 use sph_core::Vec3;
 
 use crate::boundary::check::check;
+use crate::boundary::ledger::Ledger;
 use crate::boundary::sides::Thin;
 use crate::cells::{Grid, NOWHERE};
 use crate::error::FluidError;
 use crate::parts::{Motion, Parts, Structure, Wall};
-use crate::sorted::{Row, Sorted};
+use crate::row::Row;
+use crate::sorted::Sorted;
 use crate::walls::extrapolated::Seen;
 use crate::walls::motion::place;
 
@@ -50,6 +52,8 @@ pub(crate) struct Boundary {
     pub thin: Vec<Thin>,
     /// Greatest way of a point over the last step \[L\].
     pub advance: f64,
+    /// Work that is booked at both ends of a step.
+    pub ledger: Ledger,
     /// Densities kept.
     kept: Vec<f64>,
     /// By point: bit of its face.
@@ -108,6 +112,7 @@ impl Boundary {
         all.velocities = vec![Vec3::zeros(); count];
         all.densities = vec![parts.liquid.density; count];
         all.forces = vec![[0.0; 3]; count];
+        all.ledger = Ledger::new(count);
         Ok(all)
     }
 
@@ -144,7 +149,7 @@ impl Boundary {
     pub fn bytes(&self) -> usize {
         let rest: usize = self.walls.iter().map(|wall| wall.rest.len()).sum();
         let slots = size_of::<Seen>() * self.seen.len() + 24 * self.felt.len() + 16 * self.rates.len();
-        80 * self.points.len() + 4 * self.faces.len() + 24 * rest + slots + self.sorted.bytes()
+        (80 + 16) * self.points.len() + 4 * self.faces.len() + 24 * rest + slots + self.sorted.bytes()
     }
 
     /// Puts walls where they are at a time, and finds their velocities by the way they went in so long a time \[T\].
@@ -187,7 +192,7 @@ impl Boundary {
     /// Sorts them into the cells of the fluid, where they were so long a time before the end of the step \[T\].
     pub fn sort(&mut self, grid: &Grid, before: f64) {
         let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.sort(1, grid, points.len(), |i| (points[i] - velocities[i] * before).into());
+        self.sorted.sort(1, grid, points.len(), |i, _| (points[i] - velocities[i] * before).into());
         let Sorted { order, faces, .. } = &mut self.sorted;
         faces.clear();
         if !self.faces.is_empty() {
@@ -200,9 +205,9 @@ impl Boundary {
     }
 
     /// Fills what the sweeps read of them, where they were so long a time before the end of the step \[T\].
-    pub fn fill(&mut self, dimensions: usize, far: Row, before: f64) {
+    pub fn fill(&mut self, dimensions: usize, grid: &Grid, far: Row, before: f64) {
         let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.fill(1, dimensions, far, |i| {
+        self.sorted.fill(1, dimensions, grid, far, |i, _, _| {
             Row::new(points[i] - velocities[i] * before, 0.0, velocities[i], 0.0)
         });
     }
@@ -223,12 +228,6 @@ impl Boundary {
     /// Puts the densities back that were kept.
     pub fn recall_densities(&mut self) {
         self.densities.clone_from(&self.kept);
-    }
-
-    /// Power of all points on the fluid \[F L/T\]: minus that of the fluid on them.
-    pub fn power(&self) -> f64 {
-        let power = |(force, velocity): (&[f64; 3], &Vec3)| -Vec3::from(*force).dot(velocity);
-        self.forces.iter().zip(&self.velocities).map(power).sum()
     }
 
     /// The greatest speed of a point \[L/T\].

@@ -11,9 +11,12 @@ use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, OutOfBounds, OutOfRange, StableStep, Step, Work,
 };
 
-use crate::fluid::{CELL, Fluid, Sums};
+use sph_core::Vec3;
+
+use crate::books::Sums;
+use crate::fluid::{CELL, Fluid};
 use crate::formulation::{Scheme, WallRule};
-use crate::parallel::{reduced, reduced_of_two};
+use crate::parallel::reduced;
 use crate::start::outside;
 
 impl Dynamics for Fluid {
@@ -81,13 +84,12 @@ impl Fluid {
         if self.fresh {
             return;
         }
-        let state = std::mem::take(&mut self.present);
-        self.sort(&state, 0.0, 0.0);
-        self.fill(&state, 0.0, 0.0);
-        self.present = state;
+        self.sort(0.0, 0.0);
+        self.fill(0.0, 0.0, true);
         self.find_sides();
         self.press_boundaries();
         self.sweep_forces();
+        self.books.external += self.boundary.work_after(self.mass);
         self.fresh = true;
     }
 
@@ -99,69 +101,57 @@ impl Fluid {
         let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
         let Self { threads, present, accelerations, sorted, sums, .. } = self;
         let slots = &sorted.slots;
-        reduced(*threads, &mut present.velocities, sums, |first, velocities| {
+        reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut sums = Sums::default();
-            for (i, velocity) in velocities.iter_mut().enumerate() {
-                let acceleration = accelerations[slots[first + i] as usize];
-                let new = velocity.zip_map(&acceleration.into(), |v, a| (v * before + kick * a) * after);
-                let mean = (*velocity + new) * 0.5;
-                sums.velocity += mean;
-                sums.square += mean.norm_squared();
-                sums.fastest = sums.fastest.max(new.norm_squared());
-                *velocity = new;
+            for (velocity, &slot) in velocities.iter_mut().zip(&slots[first..]) {
+                let acceleration = Vec3::from(accelerations[slot as usize]);
+                let new = velocity.zip_map(&acceleration, |v, a| (v * before + kick * a) * after);
+                sums.kick(velocity, new);
             }
             sums
         });
-        total(sums)
+        Sums::total(sums)
     }
 
     fn drift_once(&mut self, dt: f64) {
-        self.books.external += dt * self.boundary.power();
-        let state = std::mem::take(&mut self.present);
         if self.formulation.xsph != 0.0 {
-            self.fill(&state, 0.0, 0.5 * dt);
-            self.sweep_moves(&state);
+            self.fill(0.0, 0.5 * dt, true);
+            self.sweep_drags();
         }
         // Cells are a little wider than the kernel reaches; whoever went further is sorted anew, from before its way.
         let way = 0.5 * dt * self.fastest;
         let spare = (CELL - 1.0) * 2.0 * self.momentum.kernel.h;
         let resort = way + way.max(self.boundary.advance) > spare;
         if resort {
-            self.sort(&state, 0.5 * dt, 0.5 * dt);
+            self.sort(0.5 * dt, 0.5 * dt);
         }
-        self.fill(&state, 0.5 * dt, 0.5 * dt);
-        self.present = state;
+        self.fill(0.5 * dt, 0.5 * dt, resort);
         if resort {
             self.find_sides();
         }
         self.sweep_rates();
+        self.books.external += self.boundary.work_before(self.mass, dt);
         self.advance_boundary_densities(dt);
-        self.advance_places(dt);
+        self.advance_places(dt, resort);
     }
 
-    /// New densities and places from the rates.
-    fn advance_places(&mut self, dt: f64) {
-        let Self { threads, liquid, present, rates, sorted, moves, sums, mass, .. } = self;
-        let velocities = if moves.is_empty() { &present.velocities } else { &*moves };
-        let slots = &sorted.slots;
-        let (positions, densities) = (&mut present.positions, &mut present.densities);
-        reduced_of_two(*threads, positions, densities, sums, |first, positions, densities| {
+    /// New densities and places from the rates; `resorted` since drags were found.
+    fn advance_places(&mut self, dt: f64, resorted: bool) {
+        let Self { threads, liquid, present, rates, drags, sorted, sums, mass, .. } = self;
+        let (slots, velocities) = (&sorted.slots, &present.velocities);
+        let dragged = if resorted { &sorted.before } else { slots };
+        let lists = (&mut present.positions[..], &mut present.densities[..]);
+        reduced(*threads, lists, sums, |first, (positions, densities): (&mut [Vec3], &mut [f64])| {
             let mut sums = Sums::default();
-            for (i, (position, density)) in positions.iter_mut().zip(densities).enumerate() {
-                let [rate, exchange] = rates[slots[first + i] as usize];
-                let new = *density + dt * (rate + exchange);
-                let share = |density: f64| liquid.pressure(density) / (density * density);
-                if exchange != 0.0 {
-                    sums.loss -= 0.5 * exchange * (share(*density) + share(new));
-                }
-                sums.error = sums.error.max((new / liquid.density - 1.0).abs());
-                *density = new;
-                *position += velocities[first + i] * dt;
+            for (i, (position, density)) in (first..).zip(positions.iter_mut().zip(densities)) {
+                sums.compress(liquid, density, rates[slots[i] as usize], dt);
+                let drag = drags.get(dragged[i] as usize).map_or_else(Vec3::zeros, |drag| Vec3::from(*drag));
+                *position += (velocities[i] + drag) * dt;
             }
             sums
         });
-        let sums = total(sums);
-        let loss = dt * *mass * sums.loss;
+        let sums = Sums::total(sums);
+        let loss = *mass * sums.loss;
         self.books.diffusion += loss;
         self.books.dissipated += loss;
         self.books.density_error = self.books.density_error.max(sums.error);
@@ -182,7 +172,7 @@ impl Fluid {
 
     fn check_speeds(&self) -> Result<(), OutOfBounds> {
         let bound = self.liquid.sound_speed;
-        let square = |(particle, v): (usize, &sph_core::Vec3)| {
+        let square = |(particle, v): (usize, &Vec3)| {
             let square = v.norm_squared();
             (particle, if square.is_nan() { f64::INFINITY } else { square })
         };
@@ -210,7 +200,7 @@ impl Fluid {
         }
         if let Some(domain) = &self.domain {
             let positions = &self.present.positions;
-            let outside = |at: &sph_core::Vec3| outside(self.dimensions, domain, at);
+            let outside = |at: &Vec3| outside(self.dimensions, domain, at);
             if let Some(particle) = positions.iter().position(outside) {
                 let [low, high] = domain;
                 let beyond =
@@ -229,15 +219,4 @@ impl Fluid {
         }
         Ok(())
     }
-}
-
-/// The sums of all chunks, in their order.
-fn total(sums: &[Sums]) -> Sums {
-    sums.iter().fold(Sums::default(), |all, chunk| Sums {
-        velocity: all.velocity + chunk.velocity,
-        square: all.square + chunk.square,
-        fastest: all.fastest.max(chunk.fastest),
-        loss: all.loss + chunk.loss,
-        error: all.error.max(chunk.error),
-    })
 }

@@ -10,75 +10,105 @@
 
 use sph_core::Vec3;
 
-use crate::fluid::{Fluid, State};
+use crate::books::Sums;
+use crate::cells::Grid;
+use crate::fluid::{CELL, Fluid, State};
+use crate::parallel::reduced;
+use crate::row::Row;
+
+/// Rates at the start, by the slots that particles had there, and the time to the middle of the step \[T\].
+struct Prediction<'a> {
+    start: &'a State,
+    accelerations: &'a [[f64; 3]],
+    rates: &'a [[f64; 2]],
+    drags: &'a [[f64; 3]],
+    half: f64,
+    damping: f64,
+}
+
+impl Prediction<'_> {
+    fn place(&self, i: usize, slot: usize) -> Vec3 {
+        self.start.place(i, self.drags, slot, self.half)
+    }
+
+    fn velocity(&self, i: usize, slot: usize) -> Vec3 {
+        let v = self.start.velocities[i];
+        v + (Vec3::from(self.accelerations[slot]) - v * self.damping) * self.half
+    }
+
+    fn density(&self, i: usize, slot: usize) -> f64 {
+        let [rate, exchange] = self.rates[slot];
+        self.start.densities[i] + (rate + exchange) * self.half
+    }
+}
 
 impl Fluid {
     /// A step from present forces; `damping` c \[1/T\].
     pub(super) fn predict_and_correct(&mut self, dt: f64, damping: f64) {
-        let mut state = std::mem::take(&mut self.present);
-        let mut half = std::mem::take(&mut self.half);
         // Rates at the start: its rows still stand, but boundaries have their velocities of this step.
-        self.fill(&state, 0.0, dt);
+        self.fill(0.0, dt, false);
         self.sweep_rates();
-        self.sweep_moves(&state);
-        self.predict(&state, &mut half, 0.5 * dt, damping);
+        self.sweep_drags();
         self.boundary.remember_densities();
         self.advance_boundary_densities(0.5 * dt);
-        self.moves.clear();
-        self.sort(&half, 0.0, 0.5 * dt);
-        self.fill(&half, 0.0, 0.5 * dt);
+        self.predict(0.5 * dt, damping);
         self.find_sides();
         self.press_boundaries();
         self.sweep_forces();
         self.sweep_rates();
         self.boundary.recall_densities();
         self.advance_boundary_densities(dt);
-        self.sweep_moves(&half);
-        self.correct(&mut state, &half, dt, damping);
-        self.moves.clear();
-        (self.present, self.half) = (state, half);
+        self.sweep_drags();
+        self.correct(dt, damping);
     }
 
-    /// `half = start + dt R(start)`.
-    fn predict(&self, start: &State, half: &mut State, dt: f64, damping: f64) {
-        let moves = if self.moves.is_empty() { &start.velocities } else { &self.moves };
-        half.positions.clear();
-        half.positions.extend(start.positions.iter().zip(moves).map(|(r, u)| r + u * dt));
-        let slot = |i: usize| self.sorted.slots[i] as usize;
-        let acceleration = |i: usize, v: &Vec3| Vec3::from(self.accelerations[slot(i)]) - v * damping;
-        half.velocities.clear();
-        half.velocities.extend(start.velocities.iter().enumerate().map(|(i, v)| v + acceleration(i, v) * dt));
-        let rate = |i: usize| self.rates[slot(i)][0] + self.rates[slot(i)][1];
-        half.densities.clear();
-        half.densities.extend(start.densities.iter().enumerate().map(|(i, density)| density + rate(i) * dt));
+    /// Sorts and fills `start + dt R(start)`, the present state being the start.
+    fn predict(&mut self, half: f64, damping: f64) {
+        let (far, width) = (self.far(), CELL * self.momentum.kernel.reach());
+        let Self { threads, dimensions, liquid, present, accelerations, rates, drags, .. } = self;
+        let (start, count) = (&*present, present.positions.len());
+        let Self { grid, sorted, boundary, .. } = self;
+        let middle = Prediction { start, accelerations, rates, drags, half, damping };
+        let slot = |i: usize| sorted.slots[i] as usize;
+        *grid = Grid::around(*dimensions, (0..count).map(|i| middle.place(i, slot(i))), width);
+        sorted.sort(*threads, grid, count, |i, before| middle.place(i, before[i] as usize).into());
+        sorted.fill(*threads, *dimensions, grid, far, |i, _, before| {
+            let slot = before[i] as usize;
+            let density = middle.density(i, slot);
+            Row::new(middle.place(i, slot), density, middle.velocity(i, slot), liquid.share(density))
+        });
+        boundary.sort(grid, half);
+        boundary.fill(*dimensions, grid, far, half);
     }
 
     /// `state += dt R(half)`, and what that did is booked.
-    fn correct(&mut self, state: &mut State, half: &State, dt: f64, damping: f64) {
-        let Self { liquid, sorted, accelerations, rates, moves, mass, books, .. } = self;
-        let moves = if moves.is_empty() { &half.velocities } else { &*moves };
-        let share = |density: f64| liquid.pressure(density) / (density * density);
-        let (mut velocity, mut square, mut loss) = (Vec3::zeros(), 0.0, 0.0);
-        for (i, &slot) in sorted.slots.iter().enumerate() {
-            let slot = slot as usize;
-            let way = (Vec3::from(accelerations[slot]) - half.velocities[i] * damping) * dt;
-            let mean = state.velocities[i] + way * 0.5;
-            velocity += mean;
-            square += mean.norm_squared();
-            state.velocities[i] += way;
-            state.positions[i] += moves[i] * dt;
-            let [rate, exchange] = rates[slot];
-            let (old, new) = (state.densities[i], state.densities[i] + dt * (rate + exchange));
-            state.densities[i] = new;
-            if exchange != 0.0 {
-                loss -= 0.5 * exchange * (share(old) + share(new));
+    fn correct(&mut self, dt: f64, damping: f64) {
+        let Self { threads, liquid, present, sorted, accelerations, rates, drags, sums, .. } = self;
+        let State { positions, velocities, densities } = present;
+        let lists = (&mut positions[..], (&mut velocities[..], &mut densities[..]));
+        type Chunk<'a> = (&'a mut [Vec3], (&'a mut [Vec3], &'a mut [f64]));
+        reduced(*threads, lists, sums, |first, (positions, (velocities, densities)): Chunk<'_>| {
+            let mut sums = Sums::default();
+            let each = positions.iter_mut().zip(velocities.iter_mut().zip(densities));
+            for ((position, (velocity, density)), &slot) in each.zip(&sorted.slots[first..]) {
+                let slot = slot as usize;
+                let middle = Vec3::from(sorted.rows[slot].velocity());
+                let drag = drags.get(slot).map_or_else(Vec3::zeros, |drag| Vec3::from(*drag));
+                let new = *velocity + (Vec3::from(accelerations[slot]) - middle * damping) * dt;
+                sums.kick(velocity, new);
+                sums.compress(liquid, density, rates[slot], dt);
+                *position += (middle + drag) * dt;
             }
-            books.density_error = books.density_error.max((new / liquid.density - 1.0).abs());
-        }
-        let (loss, friction) = (dt * *mass * loss, dt * *mass * self.felt.friction);
+            sums
+        });
+        let sums = Sums::total(sums);
+        let Self { mass, books, .. } = self;
+        let (loss, friction) = (*mass * sums.loss, dt * *mass * self.felt.friction);
+        let power = self.gravity.dot(&sums.velocity) + self.boundary.pressing();
         books.diffusion += loss;
         books.viscous += friction;
-        books.dissipated += loss + friction + damping * dt * *mass * square;
-        books.external += dt * (*mass * self.gravity.dot(&velocity) + self.boundary.power());
+        books.dissipated += loss + friction + damping * dt * *mass * sums.square;
+        books.external += dt * (*mass * power + self.boundary.power());
+        books.density_error = books.density_error.max(sums.error);
     }
 }

@@ -4,33 +4,32 @@
 //! P_w = Σ_f [P_f + ρ_f (g − a_w)·(r_w − r_f)] W_wf / Σ_f W_wf,   a_w = 0: with it light structures are unstable
 //! ```
 
-use crate::cells::{Grid, NOWHERE, Ranges};
-use crate::dispatch::Sweep;
+use sph_core::lanes::{Lanes, Sweep};
+
+use crate::cells::Grid;
 use crate::gather::{Pairs, Room, gather};
 use crate::kernel::Wendland;
-use crate::lanes::Lanes;
-use crate::sorted::{Row, Sorted};
+use crate::pair::Shape;
+use crate::row::Four;
+use crate::sorted::Sorted;
+use crate::walk::Walk;
 
 /// The fluid at a place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Seen {
-    /// Σ W \[1/L²; 1/L³\]; zero where there is no fluid.
+    /// Σ W over its factor \[–\]; zero where there is no fluid.
     pub weight: f64,
-    /// Σ of pressures carried to the place, times W.
+    /// Σ of pressures carried to the place, times the same.
     pub pressure: f64,
-    /// Σ v W.
+    /// Σ of velocities, times the same.
     pub velocity: [f64; 3],
 }
 
-/// The sums of one place.
+/// The sums of one place, without the factor of the kernel.
 struct Mean<L: Lanes, const D: usize> {
-    place: [L::Four; 4],
+    shape: Shape<L>,
+    own: Four<L>,
     gravity: [L::Four; 3],
-    half: L::Four,
-    scale: L::Four,
-    four: L::Four,
-    one: L::Four,
-    zero: L::Four,
     weight: L::Four,
     pressure: L::Four,
     velocity: [L::Four; 3],
@@ -38,21 +37,14 @@ struct Mean<L: Lanes, const D: usize> {
 
 impl<L: Lanes, const D: usize> Pairs<L> for Mean<L, D> {
     #[inline(always)]
-    fn add(&mut self, lanes: L, place: [L::Four; 4], motion: [L::Four; 4]) {
-        let r = lanes.difference::<D>(&self.place, &place);
-        // q/2, so that 2q + 1 = 4 (q/2) + 1.
-        let half = lanes.mul(self.half, lanes.sqrt(lanes.dot::<D>(&r, &r)));
-        let s = lanes.max(lanes.sub(self.one, half), self.zero);
-        let square = lanes.mul(s, s);
-        let shape = lanes.mul(lanes.mul(square, square), lanes.add(lanes.mul(self.four, half), self.one));
-        let weight = lanes.mul(self.scale, shape);
-        let density = place[3];
-        let own = lanes.mul(lanes.mul(motion[3], density), density);
-        let carried = lanes.add(own, lanes.mul(density, lanes.dot::<D>(&self.gravity, &r)));
+    fn add(&mut self, lanes: L, four: Four<L>) {
+        let way = lanes.difference::<D>(&self.own.at, &four.at);
+        let weight = self.shape.value(lanes, lanes.dot::<D>(&way, &way));
+        let own = lanes.mul(lanes.mul(four.share, four.density), four.density);
+        let carried = lanes.add(own, lanes.mul(four.density, lanes.dot::<D>(&self.gravity, &way)));
         self.weight = lanes.add(self.weight, weight);
         self.pressure = lanes.add(self.pressure, lanes.mul(weight, carried));
-        let [u, v, w, _] = motion;
-        self.velocity = lanes.add_scaled::<D>(&self.velocity, weight, &[u, v, w]);
+        self.velocity = lanes.add_scaled::<D>(&self.velocity, weight, &four.velocity);
     }
 }
 
@@ -76,32 +68,19 @@ impl<const D: usize> Sweep for Means<'_, '_, D> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { kernel, gravity, grid, of, first, fluid, out } = self;
-        let (mut room, mut last, mut near) = (Room::new(), NOWHERE, Ranges::default());
+        let shape = Shape::new(lanes, kernel);
+        let gravity = gravity.map(|g| lanes.splat(g));
+        let mut walk = Walk::new(grid, of, first, [None, Some(fluid)], kernel.reach());
+        let mut room = Room::new();
         for (slot, out) in (first..).zip(out) {
-            let (row, cell): (&Row, u32) = (&of.rows[slot], of.cell(slot));
-            if cell != last {
-                (near, last) = (grid.beside(cell, &fluid.starts), cell);
-            }
+            walk.go(slot, &mut room);
             *out = Seen::default();
-            if near.filled().is_empty() {
-                continue;
-            }
-            let zero = lanes.splat(0.0);
-            let mut mean = Mean::<L, D> {
-                place: lanes.splats(&row.place),
-                gravity: [lanes.splat(gravity[0]), lanes.splat(gravity[1]), lanes.splat(gravity[2])],
-                half: lanes.splat(kernel.half),
-                scale: lanes.splat(kernel.scale),
-                four: lanes.splat(4.0),
-                one: lanes.splat(1.0),
-                zero,
-                weight: zero,
-                pressure: zero,
-                velocity: [zero; 3],
-            };
-            let hidden = of.hidden_faces(slot, fluid);
-            let (reach2, room) = (kernel.reach2, &mut room);
-            gather::<L, _, D>(lanes, fluid, &near, row.at(), reach2, hidden, room, &mut mean);
+            let Some(search) = walk.other(slot) else { continue };
+            let zero = shape.zero;
+            let own = Four::all(lanes, &of.rows[slot]);
+            let mut mean =
+                Mean::<L, D> { shape, own, gravity, weight: zero, pressure: zero, velocity: [zero; 3] };
+            gather::<L, _, D>(lanes, search, &mut room, &mut mean);
             *out = Seen {
                 weight: lanes.total(mean.weight),
                 pressure: lanes.total(mean.pressure),

@@ -7,11 +7,11 @@
 //! δ(∂U/∂xᵢ) = −Σⱼ [δP M + (P/y)(δ − δe M)]
 //! ```
 
+use sph_core::lanes::{Lanes, Sweep, widest};
+
 use super::forces::Scratch;
 use super::network::{LANES, Network, Row};
 use super::present::{Present, in_chunks, keep, present, spread};
-use crate::dispatch::{Sweep, widest};
-use crate::lanes::Lanes;
 
 /// A state, and a displacement from it; their last places are `θ̂` and its change.
 #[derive(Clone, Copy)]

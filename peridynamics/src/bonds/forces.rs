@@ -5,11 +5,10 @@
 //! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step.
 
 use rayon::prelude::*;
+use sph_core::lanes::{Lanes, Sweep, widest};
 
 use super::network::{LANES, NODE_CHUNK, Network, Row};
 use super::present::{present, spread};
-use crate::dispatch::{Sweep, widest};
-use crate::lanes::Lanes;
 
 /// Which bonds may break, and beyond which stretch.
 #[derive(Clone, Debug)]
@@ -209,11 +208,10 @@ impl Network {
     }
 }
 
-#[cfg(all(test, target_arch = "x86_64"))]
+#[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Plain;
-    use pulp::x86::V3;
+    use sph_core::lanes::Plain;
 
     /// Bonds of uneven families, some of them broken, one of these between nodes that coincide.
     fn network(nodes: usize, state_based: bool) -> Network {
@@ -249,43 +247,36 @@ mod tests {
         out
     }
 
-    fn swept<L: Lanes, const DILATATION: bool>(
-        lanes: L,
-        network: &Network,
-        rows: &[Row],
-    ) -> (Vec<u64>, Vec<u32>) {
+    fn swept<const DILATATION: bool>(plain: bool, network: &Network, rows: &[Row]) -> (Vec<u64>, Vec<u32>) {
         let lanes_of = vec![0b1011; network.others.len()];
         let watch = Watch { lanes: lanes_of, tension: 0.2, compression: -0.1 };
         let (mut forces, mut beyond) = (vec![[0.0; 4]; rows.len()], Vec::new());
-        let energy = Chunk::<DILATATION, true, true> {
+        let chunk = Chunk::<DILATATION, true, true> {
             network,
             rows,
             first: 0,
             forces: &mut forces,
             watch: Some(&watch),
             beyond: &mut beyond,
-        }
-        .run(lanes);
+        };
+        let energy = if plain { chunk.run(Plain) } else { widest(chunk) };
         (forces.iter().flatten().chain([&energy]).map(|x| x.to_bits()).collect(), beyond)
     }
 
     #[test]
-    fn avx2_gives_the_bits_of_plain_loops_and_broken_bonds_are_harmless() {
+    fn the_widest_lanes_give_the_bits_of_plain_loops_and_broken_bonds_are_harmless() {
         let nodes = 60;
         let mut rows: Vec<Row> =
             (0..nodes).map(|k| [0.3, 0.7, 0.9, 0.1].map(|part| libm::sin(part * (k * k) as f64))).collect();
         // Node 1 is at the other end of the first bond of node 0, which is broken.
         rows[1] = rows[0];
         let (pairwise, state_based) = (network(nodes, false), network(nodes, true));
-        let plain =
-            [swept::<_, false>(Plain, &pairwise, &rows), swept::<_, true>(Plain, &state_based, &rows)];
+        let plain = [swept::<false>(true, &pairwise, &rows), swept::<true>(true, &state_based, &rows)];
         for (bits, beyond) in &plain {
             assert!(bits.iter().all(|&bits| f64::from_bits(bits).is_finite()));
             assert!(!beyond.is_empty());
         }
-        if let Some(wide) = V3::try_new() {
-            assert!(plain[0] == swept::<_, false>(wide, &pairwise, &rows));
-            assert!(plain[1] == swept::<_, true>(wide, &state_based, &rows));
-        }
+        assert!(plain[0] == swept::<false>(false, &pairwise, &rows));
+        assert!(plain[1] == swept::<true>(false, &state_based, &rows));
     }
 }

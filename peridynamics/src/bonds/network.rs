@@ -4,7 +4,7 @@ use super::correction::Weights;
 use super::families::Families;
 use crate::material::Moduli;
 
-pub(crate) use crate::lanes::{LANES, Pack};
+pub(crate) use sph_core::lanes::{LANES, Pack};
 
 /// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
 pub(crate) const NODE_CHUNK: usize = 256;

@@ -1,10 +1,9 @@
 //! Four bonds at the present: how far they reach, and the dilatations that follow from their extensions.
 
 use rayon::prelude::*;
+use sph_core::lanes::{Lanes, Sweep, widest};
 
 use super::network::{LANES, NODE_CHUNK, Network, Row};
-use crate::dispatch::{Sweep, widest};
-use crate::lanes::Lanes;
 
 /// Least square of a present length \[L²\]: a bond that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-200;

@@ -3,10 +3,10 @@
 //! The workspace is built for the oldest processor of its architecture; a sweep runs as a second copy where AVX2 is
 //! present. No fused multiply-add is generated (the compiler may not contract), so both copies give the same bits.
 
-use crate::lanes::{Lanes, Plain};
+use super::{Lanes, Plain};
 
 /// A piece of work over lanes.
-pub(crate) trait Sweep {
+pub trait Sweep {
     /// What it gives back.
     type Output;
 
@@ -15,7 +15,7 @@ pub(crate) trait Sweep {
 }
 
 /// Runs a sweep in the copy for this machine.
-pub(crate) fn widest<S: Sweep>(sweep: S) -> S::Output {
+pub fn widest<S: Sweep>(sweep: S) -> S::Output {
     #[cfg(target_arch = "x86_64")]
     if let Some(lanes) = pulp::x86::V3::try_new() {
         return lanes.vectorize(Wide { sweep, lanes });
