@@ -64,6 +64,12 @@ pub enum Doubt {
     LostFluid,
     /// Bonds beyond their limit in a state of balance, which is none without them.
     BrokenAtRest,
+    /// Supports that fix nodal parameters, which are no displacements.
+    LeakySupport,
+    /// A basis that locks in bending at the spacing of its nodes.
+    ShearLocking,
+    /// Strains beyond those that the law was made for.
+    LargeStrain,
 }
 
 impl Doubt {
@@ -99,6 +105,9 @@ impl Doubt {
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
             Self::BrokenAtRest => "broken-at-rest",
+            Self::LeakySupport => "leaky-support",
+            Self::ShearLocking => "shear-locking",
+            Self::LargeStrain => "large-strain",
         }
     }
 }
@@ -155,6 +164,9 @@ mod tests {
             Doubt::LeakyWall,
             Doubt::LostFluid,
             Doubt::BrokenAtRest,
+            Doubt::LeakySupport,
+            Doubt::ShearLocking,
+            Doubt::LargeStrain,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }
