@@ -4,6 +4,7 @@ pub mod option_cost;
 
 mod coupled;
 mod fluid;
+mod galerkin;
 mod hard;
 mod shell;
 mod solid;
@@ -14,6 +15,7 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
+    cases.extend(galerkin::all());
     cases.extend(fluid::all());
     cases.extend(coupled::all());
     cases.push(option_cost::case());
