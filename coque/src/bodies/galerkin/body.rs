@@ -120,6 +120,14 @@ impl Balanced for GalerkinSolid {
         (0..3).map(|axis| ends(axis, f64::max) - ends(axis, f64::min)).fold(f64::INFINITY, f64::min)
     }
 
+    /// By the bound of Gerschgorin on the highest frequency of the unloaded body.
+    fn stable_step(&mut self) -> f64 {
+        let mut sums = vec![0.0; self.unknowns()];
+        self.row_sums(0.0, &mut sums);
+        let highest = sums.iter().zip(self.masses()).map(|(sum, mass)| sum / mass).fold(0.0, f64::max);
+        if highest > 0.0 { 2.0 / highest.sqrt() } else { 0.0 }
+    }
+
     /// Reactions of all nodes, then stress, strain and angle of all nodes.
     fn forces(&self) -> Vec<f64> {
         let mut out: Vec<f64> = self.reactions.iter().flat_map(|force| <[f64; 3]>::from(*force)).collect();

@@ -58,6 +58,9 @@ fn lists(scene: &Scene, solid: &SolidScene, options: &Galerkin, dependent: usize
     for load in &scene.loads {
         modelled.extend(load.kinds().iter().map(|(word, _)| format!("{word} on {}", load.on)));
     }
+    if scene.loads.iter().any(|load| load.pressure.is_some()) {
+        left_out.push("the skew part of the stiffness of a pressure that follows: large ones converge slowly".into());
+    }
     if scene.loads.is_empty() {
         left_out.push("loads".into());
     }

@@ -33,11 +33,13 @@ fn off(run: &Run, column: &str, table: &[(f64, f64)]) -> Result<Option<f64>, Jud
     Ok(most)
 }
 
-/// Two columns of a reference, as pairs; the second divided by a unit.
+/// Two columns of a reference, as pairs where it has both; the second divided by a unit.
 fn table(name: &str, [x, y]: [&str; 2], unit: f64) -> Result<Vec<(f64, f64)>, JudgeError> {
     let table = reference(name)?;
-    let values = table.column(y)?.into_iter().map(|value| value / unit);
-    Ok(table.column(x)?.into_iter().zip(values).collect())
+    let place = |name: &str| table.columns.iter().position(|column| column.name == name);
+    let (x, y) = (place(x), place(y));
+    let pair = |row: &Vec<serde_json::Value>| Some((row[x?].as_f64()?, row[y?].as_f64()? / unit));
+    Ok(table.rows.iter().filter_map(pair).collect())
 }
 
 /// Figures of the prototype: loads and deflections of a series.

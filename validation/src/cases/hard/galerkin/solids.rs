@@ -10,6 +10,8 @@ const CANTILEVER: &str = include_str!("../../../../../scenes/cantilever-solid.to
 const PLATE: &str = include_str!("../../../../../scenes/plate-solid.toml");
 const METHOD: &str = "galerkin";
 const GALERKIN: &str = "bodies.beam.solid.formulation.galerkin";
+/// A beam with shear under K = 1 on its upper face (`holden_cantilever`), in lengths.
+const BEAM: f64 = 0.127_012;
 const BLOCK: &str = "bodies.beam.solid.geometry.block";
 
 /// The bodies, and what they have to keep.
@@ -114,8 +116,7 @@ fn plate(run: &Run, h: f64, stiff: f64) -> Result<Vec<Metric>, JudgeError> {
 
 /// Deflection over that of a beam with shear at K = 1; the clamp of a solid holds its contraction as well.
 fn over_beam(run: &Run) -> Result<Option<f64>, JudgeError> {
-    let beam = reference("holden_cantilever")?.curve("K", "reissner_top_surface_load_w_over_L")?.at(1.0)?;
-    Ok(run.last("w")?.map(|w| w / beam))
+    Ok(run.last("w")?.map(|w| w / BEAM))
 }
 
 fn free(run: &Run) -> Result<Vec<Metric>, JudgeError> {
