@@ -90,6 +90,20 @@ const CATALOGUE: &[Entry] = &[
         uncertainty: "exact sums; rounding of the printed digits, 5e-4", json: data!("pd_strip_bending") },
     Entry { name: "kalthoff_winkler", quantity: "angle of the cracks from the notches of a plate struck between them",
         uncertainty: "quoted from memory of the literature; a band, not a value", json: data!("kalthoff_winkler") },
+    Entry { name: "holden_cantilever", quantity: "tip of a cantilever against a uniform load, elastica and beam with shear",
+        uncertainty: "below 1e-6 of the length between two tolerances of the integrator; a solid as thick as a tenth differs from the beam by what bending theory leaves out",
+        json: data!("holden_cantilever") },
+    Entry { name: "calculix_cantilever", quantity: "tip of the solid cantilever at four loads, by mesh of bricks, with processor times",
+        uncertainty: "0.06 % between the two finest meshes; times of a shared machine, a fifth",
+        json: data!("calculix_cantilever") },
+    Entry { name: "levy_plate", quantity: "central deflection of a thin isotropic plate against pressure, by in-plane edge condition",
+        uncertainty: "3e-5 between two orders of the Ritz series; Levy's own table within 0.7 % of straight movable edges",
+        json: data!("levy_plate") },
+    Entry { name: "zaghloul_orthotropic_plate", quantity: "central deflection of an orthotropic plate against pressure, by in-plane edge condition",
+        uncertainty: "1e-5 between two orders of the Ritz series; recalled finite elements within 1 %",
+        json: data!("zaghloul_orthotropic_plate") },
+    Entry { name: "sr_galerkin_prototype", quantity: "deflections of a prototype of the Galerkin solid, one a row",
+        uncertainty: "regression values: half of the fifth digit", json: data!("sr_galerkin_prototype") },
 ];
 
 /// Every reference there is: shells and solids, then fluids, then structures in fluids.

@@ -66,6 +66,12 @@ pub enum Doubt {
     FluidFirst,
     /// Bonds beyond their limit in a state of balance, which is none without them.
     BrokenAtRest,
+    /// Supports that fix nodal parameters, which are no displacements.
+    LeakySupport,
+    /// A basis that locks in bending at the spacing of its nodes.
+    ShearLocking,
+    /// Strains beyond those that the law was made for.
+    LargeStrain,
 }
 
 impl Doubt {
@@ -102,6 +108,9 @@ impl Doubt {
             Self::LostFluid => "lost-fluid",
             Self::FluidFirst => "fluid-first",
             Self::BrokenAtRest => "broken-at-rest",
+            Self::LeakySupport => "leaky-support",
+            Self::ShearLocking => "shear-locking",
+            Self::LargeStrain => "large-strain",
         }
     }
 }
@@ -159,6 +168,9 @@ mod tests {
             Doubt::LostFluid,
             Doubt::FluidFirst,
             Doubt::BrokenAtRest,
+            Doubt::LeakySupport,
+            Doubt::ShearLocking,
+            Doubt::LargeStrain,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }

@@ -229,6 +229,11 @@ fn the_dam_ends_in_its_pictures() {
 }
 
 #[test]
+fn the_shell_and_the_solid_end_in_their_picture() {
+    follow("5-shell-and-solid.md");
+}
+
+#[test]
 fn only_times_may_differ() {
     let printed = "3 steps in 0.18 s, 5.10e5 particle-steps/s; results in out/a\n";
     assert!(same("3 steps in 9.00 s, 1.00e6 particle-steps/s; results in out/a\n", printed));

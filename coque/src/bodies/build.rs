@@ -15,7 +15,10 @@ impl Scene {
         self.check()?;
         match self.body() {
             BodyScene::Shell(_) if !self.is_together() => self.shell_model(threads),
-            BodyScene::Solid(solid) if !self.is_together() => self.solid_model(solid, threads),
+            BodyScene::Solid(solid) if !self.is_together() => match solid.galerkin() {
+                Some(options) => self.galerkin_model(solid, options, threads),
+                None => self.solid_model(solid, threads),
+            },
             _ => self.model_together(threads),
         }
     }

@@ -25,6 +25,10 @@ const BOND: f64 = 40.0;
 /// 2700 nodes in space, two spacings of horizon.
 const BLOCK: f64 = 30.0;
 
+/// Greatest memory of a quadrature point of a Galerkin solid, and of each node that it sees \[bytes\].
+const GAUSS: f64 = 1500.0;
+const SHAPE: f64 = 50.0;
+
 /// Greatest memory of a particle of a fluid or a wall while it is built and marched \[bytes\].
 const FLUID: f64 = 600.0;
 
@@ -63,7 +67,10 @@ impl Scene {
             return Ok(memory);
         };
         let key = match self.body() {
-            BodyScene::Solid(_) => "block.spacing".into(),
+            BodyScene::Solid(solid) => match solid.geometry.arc {
+                None => "block.spacing".into(),
+                Some(_) => "arc.cells".into(),
+            },
             BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
             BodyScene::Walls(walls) => walls.geometry.word().into(),
             BodyScene::Shell(ShellScene { geometry, .. }) => {
@@ -129,6 +136,11 @@ fn memory_of_shell(shell: &ShellScene) -> (f64, f64) {
 
 /// Greatest memory of a node of a solid, and of its share of a tangent \[bytes\].
 fn memory_of_solid(solid: &SolidScene) -> (f64, f64) {
+    if let Some(galerkin) = solid.galerkin() {
+        let near = galerkin.neighbours();
+        let points = (galerkin.gauss as f64).powi(3);
+        return (points * (GAUSS + SHAPE * near), BLOCK * 8.0 * near);
+    }
     let reach = solid.formulation.horizon() + 0.5;
     let within = |reach: f64| match solid.dimensions() {
         2 => std::f64::consts::PI * reach.powi(2),

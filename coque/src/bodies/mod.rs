@@ -8,7 +8,7 @@
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built, what all kinds refuse | `build.rs` |
 //! | which rigid motions are free | `rigid.rs` |
-//! | shells; solids; fluids and walls | `shell/`; `solid/`; `fluid/` |
+//! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
 pub(crate) mod body;
@@ -16,6 +16,7 @@ mod build;
 mod coupled;
 mod figures;
 mod fluid;
+mod galerkin;
 mod made;
 mod memory;
 pub(crate) mod model;

@@ -42,6 +42,8 @@ pub enum Part {
     Surface,
     /// A shell with its thickness.
     Extruded,
+    /// The quadrature points of a Galerkin solid.
+    Points,
 }
 
 /// The fields of a body, ready to be written; any function that writes them is.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{
-    Curve, Picture, ReadError, Sheet, faces, listed, picture_range, picture_svg, plot_svg, read_text, strip,
+    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip,
     together, write_whole,
 };
 
@@ -169,7 +169,7 @@ fn frame(
             let count = frames.len();
             return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
         };
-        sheets.push(faces(Sheet::read(path).map_err(unread)?));
+        sheets.push(Sheet::read(path).map_err(unread)?);
         at = *along;
     }
     let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };

@@ -49,9 +49,10 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 27] = [
+const TEMPLATES: [(&str, &str); 35] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
+    ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
     ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
     ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
     ("crack-branching", include_str!("../../../scenes/crack-branching.toml")),
@@ -63,18 +64,25 @@ const TEMPLATES: [(&str, &str); 27] = [
     ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
     ("panel", include_str!("../../../scenes/panel.toml")),
     ("panel-laminated", include_str!("../../../scenes/panel-laminated.toml")),
+    ("panel-solid", include_str!("../../../scenes/panel-solid.toml")),
     ("patch-test", include_str!("../../../scenes/patch-test.toml")),
     ("pinched-cylinder", include_str!("../../../scenes/pinched-cylinder.toml")),
     ("pinched-cylinder-large", include_str!("../../../scenes/pinched-cylinder-large.toml")),
     ("plate", include_str!("../../../scenes/plate.toml")),
     ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
+    ("plate-clamped", include_str!("../../../scenes/plate-clamped.toml")),
+    ("plate-clamped-solid", include_str!("../../../scenes/plate-clamped-solid.toml")),
+    ("plate-orthotropic", include_str!("../../../scenes/plate-orthotropic.toml")),
     ("plate-pd", include_str!("../../../scenes/plate-pd.toml")),
     ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
+    ("plate-solid", include_str!("../../../scenes/plate-solid.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
     ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
+    ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
+    ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
 ];

@@ -1,4 +1,5 @@
-//! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and the body with its thickness beside it.
+//! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and beside it the body with its thickness, or its
+//! quadrature points.
 
 use std::fs;
 use std::path::Path;
@@ -18,13 +19,13 @@ pub struct Written<'a> {
 }
 
 /// Writes the frames of one body or of several into a folder: `NAME.pvd` and `NAME-0000.vtu` …, and of an extruded shell
-/// likewise, `solid` of a lone shell, else `NAME-solid`.
+/// likewise, `solid` of a lone shell, else `NAME-solid`; of quadrature points `NAME-points`.
 ///
 /// Whatever kills a run leaves whole files, and lists that name only those.
 pub struct FieldFiles {
     stresses: bool,
-    /// Of each body its surface and the same with its thickness, if that is wanted.
-    bodies: Vec<(Series, Option<Series>)>,
+    /// Of each body its surface, and the further part that is wanted of it.
+    bodies: Vec<(Series, Option<(Part, Series)>)>,
 }
 
 impl FieldFiles {
@@ -48,8 +49,8 @@ impl FieldFiles {
             .map_err(|error| FieldError { path: folder.display().to_string(), reason: error.to_string() })?;
         bodies.iter().try_for_each(|body| Self::clear(folder, body.name))?;
         let body = |body: &Written<'_>| {
-            let [surface, extruded] = series(folder, body.name);
-            (surface, (wanted.extruded && body.shell).then_some(extruded))
+            let [surface, extruded, points] = series(folder, body.name);
+            (surface, further(wanted, body, extruded, points))
         };
         Ok(Self { stresses: wanted.stresses, bodies: bodies.iter().map(body).collect() })
     }
@@ -84,42 +85,53 @@ impl FieldFiles {
             return Self::create_all(folder, bodies, wanted);
         }
         let body = |body: &Written<'_>| {
-            let [surface, extruded] = series(folder, body.name);
-            let extruded =
-                (wanted.extruded && body.shell).then(|| extruded.up_to(frames as usize)).transpose()?;
-            Ok((surface.up_to(frames as usize)?, extruded))
+            let [surface, extruded, points] = series(folder, body.name);
+            let further = further(wanted, body, extruded, points);
+            let further =
+                further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?))).transpose()?;
+            Ok((surface.up_to(frames as usize)?, further))
         };
         let bodies = bodies.iter().map(body).collect::<Result<_, FieldError>>()?;
         Ok(Self { stresses: wanted.stresses, bodies })
     }
 }
 
-/// The surface of a body and the same with its thickness.
-fn series(folder: &Path, name: &str) -> [Series; 2] {
+/// The surface of a body, the same with its thickness, its quadrature points.
+fn series(folder: &Path, name: &str) -> [Series; 3] {
     let extruded = if name == FieldFiles::LONE { "solid".into() } else { format!("{name}-solid") };
-    [Series::new(folder, name), Series::new(folder, &extruded)]
+    let points = format!("{name}-points");
+    [name, &extruded, &points].map(|name| Series::new(folder, name))
+}
+
+/// The further part that is wanted: no body has both.
+fn further(wanted: &Fields, body: &Written<'_>, extruded: Series, points: Series) -> Option<(Part, Series)> {
+    match wanted {
+        Fields { extruded: true, .. } if body.shell => Some((Part::Extruded, extruded)),
+        Fields { points: true, .. } => Some((Part::Points, points)),
+        _ => None,
+    }
 }
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
         let along = frame.along;
         let several = !frame.body.bodies().is_empty();
-        for (number, (surface, extruded)) in self.bodies.iter_mut().enumerate() {
+        for (number, (surface, further)) in self.bodies.iter_mut().enumerate() {
             let fields = match several {
                 true => frame.evaluate_one(number, self.stresses),
                 false => frame.evaluate(self.stresses),
             };
             let mut surface = || surface.add(along, |to| fields.write(Part::Surface, to));
-            let mut extruded = || match extruded {
-                Some(series) => series.add(along, |to| fields.write(Part::Extruded, to)),
+            let mut further = || match further {
+                Some((part, series)) => series.add(along, |to| fields.write(*part, to)),
                 None => Ok(()),
             };
             // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
             // has no pool, and must not wake that of the whole process.
             let pooled = rayon::current_thread_index().is_some();
-            let (surface, extruded) =
-                if pooled { rayon::join(surface, extruded) } else { (surface(), extruded()) };
-            surface.and(extruded)?;
+            let (surface, further) =
+                if pooled { rayon::join(surface, further) } else { (surface(), further()) };
+            surface.and(further)?;
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! A deformed shape as a picture without a viewer: cells coloured by a field, the undeformed outline, a colour bar.
 //!
-//! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other, and for
-//! particles, which are squares.
+//! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other, for the outer
+//! faces of solids, and for particles, which are squares.
 
 mod faces;
 mod field;
@@ -10,7 +10,7 @@ mod together;
 
 use std::collections::BTreeMap;
 
-pub use faces::faces;
+use faces::outer;
 pub use field::FieldNotThere;
 use field::{Values, values};
 use mesh_io::Sheet;
@@ -54,6 +54,8 @@ const ON_PLANE: f64 = 1e-6;
 /// # Errors
 /// [`FieldNotThere`], with what there is.
 pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldNotThere> {
+    let seen = outer(sheet);
+    let sheet = seen.as_ref();
     let Values { name, unit, of_cells } = values(sheet, wanted.field)?;
     let camera = Camera::new(wanted.view);
     let start: Vec<[f64; 3]> = match sheet.point_data.get("displacement").filter(|u| u.width == 3) {
@@ -118,7 +120,7 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
 /// # Errors
 /// [`FieldNotThere`], with what there is.
 pub fn picture_range(sheet: &Sheet, field: Option<&str>) -> Result<[f64; 2], FieldNotThere> {
-    values(sheet, field).map(|values| ends(&values.of_cells))
+    values(&outer(sheet), field).map(|values| ends(&values.of_cells))
 }
 
 fn ends(values: &[f64]) -> [f64; 2] {

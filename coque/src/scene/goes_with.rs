@@ -11,7 +11,7 @@ are those of the unloaded shell: its loads change nothing, prescribed motions st
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 19] = [
+const ROWS: [(&str, &str, &str); 22] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -43,9 +43,16 @@ const ROWS: [(&str, &str, &str); 19] = [
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
     ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),
+    ("`moved`, of a Galerkin solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
+    ("`traction`, of a Galerkin solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
+    (
+        "`pressure`, follower, of a Galerkin solid",
+        "loads",
+        "on = 'x1', pressure = { value = 1, follower = true }",
+    ),
 ];
 
-/// The shell and the solid of the small scenes, with the edges that are held and loaded.
+/// The shell and the solids of the small scenes, with the edges that are held and loaded.
 const SHELL: [&str; 3] = [
     "geometry.plate = { lengths = [1, 1], particles = [3, 3] }
      material.elastic = { young = 1, poisson = 0, density = 1 }
@@ -57,6 +64,14 @@ const SOLID: [&str; 3] = [
     "bodies.block.solid.geometry.block = { lengths = [1, 1, 1], spacing = 0.3 }
      bodies.block.solid.material.elastic = { young = 1, poisson = 0, density = 1 }
      bodies.block.solid.formulation.state-based = { horizon = 1.5 }",
+    "x0",
+    "y1",
+];
+
+const GALERKIN: [&str; 3] = [
+    "bodies.block.solid.geometry.block = { lengths = [1, 1, 1], spacing = 0.5 }
+     bodies.block.solid.material.elastic = { young = 1, poisson = 0, density = 1 }
+     bodies.block.solid.formulation.galerkin = {}",
     "x0",
     "y1",
 ];
@@ -93,8 +108,13 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "modal" | "buckling" => "modes = 1",
         _ => "",
     };
-    let of_solid = name.ends_with("of a solid");
-    let [body, held, loaded] = if of_solid { SOLID } else { SHELL };
+    let galerkin = name.ends_with("of a Galerkin solid");
+    let of_solid = galerkin || name.ends_with("of a solid");
+    let [body, held, loaded] = match () {
+        () if galerkin => GALERKIN,
+        () if of_solid => SOLID,
+        () => SHELL,
+    };
     let mut supports = vec![format!("{{ on = '{held}', clamped = {{}} }}")];
     let mut loads = Vec::new();
     let mut velocity = String::new();

@@ -17,7 +17,7 @@ pub struct Load {
     pub force: Option<Force>,
     /// Couple on an edge, about a fixed axis or about the moving edge.
     pub couple: Option<Couple>,
-    /// Pressure along the normal, dead or following the surface.
+    /// Pressure along the normal of a shell, dead or following it; on faces of a Galerkin solid against their normal, following them.
     pub pressure: Option<Pressure>,
     /// Weight: an acceleration of the mass of the set.
     pub gravity: Option<Gravity>,
@@ -58,7 +58,7 @@ pub enum Axis {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pressure {
-    /// Along the normal of the surface \[F/L²\].
+    /// Along the normal of a shell; on the face of a solid against its outward normal \[F/L²\].
     pub value: f64,
     /// Whether it follows the deformed surface.
     #[serde(default)]
@@ -79,7 +79,8 @@ pub struct Gravity {
 pub struct Traction {
     /// Force by area \[F/L²\].
     pub value: [f64; 3],
-    /// Depth of the layer under the face over which it is spread by volume \[L\]; left out, it acts on the outermost nodes.
+    /// Depth of the layer under the face over which it is spread by volume, of nodes with bonds \[L\]; left out, it acts on the
+    /// outermost nodes.
     pub depth: Option<f64>,
 }
 

@@ -18,6 +18,7 @@ mod loads;
 mod nearest;
 mod output;
 mod overrides;
+mod per_axis;
 mod problem;
 mod read;
 pub(crate) mod reference;
@@ -46,6 +47,7 @@ pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use levels::Levels;
 pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction};
 pub use output::{Fields, Output, Plot};
+pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
@@ -58,10 +60,15 @@ pub use shell::mesh::Mesh;
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
-pub use solid::geometry::{
-    Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry, Spacing,
+pub use solid::galerkin::{
+    Across, Galerkin, GalerkinBasis, GalerkinEssential, GalerkinLaw, GalerkinSupport, GalerkinTangent,
+    GalerkinUpdate,
 };
-pub use solid::{Imperfection, SolidMaterial, SolidScene};
+pub use solid::geometry::{
+    Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,
+};
+pub use solid::material::{OrthotropicSolid, SolidMaterial};
+pub use solid::{Imperfection, SolidScene};
 pub use statics::{
     ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Relaxation, RelaxationDamping, Static, Stop,
 };

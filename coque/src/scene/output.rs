@@ -25,6 +25,9 @@ pub struct Fields {
     /// Shells with their thickness as well, in files of their own.
     #[serde(default)]
     pub extruded: bool,
+    /// The quadrature points of a Galerkin solid as well, in files of their own.
+    #[serde(default)]
+    pub points: bool,
     /// Strains, resultants and, of homogeneous sections, surface stresses at the sampling points.
     #[serde(default)]
     pub stresses: bool,

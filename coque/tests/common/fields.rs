@@ -10,7 +10,7 @@ use coque::scene::Fields;
 use coque::{FieldSink, Outcome, RunOptions, Scene, Silent};
 use sph_core::Vec3;
 
-pub const EVERYTHING: Fields = Fields { every: 1, extruded: true, stresses: true };
+pub const EVERYTHING: Fields = Fields { every: 1, extruded: true, points: false, stresses: true };
 
 pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name);

@@ -5,6 +5,7 @@
 
 pub mod fields;
 pub mod fluids;
+pub mod galerkin;
 pub mod refused;
 pub mod solids;
 

@@ -4,6 +4,7 @@ pub mod option_cost;
 
 mod coupled;
 mod fluid;
+mod galerkin;
 mod hard;
 mod shell;
 mod solid;
@@ -14,6 +15,7 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(solid::all());
+    cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));
     cases.extend(family("Fluids and structures", coupled::all()));
     cases.extend(family("Cost", [option_cost::case()]));

@@ -42,7 +42,7 @@ pub(super) fn wet(
             Ok(Some(Wet { made, area_density }))
         }
         BodyScene::Solid(solid) => {
-            let area_density = thickness(solid) * solid.material.elastic().density;
+            let area_density = thickness(solid) * solid.material.density();
             let made = alone.solid_made(solid, threads, true)?.map(|solid| Box::new(solid) as _);
             Ok(Some(Wet { made, area_density }))
         }
@@ -52,5 +52,5 @@ pub(super) fn wet(
 
 /// The least length of a solid in the directions that the fluid has \[L\].
 fn thickness(solid: &SolidScene) -> f64 {
-    solid.geometry.block.lengths.iter().copied().fold(f64::INFINITY, f64::min)
+    solid.lattice().lengths[..solid.dimensions()].iter().copied().fold(f64::INFINITY, f64::min)
 }

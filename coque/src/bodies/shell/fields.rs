@@ -56,6 +56,8 @@ impl Evaluated for Content<'_> {
         match part {
             Part::Surface => self.surface(to),
             Part::Extruded => self.extruded(to),
+            // The checks leave a shell no other part.
+            Part::Points => Ok(()),
         }
     }
 }

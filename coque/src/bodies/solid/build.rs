@@ -60,7 +60,8 @@ impl Scene {
     /// As [`Scene::build`], and for a body of another kind.
     pub fn build_solid(&self, threads: usize) -> Result<Solid, SceneError> {
         self.check()?;
-        let scene = self.as_solid().ok_or_else(|| self.not_a("solid"))?;
+        let with_bonds = self.as_solid().filter(|solid| solid.galerkin().is_none());
+        let scene = with_bonds.ok_or_else(|| self.not_a("solid with bonds"))?;
         self.assemble_solid(scene, threads).map(|built| built.solid)
     }
 
@@ -69,7 +70,7 @@ impl Scene {
         let memory =
             self.room(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
         let block = self.nodes(scene, &lattice)?;
-        let sets = NodeSets::find(self, &lattice, &block)?;
+        let sets = NodeSets::find(self, &lattice, &block, &block.positions)?;
         let probes = probes(self, &sets)?;
         let driver = driver(self, &sets)?;
         let supports = supports(self, scene.has_directors(), &sets, driver.as_ref())?;

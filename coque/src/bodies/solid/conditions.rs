@@ -165,7 +165,7 @@ fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction
 }
 
 /// The columns of the curve.
-pub(super) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Vec<Probe>, SceneError> {
+pub(in crate::bodies) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Vec<Probe>, SceneError> {
     let probe = |(i, column): (usize, &crate::scene::Probe)| {
         let nodes = sets.at(&format!("curve[{i}].on"), &column.on)?.to_vec();
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());

@@ -121,7 +121,7 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
     }
     let (block, lattice) = (look.solid.block(), look.body.lattice());
     let horizon = look.body.formulation.horizon() * block.greatest_spacing();
-    let sets = NodeSets::find(look.scene, &lattice, block).ok()?;
+    let sets = NodeSets::find(look.scene, &lattice, block, &block.positions).ok()?;
     let depth = |nodes: &[u32], axis: usize| {
         let along = || nodes.iter().map(|&node| block.positions[node as usize][axis]);
         let [least, most] = [f64::min, f64::max].map(|pick| along().reduce(pick).unwrap_or_default());

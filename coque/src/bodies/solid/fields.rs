@@ -140,7 +140,7 @@ impl Content<'_> {
 }
 
 /// `√(½[(xx − yy)² + (yy − zz)² + (zz − xx)²] + 3[xy² + yz² + zx²])` \[F/L²\].
-fn von_mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
+pub(in crate::bodies) fn von_mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
     let square = |x: f64| x * x;
     let normal = square(xx - yy) + square(yy - zz) + square(zz - xx);
     (0.5 * normal + 3.0 * (square(xy) + square(yz) + square(zx))).sqrt()

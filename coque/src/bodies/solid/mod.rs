@@ -2,9 +2,9 @@
 
 mod body;
 mod build;
-mod conditions;
+pub(super) mod conditions;
 mod describe;
 mod doubts;
-mod fields;
+pub(super) mod fields;
 mod parts;
-mod sets;
+pub(super) mod sets;

@@ -11,7 +11,9 @@ use crate::scene::{self, BondMeasure, Scene, SolidFormulation, SolidScene};
 
 /// The constants; Poisson's ratio of bonds that feel their own extension alone is that of pairwise forces, which scenes round.
 pub(super) fn material(solid: &SolidScene) -> Elastic {
-    let scene::Elastic { young, poisson, density } = solid.material.elastic();
+    let (young, poisson) =
+        solid.material.elastic().map_or_else(Default::default, |elastic| (elastic.young, elastic.poisson));
+    let density = solid.material.density();
     let poisson = match solid.formulation {
         SolidFormulation::BondBased(_) => solid.space().pairwise_poisson(),
         _ => poisson,
@@ -23,7 +25,7 @@ pub(super) fn material(solid: &SolidScene) -> Elastic {
 pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Carrier {
     let law = match solid.formulation {
         SolidFormulation::BondBased(_) => Law::BondBased,
-        SolidFormulation::StateBased(_) | SolidFormulation::TwoSheets(_) => Law::StateBased,
+        _ => Law::StateBased,
     };
     let influence = match solid.formulation.influence() {
         scene::Influence::Constant => Influence::Constant,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sph_core::{Block, BlockLattice};
+use sph_core::{Block, BlockLattice, Vec3};
 
 use crate::bodies::sets::{empty, inside};
 use crate::scene::Scene;
@@ -10,10 +10,12 @@ use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
 
 /// The sets of a solid, by name.
-pub(super) struct NodeSets<'a> {
+pub(in crate::bodies) struct NodeSets<'a> {
     scene: &'a Scene,
     lattice: &'a BlockLattice,
     block: &'a Block,
+    /// Nodes in the frame of the lattice \[L\]: an arc is that of a straight block.
+    straight: &'a [Vec3],
     members: BTreeMap<String, Vec<u32>>,
 }
 
@@ -22,8 +24,13 @@ impl<'a> NodeSets<'a> {
     ///
     /// # Errors
     /// [`SceneError::Set`] for a declared set without nodes.
-    pub fn find(scene: &'a Scene, lattice: &'a BlockLattice, block: &'a Block) -> Result<Self, SceneError> {
-        let mut out = Self { scene, lattice, block, members: BTreeMap::new() };
+    pub fn find(
+        scene: &'a Scene,
+        lattice: &'a BlockLattice,
+        block: &'a Block,
+        straight: &'a [Vec3],
+    ) -> Result<Self, SceneError> {
+        let mut out = Self { scene, lattice, block, straight, members: BTreeMap::new() };
         out.members.insert(OF_SOLIDS[0].into(), (0..block.len() as u32).collect());
         for (name, face) in OF_SOLIDS[1..].iter().zip(&block.faces) {
             out.members.insert((*name).into(), face.iter().map(|&(node, _)| node).collect());
@@ -39,6 +46,11 @@ impl<'a> NodeSets<'a> {
             out.members.insert(name.clone(), nodes);
         }
         Ok(out)
+    }
+
+    /// The scene that names them.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
     }
 
     /// Nodes of the set that the scene names at `path`.
@@ -71,7 +83,7 @@ impl<'a> NodeSets<'a> {
         // A node at the depth belongs to the layer, whatever rounding did to it.
         let reach = depth + 1e-9 * self.block.spacing[axis];
         let near = |x: f64| if number % 2 == 0 { x - low <= reach } else { high - x <= reach };
-        let positions = self.block.positions.iter().enumerate();
+        let positions = self.straight.iter().enumerate();
         positions.filter(|(_, x)| near(x[axis])).map(|(node, _)| node as u32).collect()
     }
 }

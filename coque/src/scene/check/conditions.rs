@@ -142,7 +142,9 @@ impl Scene {
                 }
                 LoadKind::Traction(_) => self.check_traction(at, load)?,
             }
-            if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
+            if matches!(kind, LoadKind::Pressure(_)) && self.as_solid().is_some() {
+                self.check_face(at, load, word)?;
+            } else if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
                 let body = self.body().word();
                 self.only_on(at, &load.on, &format!("{word} acts on the whole {body}"), &["all"])?;
             }

@@ -101,8 +101,11 @@ impl Scene {
             BodyScene::Walls(_) => return vec![Displacement, Position, Pressure, Level, Force, Moment],
             BodyScene::Shell(_) | BodyScene::Solid(_) => {}
         }
-        let mut known = vec![Displacement, Position, Reaction, Velocity];
         let solid = self.as_solid();
+        if solid.is_some_and(|solid| solid.galerkin().is_some()) {
+            return vec![Displacement, Position, Reaction];
+        }
+        let mut known = vec![Displacement, Position, Reaction, Velocity];
         if solid.is_none_or(SolidScene::has_directors) {
             known.extend([Rotation, Director]);
         }
@@ -124,6 +127,13 @@ impl Scene {
         }
         if self.output.fields.is_some_and(|fields| fields.every == 0) {
             return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
+        }
+        if self.output.fields.is_some_and(|fields| fields.points)
+            && self.as_solid().is_none_or(|solid| solid.galerkin().is_none())
+        {
+            let (value, bound) = ("quadrature points", "none but of a Galerkin solid");
+            let fault = s.fault("output.fields.points", value, bound, "remove it");
+            return Err(SceneError::Choice(fault));
         }
         self.check_plot(&names)?;
         self.check_checkpoints()

@@ -1,10 +1,12 @@
-//! How bonds carry a solid.
+//! How a solid is carried: by bonds, or by shape functions on its nodes.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Peridynamic formulations.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+use super::galerkin::Galerkin;
+
+/// Formulations of solids.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum SolidFormulation {
     /// A bond feels its own extension alone \[silling2005\]: Poisson's ratio is 1/4, in plane stress 1/3.
@@ -13,6 +15,8 @@ pub enum SolidFormulation {
     StateBased(Bonds),
     /// A thin plate as two plane-stress sheets on directors, state-based.
     TwoSheets(TwoSheets),
+    /// Without bonds: moving least squares on strain and rotation, through large rotations at rest \[song2018\].
+    Galerkin(Galerkin),
 }
 
 /// Options of bonds in a plane or in space.
@@ -89,22 +93,32 @@ impl SolidFormulation {
             Self::BondBased(_) => "bond-based",
             Self::StateBased(_) => "state-based",
             Self::TwoSheets(_) => "two-sheets",
+            Self::Galerkin(_) => "galerkin",
         }
     }
 
-    /// Horizon over the greatest spacing of nodes \[–\].
+    /// The method without bonds, if it is that.
+    pub fn galerkin(&self) -> Option<&Galerkin> {
+        match self {
+            Self::Galerkin(galerkin) => Some(galerkin),
+            _ => None,
+        }
+    }
+
+    /// Horizon over the greatest spacing of nodes \[–\]; zero without bonds.
     pub fn horizon(&self) -> f64 {
         match self {
             Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon,
             Self::TwoSheets(sheets) => sheets.horizon,
+            Self::Galerkin(_) => 0.0,
         }
     }
 
-    /// What acts across a plane; nothing is said in space and of two sheets.
+    /// What acts across a plane; nothing is said in space, of two sheets, and without bonds.
     pub fn plane(&self) -> Option<Plane> {
         match self {
             Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.plane,
-            Self::TwoSheets(_) => None,
+            Self::TwoSheets(_) | Self::Galerkin(_) => None,
         }
     }
 
@@ -113,6 +127,7 @@ impl SolidFormulation {
         match self {
             Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.influence,
             Self::TwoSheets(sheets) => sheets.influence,
+            Self::Galerkin(_) => Influence::Constant,
         }
     }
 
@@ -121,11 +136,15 @@ impl SolidFormulation {
         match self {
             Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.correction,
             Self::TwoSheets(sheets) => sheets.correction,
+            Self::Galerkin(_) => Correction::None,
         }
     }
 
     /// One line that names the formulation with its options.
     pub fn describe(&self) -> String {
+        if let Self::Galerkin(galerkin) = self {
+            return galerkin.describe();
+        }
         let plane = match self.plane() {
             None => "",
             Some(Plane::Stress) => ", plane stress",

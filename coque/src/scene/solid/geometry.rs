@@ -1,16 +1,18 @@
-//! The nodes of a solid: a box in rows, and what is cut out of it.
+//! The nodes of a solid: a box in rows, straight or bent, and what is cut out of it.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-/// The nodes of a solid.
+use crate::scene::per_axis::PerAxis;
+
+/// The nodes of a solid: exactly one of `block` and `arc` is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidGeometry {
     /// A box of nodes along the axes.
-    pub block: Block,
+    pub block: Option<Block>,
+    /// Part of a cylinder with its thickness, of a Galerkin solid.
+    pub arc: Option<Arc>,
     /// What is cut out of it: a node goes where its place lies in one of these.
     #[serde(default)]
     pub cut_outs: Vec<CutOut>,
@@ -24,7 +26,7 @@ pub struct Block {
     #[schemars(length(min = 2, max = 3))]
     pub lengths: Vec<f64>,
     /// Distance between nodes, one for all axes or one for each \[L\]; the nearest that divides the lengths is taken.
-    pub spacing: Spacing,
+    pub spacing: PerAxis,
     /// The corner of least coordinates \[L\]; left out, the origin.
     #[schemars(length(min = 2, max = 3))]
     pub origin: Option<Vec<f64>>,
@@ -39,13 +41,21 @@ pub struct Block {
     pub disorder: Option<NodeDisorder>,
 }
 
-/// Distance between nodes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Spacing {
-    /// The same along all axes.
-    Same(f64),
-    /// One for each axis.
-    Each(Vec<f64>),
+/// Part of a thick cylinder about the y axis, as the cylinder of a shell: x of its sets runs along the arc, y along the axis from
+/// zero, z outward. `x0` names the face at the first angle.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Arc {
+    /// Radius of the middle surface \[L\].
+    pub radius: f64,
+    /// First and last angle \[degrees\], 0 at the crown +z, growing towards +x.
+    pub angles: [f64; 2],
+    /// Length along y \[L\].
+    pub length: f64,
+    /// Thickness, half of it to either side of the middle surface \[L\].
+    pub thickness: f64,
+    /// Cells along the arc, along y and across; nodes stand at their corners.
+    pub cells: [usize; 3],
 }
 
 /// Where nodes stand in the cells into which their spacing divides a box.
@@ -125,16 +135,6 @@ pub struct Polygon {
     pub corners: Vec<[f64; 2]>,
 }
 
-impl Spacing {
-    /// The spacing along an axis \[L\].
-    pub fn along(&self, axis: usize) -> f64 {
-        match self {
-            Self::Same(spacing) => *spacing,
-            Self::Each(list) => list.get(axis).copied().unwrap_or(0.0),
-        }
-    }
-}
-
 impl CutOut {
     /// Key of its kind.
     pub fn word(&self) -> &'static str {
@@ -144,47 +144,5 @@ impl CutOut {
             Self::Box(_) => "box",
             Self::Polygon(_) => "polygon",
         }
-    }
-}
-
-impl<'de> Deserialize<'de> for Spacing {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NumberOrList;
-        impl<'de> Visitor<'de> for NumberOrList {
-            type Value = Spacing;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a number, or a list of one for each axis")
-            }
-
-            fn visit_f64<E: Error>(self, spacing: f64) -> Result<Spacing, E> {
-                Ok(Spacing::Same(spacing))
-            }
-
-            fn visit_i64<E: Error>(self, spacing: i64) -> Result<Spacing, E> {
-                Ok(Spacing::Same(spacing as f64))
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Spacing, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(seq)).map(Spacing::Each)
-            }
-        }
-        deserializer.deserialize_any(NumberOrList)
-    }
-}
-
-impl JsonSchema for Spacing {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Spacing".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "description": "Distance between nodes: one for all axes, or one for each.",
-            "oneOf": [
-                { "type": "number" },
-                { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 3 }
-            ]
-        })
     }
 }

@@ -1,19 +1,23 @@
-//! A peridynamic solid in a scene: its nodes, its material, how bonds carry it, when they break.
+//! A solid in a scene: its nodes, its material, how it is carried, when its bonds break.
 
 pub(crate) mod formulation;
 pub(crate) mod fracture;
+pub(crate) mod galerkin;
 pub(crate) mod geometry;
+mod lattice;
+pub(crate) mod material;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::shell::material::Elastic;
 use super::velocity::Velocity;
 use formulation::SolidFormulation;
 use fracture::{Contact, Crack, Fracture};
+use galerkin::Galerkin;
 use geometry::SolidGeometry;
+use material::SolidMaterial;
 
-/// A solid of nodes joined by bonds: in space, in a plane, or a thin plate of two sheets.
+/// A solid: of nodes joined by bonds in space, in a plane, or as a thin plate of two sheets; or of shape functions in space.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidScene {
@@ -21,7 +25,7 @@ pub struct SolidScene {
     pub geometry: SolidGeometry,
     /// What it is made of.
     pub material: SolidMaterial,
-    /// How bonds carry it.
+    /// How it is carried.
     pub formulation: SolidFormulation,
     /// When bonds break; left out, never.
     pub fracture: Option<Fracture>,
@@ -39,22 +43,6 @@ pub struct SolidScene {
     pub velocity: Option<Velocity>,
 }
 
-/// Materials of solids.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum SolidMaterial {
-    /// Isotropic linear elasticity.
-    Elastic(Elastic),
-}
-
-impl SolidMaterial {
-    /// Its constants.
-    pub fn elastic(&self) -> Elastic {
-        let Self::Elastic(elastic) = self;
-        elastic.clone()
-    }
-}
-
 /// Deflection without stress of a plate of two sheets: a product of sines, zero on its edges.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -68,7 +56,12 @@ pub struct Imperfection {
 impl SolidScene {
     /// Dimensions of its block, two or three.
     pub fn dimensions(&self) -> usize {
-        self.geometry.block.lengths.len()
+        self.geometry.block.as_ref().map_or(3, |block| block.lengths.len())
+    }
+
+    /// How it is carried without bonds, if it is.
+    pub fn galerkin(&self) -> Option<&Galerkin> {
+        self.formulation.galerkin()
     }
 
     /// Whether it is a plate of two sheets, which has directors.

@@ -10,6 +10,7 @@ mod disorder;
 mod energy_drift;
 mod fluids;
 mod frames;
+mod galerkin;
 mod hemisphere_in_time;
 mod large;
 mod loads;
@@ -56,6 +57,8 @@ pub fn all() -> Vec<Case> {
         solids::tension::case(),
         solids::same_damage::case(),
         solids::pieces::case(),
+        galerkin::solids::case(),
+        galerkin::refusals::case(),
         fluids::sloshing::case(),
         fluids::corner::case(),
         fluids::one_particle::case(),

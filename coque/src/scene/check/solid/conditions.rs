@@ -77,8 +77,19 @@ impl Scene {
                 LoadKind::Traction(traction) => {
                     s.in_plane(&format!("{at}.traction.value"), traction.value, plane)?
                 }
+                LoadKind::Pressure(pressure) if solid.galerkin().is_some() => {
+                    if !pressure.follower {
+                        let (value, bound) = ("a dead pressure", "one that follows, on a solid");
+                        let repair = "add follower = true, or use traction = { value = […] }";
+                        let fault = s.fault(&format!("{at}.pressure"), value, bound, repair);
+                        return Err(SceneError::Choice(fault));
+                    }
+                }
                 LoadKind::Couple(_) | LoadKind::Pressure(_) => {
-                    let bound = "`force`, `traction` or `gravity` on a solid";
+                    let bound = match solid.galerkin() {
+                        None => "`force`, `traction` or `gravity` on a solid",
+                        Some(_) => "`force`, `traction`, `pressure` or `gravity` on a solid",
+                    };
                     let repair = "use traction = { value = […] } on a face: dead force by area";
                     let fault = s.fault(&format!("{at}.{word}"), &format!("`{word}`"), bound, repair);
                     return Err(SceneError::Choice(fault));
@@ -92,17 +103,31 @@ impl Scene {
     pub(in crate::scene::check) fn check_traction(&self, at: &str, load: &Load) -> Checked {
         let s = &self.scope();
         let Some(traction) = load.traction else { return Ok(()) };
-        if self.as_solid().is_none() {
+        let Some(solid) = self.as_solid() else {
             let repair = "use `force` on an edge, or `pressure` on all";
             let bound = "`force`, `couple`, `pressure` or `gravity` on a shell";
             let fault = s.fault(&format!("{at}.traction"), "`traction`", bound, repair);
             return Err(SceneError::Choice(fault));
-        }
+        };
         s.sized_all(&format!("{at}.traction.value"), &traction.value)?;
         if let Some(depth) = traction.depth {
             s.positive(&format!("{at}.traction.depth"), depth)?;
+            if solid.galerkin().is_some() {
+                let repair = "remove it: a Galerkin solid takes a traction on the face itself";
+                let path = format!("{at}.traction.depth");
+                return Err(SceneError::Choice(s.fault(&path, "a depth", "none without bonds", repair)));
+            }
+        }
+        self.check_face(at, load, "traction")
+    }
+
+    /// What acts by area acts on a face of the block; where shape functions carry it, also on a declared part of one.
+    pub(in crate::scene::check) fn check_face(&self, at: &str, load: &Load, word: &str) -> Checked {
+        let part = self.as_solid().is_some_and(|solid| solid.galerkin().is_some());
+        if part && self.sets.contains_key(&load.on) {
+            return Ok(());
         }
         let faces = &self.built_in()[1..];
-        self.only_on(at, &load.on, "a traction acts on a face of the block", faces)
+        self.only_on(at, &load.on, &format!("a {word} acts on a face of the block"), faces)
     }
 }

@@ -1,20 +1,32 @@
 //! Checks of the nodes of a solid.
 
-use sph_core::{BlockLattice, Vec3};
-
 use super::Checked;
 use crate::scene::error::SceneError;
+use crate::scene::per_axis::PerAxis;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
-use crate::scene::solid::geometry::{Block, CutOut, NodePlaces};
+use crate::scene::solid::geometry::{Block, CutOut};
 
 /// Bounds what a scene may allocate: ten million nodes in space take some fifty gigabytes.
 const MOST_NODES: f64 = 1e7;
 
 impl SolidScene {
     pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+        let mut given = Vec::new();
+        given.extend(self.geometry.block.as_ref().map(|_| "block"));
+        given.extend(self.geometry.arc.map(|_| "arc"));
+        s.exactly_one("geometry", "shape", &given, &["block", "arc"])?;
+        self.check_arc(s)?;
+        self.geometry.block.as_ref().map_or(Ok(()), |block| self.check_block(block, s))?;
+        self.check_layers(s)?;
+        let cut_outs = self.geometry.cut_outs.iter().enumerate();
+        cut_outs
+            .map(|(i, cut_out)| (format!("geometry.cut_outs[{i}].{}", cut_out.word()), cut_out))
+            .try_for_each(|(at, cut_out)| check_cut_out(&at, cut_out, self.dimensions(), s))
+    }
+
+    fn check_block(&self, block: &Block, s: &Scope<'_>) -> Checked {
         let at = |key: &str| format!("geometry.block.{key}");
-        let block = &self.geometry.block;
         let dimensions = block.lengths.len();
         if !(2..=3).contains(&dimensions) {
             let value = format!("a list of {dimensions} numbers");
@@ -24,11 +36,11 @@ impl SolidScene {
         for (i, &length) in block.lengths.iter().enumerate() {
             s.positive(&at(&format!("lengths[{i}]")), length)?;
         }
-        self.check_spacing(s)?;
+        check_spacing(block, s)?;
         if let Some(origin) = &block.origin {
             s.coordinates(&at("origin"), origin, dimensions)?;
         }
-        self.check_thickness(s)?;
+        self.check_thickness(block, s)?;
         for (i, &ratio) in block.grading.iter().flatten().enumerate() {
             let repair = "it is the last spacing over the first: 1 is even, 3 and 0.3 are strong";
             s.within(&at(&format!("grading[{i}]")), ratio, [0.001, 1000.0], repair)?;
@@ -40,36 +52,36 @@ impl SolidScene {
             let repair = "beyond half a spacing neighbours would change places";
             s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
         }
-        self.check_layers(s)?;
-        let cut_outs = self.geometry.cut_outs.iter().enumerate();
-        cut_outs
-            .map(|(i, cut_out)| (format!("geometry.cut_outs[{i}].{}", cut_out.word()), cut_out))
-            .try_for_each(|(at, cut_out)| check_cut_out(&at, cut_out, dimensions, s))
+        Ok(())
     }
 
-    fn check_spacing(&self, s: &Scope<'_>) -> Checked {
-        use crate::scene::solid::geometry::Spacing;
-        let (path, block) = ("geometry.block.spacing", &self.geometry.block);
-        match &block.spacing {
-            Spacing::Same(spacing) => s.positive(path, *spacing)?,
-            Spacing::Each(list) => {
-                s.coordinates(path, list, block.lengths.len())?;
-                for (i, &spacing) in list.iter().enumerate() {
-                    s.positive(&format!("{path}[{i}]"), spacing)?;
-                }
-            }
+    /// Part of a thick cylinder, whose inner face has a radius too.
+    fn check_arc(&self, s: &Scope<'_>) -> Checked {
+        let Some(arc) = &self.geometry.arc else { return Ok(()) };
+        let at = |key: &str| format!("geometry.arc.{key}");
+        if self.galerkin().is_none() {
+            let repair = "use a block, or [bodies.NAME.solid.formulation.galerkin]";
+            let bound = "a block where bonds carry the solid";
+            return Err(SceneError::Choice(s.fault("geometry.arc", "an arc", bound, repair)));
         }
-        let nodes: f64 =
-            block.lengths.iter().enumerate().map(|(i, l)| (l / block.spacing.along(i)).max(1.0)).product();
-        if nodes <= MOST_NODES {
-            return Ok(());
+        s.positive(&at("radius"), arc.radius)?;
+        s.range(&at("angles"), arc.angles, 360.0)?;
+        s.positive(&at("length"), arc.length)?;
+        s.positive(&at("thickness"), arc.thickness)?;
+        if arc.thickness >= 2.0 * arc.radius {
+            let bound = "less than twice the radius: the inner face has one too";
+            return Err(s.value(&at("thickness"), arc.thickness, bound, "use a thinner arc, or a block"));
         }
-        let bound = format!("wide enough for at most {MOST_NODES:e} nodes");
-        Err(s.value(path, format!("one that asks for {nodes:.3e} nodes"), &bound, "use a wider spacing"))
+        for (i, &cells) in arc.cells.iter().enumerate() {
+            let repair =
+                "two across and as many along as make them about as long as the arc is thick are a start";
+            s.within(&at(&format!("cells[{i}]")), cells as f64, [1.0, 1000.0], repair)?;
+        }
+        Ok(())
     }
 
-    fn check_thickness(&self, s: &Scope<'_>) -> Checked {
-        let (path, block) = ("geometry.block.thickness", &self.geometry.block);
+    fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Checked {
+        let path = "geometry.block.thickness";
         match block.thickness {
             Some(thickness) if block.lengths.len() == 2 => s.positive(path, thickness),
             Some(_) => {
@@ -99,32 +111,29 @@ impl SolidScene {
             _ => "use a narrower spacing",
         };
         let value = format!("one that gives one layer of nodes along {name}");
-        let bound = "narrow enough for two: no bond would leave the layer";
+        let bound = "narrow enough for two: a layer alone bears nothing across it";
         Err(s.value("geometry.block.spacing", value, bound, repair))
     }
+}
 
-    /// The lattice of its nodes.
-    pub(crate) fn lattice(&self) -> BlockLattice {
-        let Block { lengths, spacing, origin, thickness, nodes, grading, disorder } = &self.geometry.block;
-        let or = |list: &Option<Vec<f64>>, axis: usize, default: f64| {
-            list.as_ref().and_then(|list| list.get(axis)).copied().unwrap_or(default)
-        };
-        let across = thickness.unwrap_or(1.0);
-        let usual = if self.has_directors() { NodePlaces::Edges } else { NodePlaces::Centres };
-        BlockLattice {
-            dimensions: lengths.len(),
-            lengths: [0, 1, 2].map(|axis| lengths.get(axis).copied().unwrap_or(across)),
-            spacing: [0, 1, 2].map(|axis| spacing.along(axis)),
-            origin: Vec3::from([0, 1, 2].map(|axis| or(origin, axis, 0.0))),
-            nodes: match nodes.unwrap_or(usual) {
-                NodePlaces::Centres => sph_core::NodePlaces::Centres,
-                NodePlaces::Edges => sph_core::NodePlaces::Edges,
-            },
-            grading: [0, 1, 2].map(|axis| or(grading, axis, 1.0)),
-            disorder: disorder.map_or(0.0, |disorder| disorder.fraction),
-            seed: disorder.map_or(0, |disorder| disorder.seed),
+fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
+    let path = "geometry.block.spacing";
+    match &block.spacing {
+        PerAxis::Same(spacing) => s.positive(path, *spacing)?,
+        PerAxis::Each(list) => {
+            s.coordinates(path, list, block.lengths.len())?;
+            for (i, &spacing) in list.iter().enumerate() {
+                s.positive(&format!("{path}[{i}]"), spacing)?;
+            }
         }
     }
+    let nodes: f64 =
+        block.lengths.iter().enumerate().map(|(i, l)| (l / block.spacing.along(i)).max(1.0)).product();
+    if nodes <= MOST_NODES {
+        return Ok(());
+    }
+    let bound = format!("wide enough for at most {MOST_NODES:e} nodes");
+    Err(s.value(path, format!("one that asks for {nodes:.3e} nodes"), &bound, "use a wider spacing"))
 }
 
 fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Checked {

@@ -1,4 +1,4 @@
-//! Checks of the material of a solid and of the formulation that carries it.
+//! Checks of the material of a solid and of the bonds that carry it.
 
 use peridynamics::Space;
 
@@ -35,7 +35,7 @@ impl SolidScene {
                 let value = format!("a list of {} numbers", self.dimensions());
                 Err(s.value("geometry.block.lengths", value, "a list of 2 for two sheets", repair))
             }
-            SolidFormulation::TwoSheets(_) => Ok(()),
+            SolidFormulation::TwoSheets(_) | SolidFormulation::Galerkin(_) => Ok(()),
             _ if two && self.formulation.plane().is_none() => {
                 let repair =
                     format!("add `plane = \"stress\"` or `plane = \"strain\"` in `formulation.{word}`");
@@ -52,7 +52,12 @@ impl SolidScene {
     }
 
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Checked {
-        let (at, elastic) = (|key: &str| format!("material.elastic.{key}"), self.material.elastic());
+        let Some(elastic) = self.material.elastic() else {
+            let repair = "use [material.elastic], or [bodies.NAME.solid.formulation.galerkin]";
+            let (value, bound) = ("an orthotropic material", "`elastic` where bonds carry the solid");
+            return Err(SceneError::Choice(s.fault("material.orthotropic", value, bound, repair)));
+        };
+        let at = |key: &str| format!("material.elastic.{key}");
         s.positive(&at("young"), elastic.young)?;
         s.positive(&at("density"), elastic.density)?;
         let (nu, space) = (elastic.poisson, self.space());

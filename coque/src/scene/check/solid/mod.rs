@@ -2,6 +2,7 @@
 
 mod conditions;
 mod fracture;
+mod galerkin;
 mod geometry;
 mod material;
 
@@ -17,6 +18,9 @@ impl SolidScene {
     /// Refuses the first of its own keys that is out of bounds.
     pub(super) fn check(&self, s: &Scope<'_>) -> Checked {
         self.check_geometry(s)?;
+        if let Some(galerkin) = self.galerkin() {
+            return self.check_galerkin(galerkin, s);
+        }
         self.check_formulation(s)?;
         self.check_material(s)?;
         self.check_fracture(s)?;
@@ -28,6 +32,12 @@ impl Scene {
     /// Refuses what does not go with a solid.
     pub(super) fn check_solid(&self, solid: &SolidScene) -> Checked {
         let s = &self.body_scope();
+        if solid.galerkin().is_some() && matches!(self.analysis, Analysis::Explicit(_)) {
+            let bound = format!("none in {}: it has no motion in time", self.analysis.kind().name);
+            let repair = "use [analysis.static], linear, arc-length, relaxation, modal or buckling, or bonds";
+            let fault = s.fault("formulation.galerkin", "a Galerkin solid", &bound, repair);
+            return Err(SceneError::Choice(fault));
+        }
         for (i, set) in solid.unbreakable.iter().enumerate() {
             self.check_set_name(&s.path(&format!("unbreakable[{i}]")), set)?;
         }

@@ -1,0 +1,209 @@
+//! A Galerkin solid as a body: what can be measured on it, what it keeps, what it offers analyses without time.
+
+use std::borrow::Cow;
+
+use implicit_statics::{Equilibrium, OutOfBounds};
+use sph_core::{Cell, Vec3};
+use sr_galerkin::{Galerkin, Supports};
+
+use super::doubts::large_strain;
+use super::fields::fields;
+use super::places::Places;
+use super::recovery::{RECOVERED, recovered};
+use crate::bodies::body::{Balanced, Body, Configuration, Mismatch, StateArray};
+use crate::bodies::{Evaluated, Shown};
+use crate::scene::Measured;
+use crate::warning::Warning;
+
+/// A Galerkin solid with what the application shows of it.
+pub(crate) struct GalerkinSolid {
+    galerkin: Galerkin,
+    /// Background cells by their corners, which are nodes.
+    hexahedra: Vec<[u32; 8]>,
+    /// Their faces on the outside.
+    outer: Vec<Cell>,
+    /// What its supports bear; none where nobody asks for it.
+    supports: Option<Supports>,
+    /// Forces that supports exert, by node \[F\].
+    reactions: Vec<Vec3>,
+    /// Room for forces on unknowns.
+    scratch: Vec<f64>,
+}
+
+impl GalerkinSolid {
+    pub fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
+        let reactions = vec![Vec3::zeros(); galerkin.nodes()];
+        let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
+        let scratch = vec![0.0; galerkin.unknowns()];
+        Self { galerkin, hexahedra, outer, supports, reactions, scratch }
+    }
+
+    /// The solid itself.
+    pub fn galerkin(&self) -> &Galerkin {
+        &self.galerkin
+    }
+
+    /// Degrees of freedom that no support holds.
+    pub fn freedoms(&self) -> usize {
+        self.galerkin.unknowns()
+    }
+
+    /// Background cells by their corners.
+    pub fn hexahedra(&self) -> &[[u32; 8]] {
+        &self.hexahedra
+    }
+
+    /// Stress, strain and angle at the nodes.
+    pub fn at_nodes(&self) -> Vec<[f64; RECOVERED]> {
+        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results())
+    }
+
+    /// Forces that supports exert on nodes \[F\], if they are known.
+    pub fn reactions(&self) -> Option<&[Vec3]> {
+        self.supports.as_ref().map(|_| self.reactions.as_slice())
+    }
+}
+
+impl Body for GalerkinSolid {
+    fn configuration(&self) -> Configuration<'_> {
+        let rest = self.galerkin.rest();
+        let present = rest.iter().enumerate().map(|(a, x)| x + self.galerkin.displacement(a)).collect();
+        Configuration { rest, present, cells: &self.outer }
+    }
+
+    fn read(&self, of: Measured, a: usize, along: &Vec3) -> f64 {
+        match of {
+            Measured::Displacement => self.galerkin.displacement(a).dot(along),
+            Measured::Position => (self.galerkin.rest()[a] + self.galerkin.displacement(a)).dot(along),
+            Measured::Reaction => self.reactions[a].dot(along),
+            // The checks leave it no other column.
+            _ => 0.0,
+        }
+    }
+
+    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+        fields(self, shown)
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        let numbers = Cow::Owned(self.galerkin.save());
+        vec![StateArray { name: "parameters and history".into(), numbers }]
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        let [array] = arrays else { return Err(Mismatch) };
+        if array.numbers.len() != self.galerkin.save().len() {
+            return Err(Mismatch);
+        }
+        self.galerkin.restore(&array.numbers);
+        Ok(())
+    }
+}
+
+impl Balanced for GalerkinSolid {
+    fn refresh(&mut self, level: f64) -> f64 {
+        match &self.supports {
+            Some(supports) => supports.forces(&mut self.galerkin, level, &mut self.reactions),
+            None => self.galerkin.internal(level, &mut self.scratch),
+        }
+        self.galerkin.energy()
+    }
+
+    fn functional(&self, particle: usize, along: Vec3) -> Vec<f64> {
+        self.galerkin.functional(&[particle as u32], along)
+    }
+
+    /// The least extent of the body: the thickness of a plate.
+    fn linear_reach(&self) -> f64 {
+        let rest = self.galerkin.rest();
+        let ends =
+            |axis: usize, pick: fn(f64, f64) -> f64| rest.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
+        (0..3).map(|axis| ends(axis, f64::max) - ends(axis, f64::min)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// By the bound of Gerschgorin on the highest frequency of the unloaded body.
+    fn stable_step(&mut self) -> f64 {
+        let mut sums = vec![0.0; self.unknowns()];
+        self.row_sums(0.0, &mut sums);
+        let highest = sums.iter().zip(self.masses()).map(|(sum, mass)| sum / mass).fold(0.0, f64::max);
+        if highest > 0.0 { 2.0 / highest.sqrt() } else { 0.0 }
+    }
+
+    /// Reactions of all nodes, then stress, strain and angle of all nodes.
+    fn forces(&self) -> Vec<f64> {
+        let mut out: Vec<f64> = self.reactions.iter().flat_map(|force| <[f64; 3]>::from(*force)).collect();
+        out.extend(self.at_nodes().iter().flatten());
+        out
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        large_strain(self.galerkin.greatest_strain()).into_iter().collect()
+    }
+}
+
+/// All of it is that of the solid.
+impl Equilibrium for GalerkinSolid {
+    fn unknowns(&self) -> usize {
+        self.galerkin.unknowns()
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        self.galerkin.pattern()
+    }
+
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.galerkin.internal(level, out);
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.galerkin.external(level, out);
+    }
+
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        self.galerkin.load_rate(level, out);
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.galerkin.tangent(level, values);
+    }
+
+    fn held_values_move(&self) -> bool {
+        self.galerkin.held_values_move()
+    }
+
+    fn accept(&mut self) {
+        self.galerkin.accept();
+    }
+
+    fn driving_force(&self) -> f64 {
+        self.galerkin.driving_force()
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        self.galerkin.update(increment);
+    }
+
+    fn save(&self) -> Vec<f64> {
+        self.galerkin.save()
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        self.galerkin.restore(saved);
+    }
+
+    fn energy(&mut self) -> f64 {
+        self.galerkin.energy()
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        self.galerkin.masses()
+    }
+
+    fn name_unknown(&self, unknown: usize) -> String {
+        self.galerkin.name_unknown(unknown)
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        self.galerkin.within_bounds()
+    }
+}

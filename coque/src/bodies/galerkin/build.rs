@@ -1,0 +1,99 @@
+//! From a scene to a Galerkin solid ready to be solved: nodes, cells, sets, supports, loads.
+
+use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports};
+
+use super::body::GalerkinSolid;
+use super::conditions::{conditions, driven, holds, loads};
+use super::describe::describe;
+use super::doubts::doubts_of;
+use super::parts::{axes, basis, essential, material, support, tangent, weight};
+use super::places::Places;
+use crate::bodies::rigid::free_of;
+use crate::bodies::solid::conditions::probes;
+use crate::bodies::solid::sets::NodeSets;
+use crate::bodies::{Identity, Made, Model, Ready};
+use crate::scene::error::SceneError;
+use crate::scene::{self, Measured, Scene, SolidMaterial, SolidScene};
+
+impl Scene {
+    /// Builds a Galerkin solid with what is asked of it.
+    pub(in crate::bodies) fn galerkin_model(
+        &self,
+        solid: &SolidScene,
+        options: &scene::Galerkin,
+        threads: usize,
+    ) -> Result<Model, SceneError> {
+        let nodes: f64 =
+            solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
+        let memory = self.room(nodes)?;
+        let places = Places::new(self, solid)?;
+        let sets = NodeSets::find(self, &places.lattice, &places.block, &places.straight)?;
+        let probes = probes(self, &sets)?;
+        let driven = driven(self, &sets)?;
+        let conditions = conditions(self, &sets, driven.map(|(support, _)| support))?;
+        self.refuse_free_motion(|| {
+            let all = Vec::from_iter(0..places.block.len() as u32);
+            free_of(&places.block.positions, &all, &holds(&conditions))
+        })?;
+        let mut loads = loads(self, solid.material.density(), &places, &sets)?;
+        let driven = driven.map(|(_, point)| point);
+        loads.extend(driven.map(|point| Load::Point {
+            place: places.block.positions[point.particle as usize],
+            force: point.direction,
+        }));
+        // Nobody pays for reactions that nobody reads.
+        let read =
+            self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
+        let (given, essential) = (conditions.clone(), essential(options));
+        let parts = Parts {
+            nodes: places.block.positions.clone(),
+            cells: places.cells.clone(),
+            rule: options.gauss,
+            basis: basis(options),
+            support: support(solid, options, &places),
+            weight: weight(options),
+            material: material(solid, options)
+                .map_err(|error| self.body_error(material_path(solid), &error.to_string()))?,
+            axes: axes(solid),
+            density: solid.material.density(),
+            conditions,
+            essential,
+            loads,
+            tangent: tangent(options),
+            threads: threads.max(1),
+        };
+        let galerkin = Galerkin::new(parts).map_err(|error| self.galerkin_refusal(solid, &error))?;
+        let sought = driven.map(|point| (point.particle, point.direction));
+        let supports = read.then(|| Supports::new(&galerkin, &given, essential, sought));
+        let body = GalerkinSolid::new(galerkin, &places, supports);
+        self.refuse_freedoms(body.freedoms())?;
+        let description = describe(self, solid, options, &body, places.block.greatest_spacing());
+        let warnings = doubts_of(options, places.lattice.lengths, &places.block);
+        let (identity, judge) = (Identity::default(), None);
+        let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
+        Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))
+    }
+
+    /// Puts a refusal of the solid where the scene causes it.
+    fn galerkin_refusal(&self, solid: &SolidScene, error: &GalerkinError) -> SceneError {
+        let of_body = |path: &str| self.body_scope().path(path);
+        let path = match error {
+            GalerkinError::Shape(_) => of_body("formulation.galerkin"),
+            GalerkinError::Cells(_) | GalerkinError::Coincident(..) | GalerkinError::NotFinite { .. } => {
+                of_body("geometry")
+            }
+            GalerkinError::Density(_) | GalerkinError::Axes(_) => of_body(material_path(solid)),
+            GalerkinError::Contradiction { .. } | GalerkinError::Direction(_) => "supports".into(),
+            GalerkinError::EmptySet(_) | GalerkinError::NoSuchNode { .. } => "sets".into(),
+        };
+        self.model_error(&path, &error.to_string())
+    }
+}
+
+/// Key of the material of a solid.
+fn material_path(solid: &SolidScene) -> &'static str {
+    match solid.material {
+        SolidMaterial::Elastic(_) => "material.elastic",
+        SolidMaterial::Orthotropic(_) => "material.orthotropic",
+    }
+}

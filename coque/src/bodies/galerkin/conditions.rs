@@ -1,0 +1,122 @@
+//! Supports, loads and columns of a Galerkin solid.
+
+use sph_core::Vec3;
+use sr_galerkin::{Condition, Load};
+
+use super::places::Places;
+use crate::bodies::PrescribedPoint;
+use crate::bodies::rigid::Hold;
+use crate::bodies::solid::sets::NodeSets;
+use crate::scene::error::SceneError;
+use crate::scene::{LoadKind, Scene, SupportKind};
+
+/// A held direction with more than this along a motion opposes it.
+const OPPOSED: f64 = 1e-9;
+
+/// The supports, but that of the motion that is sought.
+pub(super) fn conditions(
+    scene: &Scene,
+    sets: &NodeSets<'_>,
+    sought: Option<usize>,
+) -> Result<Vec<Condition>, SceneError> {
+    let mut out = Vec::new();
+    for (i, support) in scene.supports.iter().enumerate().filter(|(i, _)| sought != Some(*i)) {
+        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+        let held = |direction: Vec3| Condition::held(nodes.to_vec(), direction);
+        for (_, kind) in support.kinds() {
+            match kind {
+                SupportKind::Clamped => out.extend(Condition::fixed(nodes)),
+                SupportKind::Symmetry(mirror) => out.push(held(Vec3::from(mirror.normal))),
+                SupportKind::Held(given) => {
+                    out.extend(given.displacement.iter().map(|&v| held(Vec3::from(v))));
+                }
+                SupportKind::Moved(moved) => {
+                    out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
+                }
+                // The checks refuse these on a solid.
+                SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => {}
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// What conditions hold of rigid motions.
+pub(super) fn holds(conditions: &[Condition]) -> Vec<Hold> {
+    let of = |condition: &Condition| {
+        let direction = condition.direction.normalize();
+        condition.nodes.iter().map(move |&node| Hold::Displacement(node, direction)).collect::<Vec<_>>()
+    };
+    conditions.iter().flat_map(of).collect()
+}
+
+/// The one motion that drives an analysis which seeks its force, with the number of its support.
+///
+/// # Errors
+/// [`SceneError::Model`] where another support opposes it.
+pub(super) fn driven(
+    scene: &Scene,
+    sets: &NodeSets<'_>,
+) -> Result<Option<(usize, PrescribedPoint)>, SceneError> {
+    let Some(number) = scene.sole_motion() else { return Ok(None) };
+    let nodes = sets.at(&format!("supports[{number}].on"), &scene.supports[number].on)?;
+    let (&[node], Some(moved)) = (nodes, scene.supports[number].moved) else { return Ok(None) };
+    let (direction, by) = (Vec3::from(moved.direction).normalize() * moved.by.signum(), moved.by.abs());
+    for condition in conditions(scene, sets, Some(number))? {
+        let along = direction.dot(&condition.direction.normalize());
+        if condition.nodes.contains(&node) && along.abs() > OPPOSED {
+            let path = format!("supports[{number}].moved");
+            let message = format!(
+                "node {node} is moved by {by} along a direction that another support holds; move another node, \
+                                   or hold it less"
+            );
+            return Err(scene.model_error(&path, &message));
+        }
+    }
+    Ok(Some((number, PrescribedPoint { particle: node, direction, by })))
+}
+
+/// The loads at level one.
+pub(super) fn loads(
+    scene: &Scene,
+    density: f64,
+    places: &Places,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<Load>, SceneError> {
+    let mut out = Vec::new();
+    for (i, load) in scene.loads.iter().enumerate() {
+        let path = format!("loads[{i}].on");
+        for (_, kind) in load.kinds() {
+            match kind {
+                LoadKind::Force(force) => {
+                    out.extend(shared(places, sets.at(&path, &load.on)?, Vec3::from(force.total)))
+                }
+                LoadKind::Gravity(gravity) => {
+                    out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
+                }
+                LoadKind::Traction(traction) => out.push(Load::Traction {
+                    faces: places.faces(sets, &path, &load.on)?,
+                    traction: Vec3::from(traction.value),
+                }),
+                LoadKind::Pressure(pressure) => out.push(Load::Pressure {
+                    faces: places.faces(sets, &path, &load.on)?,
+                    pressure: pressure.value,
+                }),
+                // The checks refuse it on a solid.
+                LoadKind::Couple(_) => {}
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// A force shared by volume, at the places of nodes.
+fn shared(places: &Places, nodes: &[u32], total: Vec3) -> Vec<Load> {
+    let volume = |node: u32| places.block.volumes[node as usize];
+    let whole: f64 = nodes.iter().map(|&node| volume(node)).sum();
+    let at = |&node: &u32| Load::Point {
+        place: places.block.positions[node as usize],
+        force: total * (volume(node) / whole),
+    };
+    nodes.iter().map(at).collect()
+}

@@ -1,0 +1,75 @@
+//! What a Galerkin solid models and what it leaves out, for summaries.
+
+use std::collections::BTreeMap;
+
+use super::body::GalerkinSolid;
+use crate::bodies::{Description, TangentCost};
+use crate::scene::{Galerkin, GalerkinLaw, Scene, SolidMaterial, SolidScene};
+
+/// Bytes of a number.
+const NUMBER: f64 = 8.0;
+/// Numbers that a quadrature point keeps: history, trial, place.
+const POINT: f64 = 90.0;
+
+/// What the Galerkin solid of a scene is; `spacing` is the greatest between its nodes \[L\].
+pub(super) fn describe(
+    scene: &Scene,
+    solid: &SolidScene,
+    options: &Galerkin,
+    body: &GalerkinSolid,
+    spacing: f64,
+) -> Description {
+    let galerkin = body.galerkin();
+    let (modelled, left_out) = lists(scene, solid, options, galerkin.dependent_conditions());
+    Description {
+        kind: "solid",
+        method: options.describe(),
+        particles: galerkin.nodes(),
+        points: galerkin.points(),
+        dof: body.freedoms(),
+        spacing,
+        bytes_per_particle: NUMBER * POINT * galerkin.points() as f64 / galerkin.nodes() as f64,
+        bodies: BTreeMap::new(),
+        modelled,
+        left_out,
+        tangent: TangentCost::Dear,
+    }
+}
+
+/// Lines of what is modelled, and of what is not.
+fn lists(
+    scene: &Scene,
+    solid: &SolidScene,
+    options: &Galerkin,
+    dependent: usize,
+) -> (Vec<String>, Vec<String>) {
+    let mut modelled = vec![
+        format!("finite rotations, {}", options.describe()),
+        match &solid.material {
+            SolidMaterial::Elastic(_) => "isotropic elasticity".into(),
+            SolidMaterial::Orthotropic(_) => "orthotropic elasticity, its axes turning with the point".into(),
+        },
+    ];
+    let mut left_out: Vec<String> = vec!["plasticity".into(), "fracture".into(), "contact".into()];
+    if options.law != GalerkinLaw::StVenant {
+        left_out.push("an elastic energy: the law of increments is meant for strains below 0.2".into());
+    }
+    for support in &scene.supports {
+        modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
+    }
+    if dependent > 0 {
+        modelled.push(format!("{dependent} conditions of supports follow from others and were left out"));
+    }
+    for load in &scene.loads {
+        modelled.extend(load.kinds().iter().map(|(word, _)| format!("{word} on {}", load.on)));
+    }
+    if scene.loads.iter().any(|load| load.pressure.is_some()) {
+        left_out.push(
+            "the skew part of the stiffness of a pressure that follows: large ones converge slowly".into(),
+        );
+    }
+    if scene.loads.is_empty() {
+        left_out.push("loads".into());
+    }
+    (modelled, left_out)
+}

@@ -1,0 +1,11 @@
+//! Galerkin solids: from the scene's words to `sr-galerkin`.
+
+mod body;
+mod build;
+mod conditions;
+mod describe;
+mod doubts;
+mod fields;
+mod parts;
+mod places;
+mod recovery;

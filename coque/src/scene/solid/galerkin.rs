@@ -1,0 +1,198 @@
+//! How a solid is carried without bonds: an element-free Galerkin method on strain and rotation.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::per_axis::PerAxis;
+
+/// Options of the element-free Galerkin method.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Galerkin {
+    /// Polynomials that the shape functions reproduce.
+    #[serde(default)]
+    pub basis: GalerkinBasis,
+    /// Axis across a thin part, of `plate17`; left out, `z`.
+    pub across: Option<Across>,
+    /// Where a node has weight; left out, an ellipsoid of 2.5 spacings, of `plate17` a box of 3.5 along the plate and 2.5 across.
+    pub support: Option<GalerkinSupport>,
+    /// Weight of a node by its distance: `csrbf2`, or a kernel of shells.
+    #[serde(default = "csrbf2")]
+    pub kernel: String,
+    /// How stress follows deformation.
+    #[serde(default)]
+    pub law: GalerkinLaw,
+    /// Where in a step strain and rotation of an increment are taken; left out, `midpoint`.
+    pub update: Option<GalerkinUpdate>,
+    /// Derivative that Newton's method iterates with.
+    #[serde(default)]
+    pub tangent: GalerkinTangent,
+    /// Gauss points along an edge of a cell, 1 to 4.
+    #[serde(default = "three")]
+    pub gauss: usize,
+    /// How supports are imposed.
+    #[serde(default)]
+    pub essential: GalerkinEssential,
+}
+
+/// Polynomials that shape functions reproduce.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GalerkinBasis {
+    /// `1, x, y, z`: locks in bending of thin parts.
+    Linear,
+    /// All ten up to degree two, for solids.
+    #[default]
+    Quadratic,
+    /// The quadratic basis and seven cubic terms, for thin plates.
+    Plate17,
+}
+
+/// An axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Across {
+    /// The first axis.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    #[default]
+    Z,
+}
+
+/// Where a node has weight, in spacings.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum GalerkinSupport {
+    /// A ball; its radius over the greatest spacing \[–\].
+    Sphere(f64),
+    /// An ellipsoid; its radii over the spacings along the axes \[–\].
+    Ellipsoid(PerAxis),
+    /// A box with a product of weights; half its edges over the spacings along the axes \[–\].
+    Tensor(PerAxis),
+}
+
+/// How stress follows deformation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GalerkinLaw {
+    /// Increments of strain and rotation lead Kirchhoff's stress.
+    #[default]
+    StrainRotation,
+    /// The same with the change of volume counted, as the source has it to the letter.
+    Literal,
+    /// St Venant's: Green's strain from rest, without history.
+    StVenant,
+}
+
+/// Where in a step strain and rotation of an increment are taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GalerkinUpdate {
+    /// In its middle: second order in the step.
+    #[default]
+    Midpoint,
+    /// At its start, the decomposition to the letter: first order.
+    StepStart,
+}
+
+/// Derivative that Newton's method iterates with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GalerkinTangent {
+    /// That of the rate equation, symmetric; a step that it does not find is made again with the other.
+    #[default]
+    Continuum,
+    /// That of the update over the step.
+    Consistent,
+}
+
+/// How supports are imposed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GalerkinEssential {
+    /// Displacements of nodes have the prescribed values.
+    #[default]
+    Collocation,
+    /// Nodal parameters have them, as in the source: displacements leak.
+    Direct,
+}
+
+/// Radii that bases ask for, over the spacings.
+const ELLIPSOID: f64 = 2.5;
+const ALONG_PLATE: f64 = 3.5;
+const ACROSS_PLATE: f64 = 2.5;
+/// Volume of a ball over that of the cube round it.
+const BALL: f64 = std::f64::consts::FRAC_PI_6;
+
+impl Galerkin {
+    /// Number of the axis across a thin part.
+    pub fn across(&self) -> usize {
+        self.across.unwrap_or_default() as usize
+    }
+
+    /// Where a node has weight, the default of its basis where nothing is said.
+    pub fn support(&self) -> GalerkinSupport {
+        match (&self.support, self.basis) {
+            (Some(given), _) => given.clone(),
+            (None, GalerkinBasis::Plate17) => {
+                let mut radii = vec![ALONG_PLATE; 3];
+                radii[self.across()] = ACROSS_PLATE;
+                GalerkinSupport::Tensor(PerAxis::Each(radii))
+            }
+            (None, _) => GalerkinSupport::Ellipsoid(PerAxis::Same(ELLIPSOID)),
+        }
+    }
+
+    /// About the number of nodes that a point sees.
+    pub fn neighbours(&self) -> f64 {
+        let (share, radii) = match self.support() {
+            GalerkinSupport::Sphere(radius) => (BALL, PerAxis::Same(radius)),
+            GalerkinSupport::Ellipsoid(radii) => (BALL, radii),
+            GalerkinSupport::Tensor(radii) => (1.0, radii),
+        };
+        share * (0..3).map(|axis| 2.0 * radii.along(axis)).product::<f64>()
+    }
+
+    /// One line that names the method with its options.
+    pub fn describe(&self) -> String {
+        let basis = match self.basis {
+            GalerkinBasis::Linear => "linear",
+            GalerkinBasis::Quadratic => "quadratic",
+            GalerkinBasis::Plate17 => "plate17",
+        };
+        let radii = |radii: &PerAxis| match radii {
+            PerAxis::Same(radius) => format!("{radius}"),
+            PerAxis::Each(list) => format!("{list:?}"),
+        };
+        let support = match self.support() {
+            GalerkinSupport::Sphere(radius) => format!("sphere {radius}"),
+            GalerkinSupport::Ellipsoid(given) => format!("ellipsoid {}", radii(&given)),
+            GalerkinSupport::Tensor(given) => format!("tensor {}", radii(&given)),
+        };
+        let update = match self.update.unwrap_or_default() {
+            GalerkinUpdate::Midpoint => "midpoint",
+            GalerkinUpdate::StepStart => "step-start",
+        };
+        let law = match self.law {
+            GalerkinLaw::StrainRotation => format!("strain and rotation, {update}"),
+            GalerkinLaw::Literal => format!("strain and rotation to the letter, {update}"),
+            GalerkinLaw::StVenant => "St Venant".into(),
+        };
+        let essential = match self.essential {
+            GalerkinEssential::Collocation => "collocation",
+            GalerkinEssential::Direct => "direct supports",
+        };
+        let (kernel, gauss) = (&self.kernel, self.gauss);
+        format!("galerkin, {basis}, {support}, {kernel}, {law}, {essential}, {gauss} Gauss points")
+    }
+}
+
+fn csrbf2() -> String {
+    "csrbf2".into()
+}
+
+fn three() -> usize {
+    3
+}

@@ -1,0 +1,50 @@
+//! What a solid is made of.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::shell::material::Elastic;
+
+/// Materials of solids.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum SolidMaterial {
+    /// Isotropic linear elasticity.
+    Elastic(Elastic),
+    /// Linear elasticity with three planes of symmetry, of a Galerkin solid.
+    Orthotropic(OrthotropicSolid),
+}
+
+/// An orthotropic material in space.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OrthotropicSolid {
+    /// Young's moduli along the three material axes \[F/L²\].
+    pub young: [f64; 3],
+    /// Poisson's ratios ν₁₂, ν₂₃, ν₁₃: contraction along the second axis under stress along the first \[–\].
+    pub poisson: [f64; 3],
+    /// Shear moduli G₁₂, G₂₃, G₁₃ \[F/L²\].
+    pub shear: [f64; 3],
+    /// Density \[F T²/L⁴\].
+    pub density: f64,
+    /// First and second material axis, perpendicular; their length does not matter. Left out, x and y.
+    pub axes: Option<[[f64; 3]; 2]>,
+}
+
+impl SolidMaterial {
+    /// Its constants, if it has no preferred direction.
+    pub fn elastic(&self) -> Option<&Elastic> {
+        match self {
+            Self::Elastic(elastic) => Some(elastic),
+            Self::Orthotropic(_) => None,
+        }
+    }
+
+    /// Density \[F T²/L⁴\].
+    pub fn density(&self) -> f64 {
+        match self {
+            Self::Elastic(elastic) => elastic.density,
+            Self::Orthotropic(orthotropic) => orthotropic.density,
+        }
+    }
+}
