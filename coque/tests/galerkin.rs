@@ -56,7 +56,8 @@ fn supports_bear_the_loads() {
 /// The force that a motion of one node takes is the reaction of the node, and the level.
 #[test]
 fn the_force_that_is_sought_is_the_reaction() {
-    let supports = "[{ on = 'x0', clamped = {} }, { on = 'tip', moved = { direction = [0, 0, -1], by = 0.3 } }]";
+    let supports =
+        "[{ on = 'x0', clamped = {} }, { on = 'tip', moved = { direction = [0, 0, -1], by = 0.3 } }]";
     let columns = "[{ name = 'P', of = 'reaction', on = 'tip', direction = [0, 0, -1] }, \
                    { name = 'R', of = 'reaction', on = 'x0', direction = [0, 0, 1] }, \
                    { name = 'w', of = 'displacement', on = 'tip', direction = [0, 0, -1] }]";
@@ -96,18 +97,25 @@ fn fields_show_stress_strain_and_angle() {
     let planes = "[{ on = 'x0', symmetry = { normal = [1, 0, 0] } }, { on = 'y0', symmetry = { normal = [0, 1, 0] } }, \
                   { on = 'z0', symmetry = { normal = [0, 0, 1] } }]";
     for analysis in ["{ linear = {} }", "{ static = { levels = 1 } }"] {
-        let set = [("supports", planes), ("analysis", analysis), ("output.fields", "{ points = true, stresses = true }")];
+        let set = [
+            ("supports", planes),
+            ("analysis", analysis),
+            ("output.fields", "{ points = true, stresses = true }"),
+        ];
         let mut kept = Kept::default();
-        let run = RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
+        let run =
+            RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
         scene(BAR, &set).build(1).unwrap().run_with(run).unwrap();
         let [nodes, points] = kept.0.last().unwrap();
         assert_eq!((nodes.cells.len(), nodes.points.len(), nodes.cells[0].len()), (16, 45, 8));
         assert_eq!((points.cells.len(), points.points.len()), (16 * 27, 16 * 27));
         let stress = &nodes.point_data["stress"];
         let off = |row: &[f64]| f64::max((row[0] - 1e-3).abs(), row[1].abs()) / 1e-3;
-        let (worst, mean) = stress.numbers.chunks_exact(6).map(off).fold((0.0, 0.0), |(worst, sum): (f64, f64), off| {
-            (worst.max(off), sum + off / 45.0)
-        });
+        let (worst, mean) = stress
+            .numbers
+            .chunks_exact(6)
+            .map(off)
+            .fold((0.0, 0.0), |(worst, sum): (f64, f64), off| (worst.max(off), sum + off / 45.0));
         // what the quadrature leaves, on so few cells drawn out to corners
         assert!(worst < 0.2 && mean < 0.1, "{worst} {mean}");
         assert!(nodes.point_data.contains_key("reaction") && nodes.point_data.contains_key("von_mises"));
@@ -133,7 +141,10 @@ fn an_arc_lies_where_its_angles_say() {
 #[test]
 fn states_are_taken_up_with_their_history() {
     let build = || {
-        let model = scene(BAR, &[("analysis.static.levels", "[1.0, 2.0]"), ("loads.0.traction.value", "[0, 0, 1e-3]")]);
+        let model = scene(
+            BAR,
+            &[("analysis.static.levels", "[1.0, 2.0]"), ("loads.0.traction.value", "[0, 0, 1e-3]")],
+        );
         model.build(1).unwrap()
     };
     let outcome = build().run(&mut Silent);
@@ -145,7 +156,11 @@ fn states_are_taken_up_with_their_history() {
         .state()
         .iter()
         .map(|array| {
-            let numbers = array.numbers.iter().enumerate().map(|(i, x)| if (60..70).contains(&i) { x + 1e-3 } else { *x });
+            let numbers = array
+                .numbers
+                .iter()
+                .enumerate()
+                .map(|(i, x)| if (60..70).contains(&i) { x + 1e-3 } else { *x });
             StateArray { name: array.name.to_string().into(), numbers: numbers.collect::<Vec<_>>().into() }
         })
         .collect();
@@ -166,10 +181,20 @@ fn doubts_are_told() {
     let formulation = "bodies.bar.solid.formulation.galerkin";
     assert_eq!(doubts(&[]), []);
     assert_eq!(doubts(&[(&format!("{formulation}.essential"), "'direct'")]), [Doubt::LeakySupport]);
-    let thin = ("bodies.bar.solid.geometry.block", "{ lengths = [2.0, 1.0, 0.02], spacing = [0.5, 0.5, 0.01] }");
+    let thin =
+        ("bodies.bar.solid.geometry.block", "{ lengths = [2.0, 1.0, 0.02], spacing = [0.5, 0.5, 0.01] }");
     assert_eq!(doubts(&[thin]), [Doubt::ShearLocking]);
     let plate = (&*format!("{formulation}"), "{ basis = 'plate17' }");
-    assert_eq!(doubts(&[plate, ("bodies.bar.solid.geometry.block", "{ lengths = [2.0, 1.0, 0.02], spacing = [0.25, 0.25, 0.01] }")]), []);
+    assert_eq!(
+        doubts(&[
+            plate,
+            (
+                "bodies.bar.solid.geometry.block",
+                "{ lengths = [2.0, 1.0, 0.02], spacing = [0.25, 0.25, 0.01] }"
+            )
+        ]),
+        []
+    );
     let pulled = [("loads.0.traction.value", "[0.3, 0, 0]"), ("analysis.static.levels", "4")];
     assert_eq!(doubts(&pulled), [Doubt::LargeStrain]);
 }

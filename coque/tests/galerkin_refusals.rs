@@ -24,7 +24,11 @@ fn broken_shape_functions() {
             ("unknown kernel", "support.ellipsoid = 2.5", "kernel = \"gauss\""),
             ("no Gauss point", "support.ellipsoid = 2.5", "gauss = 0"),
             ("unknown update", "support.ellipsoid = 2.5", "update = \"end\""),
-            ("update without history", "support.ellipsoid = 2.5", "law = \"st-venant\", update = \"midpoint\""),
+            (
+                "update without history",
+                "support.ellipsoid = 2.5",
+                "law = \"st-venant\", update = \"midpoint\""
+            ),
             ("unknown law", "support.ellipsoid = 2.5", "law = \"hooke\""),
             ("unknown tangent", "support.ellipsoid = 2.5", "tangent = \"secant\""),
             ("unknown essential", "support.ellipsoid = 2.5", "essential = \"penalty\""),
@@ -48,9 +52,17 @@ fn broken_solids() {
             ("no density", "density = 1.0", "density = 0.0"),
             ("fracture", "material", "fracture.energy = 1.0\nmaterial"),
             ("a crack", "material", "cracks = [{ corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0]] }]\nmaterial"),
-            ("a hole", "material", "geometry.cut_outs = [{ ball = { centre = [1, 0.5, 0.5], radius = 0.1 } }]\nmaterial"),
+            (
+                "a hole",
+                "material",
+                "geometry.cut_outs = [{ ball = { centre = [1, 0.5, 0.5], radius = 0.1 } }]\nmaterial"
+            ),
             ("contact", "material", "contact = {}\nmaterial"),
-            ("in time", "analysis.static = { levels = 1 }", "analysis.explicit.quasi-static = { levels = 1, period = 1 }"),
+            (
+                "in time",
+                "analysis.static = { levels = 1 }",
+                "analysis.explicit.quasi-static = { levels = 1, period = 1 }"
+            ),
             ("damage", "of = \"displacement\"", "of = \"damage\""),
             ("velocity", "of = \"displacement\"", "of = \"velocity\""),
             ("a thickness in the files", "[bodies", "[output]\nfields = { extruded = true }\n[bodies"),
@@ -77,7 +89,11 @@ fn broken_conditions_of_solids() {
             ("traction inside", "on = \"x1\", traction", "on = \"all\", traction"),
             ("depth", "value = [0.001, 0.0, 0.0]", "value = [0.001, 0.0, 0.0], depth = 0.1"),
             ("dead pressure", "traction = { value = [0.001, 0.0, 0.0] }", "pressure = { value = 1 }"),
-            ("couple", "traction = { value = [0.001, 0.0, 0.0] }", "couple = { moment = 1, axis = \"edge\" }"),
+            (
+                "couple",
+                "traction = { value = [0.001, 0.0, 0.0] }",
+                "couple = { moment = 1, axis = \"edge\" }"
+            ),
             (
                 "pressure on everything",
                 "on = \"x1\", traction = { value = [0.001, 0.0, 0.0] }",
@@ -103,8 +119,16 @@ fn broken_arcs() {
             ("angles out of order", "angles = [0.0, 60.0]", "angles = [60.0, 0.0]"),
             ("no inner face", "thickness = 1.0", "thickness = 4.0"),
             ("no cell", "cells = [4, 2, 2]", "cells = [4, 0, 2]"),
-            ("an arc of bonds", "formulation.galerkin = { support.tensor = [2.5, 2.5, 2.5] }", "formulation.state-based = {}"),
-            ("no shape", "geometry.arc = { radius = 2.0, angles = [0.0, 60.0], length = 1.0, thickness = 1.0, cells = [4, 2, 2] }", "geometry = {}"),
+            (
+                "an arc of bonds",
+                "formulation.galerkin = { support.tensor = [2.5, 2.5, 2.5] }",
+                "formulation.state-based = {}"
+            ),
+            (
+                "no shape",
+                "geometry.arc = { radius = 2.0, angles = [0.0, 60.0], length = 1.0, thickness = 1.0, cells = [4, 2, 2] }",
+                "geometry = {}"
+            ),
             (
                 "two shapes",
                 "formulation",
@@ -112,8 +136,16 @@ fn broken_arcs() {
             ),
             ("negative modulus", "young = [2.0, 1.0, 1.0]", "young = [2.0, -1.0, 1.0]"),
             ("indefinite", "poisson = [0.3, 0.3, 0.3]", "poisson = [1.5, 0.3, 0.3]"),
-            ("axes in line", "axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]", "axes = [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]"),
-            ("an axis without direction", "axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]", "axes = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]]"),
+            (
+                "axes in line",
+                "axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]",
+                "axes = [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]"
+            ),
+            (
+                "an axis without direction",
+                "axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]",
+                "axes = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]]"
+            ),
         ],
     ));
 }

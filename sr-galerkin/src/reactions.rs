@@ -33,8 +33,13 @@ impl Supports {
         essential: Essential,
         sought: Option<(u32, Vec3)>,
     ) -> Self {
-        let mut out =
-            Self { nodes: Vec::new(), directions: Vec::new(), rows: Vec::new(), order: Vec::new(), factor: Vec::new() };
+        let mut out = Self {
+            nodes: Vec::new(),
+            directions: Vec::new(),
+            rows: Vec::new(),
+            order: Vec::new(),
+            factor: Vec::new(),
+        };
         for condition in conditions {
             let n = condition.direction.normalize();
             condition.nodes.iter().for_each(|&node| out.add(body, essential, node, n));

@@ -78,7 +78,8 @@ impl FieldFiles {
         let body = |name: &&str| {
             let [surface, extruded, points] = series(folder, name);
             let further = further(wanted, extruded, points);
-            let further = further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?))).transpose()?;
+            let further =
+                further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?))).transpose()?;
             Ok((surface.up_to(frames as usize)?, further))
         };
         let bodies = names.iter().map(body).collect::<Result<_, FieldError>>()?;

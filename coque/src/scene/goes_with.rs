@@ -43,13 +43,13 @@ const ROWS: [(&str, &str, &str); 22] = [
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
     ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),
-    (
-        "`moved`, of a Galerkin solid",
-        "supports",
-        "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }",
-    ),
+    ("`moved`, of a Galerkin solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a Galerkin solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
-    ("`pressure`, follower, of a Galerkin solid", "loads", "on = 'x1', pressure = { value = 1, follower = true }"),
+    (
+        "`pressure`, follower, of a Galerkin solid",
+        "loads",
+        "on = 'x1', pressure = { value = 1, follower = true }",
+    ),
 ];
 
 /// The shell and the solids of the small scenes, with the edges that are held and loaded.

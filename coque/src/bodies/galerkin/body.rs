@@ -116,7 +116,8 @@ impl Balanced for GalerkinSolid {
     /// The least extent of the body: the thickness of a plate.
     fn linear_reach(&self) -> f64 {
         let rest = self.galerkin.rest();
-        let ends = |axis: usize, pick: fn(f64, f64) -> f64| rest.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
+        let ends =
+            |axis: usize, pick: fn(f64, f64) -> f64| rest.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
         (0..3).map(|axis| ends(axis, f64::max) - ends(axis, f64::min)).fold(f64::INFINITY, f64::min)
     }
 

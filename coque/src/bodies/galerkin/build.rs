@@ -23,7 +23,8 @@ impl Scene {
         options: &scene::Galerkin,
         threads: usize,
     ) -> Result<Model, SceneError> {
-        let nodes: f64 = solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
+        let nodes: f64 =
+            solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
         let memory = self.room(nodes)?;
         let places = Places::new(self, solid)?;
         let sets = NodeSets::find(self, &places.lattice, &places.block, &places.straight)?;
@@ -41,7 +42,8 @@ impl Scene {
             force: point.direction,
         }));
         // Nobody pays for reactions that nobody reads.
-        let read = self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
+        let read =
+            self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
         let (given, essential) = (conditions.clone(), essential(options));
         let parts = Parts {
             nodes: places.block.positions.clone(),

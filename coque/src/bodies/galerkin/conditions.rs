@@ -30,7 +30,9 @@ pub(super) fn conditions(
                 SupportKind::Held(given) => {
                     out.extend(given.displacement.iter().map(|&v| held(Vec3::from(v))));
                 }
-                SupportKind::Moved(moved) => out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) }),
+                SupportKind::Moved(moved) => {
+                    out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
+                }
                 // The checks refuse these on a solid.
                 SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => {}
             }
@@ -64,8 +66,10 @@ pub(super) fn driven(
         let along = direction.dot(&condition.direction.normalize());
         if condition.nodes.contains(&node) && along.abs() > OPPOSED {
             let path = format!("supports[{number}].moved");
-            let message = format!("node {node} is moved by {by} along a direction that another support holds; move another node, \
-                                   or hold it less");
+            let message = format!(
+                "node {node} is moved by {by} along a direction that another support holds; move another node, \
+                                   or hold it less"
+            );
             return Err(scene.model_error(&path, &message));
         }
     }
@@ -84,8 +88,12 @@ pub(super) fn loads(
         let path = format!("loads[{i}].on");
         for (_, kind) in load.kinds() {
             match kind {
-                LoadKind::Force(force) => out.extend(shared(places, sets.at(&path, &load.on)?, Vec3::from(force.total))),
-                LoadKind::Gravity(gravity) => out.push(Load::Body(Vec3::from(gravity.acceleration) * density)),
+                LoadKind::Force(force) => {
+                    out.extend(shared(places, sets.at(&path, &load.on)?, Vec3::from(force.total)))
+                }
+                LoadKind::Gravity(gravity) => {
+                    out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
+                }
                 LoadKind::Traction(traction) => out.push(Load::Traction {
                     faces: places.faces(sets, &path, &load.on)?,
                     traction: Vec3::from(traction.value),

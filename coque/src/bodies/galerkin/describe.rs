@@ -37,7 +37,12 @@ pub(super) fn describe(
 }
 
 /// Lines of what is modelled, and of what is not.
-fn lists(scene: &Scene, solid: &SolidScene, options: &Galerkin, dependent: usize) -> (Vec<String>, Vec<String>) {
+fn lists(
+    scene: &Scene,
+    solid: &SolidScene,
+    options: &Galerkin,
+    dependent: usize,
+) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
         format!("finite rotations, {}", options.describe()),
         match &solid.material {
@@ -59,7 +64,9 @@ fn lists(scene: &Scene, solid: &SolidScene, options: &Galerkin, dependent: usize
         modelled.extend(load.kinds().iter().map(|(word, _)| format!("{word} on {}", load.on)));
     }
     if scene.loads.iter().any(|load| load.pressure.is_some()) {
-        left_out.push("the skew part of the stiffness of a pressure that follows: large ones converge slowly".into());
+        left_out.push(
+            "the skew part of the stiffness of a pressure that follows: large ones converge slowly".into(),
+        );
     }
     if scene.loads.is_empty() {
         left_out.push("loads".into());

@@ -31,7 +31,9 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &Shown<'a>) -> Box<dyn
     let known = || Some(solid.reactions()?.to_vec());
     let reactions = match shown.state {
         State::Moving | State::Balance => known(),
-        State::Linear => linear.map(|row| row[..3 * nodes].as_chunks::<3>().0.iter().map(|&f| Vec3::from(f)).collect()),
+        State::Linear => {
+            linear.map(|row| row[..3 * nodes].as_chunks::<3>().0.iter().map(|&f| Vec3::from(f)).collect())
+        }
         State::Mode => None,
     };
     Box::new(Content { solid, shown: *shown, recovered, reactions })
@@ -111,7 +113,9 @@ impl Content<'_> {
     /// Co-rotated stress, strain, angle; the shear energy of the stress as one number.
     fn stresses(&self, to: &mut dyn FieldWriter, values: &[[f64; RECOVERED]]) -> io::Result<()> {
         let count = values.len();
-        let six = |from: usize| rows(count, move |a| std::array::from_fn::<f32, 6, _>(|i| values[a][from + i] as f32));
+        let six = |from: usize| {
+            rows(count, move |a| std::array::from_fn::<f32, 6, _>(|i| values[a][from + i] as f32))
+        };
         self.put(to, "stress", Quantity::Stress, STRESS, Values::Single(&six(0)))?;
         self.put(to, "strain", Quantity::Ratio, STRAIN, Values::Single(&six(6)))?;
         let angle = rows(count, |a| [values[a][12] as f32]);

@@ -16,16 +16,20 @@ use crate::scene::{
 pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Material, ElasticError> {
     let moduli = match &solid.material {
         SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young, elastic.poisson)?,
-        SolidMaterial::Orthotropic(given) => {
-            Moduli::orthotropic(&Orthotropic { young: given.young, poisson: given.poisson, shear: given.shear })?
-        }
+        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&Orthotropic {
+            young: given.young,
+            poisson: given.poisson,
+            shear: given.shear,
+        })?,
     };
     let update = match galerkin.update.unwrap_or_default() {
         GalerkinUpdate::Midpoint => Update::Midpoint,
         GalerkinUpdate::StepStart => Update::StepStart,
     };
     let formulation = match galerkin.law {
-        GalerkinLaw::StrainRotation => Formulation::StrainRotation { update, measure: StressMeasure::Kirchhoff },
+        GalerkinLaw::StrainRotation => {
+            Formulation::StrainRotation { update, measure: StressMeasure::Kirchhoff }
+        }
         GalerkinLaw::Literal => Formulation::StrainRotation { update, measure: StressMeasure::Literal },
         GalerkinLaw::StVenant => Formulation::StVenant,
     };
@@ -67,9 +71,7 @@ pub(super) fn support(solid: &SolidScene, galerkin: &Galerkin, places: &Places) 
             Support::sphere(radius * spacing.iter().copied().fold(0.0, f64::max))
         }
         GalerkinSupport::Ellipsoid(radii) => Support::ellipsoid(turned(scaled(&radii), f64::hypot)),
-        GalerkinSupport::Tensor(radii) => {
-            Support::tensor(turned(scaled(&radii), |a, b| a.abs() + b.abs()))
-        }
+        GalerkinSupport::Tensor(radii) => Support::tensor(turned(scaled(&radii), |a, b| a.abs() + b.abs())),
     }
 }
 

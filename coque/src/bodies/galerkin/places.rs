@@ -28,7 +28,8 @@ impl Places {
         let refusal = |error: &dyn std::fmt::Display| scene.body_error("geometry", &error.to_string());
         let lattice = solid.lattice();
         let mut block = lattice.block().map_err(|error| refusal(&error))?;
-        let even = BlockLattice { disorder: 0.0, ..lattice.clone() }.block().map_err(|error| refusal(&error))?;
+        let even =
+            BlockLattice { disorder: 0.0, ..lattice.clone() }.block().map_err(|error| refusal(&error))?;
         let [_, ny, nz] = lattice.cells().map_err(|error| refusal(&error))?.map(|cells| cells + 1);
         let plane = |axis: usize, stride: usize, count: usize| {
             (0..count).map(|i| even.positions[i * stride][axis]).collect::<Vec<f64>>()

@@ -52,7 +52,8 @@ const LAW: (&str, &str) = ("bodies.beam.solid.formulation.galerkin.law", "st-ven
 /// K = 1 as a force by volume.
 const VOLUME: (&str, &str) =
     ("loads", "[{ on = \"all\", gravity = { acceleration = [0.0, 0.0, -271456.69291338584] } }]");
-const PRESSURE: (&str, &str) = ("loads", "[{ on = \"z1\", pressure = { value = 0.006895, follower = true } }]");
+const PRESSURE: (&str, &str) =
+    ("loads", "[{ on = \"z1\", pressure = { value = 0.006895, follower = true } }]");
 /// A beam half as thick, and K = 1 on it.
 const THIN: [(&str, &str); 3] = [
     ("bodies.beam.solid.geometry.block", "{ lengths = [254.0, 12.7, 12.7], spacing = [12.7, 6.35, 6.35] }"),
@@ -117,11 +118,25 @@ fn judged(run: &Run, asked: &Asked) -> Result<Vec<Metric>, JudgeError> {
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut metrics = Vec::new();
     for (name, grid, other, most, reason) in [
-        ("St Venant's law", "top", (ST_VENANT, "top"), 0.7, "laws differ by the order of the strain, 18 % at K = 10"),
+        (
+            "St Venant's law",
+            "top",
+            (ST_VENANT, "top"),
+            0.7,
+            "laws differ by the order of the strain, 18 % at K = 10",
+        ),
         ("St Venant's law", "volume", (ST_VENANT, "volume"), 0.7, "laws differ by the order of the strain"),
-        ("half the step", "top", (INCREMENTS, "top, half steps"), 0.15, "second order: a tenth of this was measured"),
+        (
+            "half the step",
+            "top",
+            (INCREMENTS, "top, half steps"),
+            0.15,
+            "second order: a tenth of this was measured",
+        ),
     ] {
-        let (Some(at), Some(other)) = (runs.number(INCREMENTS, grid)?, runs.get(other.0, other.1)?) else { continue };
+        let (Some(at), Some(other)) = (runs.number(INCREMENTS, grid)?, runs.get(other.0, other.1)?) else {
+            continue;
+        };
         let curve: Vec<(f64, f64)> =
             LEVELS.iter().filter_map(|&k| Some((k, other.at("w", k).ok()??))).collect();
         let found = off(&runs.chosen[at], "w", &curve)?;
@@ -147,7 +162,8 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     ] {
         let Some(run) = runs.get(INCREMENTS, grid)? else { continue };
         let points: Vec<(f64, f64)> = run.column("level")?.into_iter().zip(run.column("w")?).collect();
-        let at = |k: f64| points.iter().find(|row| row.0 == k).map_or("-".into(), |row| format!("{:.4}", row.1));
+        let at =
+            |k: f64| points.iter().find(|row| row.0 == k).map_or("-".into(), |row| format!("{:.4}", row.1));
         rows.push([label.to_string()].into_iter().chain([1.0, 4.0, 8.0, 10.0].map(at)).collect());
         series.push(Series::marks(label, points, colour, mark));
     }

@@ -7,8 +7,8 @@ mod speed;
 
 use benchmarks_ref::reference;
 
-use crate::judge::{Case, Run};
 use crate::JudgeError;
+use crate::judge::{Case, Run};
 
 /// The law of increments, with the defaults.
 pub const INCREMENTS: &str = "galerkin";

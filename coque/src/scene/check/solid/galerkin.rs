@@ -38,7 +38,8 @@ impl SolidScene {
         }
         if galerkin.update.is_some() && galerkin.law == GalerkinLaw::StVenant {
             let repair = "remove it, or use law = \"strain-rotation\"";
-            let fault = s.fault(&at("update"), "an update", "none of St Venant's law, which has no steps", repair);
+            let fault =
+                s.fault(&at("update"), "an update", "none of St Venant's law, which has no steps", repair);
             return Err(SceneError::Choice(fault));
         }
         check_support(galerkin, s)?;
@@ -107,10 +108,17 @@ fn check_orthotropic(given: &OrthotropicSolid, s: &Scope<'_>) -> Checked {
         s.sized(&at(&format!("poisson[{i}]")), given.poisson[i])?;
     }
     let OrthotropicSolid { young, poisson, shear, .. } = *given;
-    if let Err(ElasticError::Indefinite { pivot }) = Moduli::orthotropic(&Orthotropic { young, poisson, shear }) {
+    if let Err(ElasticError::Indefinite { pivot }) =
+        Moduli::orthotropic(&Orthotropic { young, poisson, shear })
+    {
         let value = format!("{poisson:?}, with which a strain has no energy (least pivot {pivot:.3e})");
         let bound = "ratios with ν₁₂² < E₁/E₂ and so on: every strain costs energy";
-        return Err(s.value(&at("poisson"), value, bound, "use smaller ratios; ν₂₁ = ν₁₂ E₂/E₁ is the other one"));
+        return Err(s.value(
+            &at("poisson"),
+            value,
+            bound,
+            "use smaller ratios; ν₂₁ = ν₁₂ E₂/E₁ is the other one",
+        ));
     }
     let Some(axes) = given.axes else { return Ok(()) };
     for (i, &axis) in axes.iter().enumerate() {
@@ -122,5 +130,10 @@ fn check_orthotropic(given: &OrthotropicSolid, s: &Scope<'_>) -> Checked {
         return Ok(());
     }
     let value = format!("{:?}, {cosine:.3} along the first", axes[1]);
-    Err(s.value(&at("axes[1]"), value, "perpendicular to the first", "take out its part along the first axis"))
+    Err(s.value(
+        &at("axes[1]"),
+        value,
+        "perpendicular to the first",
+        "take out its part along the first axis",
+    ))
 }

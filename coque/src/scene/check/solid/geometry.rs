@@ -73,7 +73,8 @@ impl SolidScene {
             return Err(s.value(&at("thickness"), arc.thickness, bound, "use a thinner arc, or a block"));
         }
         for (i, &cells) in arc.cells.iter().enumerate() {
-            let repair = "two across and as many along as make them about as long as the arc is thick are a start";
+            let repair =
+                "two across and as many along as make them about as long as the arc is thick are a start";
             s.within(&at(&format!("cells[{i}]")), cells as f64, [1.0, 1000.0], repair)?;
         }
         Ok(())
