@@ -20,8 +20,8 @@ pub fn case() -> Case {
         name: "galerkin-solids",
         title: "Galerkin solids: slender, thin, in disorder, nearly incompressible, free",
         about: "A slender beam in large steps, at which the tangent of the rate equation fails and the other is taken; plates of a/h to \
-                1000; nodes moved by a quarter of their spacing, inside and on faces; Poisson's ratio .49, at which quadratic shape functions \
-                begin to lock; a body without supports, which has six rigid motions and no more.",
+                1000; nodes moved by a quarter of their spacing, inside and on faces; Poisson's ratio .49 and .499, at which \
+                shape functions lock (-11 and -18 %); a body without supports, which has six rigid motions and no more.",
         citation: "reference: Holden's elastica, Kirchhoff's plate, the same bodies in order",
         variants: variants(),
         headline: Some(Headline::new(ERROR, 0.01)),
@@ -59,7 +59,11 @@ fn variants() -> Vec<Variant> {
         );
     }
     for (poisson, basis, ratio) in
+<<<<<<< HEAD
         [(0.49, "quadratic", 0.97), (0.499, "quadratic", 0.95), (0.49, "linear", 0.9)]
+=======
+        [(0.49, "quadratic", 0.8945), (0.499, "quadratic", 0.8195), (0.49, "linear", 0.8482)]
+>>>>>>> galapp
     {
         variants.push(
             beam(&format!("ν = {poisson}, {basis}"))
@@ -70,8 +74,13 @@ fn variants() -> Vec<Variant> {
                     let found =
                         Metric::compared("deflection over that of a beam", over_beam(run)?, "-", ratio);
                     Ok(vec![found.near(
+<<<<<<< HEAD
                         1.0,
                         "what locks: volume is held at too many points; a figure to notice a change by",
+=======
+                        0.3,
+                        "it locks: 27 points a cell hold the volume; a figure to notice a change by",
+>>>>>>> galapp
                     )])
                 }),
         );
