@@ -84,15 +84,9 @@ impl FieldFiles {
         if frames == 0 {
             return Self::create_all(folder, bodies, wanted);
         }
-<<<<<<< HEAD
         let body = |body: &Written<'_>| {
             let [surface, extruded, points] = series(folder, body.name);
             let further = further(wanted, body, extruded, points);
-=======
-        let body = |name: &&str| {
-            let [surface, extruded, points] = series(folder, name);
-            let further = further(wanted, extruded, points);
->>>>>>> galapp
             let further =
                 further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?))).transpose()?;
             Ok((surface.up_to(frames as usize)?, further))

@@ -91,19 +91,12 @@ fn variants() -> Vec<Variant> {
     }));
     let levels: Vec<f64> = (1..=12).map(|level| f64::from(level) / 24.0).collect();
     variants.push(
-<<<<<<< HEAD
-        Variant::scene(INCREMENTS, PANEL_SOLID, PANEL).static_levels(&levels).judged(|run, _| limit_of(run)),
-    );
-    variants
-        .push(Variant::new(STATIC, scenes::PANEL, "cylinder", [21, 21]).static_levels(&levels).named(PANEL));
-=======
         Variant::scene(INCREMENTS, PANEL_SOLID, PANEL)
             .static_levels(&levels)
             .judged(|run, _| limit_of(run, 0.15)),
     );
     let shell = Variant::new(STATIC, scenes::PANEL, "cylinder", [21, 21]).static_levels(&levels).named(PANEL);
     variants.push(shell.judged(|run, _| limit_of(run, 0.69)));
->>>>>>> galapp
     variants
 }
 

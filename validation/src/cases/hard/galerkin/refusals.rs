@@ -104,17 +104,7 @@ fn said(set: &[(&str, &str)], words: &str) -> Outcome {
 
 /// Stretch, then shear, then back in the same order, in steps of a hundredth of the way.
 fn cycle(amplitude: f64) -> Result<Outcome, String> {
-<<<<<<< HEAD
-    let material = Material {
-        moduli: Moduli::isotropic(1.0, 0.3).map_err(|error| error.to_string())?,
-        formulation: Formulation::StrainRotation {
-            update: Update::Midpoint,
-            measure: StressMeasure::Kirchhoff,
-        },
-    };
-=======
     let material = material(Update::Midpoint)?;
->>>>>>> galapp
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
     let mut state = PointState::rest(Tensor::identity());
     for pair in corners.windows(2) {
