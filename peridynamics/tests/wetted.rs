@@ -32,7 +32,7 @@ fn sheet() -> Solid {
 }
 
 fn under(body: &mut Solid, forces: &[[f64; 3]], seen: &[[f64; 3]], impedance: f64) -> Vec<Vec3> {
-    body.apply_load(&BoundaryLoad { forces, seen, impedance });
+    body.apply_load(&BoundaryLoad { forces, found: forces, seen, impedance });
     body.evaluate(Instant { time: 0.0, level: 1.0 });
     (0..body.len()).map(|node| body.external_force(node)).collect()
 }

@@ -61,7 +61,7 @@ fn velocities(shell: &Shell) -> Vec<Vec3> {
 
 /// `[f, τ]` of all particles under such forces on the points, beside those of internal forces.
 fn on_particles(shell: &mut Shell, forces: &[[f64; 3]], seen: &[[f64; 3]], impedance: f64) -> Vec<[f64; 6]> {
-    shell.apply_load(&BoundaryLoad { forces, seen, impedance });
+    shell.apply_load(&BoundaryLoad { forces, found: forces, seen, impedance });
     shell.evaluate(Instant { time: 0.0, level: 1.0 });
     (0..shell.len()).map(|a| shell.external_force(a)).collect()
 }
