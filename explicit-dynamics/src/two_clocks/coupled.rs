@@ -34,7 +34,7 @@ pub(super) struct Coupled<S: ?Sized> {
     /// Impulses that its points had from loads, less those that the fluid had with opposite sign \[F T; F T/L in a
     /// plane problem\].
     pub ahead: Vec<[f64; 3]>,
-    /// Impulses with which its points resisted over the present step \[F T; F T/L in a plane problem\].
+    /// Impulses with which its points resisted, until the fluid has them \[F T; F T/L in a plane problem\].
     resisted: Vec<[f64; 3]>,
     /// Work done since the last kick was booked \[F L\].
     pub pending: Work,
@@ -127,7 +127,8 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     pub fn load(&mut self, forces: &[[f64; 3]], impedance: f64, centred: bool) {
         let OwnClock { last, count, .. } = self.clock;
         let whole = last * count as f64;
-        let (lead, rate) = if centred && whole > 0.0 { (0.5 * (whole - last), 1.0 / whole) } else { (0.0, 0.0) };
+        let (lead, rate) =
+            if centred && whole > 0.0 { (0.5 * (whole - last), 1.0 / whole) } else { (0.0, 0.0) };
         for ((load, force), ahead) in self.load.iter_mut().zip(forces).zip(&self.ahead) {
             *load = std::array::from_fn(|k| force[k] + rate * (lead * force[k] - ahead[k]));
         }
@@ -142,14 +143,16 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         push(&mut self.ahead, forces, -span);
     }
 
-    /// Impulses with which its points resisted over the step, which the fluid has to take back.
-    pub fn resisted(&self) -> &[[f64; 3]] {
-        &self.resisted
+    /// Hands over the impulses with which its points resisted over the step.
+    pub fn hand_back(&mut self, to: impl FnOnce(&[[f64; 3]])) {
+        to(&self.resisted);
+        self.resisted.fill([0.0; 3]);
     }
 
     /// Impulse by which it is ahead of the fluid \[F T; F T/L in a plane problem\].
     pub fn impulse_ahead(&self) -> [f64; 3] {
-        self.ahead.iter().fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
+        let all = self.ahead.iter().chain(&self.resisted);
+        all.fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
     }
 
     /// Books the impulses of a kick of its own that is about to come.
@@ -164,7 +167,6 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         let step = self.clock.step(whole, 0, self.clock.count(whole));
         let shown = whole.kick == 0.0;
         if !shown {
-            self.resisted.fill([0.0; 3]);
             self.push(step.kick);
         }
         let work = self.body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..step });
@@ -198,7 +200,6 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         self.body.boundary(&mut self.from);
         let count = self.clock.count(whole);
         let first = self.clock.step(whole, 0, count);
-        self.resisted.fill([0.0; 3]);
         self.push(first.kick);
         let work = self.body.advance(&first);
         self.energy.kinetic = work.kinetic;

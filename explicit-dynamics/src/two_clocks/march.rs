@@ -122,8 +122,9 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// The fluid takes back what the structures resisted beyond its forces.
     fn hand_back(&mut self) {
         if self.impedance {
-            for (number, structure) in self.structures.iter().enumerate() {
-                self.fluid.take_back(number, structure.resisted());
+            let fluid = &mut self.fluid;
+            for (number, structure) in self.structures.iter_mut().enumerate() {
+                structure.hand_back(|impulses| fluid.take_back(number, impulses));
             }
         }
     }

@@ -182,7 +182,8 @@ impl Surface {
         let first = [Face::Front, Face::Back].map(|face| self.heights.iter().position(|row| row.0 == face));
         for resisting in &self.resisting {
             let (force, n) = (self.resistance(resisting, rates), resisting.normal);
-            let bearing = || first.iter().zip(resisting.faces).filter_map(|(row, bears)| row.filter(|_| bears));
+            let bearing =
+                || first.iter().zip(resisting.faces).filter_map(|(row, bears)| row.filter(|_| bears));
             let part = part / bearing().count() as f64;
             for row in bearing() {
                 let impulse = &mut impulses[row * self.areas.len() + resisting.column as usize];
