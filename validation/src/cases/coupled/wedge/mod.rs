@@ -9,13 +9,15 @@ use crate::figures::{Axis, BLUE, Chart, Colour, Figure, GREEN, Line, ORANGE, SKY
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::support::studies::{SHOWN, figure};
 use crate::{JudgeError, Metric};
-use run::entry;
+use run::{Wedge, entry};
 
 const BENT: &str = "deflection at B";
 const APEX: &str = "pressure at the apex";
 const OUTSIDE: &str = "pressure at C";
-const FRONT: &str = "place of the greatest pressure";
+const ALONE: &str = "pressure at C, one column";
 const BALANCE: &str = "missing energy";
+/// Sound speed of water \[m/s\].
+const WATER: f64 = 1500.0;
 /// End \[s\].
 const END: f64 = 2.2e-3;
 
@@ -36,42 +38,41 @@ pub fn case() -> Case {
 }
 
 fn variants() -> Vec<Variant> {
-    [(2, true), (4, true), (4, false)]
+    [(2, true, WATER), (4, true, WATER), (4, true, 0.5 * WATER), (4, false, WATER)]
         .into_iter()
-        .map(|(layers, joined)| {
+        .map(|(layers, joined, sound)| {
+            let wedge = Wedge { layers, joined, sound };
             let held = if joined { "joined" } else { "hinged" };
-            let variant =
-                Variant::study(SHELL, &format!("{layers} across, {held}"), move || study(layers, joined));
-            variant.judged(move |run, _| judged(joined, run))
+            let grid = format!("{layers} across, {held}, sound at {sound} m/s");
+            Variant::study(SHELL, &grid, move || study(&wedge)).judged(move |run, _| judged(&wedge, run))
         })
         .collect()
 }
 
-fn study(layers: usize, joined: bool) -> Result<Outcome, String> {
-    let found = entry(layers, joined, END).map_err(|error| error.to_string())?;
+fn study(wedge: &Wedge) -> Result<Outcome, String> {
+    let found = entry(wedge, END).map_err(|error| error.to_string())?;
     let size = Size {
         particles: found.particles,
-        spacing: run::THICKNESS / layers as f64,
+        spacing: run::THICKNESS / wedge.layers as f64,
         steps: found.steps,
         seconds: found.seconds,
     };
     let columns =
-        [("time", "ms"), (BENT, "mm"), (APEX, "MPa"), (OUTSIDE, "MPa"), (FRONT, "-"), (BALANCE, "J/m")];
+        [("time", "ms"), (BENT, "mm"), (APEX, "MPa"), (OUTSIDE, "MPa"), (ALONE, "MPa"), (BALANCE, "J/m")];
     Ok(outcome(size, columns, &found.rows))
 }
 
-fn judged(joined: bool, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+fn judged(wedge: &Wedge, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let times = run.column("time")?;
     let (bent, apex, outside) = (run.column(BENT)?, run.column(APEX)?, run.column(OUTSIDE)?);
-    // The greatest pressure stands at the root of the spray. Where pressure begins is seen up to two kernels ahead.
-    let arrival = times.iter().zip(run.column(FRONT)?).find(|(_, front)| *front >= run::C).map(|(t, _)| *t);
+    let arrival = times.iter().zip(run.column(ALONE)?).find(|(_, p)| *p > 1.0).map(|(t, _)| *t);
     let deflection = Metric::compared("deflection at 2 ms", value_at(&times, &bent, 2.0), "mm", 10.2);
     let mean = mean_and_deviation(&times, &apex, [0.4, 1.6]).map(|found| found.0);
     let mean = Metric::compared("mean pressure at the apex, .4 to 1.6 ms", mean, "MPa", 5.25);
     let top = peak(&times, &outside, 2.2).map(|top| top.1);
     let top = Metric::compared("greatest pressure at C", top, "MPa", 24.0);
     let arrival = Metric::compared("arrival at C", arrival, "ms", 1.90);
-    if !joined {
+    if !wedge.joined {
         let reason = "how the plates are held at the apex: shown beside those that are joined";
         return Ok(vec![
             deflection.shown(reason),
