@@ -18,6 +18,8 @@ const ALONE: &str = "pressure at C, one column";
 const BALANCE: &str = "missing energy";
 /// Sound speed of water \[m/s\].
 const WATER: f64 = 1500.0;
+/// Layers, sound speed \[m/s\] and deflection at 2 ms \[mm\] of runs that were measured.
+const KNOWN: [(usize, f64, f64); 2] = [(2, WATER, 13.1), (4, 0.5 * WATER, 11.1)];
 /// End \[s\].
 const END: f64 = 2.2e-3;
 
@@ -28,7 +30,9 @@ pub fn case() -> Case {
         title: "An elastic wedge goes into water at 30 m/s",
         about: "Ends and apex of the plates go down at constant speed. Published answers do not agree on \
                 how the plates are held: here they are joined at the apex, which symmetry then keeps \
-                from turning, and hinged at their outer ends; hinges at the apex too are shown.",
+                from turning, and hinged at their outer ends; hinges at the apex too are shown. Water is \
+                compressed from two kernel radii on, before a face touches it, the more the faster its \
+                sound: the wet part runs ahead, with rigid plates too.",
         citation: "Scolan 2004 (semi-analytical); Oger 2010, Fourey 2010, Li 2015, Khayyer 2018 (particles)",
         variants: variants(),
         headline: Some(Headline::new("deflection at 2 ms", 2.0)),
@@ -81,18 +85,25 @@ fn judged(wedge: &Wedge, run: &Run) -> Result<Vec<Metric>, JudgeError> {
             arrival.shown(reason),
         ]);
     }
-    let known = value_at(&times, &bent, 2.0);
-    let known = Metric::compared("deflection at 2 ms against the one known", known, "mm", 12.5);
-    Ok(vec![
-        known.within(1.0, "a figure to notice a change by"),
+    let mut metrics = Vec::new();
+    if let Some(&(.., known)) =
+        KNOWN.iter().find(|(layers, sound, _)| (*layers, *sound) == (wedge.layers, wedge.sound))
+    {
+        let found = value_at(&times, &bent, 2.0);
+        let found = Metric::compared("deflection at 2 ms against the one known", found, "mm", known);
+        metrics
+            .push(found.within(0.5, "a figure to notice a change by: half of what half the spacing changes"));
+    }
+    metrics.extend([
         deflection.shown(
-            "asked 8.7 to 10.2; known to miss it: the cause is not isolated, ends may be held otherwise",
+            "asked 8.7 to 10.2; missed while the water is compressed before it is touched: less so with a slower sound",
         ),
-        mean.shown("asked 4.0 to 6.5 MPa; measured 6.5"),
+        mean.shown("asked 4.0 to 6.5 MPa; measured 6.0 to 6.4"),
         top.shown("published: 18 to 30 MPa; a peak that passes in a few steps"),
-        arrival.shown("asked within 5 %; known to miss it by 11 %, at the time of a rigid wedge"),
+        arrival.shown("asked within 5 %; missed by 7 to 13 %: a rigid wedge arrives as early, for the same reason"),
         figure(run, BALANCE, "J/m")?.shown(SHOWN),
-    ])
+    ]);
+    Ok(metrics)
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
