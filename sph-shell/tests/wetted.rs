@@ -307,6 +307,12 @@ fn what_moves_against_the_fluid_is_resisted_on_loaded_faces() {
     assert!((loaded[1] + z * 0.2 * 0.25).abs() < 1e-12 && loaded[0].abs() < 1e-7, "{loaded:?}");
     let both = total(on_particles(&mut shell, &vec![[1e-9, 0.0, 0.0]; points], &seen, z));
     assert!((both[1] - 2.0 * loaded[1]).abs() < 1e-12);
+    // What the fluid takes back, per depth: the force by the span, half of it at the first row below each face.
+    let mut impulses = vec![[0.0; 3]; points];
+    shell.resist(0.5, &mut impulses);
+    let sums =
+        [&impulses[..points / 2], &impulses[points / 2..]].map(|face| face.iter().map(|j| j[1]).sum::<f64>());
+    assert!(sums.iter().all(|sum| (sum - 0.25 * both[1] / 0.2).abs() < 1e-9), "{sums:?} {both:?}");
     // Dry faces, and what moves as the fluid saw it, are left alone.
     let dry = total(on_particles(&mut shell, &front(0.0), &seen, z));
     let followed = total(on_particles(&mut shell, &front(1.0), &vec![velocity.into(); points], z));
