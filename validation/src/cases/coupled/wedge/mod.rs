@@ -19,7 +19,7 @@ const BALANCE: &str = "missing energy";
 /// Sound speed of water \[m/s\].
 const WATER: f64 = 1500.0;
 /// Layers, sound speed \[m/s\] and deflection at 2 ms \[mm\] of runs that were measured.
-const KNOWN: [(usize, f64, f64); 2] = [(2, WATER, 13.1), (4, 0.5 * WATER, 11.1)];
+const KNOWN: [(usize, f64, f64); 3] = [(2, WATER, 13.1), (4, WATER, 11.8), (4, 0.5 * WATER, 11.1)];
 /// End \[s\].
 const END: f64 = 2.2e-3;
 

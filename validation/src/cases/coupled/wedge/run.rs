@@ -19,7 +19,7 @@ pub const THICKNESS: f64 = 0.04;
 const SPEED: f64 = 30.0;
 /// Cells of the shell along a plate.
 const CELLS: usize = 40;
-/// Water: half of its width, and its depth \[m\]. In half of either the plate bends 7 % more.
+/// Water: half of its width, and its depth \[m\]. In half of either the plate bends 5 to 7 % more.
 const WATER: [f64; 2] = [3.0, 2.2];
 /// Places that are watched: middle of a plate (B), three quarters along (C), as parts of its length.
 const B: f64 = 0.5;
