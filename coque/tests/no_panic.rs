@@ -130,9 +130,12 @@ fn is_small(scene: &Scene, body: &BodyScene) -> bool {
     match body {
         BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
         BodyScene::Solid(solid) => {
-            let block = &solid.geometry.block;
-            let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
-            block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
+            let of_block = solid.geometry.block.as_ref().map(|block| {
+                let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
+                block.lengths.iter().enumerate().map(along).product::<f64>()
+            });
+            let of_arc = solid.geometry.arc.map(|arc| arc.cells.iter().map(|&cells| cells as f64).product());
+            of_block.or(of_arc).is_some_and(|nodes: f64| nodes <= 500.0)
         }
         BodyScene::Fluid(fluid) => match &fluid.geometry {
             FluidGeometry::Block(block) => {

@@ -52,6 +52,8 @@ pub struct BoundaryState {
 pub struct BoundaryLoad<'a> {
     /// Forces on the points \[F; F/L in a plane problem\].
     pub forces: &'a [[f64; 3]],
+    /// Forces that the fluid found, of which those of the load follow: a point without is dry, and resists nothing.
+    pub found: &'a [[f64; 3]],
     /// Velocities with which the fluid saw the points when it found the forces \[L/T\].
     pub seen: &'a [[f64; 3]],
     /// ρ₀c₀ of the fluid \[F T/L³\]: while a wet face moves by δv against what the fluid saw, the load changes by
@@ -69,6 +71,11 @@ pub trait Wetted: Dynamics {
 
     /// Puts a load on the points; it stays until the next.
     fn apply_load(&mut self, load: &BoundaryLoad<'_>);
+
+    /// Adds to the impulses of the points \[F T; F T/L in a plane problem\] what they resist from now on for a time `span`
+    /// \[T\], beyond the forces of the load: `−span ρ₀c₀ A (δv·n) n` with the present velocities. Of a thin body the first
+    /// points of a column below its wet faces stand for it. Nothing, unless a structure says otherwise.
+    fn resist(&self, _span: f64, _impulses: &mut [[f64; 3]]) {}
 
     /// Velocities of the points at present \[L/T\]: what a fluid is told of a structure that starts in motion. At rest unless
     /// a structure says otherwise.
@@ -92,6 +99,10 @@ pub trait BoundaryDriven: Dynamics {
     /// Forces of the last evaluation on the points of a structure \[F; F/L in a plane problem\]: minus what they did to the
     /// fluid.
     fn boundary_forces(&self, structure: usize) -> &[[f64; 3]];
+
+    /// Takes the opposite of impulses on the points of a structure \[F T; F T/L in a plane problem\] between a kick and the
+    /// drift behind it: what the points resisted beyond the forces.
+    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]);
 
     /// ρ₀c₀ \[F T/L³\].
     fn impedance(&self) -> f64;

@@ -107,19 +107,23 @@
 //!
 //! ```text
 //! fluid        Fⁿ at (rⁿ, vⁿ⁻½, v̄ⁿ⁻½)                            evaluate
-//! structures   F = Fⁿ + ½(1 − 1/M)(Fⁿ − Fⁿ⁻¹) − ρ₀c₀A [(v − v̄ⁿ⁻½)·n] n
+//! structures   F = Fⁿ + [½(Δt − Δt_s) Fⁿ − J]/Δt − ρ₀c₀A [(v − v̄ⁿ⁻½)·n] n
 //! fluid        vⁿ⁺½                                              kick
 //! structures   M steps under F, v̄ⁿ⁺½ = (x_sⁿ⁺¹ − x_sⁿ)/Δt        drift: the structures first …
+//! fluid        takes back Σ Δt_s ρ₀c₀A [(v − v̄ⁿ⁻½)·n] n
 //! fluid        ρⁿ⁺¹, rⁿ⁺¹ with v̄ⁿ⁺½                              … then the fluid ([`Order`])
 //! ```
 //!
 //! With the velocity of the step before, as published couplings have it, the pressure answers late: it feeds back
 //! `−ρ₀c₀ v_s(t − τ)` with τ of a step and more. The two other terms of the load do for substeps what that order does for the
-//! fluid. A load frozen at tₙ is taken from there to tₙ₊₁, in the mean ½(1 − 1/M)Δt too late; carried on from the last two it is
-//! in time, and its impulse over a run the same ([`TwoClocks::centred`]). Modes faster than the fluid outrun that as well; they
-//! feel ρ₀c₀, the pressure of a plane wave ([`TwoClocks::impedance`]). On slow ones it acts like a mass `ρ₀c₀AΔt(1 − 1/M)`, a
-//! fraction of the water in one spacing. With both, no spring in a column of gas gained energy, however many substeps, at any
-//! ratio of its period to the step; without either one some do.
+//! fluid. A load frozen at tₙ is taken from there to tₙ₊₁, in the mean ½(Δt − Δt_s) too late. As velocities of a structure stand
+//! half a step of its own behind its place, and those of the fluid half of its own, the structure has to be ahead by an impulse
+//! `½(Δt − Δt_s) F`; J is that by which it is. With equal steps this is `½(1 − 1/M)(Fⁿ − Fⁿ⁻¹)`, the load carried on from the last
+//! two ([`TwoClocks::centred`]). Modes faster than the fluid outrun that as well; they feel ρ₀c₀, the pressure of a plane wave
+//! ([`TwoClocks::impedance`]). Its impulse goes to the fluid beside the points within the same step: kept from it, it would act
+//! as a mass `ρ₀c₀AΔt(1 − 1/M)` that nobody carries; taken off the next load instead, `Δt` later, it would feed slow modes by
+//! `Δt ω²` times that mass. With both, no spring in a column of gas gained energy, however many substeps, at any ratio of its
+//! period to the step; without either one some do. Momenta less J are kept ([`TwoClocks::impulse_ahead`]).
 //!
 //! Damping of the march acts on structures, never on the fluid. A kick books what structures did since the last one; a load
 //! is work of the fluid and of the structure with opposite signs, and cancels up to the error of the coupling.
@@ -141,6 +145,7 @@
 //! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/march_state.rs) |
 //! | a system behind `dyn Dynamics` marches to the same bits; one without a measure of rest is refused | `a_system_without_a_type_marches_to_the_same_bits`, `a_system_that_does_not_say_when_it_rests_is_refused` (tests/any_system.rs) |
 //! | structure first, a spring in a gas never gains energy; fluid first, or without one part of its load, it does | `structure_first_never_gains_energy`, `fluid_first_pumps_energy_into_the_structure`, `loads_that_lag_or_do_not_yield_let_the_energy_grow` (tests/two_clocks) |
+//! | momentum of gas and structure is kept but for the impulse under way | `momentum_is_kept_but_for_what_is_under_way` |
 //! | a mode of gas and spring is that of the closed form, to second order | `a_mode_of_gas_and_spring_is_found_to_second_order` |
 //! | two clocks meet exactly, close the balance, go on to the same bits | `clocks_meet_exactly`, `the_ledger_closes_with_the_step`, `a_run_goes_on_to_the_same_bits` |
 //! | ramps start and end at rest | `smooth_starts_and_ends_without_velocity_or_acceleration` (src/amplitude.rs) |

@@ -272,6 +272,10 @@ impl BoundaryDriven for Fluid {
         &self.boundary.forces[self.boundary.structure(structure)]
     }
 
+    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+        self.take_impulses_back(structure, impulses);
+    }
+
     fn impedance(&self) -> f64 {
         self.liquid.impedance()
     }

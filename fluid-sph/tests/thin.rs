@@ -120,3 +120,39 @@ fn past_a_free_edge_both_sides_meet() {
     let (alone_right, _) = force(vec![at(0.56, 0.25)]);
     assert_eq!(apart, alone_left + alone_right);
 }
+
+/// Impulses that a plate resisted with go to the water that its points see, with opposite sign, and their work is booked.
+#[test]
+fn what_a_plate_resisted_goes_to_the_water_on_its_side() {
+    let spacing = 0.05;
+    let mut parts: Parts = pool(2, [0.5, 1.0, 0.0], [1.1, 1.3, 0.0], spacing);
+    parts.positions.extend(common::lattice([0.6, 0.0, -0.5 * spacing], [10, 20, 1], spacing));
+    parts.velocities = parts.positions.iter().map(|p| Vec3::new(0.1 * p.y, -0.2 * p.x, 0.0)).collect();
+    let plate = plate(0.55, 0.0, 1.3, spacing);
+    parts.structures = vec![plate.clone()];
+    let mut fluid = Fluid::new(parts).unwrap();
+    fluid.evaluate(Instant::default());
+    let (before, kinetic) = (fluid.velocities().to_vec(), fluid.energies().kinetic);
+    let (momentum, back) = (fluid.momentum(), &plate.layout.thin.as_ref().unwrap().faces);
+    // The three lowest columns, on their back face alone: the first row below it is the second point of six.
+    let mut impulses = vec![[0.0; 3]; plate.layout.points];
+    for column in 0..3 {
+        assert_eq!(back[6 * column + 1], Face::Back);
+        impulses[6 * column + 1] = [3.0 + column as f64, -1.0, 0.0];
+    }
+    fluid.take_back(0, &impulses);
+    let given: Vec3 = impulses.iter().map(|impulse| Vec3::from(*impulse)).sum();
+    assert!((fluid.momentum() - momentum + given).norm() < 1e-12 * given.norm());
+    for ((new, old), place) in fluid.velocities().iter().zip(&before).zip(fluid.positions()) {
+        assert!(new == old || place.x < 0.55, "{place}");
+    }
+    let step = explicit_dynamics::Step {
+        from: Instant::default(),
+        to: Instant { time: 1.0, level: 1.0 },
+        kick: f64::MIN_POSITIVE,
+        damping: 0.0,
+    };
+    let gained = fluid.energies().kinetic - kinetic;
+    let work = fluid.kick(&step).external;
+    assert!(gained.abs() > 1e-3 && (work / gained - 1.0).abs() < 1e-10, "{work} {gained}");
+}

@@ -84,8 +84,8 @@ impl Surface {
         if load.impedance == 0.0 {
             return;
         }
-        for (node, force) in self.forces.iter().enumerate() {
-            let Some(n) = force.try_normalize(0.0) else { continue };
+        for (node, found) in load.found.iter().enumerate() {
+            let Some(n) = Vec3::from(*found).try_normalize(0.0) else { continue };
             if self.is_outermost(node, &n, rows) {
                 let resistance = load.impedance * self.layout.areas[node] * width;
                 self.resisting.push((node as u32, resistance, n, load.seen[node].into()));
@@ -98,11 +98,26 @@ impl Surface {
         for (force, load) in forces.iter_mut().zip(&self.forces) {
             *force += load;
         }
-        for (node, resistance, n, seen) in &self.resisting {
-            let rate = &rates[*node as usize];
-            let along = (Vec3::new(rate[0], rate[1], rate[2]) - seen).dot(n);
-            forces[*node as usize] -= n * (resistance * along);
+        for (node, force) in self.resistances(rates) {
+            forces[node] += force;
         }
+    }
+
+    /// Adds to the impulses of the nodes what they resist over a span.
+    pub fn resist(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
+        let part = span / self.thickness.unwrap_or(1.0);
+        for (node, force) in self.resistances(rates) {
+            (0..3).for_each(|k| impulses[node][k] += part * force[k]);
+        }
+    }
+
+    /// Nodes that resist, with their forces.
+    fn resistances(&self, rates: &[Row]) -> impl Iterator<Item = (usize, Vec3)> {
+        self.resisting.iter().map(|&(node, resistance, n, seen)| {
+            let rate = &rates[node as usize];
+            let along = (Vec3::new(rate[0], rate[1], rate[2]) - seen).dot(&n);
+            (node as usize, n * (-resistance * along))
+        })
     }
 
     /// Whether nothing that lay beside a node stands before it, where a load along n comes from.

@@ -32,7 +32,7 @@ fn sheet() -> Solid {
 }
 
 fn under(body: &mut Solid, forces: &[[f64; 3]], seen: &[[f64; 3]], impedance: f64) -> Vec<Vec3> {
-    body.apply_load(&BoundaryLoad { forces, seen, impedance });
+    body.apply_load(&BoundaryLoad { forces, found: forces, seen, impedance });
     body.evaluate(Instant { time: 0.0, level: 1.0 });
     (0..body.len()).map(|node| body.external_force(node)).collect()
 }
@@ -102,6 +102,11 @@ fn in_space_a_face_resists_with_its_area() {
     let total: Vec3 = under(&mut body, &forces, &seen, 7.0).iter().sum();
     let expected = -7.0 * 30.0 * DX * DX * 0.4;
     assert!((total.z / expected - 1.0).abs() < 1e-6 && total.x.abs() < 1e-12, "{total}");
+    // What the fluid takes back: the force by the span.
+    let mut impulses = vec![[0.0; 3]; body.len()];
+    body.resist(0.5, &mut impulses);
+    let taken: f64 = impulses.iter().map(|impulse| impulse[2]).sum();
+    assert!((taken / (0.5 * expected) - 1.0).abs() < 1e-12, "{taken}");
 }
 
 #[test]
@@ -153,6 +158,8 @@ impl BoundaryDriven for Press {
     fn boundary_forces(&self, _: usize) -> &[[f64; 3]] {
         &self.forces
     }
+    // Half a space carries what it takes back away.
+    fn take_back(&mut self, _: usize, _: &[[f64; 3]]) {}
     fn impedance(&self) -> f64 {
         2.0
     }

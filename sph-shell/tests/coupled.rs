@@ -76,6 +76,8 @@ impl BoundaryDriven for Waves {
     fn boundary_forces(&self, _: usize) -> &[[f64; 3]] {
         &self.forces
     }
+    // Half a space carries what it takes back away.
+    fn take_back(&mut self, _: usize, _: &[[f64; 3]]) {}
     fn impedance(&self) -> f64 {
         self.impedance
     }

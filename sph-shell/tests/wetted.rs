@@ -61,7 +61,7 @@ fn velocities(shell: &Shell) -> Vec<Vec3> {
 
 /// `[f, τ]` of all particles under such forces on the points, beside those of internal forces.
 fn on_particles(shell: &mut Shell, forces: &[[f64; 3]], seen: &[[f64; 3]], impedance: f64) -> Vec<[f64; 6]> {
-    shell.apply_load(&BoundaryLoad { forces, seen, impedance });
+    shell.apply_load(&BoundaryLoad { forces, found: forces, seen, impedance });
     shell.evaluate(Instant { time: 0.0, level: 1.0 });
     (0..shell.len()).map(|a| shell.external_force(a)).collect()
 }
@@ -307,6 +307,12 @@ fn what_moves_against_the_fluid_is_resisted_on_loaded_faces() {
     assert!((loaded[1] + z * 0.2 * 0.25).abs() < 1e-12 && loaded[0].abs() < 1e-7, "{loaded:?}");
     let both = total(on_particles(&mut shell, &vec![[1e-9, 0.0, 0.0]; points], &seen, z));
     assert!((both[1] - 2.0 * loaded[1]).abs() < 1e-12);
+    // What the fluid takes back, per depth: the force by the span, half of it at the first row below each face.
+    let mut impulses = vec![[0.0; 3]; points];
+    shell.resist(0.5, &mut impulses);
+    let sums =
+        [&impulses[..points / 2], &impulses[points / 2..]].map(|face| face.iter().map(|j| j[1]).sum::<f64>());
+    assert!(sums.iter().all(|sum| (sum - 0.25 * both[1] / 0.2).abs() < 1e-9), "{sums:?} {both:?}");
     // Dry faces, and what moves as the fluid saw it, are left alone.
     let dry = total(on_particles(&mut shell, &front(0.0), &seen, z));
     let followed = total(on_particles(&mut shell, &front(1.0), &vec![velocity.into(); points], z));

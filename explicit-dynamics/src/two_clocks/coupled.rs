@@ -31,8 +31,11 @@ pub(super) struct Coupled<S: ?Sized> {
     pub velocities: Vec<[f64; 3]>,
     /// Velocities with which the fluid saw them when it found the forces \[L/T\].
     pub seen: Vec<[f64; 3]>,
-    /// Forces of the fluid at the start of its last step \[F; F/L in a plane problem\].
-    pub former: Vec<[f64; 3]>,
+    /// Impulses that its points had from loads, less those that the fluid had with opposite sign \[F T; F T/L in a
+    /// plane problem\].
+    pub ahead: Vec<[f64; 3]>,
+    /// Impulses with which its points resisted, until the fluid has them \[F T; F T/L in a plane problem\].
+    resisted: Vec<[f64; 3]>,
     /// Work done since the last kick was booked \[F L\].
     pub pending: Work,
     /// Its energies; those booked are up to the instant in the middle of the last kick until the drift behind it.
@@ -81,7 +84,8 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         Self {
             clock: OwnClock::default(),
             seen: velocities.clone(),
-            former: vec![[0.0; 3]; velocities.len()],
+            ahead: vec![[0.0; 3]; velocities.len()],
+            resisted: vec![[0.0; 3]; velocities.len()],
             load: vec![[0.0; 3]; velocities.len()],
             velocities,
             pending: Work::default(),
@@ -111,22 +115,50 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         Ok(())
     }
 
-    /// Puts the forces of the fluid on the points, `centred` if they shall be those of the mean instant at which its
-    /// steps take them: as many steps as in the last step of the fluid would take a frozen load ½(1 − 1/M) of it too
-    /// late.
+    /// Puts the forces of the fluid on the points. If they shall be `centred`, they lead by half the difference of the
+    /// two steps, T = MΔt_s and Δt_s, as the structure's velocities then lead those of the fluid; what it had beyond that
+    /// lead is taken back:
+    ///
+    /// ```text
+    /// load = F + (½(T − Δt_s) F − J)/T      J impulse by which it is ahead
+    /// ```
+    ///
+    /// So its impulse over a run is that of the fluid, but for J.
     pub fn load(&mut self, forces: &[[f64; 3]], impedance: f64, centred: bool) {
-        let ahead = if centred && self.clock.steps > 0 { 0.5 - 0.5 / self.clock.count as f64 } else { 0.0 };
-        for (load, (new, old)) in self.load.iter_mut().zip(forces.iter().zip(&self.former)) {
-            *load = std::array::from_fn(|k| new[k] + ahead * (new[k] - old[k]));
+        let OwnClock { last, count, .. } = self.clock;
+        let whole = last * count as f64;
+        let (lead, rate) =
+            if centred && whole > 0.0 { (0.5 * (whole - last), 1.0 / whole) } else { (0.0, 0.0) };
+        for ((load, force), ahead) in self.load.iter_mut().zip(forces).zip(&self.ahead) {
+            *load = std::array::from_fn(|k| force[k] + rate * (lead * force[k] - ahead[k]));
         }
         // One step has the velocity that the fluid saw.
-        let impedance = if self.clock.count == 1 { 0.0 } else { impedance };
-        self.body.apply_load(&BoundaryLoad { forces: &self.load, seen: &self.seen, impedance });
+        let impedance = if count == 1 { 0.0 } else { impedance };
+        let Self { load, seen, body, .. } = self;
+        body.apply_load(&BoundaryLoad { forces: load, found: forces, seen, impedance });
     }
 
-    /// Keeps the forces under which a step is taken, for the next load.
-    pub fn keep(&mut self, forces: &[[f64; 3]]) {
-        self.former.copy_from_slice(forces);
+    /// Books the impulses of a kick of the fluid, which had these forces with opposite sign.
+    pub fn kicked(&mut self, forces: &[[f64; 3]], span: f64) {
+        push(&mut self.ahead, forces, -span);
+    }
+
+    /// Hands over the impulses with which its points resisted over the step.
+    pub fn hand_back(&mut self, to: impl FnOnce(&[[f64; 3]])) {
+        to(&self.resisted);
+        self.resisted.fill([0.0; 3]);
+    }
+
+    /// Impulse by which it is ahead of the fluid \[F T; F T/L in a plane problem\].
+    pub fn impulse_ahead(&self) -> [f64; 3] {
+        let all = self.ahead.iter().chain(&self.resisted);
+        all.fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
+    }
+
+    /// Books the impulses of a kick of its own that is about to come.
+    fn push(&mut self, span: f64) {
+        push(&mut self.ahead, &self.load, span);
+        self.body.resist(span, &mut self.resisted);
     }
 
     /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick
@@ -134,6 +166,9 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     pub fn kick(&mut self, whole: &Step) -> Work {
         let step = self.clock.step(whole, 0, self.clock.count(whole));
         let shown = whole.kick == 0.0;
+        if !shown {
+            self.push(step.kick);
+        }
         let work = self.body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..step });
         self.energy.kinetic = work.kinetic;
         if shown {
@@ -165,6 +200,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         self.body.boundary(&mut self.from);
         let count = self.clock.count(whole);
         let first = self.clock.step(whole, 0, count);
+        self.push(first.kick);
         let work = self.body.advance(&first);
         self.energy.kinetic = work.kinetic;
         self.book(work);
@@ -175,6 +211,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     fn advance_from(&mut self, number: u64, whole: &Step, count: u64) -> u64 {
         for number in number..count {
             let step = self.clock.step(whole, number, count);
+            self.push(step.kick);
             let work = self.body.advance(&step);
             self.book(work);
             self.done(&step);
@@ -233,5 +270,11 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     fn done(&mut self, step: &Step) {
         self.clock.last = step.drift();
         self.clock.steps += 1;
+    }
+}
+
+fn push(impulses: &mut [[f64; 3]], forces: &[[f64; 3]], span: f64) {
+    for (impulse, force) in impulses.iter_mut().zip(forces) {
+        (0..3).for_each(|k| impulse[k] += span * force[k]);
     }
 }

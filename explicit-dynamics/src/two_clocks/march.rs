@@ -21,7 +21,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let work = self.fluid.kick(&undamped(step));
+        let work = self.kick_fluid(step);
         self.structures.iter_mut().fold(work, |sum, structure| add(sum, structure.kick(step)))
     }
 
@@ -34,6 +34,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
             self.counts.substeps += count;
             self.counts.most = self.counts.most.max(count);
         }
+        self.hand_back();
         if self.order == Order::StructureFirst {
             self.drift_fluid_behind(step);
         }
@@ -42,7 +43,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn advance(&mut self, step: &Step) -> Work {
         self.fluid.evaluate(step.from);
         self.hand_loads();
-        let mut work = self.fluid.kick(&undamped(step));
+        let mut work = self.kick_fluid(step);
         if self.order == Order::FluidFirst {
             self.drift_fluid_first(step);
         }
@@ -52,6 +53,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
             self.counts.substeps += count;
             self.counts.most = self.counts.most.max(count);
         }
+        self.hand_back();
         if self.order == Order::StructureFirst {
             self.drift_fluid_behind(step);
         }
@@ -109,10 +111,27 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         }
     }
 
+    /// The kick of the fluid, with the impulses on the structures that belong to it.
+    fn kick_fluid(&mut self, step: &Step) -> Work {
+        for (number, structure) in self.structures.iter_mut().enumerate() {
+            structure.kicked(self.fluid.boundary_forces(number), step.kick);
+        }
+        self.fluid.kick(&undamped(step))
+    }
+
+    /// The fluid takes back what the structures resisted beyond its forces.
+    fn hand_back(&mut self) {
+        if self.impedance {
+            let fluid = &mut self.fluid;
+            for (number, structure) in self.structures.iter_mut().enumerate() {
+                structure.hand_back(|impulses| fluid.take_back(number, impulses));
+            }
+        }
+    }
+
     /// The fluid goes with the new velocities of the structures.
     fn drift_fluid_behind(&mut self, step: &Step) {
         for (number, structure) in self.structures.iter_mut().enumerate() {
-            structure.keep(self.fluid.boundary_forces(number));
             let (end, velocities) = structure.arrived();
             self.fluid.set_boundary(number, end, velocities);
         }
@@ -122,7 +141,6 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// The fluid goes with the old velocities of the structures.
     fn drift_fluid_first(&mut self, step: &Step) {
         for (number, structure) in self.structures.iter_mut().enumerate() {
-            structure.keep(self.fluid.boundary_forces(number));
             let (end, velocities) = structure.expected(step.drift());
             self.fluid.set_boundary(number, end, velocities);
         }

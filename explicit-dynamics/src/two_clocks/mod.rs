@@ -91,6 +91,13 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         self.structures.get(structure).map(|structure| structure.energy)
     }
 
+    /// Impulse by which a structure is ahead of the fluid \[F T; F T/L in a plane problem\]: its velocities stand half a step
+    /// of its own behind its place, those of the fluid half a step of the fluid. Momenta of the fluid and the structures
+    /// less this impulse are kept where nothing else acts. None for a structure there is not.
+    pub fn impulse_ahead(&self, structure: usize) -> Option<[f64; 3]> {
+        self.structures.get(structure).map(Coupled::impulse_ahead)
+    }
+
     /// What the clocks did so far.
     pub fn counts(&self) -> Counts {
         self.counts

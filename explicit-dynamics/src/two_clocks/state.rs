@@ -11,7 +11,7 @@ const BOOKS: usize = 11;
 
 impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// All that changes here while it marches, beside the states of the fluid and of the structures: counts, clocks,
-    /// books, velocities of the boundaries, and the loads of the step before.
+    /// books, velocities of the boundaries, and the impulses that are under way.
     pub fn state(&self) -> Vec<f64> {
         let Counts { substeps, most, shortened } = self.counts;
         let mut numbers = vec![substeps as f64, most as f64, shortened as f64];
@@ -22,8 +22,8 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             let clock = [stable, steps as f64, next_estimate as f64, last, count as f64];
             let books = [owed, lost, kinetic, internal, external, dissipated];
             numbers.extend(clock.into_iter().chain(books));
-            let [a, b, c] = [&structure.velocities, &structure.seen, &structure.former];
-            numbers.extend(a.iter().chain(b).chain(c).flatten());
+            let Coupled { velocities, seen, ahead, .. } = structure;
+            numbers.extend([velocities, seen, ahead].into_iter().flatten().flatten());
         }
         numbers
     }
@@ -48,7 +48,8 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             structure.pending = Work { kinetic: 0.0, external: owed, dissipated: lost };
             structure.energy = Balance { kinetic, internal, external, dissipated };
             let (own, behind) = behind.split_at(9 * points);
-            let vectors = [&mut structure.velocities, &mut structure.seen, &mut structure.former];
+            let Coupled { velocities, seen, ahead, .. } = structure;
+            let vectors = [velocities, seen, ahead];
             for (vectors, numbers) in vectors.into_iter().zip(own.chunks_exact(3 * points)) {
                 take(vectors, numbers);
             }

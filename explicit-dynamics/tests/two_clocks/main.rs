@@ -105,6 +105,29 @@ fn structure_first_never_gains_energy() {
     }
 }
 
+/// Momentum of gas and spring grows by the impulse of the wall at the other end and of the spring alone.
+#[test]
+fn momentum_is_kept_but_for_what_is_under_way() {
+    for substeps in [1, 2, 8] {
+        // No stiffness: a free piston that the gas carries along.
+        let fluid = Column::new(CELLS, COURANT);
+        let dt = fluid.dt;
+        let mut piston = Spring::new(MASS, 0.0, dt / f64::from(substeps));
+        piston.v = 1e-3;
+        let mut system = TwoClocks::new(fluid, vec![Box::new(piston)]);
+        let total = |system: &Coupled| {
+            let gas: f64 = system.fluid().velocities.iter().sum::<f64>() * DENSITY * LENGTH / CELLS as f64;
+            let piston = system.structures().map(|spring| MASS * spring.v).sum::<f64>();
+            gas + piston - system.impulse_ahead(0).unwrap()[0]
+        };
+        let start = total(&system);
+        // The wave from the piston reaches the wall after CELLS / COURANT steps.
+        march(&mut system, 100, 1).1.unwrap();
+        let gained = total(&system) / start - 1.0;
+        assert!(gained.abs() < 1e-13, "{substeps} substeps: {gained}");
+    }
+}
+
 #[test]
 fn fluid_first_pumps_energy_into_the_structure() {
     for (turn, substeps, at_least) in
@@ -147,9 +170,6 @@ fn coupled_frequency(stiffness: f64) -> f64 {
 }
 
 /// Greatest error of the spring over three periods in a mode of the coupled system, over its amplitude.
-///
-/// The impedance follows a face that gains `aΔt` from one step of the gas to the next: with M substeps it acts as a
-/// mass `ρ₀c₀AΔt(1 − 1/M)`, which this takes off the spring.
 fn error_in_a_mode(cells: usize, substeps: u32) -> f64 {
     let (stiffness, amplitude) = (40.0, 1e-4);
     let frequency = coupled_frequency(stiffness);
@@ -161,9 +181,7 @@ fn error_in_a_mode(cells: usize, substeps: u32) -> f64 {
     }
     // The gas of the half cell at the spring has no node of its own; it moves with the spring.
     let half_cell = 0.5 * DENSITY * LENGTH / cells as f64;
-    let by_impedance = DENSITY * SOUND * fluid.dt * (1.0 - 1.0 / f64::from(substeps));
-    let own = MASS + half_cell - by_impedance;
-    let spring = Spring::new(own, stiffness, fluid.dt / f64::from(substeps)).at(amplitude);
+    let spring = Spring::new(MASS + half_cell, stiffness, fluid.dt / f64::from(substeps)).at(amplitude);
     let mut system = TwoClocks::new(fluid, vec![Box::new(spring)]);
     let periods = 3.0 * std::f64::consts::TAU / frequency;
     let steps = (periods / system.fluid().dt).ceil() as usize;
@@ -177,10 +195,11 @@ fn error_in_a_mode(cells: usize, substeps: u32) -> f64 {
 fn a_mode_of_gas_and_spring_is_found_to_second_order() {
     for substeps in [1, 4] {
         let errors = [50, 100, 200].map(|cells| error_in_a_mode(cells, substeps));
-        // Measured 5.0e-4 with one step and 6.8e-4 with four at 50 cells, a quarter of it with each halving.
+        // Measured 5.0e-4 with one step and 2.9e-4 with four at 50 cells. Each halving leaves a quarter of it; with four
+        // steps 1/3.4 and 1/3.8, since errors of third order still take away from it.
         assert!(errors[0] < 1e-3, "{errors:?}");
         for pair in errors.windows(2) {
-            assert!((3.8..4.2).contains(&(pair[0] / pair[1])), "{errors:?}");
+            assert!((3.2..4.2).contains(&(pair[0] / pair[1])), "{errors:?}");
         }
     }
 }

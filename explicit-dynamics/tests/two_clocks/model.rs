@@ -122,6 +122,13 @@ impl BoundaryDriven for Column {
     fn boundary_forces(&self, structure: usize) -> &[[f64; 3]] {
         &self.forces[structure]
     }
+    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+        let nearest = if structure == 0 { 0 } else { self.velocities.len() - 1 };
+        let mass = DENSITY * self.cell;
+        let (old, gain) = (self.velocities[nearest], -impulses[0][0] / mass);
+        self.velocities[nearest] += gain;
+        self.owed += mass * gain * (old + 0.5 * gain);
+    }
     fn impedance(&self) -> f64 {
         DENSITY * SOUND
     }
@@ -215,6 +222,10 @@ impl Wetted for Spring {
     }
     fn apply_load(&mut self, load: &BoundaryLoad<'_>) {
         self.load = [load.forces[0][0], load.seen[0][0], load.impedance];
+    }
+    fn resist(&self, span: f64, impulses: &mut [[f64; 3]]) {
+        let [_, seen, impedance] = self.load;
+        impulses[0][0] -= span * impedance * (self.v - seen);
     }
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         out.clear();

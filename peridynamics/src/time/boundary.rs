@@ -46,6 +46,12 @@ impl Wetted for Solid {
         }
     }
 
+    fn resist(&self, span: f64, impulses: &mut [[f64; 3]]) {
+        if let Some(surface) = &self.wetted {
+            surface.resist(&self.rates, span, impulses);
+        }
+    }
+
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         out.clear();
         if self.wetted.is_some() {

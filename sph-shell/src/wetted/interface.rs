@@ -44,6 +44,12 @@ impl Wetted for Shell {
         }
     }
 
+    fn resist(&self, span: f64, impulses: &mut [[f64; 3]]) {
+        if let Some(surface) = &self.wetted {
+            surface.resist(&self.rates, span, impulses);
+        }
+    }
+
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         match &self.wetted {
             Some(surface) => surface.velocities(&self.rates, out),

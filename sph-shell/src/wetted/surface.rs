@@ -28,6 +28,8 @@ struct Resisting {
     column: u32,
     /// ρ₀c₀A of the faces that bear it \[F T/L\].
     resistance: f64,
+    /// Which faces bear it.
+    faces: [bool; 2],
     normal: [f64; 3],
     /// Velocity along the normal with which the fluid saw its middle \[L/T\].
     seen: f64,
@@ -135,7 +137,7 @@ impl Surface {
                     f = [width * f[0], width * f[1], 0.0];
                 }
                 let (bears, seen, rows) = &mut faces[face as usize];
-                *bears |= f != [0.0; 3];
+                *bears |= load.found[point] != [0.0; 3];
                 *rows += 1.0;
                 for k in 0..3 {
                     force[k] += f[k];
@@ -154,7 +156,8 @@ impl Surface {
             let along = |v: &[f64; 3]| v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
             let seen = bearing.map(|(_, seen, rows)| along(seen) / rows).sum::<f64>() / count;
             let resistance = load.impedance * self.areas[column] * count;
-            self.resisting.push(Resisting { column: column as u32, resistance, normal, seen });
+            let faces = faces.map(|(bears, ..)| bears);
+            self.resisting.push(Resisting { column: column as u32, resistance, faces, normal, seen });
         }
     }
 
@@ -163,18 +166,41 @@ impl Surface {
         for (force, load) in forces.iter_mut().zip(&self.loads) {
             (0..6).for_each(|k| force[k] += load[k]);
         }
-        for Resisting { column, resistance, normal: n, seen } in &self.resisting {
-            let weights = self.middle.weights(*column as usize);
-            let velocity = weights.iter().fold(0.0, |sum, &(particle, weight)| {
-                let v = &rates[particle as usize];
-                sum + weight * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
-            });
-            let force = -resistance * (velocity - seen);
-            for &(particle, weight) in weights {
+        for resisting in &self.resisting {
+            let (force, n) = (self.resistance(resisting, rates), resisting.normal);
+            for &(particle, weight) in self.middle.weights(resisting.column as usize) {
                 let row = &mut forces[particle as usize];
                 (0..3).for_each(|k| row[k] += weight * force * n[k]);
             }
         }
+    }
+
+    /// Adds what each column resists over a span to the impulses of its first points below the faces that bear a load,
+    /// the same to each.
+    pub fn resist(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
+        let part = span / self.width.unwrap_or(1.0);
+        let first = [Face::Front, Face::Back].map(|face| self.heights.iter().position(|row| row.0 == face));
+        for resisting in &self.resisting {
+            let (force, n) = (self.resistance(resisting, rates), resisting.normal);
+            let bearing =
+                || first.iter().zip(resisting.faces).filter_map(|(row, bears)| row.filter(|_| bears));
+            let part = part / bearing().count() as f64;
+            for row in bearing() {
+                let impulse = &mut impulses[row * self.areas.len() + resisting.column as usize];
+                (0..3).for_each(|k| impulse[k] += part * force * n[k]);
+            }
+        }
+    }
+
+    /// Force along its normal with which a column resists.
+    fn resistance(&self, resisting: &Resisting, rates: &[Row]) -> f64 {
+        let Resisting { column, resistance, normal: n, seen, .. } = resisting;
+        let weights = self.middle.weights(*column as usize);
+        let velocity = weights.iter().fold(0.0, |sum, &(particle, weight)| {
+            let v = &rates[particle as usize];
+            sum + weight * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+        });
+        -resistance * (velocity - seen)
     }
 
     /// Bytes of all lists.

@@ -27,6 +27,8 @@ const LEVEL: &str = "level less that of the water left";
 const BALANCE: &str = "missing energy";
 const PEAK: &str = "peak of dx";
 const THRUST: &str = "thrust on the gate held still";
+/// Runs whose modulus was changed, and that are judged by what they come near to.
+const SOFT: [&str; 3] = ["2 mm, E 10 MPa", "2 mm, E 8 MPa", "2 mm, E 5 MPa"];
 /// End of the runs that are compared with the whole experiment \[s\].
 const END: f64 = 0.36;
 /// End of those that show the peak \[s\].
@@ -39,9 +41,10 @@ pub fn case() -> Case {
         title: "Water drains under an elastic gate",
         about: "Rubber taken as linear, 12 MPa. Up to .08 s the gate follows the experiment; then it \
                 swings back, as the gates of published codes do but for one. The bands of peak and time \
-                are what stable couplings find with this modulus, not what the experiment asks: its \
-                distance stands beside that of the four codes. A coupling that feeds the gate with \
-                energy lies nearer to the experiment, so the energy of the gate is judged with its way.",
+                are what stable couplings find with this modulus, not what the experiment asks. With \
+                10 MPa the gate is that of two published codes to a millimetre, with 8 MPa that of a \
+                third; 5 MPa is what the experiment asks. A coupling that feeds the gate with energy lies \
+                nearer to the experiment, so the energy of the gate is judged with its way.",
         citation: "Antoci, Gallati and Sibilla 2007; Khayyer et al. 2018, Yang et al. 2012, Ng et al. 2020",
         variants: variants(),
         together,
@@ -55,7 +58,11 @@ pub fn case() -> Case {
 fn changes() -> Vec<(&'static str, Gate)> {
     let gate = Gate::published(Body::Shell, 2e-3, END);
     vec![
-        ("2 mm, E 8 MPa", Gate { young: 8e6, ..gate }),
+        (SOFT[0], Gate { young: 10e6, ..gate }),
+        (SOFT[1], Gate { young: 8e6, ..gate }),
+        ("2 mm, E 6 MPa", Gate { young: 6e6, ..gate }),
+        (SOFT[2], Gate { young: 5e6, ..gate }),
+        ("2 mm, α 0", Gate { viscosity: 0.0, ..gate }),
         ("2 mm, α .1", Gate { viscosity: 0.1, ..gate }),
         ("2 mm, gap 2.5 mm", Gate { clearance: 2.5e-3, ..gate }),
         ("2 mm, sound twice as fast", Gate { sound: 2.0 * gate.sound, ..gate }),
@@ -130,6 +137,23 @@ fn distance(times: Vec<f64>, ways: Vec<f64>, way: GateWay, until: f64) -> Result
     Ok(1e3 * rms_distance(&curve, &fluid_structure::gate(way)?.experiment[0], until)?)
 }
 
+/// Distances from the published codes to the end \[mm\]: those in the list are judged.
+fn from_codes(run: &Run, asked: &[&str]) -> Result<Vec<Metric>, JudgeError> {
+    let curve =
+        Curve::new(run.column("time")?, run.column(OPENING)?.into_iter().map(|way| 1e-3 * way).collect())?;
+    let mut metrics = Vec::new();
+    for (who, simulation) in &fluid_structure::gate(GateWay::Opening)?.simulations {
+        let off = 1e3 * rms_distance(&curve, simulation, END + 0.001)?;
+        let found = Metric::error(format!("{OPENING}: rms distance from {who}"), Some(off), "mm");
+        metrics.push(if asked.iter().any(|name| who.contains(name)) {
+            found.within(2.0, "two curves that were read from figures to a millimetre; measured .5 to .7")
+        } else {
+            found.shown("what a modulus brings near, and what not")
+        });
+    }
+    Ok(metrics)
+}
+
 /// What published codes reach, in words.
 fn beside(way: GateWay, until: f64) -> Result<String, JudgeError> {
     let gate = fluid_structure::gate(way)?;
@@ -172,6 +196,20 @@ fn changed(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Metric::error(PEAK, top.map(|top| top.1), "mm").shown(shown),
         Metric::error("greatest energy of the gate", energy(run)?, "J/m").shown(shown),
     ];
+    let grid = run.variant.grid.as_str();
+    if grid == SOFT[2] {
+        let off = distance(run.column("time")?, run.column(OPENING)?, GateWay::Opening, END + 0.001)?;
+        metrics.push(
+            Metric::error("dx: rms distance from the experiment to the end", Some(off), "mm")
+                .within(5.0, "asked of whatever explains the experiment; measured 3.1"),
+        );
+    }
+    let asked: &[&str] = match grid {
+        _ if grid == SOFT[0] => &["Yang", "Ng"],
+        _ if grid == SOFT[1] => &["Khayyer"],
+        _ => &[],
+    };
+    metrics.extend(from_codes(run, asked)?);
     metrics.extend(distances(run)?);
     Ok(metrics)
 }

@@ -1,9 +1,15 @@
 //! A ring that swings as an oval, empty inside, with a fluid between it and a rigid wall.
+//!
+//! The fluid starts with the potential flow of the mode, so that no sound is left behind by a start at once:
+//!
+//! ```text
+//! φ = A (r² + b⁴/r²) cos 2θ,   ∂φ/∂r = V cos 2θ at the face of the ring r = R, none at the wall r = b
+//! ```
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use fluid_sph::{Formulation, Liquid, Parts, Start};
+use fluid_sph::{Liquid, Parts, Start};
 use sph_core::Vec3;
 use sph_shell::{Shell, Sides};
 
@@ -106,12 +112,24 @@ fn rings(from: f64, to: f64, spacing: f64) -> Vec<Vec3> {
     (0..count).flat_map(ring).collect()
 }
 
+/// Velocity of the fluid around the second mode of the ring \[m/s\].
+fn potential_flow(at: &Vec3) -> Vec3 {
+    let (face, wall) = (RADIUS + 0.5 * THICKNESS, WALL.powi(4));
+    let scale = SPEED / (2.0 * face - 2.0 * wall / face.powi(3));
+    let (radius, angle) = (at.x.hypot(at.y), libm::atan2(at.y, at.x));
+    let (out, along) = (Vec3::new(at.x, at.y, 0.0) / radius, Vec3::new(-at.y, at.x, 0.0) / radius);
+    let outward = 2.0 * (radius - wall / radius.powi(3)) * libm::cos(2.0 * angle);
+    let around = -2.0 * (radius + wall / radius.powi(3)) * libm::sin(2.0 * angle);
+    (out * outward + along * around) * scale
+}
+
 fn annulus(density: f64, spacing: f64) -> Parts {
     let wall = rings(WALL, WALL + ROWS as f64 * spacing, spacing);
     let positions = rings(RADIUS + 0.5 * THICKNESS, WALL, spacing);
+    let velocities = positions.iter().map(potential_flow).collect();
     Parts {
         liquid: Liquid { density, sound_speed: SOUND },
-        formulation: Formulation { confined: true, ..Formulation::default() },
+        velocities,
         gravity: Vec3::zeros(),
         start: Start::Uniform,
         ..water(spacing, positions, SOUND, vec![wall])

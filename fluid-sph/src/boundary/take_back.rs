@@ -1,0 +1,51 @@
+//! What structures resisted beyond the forces of the fluid goes back to the particles beside their points.
+//!
+//! ```text
+//! Δv_f = −J W_pf / (m Σ_f W_pf)      J: impulse on a point p, W_pf over the particles that see it
+//! ```
+//!
+//! So momentum is kept, and a wave that would have carried the impulse away within the step has gone as far as the kernel
+//! reaches. What it does to the kinetic energy is work of the boundary.
+
+use sph_core::Vec3;
+
+use crate::cells::NOWHERE;
+use crate::fluid::{Fluid, State};
+
+impl Fluid {
+    /// Gives the opposite of impulses on the points of a structure \[F T; F T/L in a plane\] to the particles beside
+    /// them, where these were when the forces were found. An impulse on a point beside no fluid is dropped: there is no
+    /// force either.
+    pub(crate) fn take_impulses_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+        for (point, impulse) in self.boundary.structure(structure).zip(impulses) {
+            let slot = self.boundary.sorted.slots[point];
+            if *impulse != [0.0; 3] && slot != NOWHERE {
+                self.take_impulse_back(point, slot as usize, Vec3::from(*impulse));
+            }
+        }
+    }
+
+    fn take_impulse_back(&mut self, point: usize, slot: usize, impulse: Vec3) {
+        let Self { dimensions, mass, momentum, boundary, grid, sorted, present, books, fastest, .. } = self;
+        let impulse = if *dimensions == 2 { Vec3::new(impulse.x, impulse.y, 0.0) } else { impulse };
+        let (at, near) = (boundary.points[point], grid.beside(boundary.sorted.cell(slot), &sorted.starts));
+        let hidden = boundary.sorted.hidden_faces(slot, sorted);
+        let seen = |near: usize| hidden.faces == 0 || hidden.of[near] & hidden.faces == 0;
+        let beside =
+            || near.filled().iter().flat_map(|&(from, to)| from as usize..to as usize).filter(|&k| seen(k));
+        let State { positions, velocities, .. } = present;
+        let weight = |particle: usize| momentum.kernel.value((positions[particle] - at).norm());
+        let sum: f64 = beside().map(|k| weight(sorted.order[k] as usize)).sum();
+        if sum == 0.0 {
+            return;
+        }
+        let gain = -impulse / (*mass * sum);
+        for particle in beside().map(|k| sorted.order[k] as usize) {
+            let (old, change) = (velocities[particle], gain * weight(particle));
+            let new = old + change;
+            velocities[particle] = new;
+            books.external += *mass * change.dot(&(old + change * 0.5));
+            *fastest = fastest.max(new.norm());
+        }
+    }
+}
