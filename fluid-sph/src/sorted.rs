@@ -42,6 +42,11 @@ impl Sorted {
         [self.x[slot], self.y[slot], self.z.get(slot).map_or(0.0, |z| *z)]
     }
 
+    /// The cell of a slot.
+    pub fn cell(&self, slot: usize) -> usize {
+        self.starts.partition_point(|&start| start as usize <= slot) - 1
+    }
+
     /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`]. Places may be
     /// told by the slots before.
     pub fn sort(

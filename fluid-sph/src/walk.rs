@@ -26,7 +26,7 @@ impl<'a> Walk<'a> {
         sets: [Option<&'a Sorted>; 2],
         reach: f64,
     ) -> Self {
-        let cell = of.starts.partition_point(|&start| start as usize <= first) - 1;
+        let cell = of.cell(first);
         let reach = grid.longer(reach);
         let mut walk = Self { grid, of, sets, reach, cell, near: [Ranges::default(); 2] };
         walk.look();

@@ -28,7 +28,8 @@ impl Fluid {
     fn take_impulse_back(&mut self, point: usize, slot: usize, impulse: Vec3) {
         let Self { dimensions, mass, momentum, boundary, grid, sorted, present, books, fastest, .. } = self;
         let impulse = if *dimensions == 2 { Vec3::new(impulse.x, impulse.y, 0.0) } else { impulse };
-        let (at, near) = (boundary.points[point], grid.beside(boundary.sorted.cell(slot), &sorted.starts));
+        let near = grid.beside(boundary.sorted.cell(slot) as u32, &sorted.starts);
+        let at = boundary.points[point];
         let hidden = boundary.sorted.hidden_faces(slot, sorted);
         let seen = |near: usize| hidden.faces == 0 || hidden.of[near] & hidden.faces == 0;
         let beside =
