@@ -91,6 +91,7 @@ mod sorted;
 mod start;
 mod state;
 mod sweeps;
+mod take_back;
 mod time;
 mod transport;
 mod viscosity;

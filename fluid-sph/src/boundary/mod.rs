@@ -3,4 +3,3 @@
 pub(crate) mod check;
 pub(crate) mod points;
 pub(crate) mod sides;
-mod take_back;
