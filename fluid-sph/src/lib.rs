@@ -104,6 +104,7 @@ mod sorted;
 mod start;
 mod state;
 mod sweeps;
+mod take_back;
 mod time;
 mod transport;
 mod viscosity;
