@@ -40,7 +40,7 @@ fn frames(c: &mut Criterion) {
         {
             let units = Units { length: Length::None, force: Force::None, time: Time::None };
             let shown = Shown { state: State::Moving, units, stresses, driven: None, forces: None };
-            let wanted = Fields { every: 1, stresses, extruded };
+            let wanted = Fields { every: 1, stresses, extruded, points: false };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {
