@@ -184,7 +184,7 @@ fn doubts_are_told() {
     let thin =
         ("bodies.bar.solid.geometry.block", "{ lengths = [2.0, 1.0, 0.02], spacing = [0.5, 0.5, 0.01] }");
     assert_eq!(doubts(&[thin]), [Doubt::ShearLocking]);
-    let plate = (&*format!("{formulation}"), "{ basis = 'plate17' }");
+    let plate = (formulation, "{ basis = 'plate17' }");
     assert_eq!(
         doubts(&[
             plate,

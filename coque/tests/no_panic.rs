@@ -8,6 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use common::fluids::{DAM, GATE, SHELL_GATE};
+use common::galerkin;
 use common::solids::{BAR, PLATE, SHEETS};
 use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
 use coque::{Rendering, Scene, SceneError, render};
@@ -38,7 +39,7 @@ const NUMBERS: [&str; 16] = [
 
 /// Scenes of files and, after them, small ones of solids and of fluids.
 fn scene(number: usize) -> String {
-    let more = [BAR, PLATE, SHEETS, DAM, GATE, SHELL_GATE];
+    let more = [BAR, PLATE, SHEETS, DAM, GATE, SHELL_GATE, galerkin::BAR, galerkin::ARC];
     if let Some(small) = number.checked_sub(SCENES.len()) {
         return more[small % more.len()].into();
     }
@@ -129,14 +130,13 @@ fn is_small(scene: &Scene, body: &BodyScene) -> bool {
     let spacing = scene.fluid().map_or(1.0, |(_, fluid)| fluid.geometry.spacing());
     match body {
         BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
-        BodyScene::Solid(solid) => {
-            let of_block = solid.geometry.block.as_ref().map(|block| {
+        BodyScene::Solid(solid) => match &solid.geometry.block {
+            Some(block) => {
                 let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
-                block.lengths.iter().enumerate().map(along).product::<f64>()
-            });
-            let of_arc = solid.geometry.arc.map(|arc| arc.cells.iter().map(|&cells| cells as f64).product());
-            of_block.or(of_arc).is_some_and(|nodes: f64| nodes <= 500.0)
-        }
+                block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
+            }
+            None => solid.geometry.arc.is_some_and(|arc| arc.cells.iter().product::<usize>() <= 500),
+        },
         BodyScene::Fluid(fluid) => match &fluid.geometry {
             FluidGeometry::Block(block) => {
                 block.lengths.iter().map(|length| length / spacing).product::<f64>() <= 500.0

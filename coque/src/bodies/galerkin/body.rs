@@ -3,66 +3,15 @@
 use std::borrow::Cow;
 
 use implicit_statics::{Equilibrium, OutOfBounds};
-use sph_core::{Cell, Vec3};
-use sr_galerkin::{Galerkin, Supports};
+use sph_core::Vec3;
 
 use super::doubts::large_strain;
 use super::fields::fields;
-use super::places::Places;
-use super::recovery::{RECOVERED, recovered};
+use super::solid::GalerkinSolid;
 use crate::bodies::body::{Balanced, Body, Configuration, Mismatch, StateArray};
 use crate::bodies::{Evaluated, Shown};
 use crate::scene::Measured;
 use crate::warning::Warning;
-
-/// A Galerkin solid with what the application shows of it.
-pub(crate) struct GalerkinSolid {
-    galerkin: Galerkin,
-    /// Background cells by their corners, which are nodes.
-    hexahedra: Vec<[u32; 8]>,
-    /// Their faces on the outside.
-    outer: Vec<Cell>,
-    /// What its supports bear; none where nobody asks for it.
-    supports: Option<Supports>,
-    /// Forces that supports exert, by node \[F\].
-    reactions: Vec<Vec3>,
-    /// Room for forces on unknowns.
-    scratch: Vec<f64>,
-}
-
-impl GalerkinSolid {
-    pub fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
-        let reactions = vec![Vec3::zeros(); galerkin.nodes()];
-        let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
-        let scratch = vec![0.0; galerkin.unknowns()];
-        Self { galerkin, hexahedra, outer, supports, reactions, scratch }
-    }
-
-    /// The solid itself.
-    pub fn galerkin(&self) -> &Galerkin {
-        &self.galerkin
-    }
-
-    /// Degrees of freedom that no support holds.
-    pub fn freedoms(&self) -> usize {
-        self.galerkin.unknowns()
-    }
-
-    /// Background cells by their corners.
-    pub fn hexahedra(&self) -> &[[u32; 8]] {
-        &self.hexahedra
-    }
-
-    /// Stress, strain and angle at the nodes.
-    pub fn at_nodes(&self) -> Vec<[f64; RECOVERED]> {
-        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results())
-    }
-
-    /// Forces that supports exert on nodes \[F\], if they are known.
-    pub fn reactions(&self) -> Option<&[Vec3]> {
-        self.supports.as_ref().map(|_| self.reactions.as_slice())
-    }
-}
 
 impl Body for GalerkinSolid {
     fn configuration(&self) -> Configuration<'_> {

@@ -2,12 +2,12 @@
 
 use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports};
 
-use super::body::GalerkinSolid;
 use super::conditions::{conditions, driven, holds, loads};
 use super::describe::describe;
 use super::doubts::doubts_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
 use super::places::Places;
+use super::solid::GalerkinSolid;
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;

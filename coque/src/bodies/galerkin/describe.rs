@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::body::GalerkinSolid;
+use super::solid::GalerkinSolid;
 use crate::bodies::{Description, TangentCost};
 use crate::scene::{Galerkin, GalerkinLaw, Scene, SolidMaterial, SolidScene};
 

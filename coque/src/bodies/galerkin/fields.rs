@@ -7,8 +7,8 @@ use std::io;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::Vec3;
 
-use super::body::GalerkinSolid;
 use super::recovery::RECOVERED;
+use super::solid::GalerkinSolid;
 use crate::bodies::solid::fields::von_mises;
 use crate::bodies::{Evaluated, Part, Shown, State};
 use crate::scene::units::Quantity;

@@ -9,3 +9,4 @@ mod fields;
 mod parts;
 mod places;
 mod recovery;
+mod solid;

@@ -1,0 +1,57 @@
+//! A Galerkin solid with its cells and the forces of its supports.
+
+use implicit_statics::Equilibrium;
+use sph_core::{Cell, Vec3};
+use sr_galerkin::{Galerkin, Supports};
+
+use super::places::Places;
+use super::recovery::{RECOVERED, recovered};
+
+/// A Galerkin solid with what the application shows of it.
+pub(crate) struct GalerkinSolid {
+    pub(super) galerkin: Galerkin,
+    /// Background cells by their corners, which are nodes.
+    hexahedra: Vec<[u32; 8]>,
+    /// Their faces on the outside.
+    pub(super) outer: Vec<Cell>,
+    /// What its supports bear; none where nobody asks for it.
+    pub(super) supports: Option<Supports>,
+    /// Forces that supports exert, by node \[F\].
+    pub(super) reactions: Vec<Vec3>,
+    /// Room for forces on unknowns.
+    pub(super) scratch: Vec<f64>,
+}
+
+impl GalerkinSolid {
+    pub fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
+        let reactions = vec![Vec3::zeros(); galerkin.nodes()];
+        let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
+        let scratch = vec![0.0; galerkin.unknowns()];
+        Self { galerkin, hexahedra, outer, supports, reactions, scratch }
+    }
+
+    /// The solid itself.
+    pub fn galerkin(&self) -> &Galerkin {
+        &self.galerkin
+    }
+
+    /// Degrees of freedom that no support holds.
+    pub fn freedoms(&self) -> usize {
+        self.galerkin.unknowns()
+    }
+
+    /// Background cells by their corners.
+    pub fn hexahedra(&self) -> &[[u32; 8]] {
+        &self.hexahedra
+    }
+
+    /// Stress, strain and angle at the nodes.
+    pub fn at_nodes(&self) -> Vec<[f64; RECOVERED]> {
+        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results())
+    }
+
+    /// Forces that supports exert on nodes \[F\], if they are known.
+    pub fn reactions(&self) -> Option<&[Vec3]> {
+        self.supports.as_ref().map(|_| self.reactions.as_slice())
+    }
+}
