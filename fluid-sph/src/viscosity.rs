@@ -15,7 +15,7 @@
 //!
 //! leaves ν∇²v + 2ν∇(∇·v): the friction of a Newtonian fluid where the volume hardly changes. The published weight
 //! F/(r² + η²) has the same integral but gives the nearest so much that a square lattice of h = 1.3 Δx is 20 % too soft in
-//! shear along its rows and 12 % too stiff across; F/(κh²) is within 3 % for any direction (h/Δx from 1.3 to 2). Forces
+//! shear along its rows and 12 % too stiff across; F/(κh²) is within 5 % for any direction (h/Δx from 1.3 to 2). Forces
 //! along v_ab \[lo2002\] stand for the stress ν∇v, which resists rotation: torques on curved walls are wrong by ν v/r.
 
 use crate::formulation::Formulation;
