@@ -47,7 +47,7 @@ fn variants() -> Vec<Variant> {
         ),
     ];
     for (grid, update, gradient, words) in [
-        ("turned by 100° in a step", Update::StepStart, turned(100.0), "sin θ"),
+        ("turned by 85° and stretched by 10 % in a step", Update::StepStart, turned(85.0) * 1.1, "sin θ"),
         ("turned inside out", Update::Midpoint, Tensor::from_diagonal(&[-0.1, 1.0, 1.0].into()), "det F"),
     ] {
         let variant = Variant::study(METHOD, grid, move || refused(update, &gradient, words));

@@ -39,10 +39,10 @@ fn variants() -> Vec<Variant> {
             .static_levels(&[1.0, 2.0, 3.0, 4.0])
             .judged(|run, _| slender(run)),
     ];
-    for (h, stiff) in [(0.5, 0.12), (0.1, 2.7)] {
+    for (h, stiff) in [(0.5, 0.12), (0.1, 2.4)] {
         variants.push(thin(h).judged(move |run, _| plate(run, h, stiff)));
     }
-    for (fraction, measured) in [(0.1, 0.1), (0.25, 0.5)] {
+    for (fraction, measured) in [(0.1, 0.04), (0.25, 0.05)] {
         variants.push(
             beam(&format!("nodes moved by {fraction}"))
                 .set(
