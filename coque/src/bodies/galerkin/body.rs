@@ -100,6 +100,14 @@ impl Equilibrium for GalerkinSolid {
         self.galerkin.pattern()
     }
 
+    fn places(&self) -> Option<Vec<[f64; 3]>> {
+        self.galerkin.places()
+    }
+
+    fn keeps_factor(&self) -> bool {
+        self.galerkin.keeps_factor()
+    }
+
     fn internal(&mut self, level: f64, out: &mut [f64]) {
         self.galerkin.internal(level, out);
     }
