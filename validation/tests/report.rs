@@ -26,7 +26,8 @@ const LOOK: &str = "<script>addEventListener('load', () => {
     if (e.getBoundingClientRect().right > innerWidth + 1 && !scrolls(e)) faults.push(e.tagName + ' overflows'); });
   document.querySelectorAll('svg').forEach(e => {
     const seen = e.getBoundingClientRect(), held = e.getBBox();
-    if (!(seen.width > 20 && seen.height > 20 && held.width > 0)) faults.push('empty drawing ' + e.id); });
+    const least = e.closest('.legend') ? 4 : 20;
+    if (!(seen.width > least && seen.height > least && held.width > 0)) faults.push('empty drawing ' + e.id); });
   document.title = 'looked: ' + document.querySelectorAll('svg').length + ' drawings; ' + faults.join(', ') + ';';
 });</script></body>";
 

@@ -4,3 +4,4 @@ pub(crate) mod check;
 pub(crate) mod ledger;
 pub(crate) mod points;
 pub(crate) mod sides;
+pub(crate) mod work;

@@ -135,7 +135,7 @@ impl Metric {
             _ if self.name == REST && self.pass => -2.0,
             (_, None) => -1.0,
             (Some(error), Some(tolerance)) if tolerance > 0.0 => error / tolerance,
-            (Some(error), Some(_)) if error == 0.0 => 0.0,
+            (Some(0.0), Some(_)) => 0.0,
             (_, Some(_)) => f64::INFINITY,
         }
     }
