@@ -22,7 +22,7 @@ const SPEED: f64 = 5.0;
 const STEADY: [f64; 2] = [0.4, 0.8];
 
 const FORCE: &str = "force on the plate";
-const LOST: &str = "particles behind the plate";
+const LOST: &str = "particles through the plate";
 const BALANCE: &str = "balance";
 
 /// The jet, and what it has to push with.
@@ -80,8 +80,15 @@ fn hit(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error
     })?;
     let whole = LENGTH / SPEED;
     let (mut force, mut records, mut behind) = (0.0, 0.0, 0);
+    // The film runs off both ends of the plate, and some of it turns round them.
+    let mut around = vec![false; fluid.positions().len()];
     let marched = march(&mut fluid, whole, 1e-3 * whole, |fluid, record| {
-        behind = behind.max(fluid.positions().iter().filter(|place| place.x > 0.0).count());
+        for (place, around) in fluid.positions().iter().zip(&mut around) {
+            *around |= place.y.abs() > high;
+        }
+        let through =
+            fluid.positions().iter().zip(&around).filter(|(place, around)| place.x > 0.0 && !**around);
+        behind = behind.max(through.count());
         if record.at.time > STEADY[0] * whole && record.at.time <= STEADY[1] * whole {
             force += fluid.wall_force(0).x;
             records += 1.0;
