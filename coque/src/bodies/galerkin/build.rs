@@ -8,12 +8,25 @@ use super::doubts::doubts_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
+use crate::bodies::body::PrescribedPoint;
+use crate::bodies::memory::Memory;
+use crate::bodies::probe::Probe;
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;
 use crate::bodies::{Identity, Made, Model, Ready};
 use crate::scene::error::SceneError;
-use crate::scene::{self, Measured, Scene, SolidMaterial, SolidScene};
+use crate::scene::{self, BodyScene, Measured, Scene, SolidMaterial, SolidScene};
+
+/// A Galerkin solid with what an analysis asks of it.
+struct Built {
+    galerkin: Galerkin,
+    places: Places,
+    probes: Vec<Probe>,
+    driven: Option<PrescribedPoint>,
+    supports: Option<Supports>,
+    memory: Memory,
+}
 
 impl Scene {
     /// Builds a Galerkin solid with what is asked of it.
@@ -23,6 +36,35 @@ impl Scene {
         options: &scene::Galerkin,
         threads: usize,
     ) -> Result<Model, SceneError> {
+        let Built { galerkin, places, probes, driven, supports, memory } =
+            self.galerkin(solid, options, threads)?;
+        let body = GalerkinSolid::new(galerkin, &places, supports);
+        self.refuse_freedoms(body.freedoms())?;
+        let description = describe(self, solid, options, &body, places.block.greatest_spacing());
+        let warnings = doubts_of(options, places.lattice.lengths, &places.block);
+        let (identity, judge) = (Identity::default(), None);
+        let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
+        Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))
+    }
+
+    /// Builds the Galerkin solid alone, for programs that lead it themselves.
+    ///
+    /// # Errors
+    /// As [`Scene::build`], and for a body of another kind.
+    pub fn build_galerkin(&self, threads: usize) -> Result<Galerkin, SceneError> {
+        self.check()?;
+        let BodyScene::Solid(solid) = self.body() else { return Err(self.not_a("solid")) };
+        let options = solid.formulation.galerkin();
+        let options = options.ok_or_else(|| self.not_a("solid with formulation.galerkin"))?;
+        self.galerkin(solid, options, threads).map(|built| built.galerkin)
+    }
+
+    fn galerkin(
+        &self,
+        solid: &SolidScene,
+        options: &scene::Galerkin,
+        threads: usize,
+    ) -> Result<Built, SceneError> {
         let nodes: f64 =
             solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
         let memory = self.room(nodes)?;
@@ -65,13 +107,7 @@ impl Scene {
         let galerkin = Galerkin::new(parts).map_err(|error| self.galerkin_refusal(solid, &error))?;
         let sought = driven.map(|point| (point.particle, point.direction));
         let supports = read.then(|| Supports::new(&galerkin, &given, essential, sought));
-        let body = GalerkinSolid::new(galerkin, &places, supports);
-        self.refuse_freedoms(body.freedoms())?;
-        let description = describe(self, solid, options, &body, places.block.greatest_spacing());
-        let warnings = doubts_of(options, places.lattice.lengths, &places.block);
-        let (identity, judge) = (Identity::default(), None);
-        let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
-        Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))
+        Ok(Built { galerkin, places, probes, driven, supports, memory })
     }
 
     /// Puts a refusal of the solid where the scene causes it.

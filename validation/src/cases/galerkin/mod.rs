@@ -1,6 +1,7 @@
 //! Solids without elements on strain and rotation; a new case is a file, a line here, and one in the list.
 
 mod cantilever;
+mod one_solve;
 mod plates;
 mod shell_and_solid;
 mod speed;
