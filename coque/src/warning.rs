@@ -64,6 +64,8 @@ pub enum Doubt {
     LostFluid,
     /// A coupling that feeds energy into structures.
     FluidFirst,
+    /// Boundaries that pull on a fluid and give way.
+    PullingBoundary,
     /// Bonds beyond their limit in a state of balance, which is none without them.
     BrokenAtRest,
     /// Supports that fix nodal parameters, which are no displacements.
@@ -107,6 +109,7 @@ impl Doubt {
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
             Self::FluidFirst => "fluid-first",
+            Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
             Self::LeakySupport => "leaky-support",
             Self::ShearLocking => "shear-locking",
@@ -167,6 +170,7 @@ mod tests {
             Doubt::LeakyWall,
             Doubt::LostFluid,
             Doubt::FluidFirst,
+            Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
             Doubt::LeakySupport,
             Doubt::ShearLocking,

@@ -172,3 +172,10 @@ fn the_order_that_pumps_is_warned_of() {
     assert!(outcome.summary.record.warnings[0].message.contains("order = \"structure-first\""));
     assert!(warned(&ran(SHELL_GATE, &[])).is_empty());
 }
+
+/// Boundaries that pull on a fluid while they give way are warned of; without structures they are not.
+#[test]
+fn structures_that_a_fluid_may_pull_are_warned_of() {
+    let confined = [("bodies.water.fluid.formulation.weakly-compressible", "{ confined = true }")];
+    assert_eq!(warned(&ran(SHELL_GATE, &confined)), ["pulling-boundary"]);
+}

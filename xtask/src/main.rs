@@ -30,8 +30,8 @@ enum Task {
 
     /// Everything that CI runs, from a bare checkout; stops at the first failure
     ///
-    /// Steps: format, lints, tidy, Python, tests, documentation tests, quick validation, quick hard cases. Each is
-    /// timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
+    /// Steps: format, lints, tidy, Python, tests (the quick sets of cases, usual and hard, among them), documentation tests.
+    /// Each is timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
     /// target/python with which the tests read fields back, where there is no Python 3.10 or no network. The last
     /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run.
     Test,

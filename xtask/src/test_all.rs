@@ -6,9 +6,9 @@ use std::time::{Duration, Instant};
 /// How far the validation goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Depth {
-    /// The quick cases.
+    /// The quick cases, which are tests of the crate `validation`.
     Quick,
-    /// The quick cases, then all of them with a report.
+    /// Then all of them in release mode, with a report.
     Full,
 }
 
@@ -105,13 +105,6 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
     let tests = if nextest { &["nextest", "run", "--workspace"][..] } else { &["test", "--workspace"] };
     // `cargo test --workspace` already runs the documentation tests
     let documentation = nextest.then(|| words(&["test", "--doc", "--workspace"]));
-    let quick = validate::Options { quick: true, ..Default::default() };
-    let hard = validate::Options {
-        quick: true,
-        hard: true,
-        report: Some("target/validation-hard".to_owned()),
-        ..Default::default()
-    };
     let full = validate::Options { report: Some("target/ci-report".to_owned()), ..Default::default() };
 
     let clippy = words(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
@@ -127,8 +120,6 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "tests", action: Action::Cargo(words(tests)) },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
-    steps.push(Step { name: "validation, quick", action: Action::Cargo(quick.words()) });
-    steps.push(Step { name: "hard cases, quick", action: Action::Cargo(hard.words()) });
     if depth == Depth::Full {
         steps.push(Step { name: "validation, full", action: Action::Cargo(full.words()) });
     }
@@ -202,9 +193,6 @@ mod tests {
                 "cargo xtask python",
                 "cargo nextest run --workspace",
                 "cargo test --doc --workspace",
-                "cargo run --release --package validation --bin validate -- --quick",
-                "cargo run --release --package validation --bin validate -- --quick --hard \
-                 --report target/validation-hard",
             ]
         );
         assert_eq!(commands(Depth::Quick, false)[5..6], ["cargo test --workspace"]);

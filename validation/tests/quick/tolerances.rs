@@ -1,10 +1,10 @@
-//! The verdict on the quick set: every tolerance is kept, and every metric says why it has the tolerance or none.
+//! The verdict on a quick set: every tolerance is kept, and every metric says why it has the tolerance or none.
 
-use validation::{CaseResult, Effort, Record, Selection, Verdict};
+use validation::{CaseResult, Record, Selection, Verdict};
 
 use crate::Faults;
 
-/// Metrics judged in the quick set, less a margin: a set that judges fewer has lost cases.
+/// Metrics judged in a quick set, less a margin: one that judges fewer has lost cases.
 const FEWEST_JUDGED: usize = 300;
 /// A shorter reason is none.
 const SHORTEST_REASON: usize = 20;
@@ -57,10 +57,9 @@ pub fn without_reason(results: &[CaseResult]) -> Faults {
 }
 
 /// Cases that the printed table or the HTML report do not show, and a report that is not whole or runs scripts.
-pub fn left_out(results: &[CaseResult]) -> Faults {
+pub fn left_out(selection: &Selection, results: &[CaseResult]) -> Faults {
     let table = validation::tables::table(results);
-    let selection = Selection { set: Effort::Quick, hard: false, names: Vec::new(), jobs: 1 };
-    let pages = match validation::report::pages(results, &selection) {
+    let pages = match validation::report::pages(results, selection) {
         Ok(pages) => pages,
         Err(error) => return vec![format!("there is no report: {error}")],
     };

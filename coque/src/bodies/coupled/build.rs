@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use explicit_dynamics::{BoundaryState, Dynamics, Order, TwoClocks};
-use fluid_sph::{Fluid, FluidError, Parts, Wall};
+use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall};
 use sph_core::{Cell, Vec3};
 
 use super::body::{Coupled, Structure};
@@ -47,6 +47,7 @@ impl Scene {
         let mut warnings = leaks(&walls);
         let coupling = self.coupling.unwrap_or_default();
         warnings.extend(fluid_first(coupling));
+        warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
         let mut made = Vec::new();
         for (name, wet) in wets {
             let own = wet.made.warnings.iter();
@@ -225,6 +226,16 @@ fn fluid_first(coupling: Coupling) -> Option<Warning> {
                    into them, into light ones most; judge energies, not displacements alone, or use order = \
                    \"structure-first\"";
     (coupling.order == CouplingOrder::FluidFirst).then(|| Warning::new(Doubt::FluidFirst, message))
+}
+
+/// The warning of a fluid that may pull on structures.
+fn pulling(formulation: &Formulation, structures: bool) -> Option<Warning> {
+    let message = format!(
+        "confined lets boundaries pull on the fluid, structures among them; with h = {} Δx the motion of a heavy one was found \
+         to grow (h = 2 Δx grew slowly): watch the energies, and take confined = false where the fluid has pressure enough",
+        formulation.smoothing
+    );
+    (formulation.confined && structures).then(|| Warning::new(Doubt::PullingBoundary, message))
 }
 
 /// What each body is, and what they are together.
