@@ -1,6 +1,7 @@
 //! Solids without elements on strain and rotation; a new case is a file, a line here, and one in the list.
 
 mod cantilever;
+mod column;
 mod one_solve;
 mod plates;
 mod shell_and_solid;
@@ -18,7 +19,7 @@ pub const ST_VENANT: &str = "galerkin St Venant";
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![cantilever::case(), plates::case(), shell_and_solid::case(), speed::case()]
+    vec![cantilever::case(), column::case(), plates::case(), shell_and_solid::case(), speed::case()]
 }
 
 /// The greatest distance of a column from a table, relative to that, at the levels of the run that the table has \[%\]; none if the
