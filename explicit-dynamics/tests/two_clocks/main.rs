@@ -1,81 +1,19 @@
 //! A gas between springs: the coupling of two clocks, without particles.
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
+mod marching;
 mod model;
 
 use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    Bounds, Clock, Dynamics, Instant, MarchError, MarchState, Observer, Order, OutOfBounds, Record, Step,
-    Transient, TwoClocks, Wetted,
+    Bounds, Dynamics, Instant, Observer, Order, OutOfBounds, Record, Step, Transient, TwoClocks, Wetted,
 };
+use marching::{CELLS, COURANT, Coupled, MASS, Notes, march, one_spring, state, take_up, transient};
 use model::{Column, DENSITY, LENGTH, SOUND, Spring};
 
-const CELLS: usize = 50;
-const COURANT: f64 = 0.3;
-const MASS: f64 = 0.05;
 /// Steps of a run.
 const STEPS: usize = 2000;
-
-type Coupled = TwoClocks<Column, Spring>;
-
-/// Notes records, and where the march stands after some steps with all that changes.
-#[derive(Default)]
-struct Notes {
-    records: Vec<Record>,
-    ends: Vec<f64>,
-    /// Balance of the first structure.
-    balances: Vec<f64>,
-    keep_at: Option<u64>,
-    kept: Option<(MarchState, Vec<Vec<f64>>)>,
-}
-
-impl Observer<Coupled> for Notes {
-    fn record(&mut self, system: &mut Coupled, record: &Record) -> ControlFlow<()> {
-        self.records.push(*record);
-        self.ends.extend(system.structures().next().map(|spring| spring.x));
-        self.balances.extend(system.energy(0).map(|energy| energy.error(0.0)));
-        ControlFlow::Continue(())
-    }
-    fn between(&mut self, system: &mut Coupled, at: &MarchState, _: f64) -> ControlFlow<()> {
-        if self.keep_at == Some(at.clock.steps) {
-            self.kept = Some((at.clone(), state(system)));
-        }
-        ControlFlow::Continue(())
-    }
-}
-
-fn state(system: &Coupled) -> Vec<Vec<f64>> {
-    let springs = system.structures().map(|spring| vec![spring.x, spring.v]);
-    [system.state(), system.fluid().state()].into_iter().chain(springs).collect()
-}
-
-fn take_up(system: &mut Coupled, kept: &[Vec<f64>]) {
-    assert!(system.set_state(&kept[0]));
-    system.fluid_mut().set_state(&kept[1]);
-    for (spring, numbers) in system.structures_mut().zip(&kept[2..]) {
-        (spring.x, spring.v) = (numbers[0], numbers[1]);
-    }
-}
-
-/// A spring at the left end, pulled out, that turns by `turn` within a step of the gas and takes `substeps` of its own.
-fn one_spring(turn: f64, substeps: u32) -> Coupled {
-    let fluid = Column::new(CELLS, COURANT);
-    let dt = fluid.dt;
-    let spring = Spring::new(MASS, MASS * (turn / dt).powi(2), dt / f64::from(substeps));
-    TwoClocks::new(fluid, vec![Box::new(spring.at(1e-5))])
-}
-
-fn transient(system: &Coupled, steps: usize, every: usize) -> Transient {
-    let dt = system.fluid().dt;
-    Transient { duration: steps as f64 * dt, record_every: every as f64 * dt, damping: 0.0, safety: 0.9 }
-}
-
-fn march(system: &mut Coupled, steps: usize, every: usize) -> (Notes, Result<Clock, MarchError>) {
-    let mut notes = Notes::default();
-    let end = transient(system, steps, every).march(system, &mut notes);
-    (notes, end)
-}
 
 /// Energy at all records over that at the first.
 fn energies(records: &[Record]) -> Vec<f64> {
