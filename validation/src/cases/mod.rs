@@ -5,6 +5,7 @@ pub mod option_cost;
 mod coupled;
 mod fluid;
 mod galerkin;
+mod growth;
 mod hard;
 mod shell;
 mod solid;
@@ -18,7 +19,7 @@ pub fn usual() -> Vec<Case> {
     cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));
     cases.extend(family("Fluids and structures", coupled::all()));
-    cases.extend(family("Cost", [option_cost::case()]));
+    cases.extend(family("Cost", [growth::case(), option_cost::case()]));
     cases
 }
 

@@ -10,6 +10,7 @@ pub mod path;
 pub mod scenes;
 pub mod sheets;
 pub mod solids;
+pub mod stopwatch;
 pub mod strip;
 pub mod studies;
 pub mod table;

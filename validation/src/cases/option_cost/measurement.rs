@@ -14,7 +14,7 @@ use sph_core::{EndWeights, Plate, Vec3, lattice};
 use sph_shell::{Formulation, Parts, Reach, Shell};
 
 use super::rows::{Row, SCENE, WITHOUT};
-use super::stopwatch::{Look, Stopwatch};
+use crate::support::stopwatch::{Look, Stopwatch};
 
 /// Steps before the first look at the clock: by then caches are filled, the first frame and checkpoint written.
 const WARM: u64 = 20;

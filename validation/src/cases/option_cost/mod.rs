@@ -7,7 +7,6 @@
 mod cost;
 mod measurement;
 mod rows;
-mod stopwatch;
 mod table;
 
 use std::sync::{Arc, OnceLock};
