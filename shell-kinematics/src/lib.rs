@@ -147,10 +147,14 @@ mod tangent;
 
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
-pub use pack::{LANES, Pack, Pack3};
+pub use pack::{LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;
-pub use section::{Isotropic, IsotropicSection, MaterialError, Section, SectionScales, linear_tangent};
-pub use strain::{GreenLagrange, StrainMeasure, StretchCorrected, strain_measure, strain_measures};
+pub use section::{
+    Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
+};
+pub use strain::{
+    GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
+};
 pub use strains::{Resultants, Strains};
 pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};

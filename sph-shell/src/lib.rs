@@ -230,11 +230,13 @@
 
 mod conditions;
 mod control;
+mod dispatch;
 mod error;
 mod formulation;
 mod packs;
 mod points;
 mod reference;
+mod registers;
 mod shell;
 mod state;
 mod statics;

@@ -3,12 +3,13 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, LANES, Pack, Pack3, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{IsotropicSection, LANES, Pack3, SectionOf, StrainsOf, StretchCorrected};
 
+use crate::dispatch::{Work, widest};
 use crate::packs::Row;
-use crate::points::dispatch::widest;
 use crate::points::point::{Point, PointForces, PointLaw, sign};
 use crate::points::scheme::{Points, Scheme};
+use crate::registers::{Baseline, Registers};
 
 /// Packs under which a sweep is not split further between threads.
 const PACK_CHUNK: usize = 64;
@@ -43,26 +44,27 @@ impl Sweep<'_> {
 
     /// Sweeps some packs of cells into a ring of slots; the mask is the ring's length less one.
     #[inline(always)]
-    pub fn block(&self, packs: Range<usize>, ring: &mut [Row], mask: usize) {
+    pub fn block<R: Registers>(&self, registers: R, packs: Range<usize>, ring: &mut [Row], mask: usize) {
         match self.default_pair() {
-            Some(law) => self.ring(law, packs, ring, mask),
-            None => self.ring(self.law, packs, ring, mask),
+            Some(law) => self.ring(registers, law, packs, ring, mask),
+            None => self.ring(Baseline, self.law, packs, ring, mask),
         }
     }
 
     #[inline(always)]
-    fn ring<M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn ring<R: Registers, M: StrainsOf<R::Four> + ?Sized, S: SectionOf<R::Four> + ?Sized>(
         &self,
+        registers: R,
         law: PointLaw<'_, M, S>,
         packs: Range<usize>,
         ring: &mut [Row],
         mask: usize,
     ) {
         for index in packs {
-            let point = self.points.point(index);
+            let point = self.points.point(index).treated_in(registers);
             let first = point.pack.first_slot(index) & mask;
             let own = &mut ring[first..first + point.pack.slot_count()];
-            sweep_pack::<true, false, M, S>(&point, law, self.state, own);
+            sweep_pack::<true, false, _, M, S>(&point, law, self.state, own);
         }
     }
 
@@ -75,17 +77,24 @@ impl Sweep<'_> {
     }
 
     #[inline(always)]
-    fn range<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn range<
+        const CELL: bool,
+        const ENERGY: bool,
+        R: Registers,
+        M: StrainsOf<R::Four> + ?Sized,
+        S: SectionOf<R::Four> + ?Sized,
+    >(
         &self,
+        registers: R,
         law: PointLaw<'_, M, S>,
         first: usize,
         mut slots: &mut [Row],
         energies: &mut [f64],
     ) {
         for (i, energy) in energies.iter_mut().enumerate() {
-            let point = self.points.point(first + i);
+            let point = self.points.point(first + i).treated_in(registers);
             let (own, rest) = slots.split_at_mut(point.pack.slot_count());
-            let found = sweep_pack::<CELL, ENERGY, M, S>(&point, law, self.state, own);
+            let found = sweep_pack::<CELL, ENERGY, _, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
             }
@@ -102,76 +111,93 @@ struct Leaf<'a, 'b> {
     energies: &'b mut [f64],
 }
 
-impl pulp::NullaryFnOnce for Leaf<'_, '_> {
+impl Work for Leaf<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn run<R: Registers>(self, registers: R) {
         let Self { sweep, first, slots, energies } = self;
         let cells = matches!(sweep.points.scheme, Scheme::Cells { .. });
+        let any = sweep.law;
         match (sweep.default_pair(), cells, sweep.energy) {
-            (Some(law), true, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
-            (_, true, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
-            (_, true, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
-            (_, false, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
-            (_, false, true) => sweep.range::<false, true, _, _>(sweep.law, first, slots, energies),
+            (Some(law), true, false) => {
+                sweep.range::<true, false, _, _, _>(registers, law, first, slots, energies)
+            }
+            (Some(law), false, false) => {
+                sweep.range::<false, false, _, _, _>(registers, law, first, slots, energies)
+            }
+            (None, true, false) => sweep.range::<true, false, _, _, _>(Baseline, any, first, slots, energies),
+            (None, false, false) => {
+                sweep.range::<false, false, _, _, _>(Baseline, any, first, slots, energies)
+            }
+            (_, true, true) => sweep.range::<true, true, _, _, _>(Baseline, any, first, slots, energies),
+            (_, false, true) => sweep.range::<false, true, _, _, _>(Baseline, any, first, slots, energies),
         }
-    }
-}
-
-#[inline(always)]
-fn store(slots: &mut [Row], force: [Pack3; 2]) {
-    let [f, t] = [force[0].0.map(Pack::lanes), force[1].0.map(Pack::lanes)];
-    for (lane, slot) in slots.iter_mut().enumerate().take(LANES) {
-        *slot = [f[0][lane], f[1][lane], f[2][lane], t[0][lane], t[1][lane], t[2][lane]];
     }
 }
 
 /// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
 #[inline(always)]
-fn sweep_pack<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
-    point: &Point<'_>,
+fn sweep_pack<
+    const CELL: bool,
+    const ENERGY: bool,
+    R: Registers,
+    M: StrainsOf<R::Four> + ?Sized,
+    S: SectionOf<R::Four> + ?Sized,
+>(
+    point: &Point<'_, R>,
     law: PointLaw<'_, M, S>,
     state: &[Row],
     slots: &mut [Row],
 ) -> f64 {
+    let registers = point.registers;
     let now = point.strained::<CELL, M>(law.strain, state);
     let PointForces { on_vectors: mut f, density, released } = point.forces::<ENERGY, M, S>(law, &now);
-    let w = point.pack.weight;
+    let w = registers.load(&point.pack.weight);
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;
     f.q = f.q * w;
     f.m1 = f.m1 * w;
     f.m2 = f.m2 * w;
     let mut energy = density * w;
-    let mut pattern = [Pack3::ZERO; 2];
+    let zero = Pack3([registers.splat(0.0); 3]);
+    let mut pattern = [zero; 2];
     if let Some((cell, state)) = &now.control {
         let (forces, more) = cell.add(&now.placement, state, released, &mut f);
         pattern = [forces.position, forces.director];
         energy += more;
     }
     // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
-    let (mut base_x, mut base_d) = (Pack3::ZERO, f.q);
-    for (k, entry) in point.entries.iter().enumerate() {
-        let mut on_x = f.n1 * entry.g1 + f.n2 * entry.g2;
-        let mut on_d = f.q * entry.phi + f.m1 * entry.g1 + f.m2 * entry.g2;
+    let (mut base_x, mut base_d) = (zero, f.q);
+    let (base_slots, slots) = slots.split_at_mut(LANES);
+    for ((k, entry), slots) in point.entries.iter().enumerate().zip(slots.chunks_exact_mut(LANES)) {
+        let [g1, g2, phi] =
+            [registers.load(&entry.g1), registers.load(&entry.g2), registers.load(&entry.phi)];
+        let mut on_x = f.n1 * g1 + f.n2 * g2;
+        let mut on_d = f.q * phi + f.m1 * g1 + f.m2 * g2;
         if CELL {
-            let h = Pack::splat(sign(k));
+            let h = registers.splat(sign(k));
             on_x += pattern[0] * h;
             on_d += pattern[1] * h;
         }
         base_x = base_x - on_x;
         base_d = base_d - on_d;
-        let first = (k + 1) * LANES;
-        store(&mut slots[first..first + LANES], [on_x, on_d]);
+        store(registers, slots, on_x, on_d);
     }
-    store(&mut slots[..LANES], [base_x, base_d]);
-    if ENERGY { energy.sum() } else { 0.0 }
+    store(registers, base_slots, base_x, base_d);
+    if ENERGY { registers.store(energy).sum() } else { 0.0 }
+}
+
+/// Forces and couples of four points on a particle of each, into four slots.
+#[inline(always)]
+fn store<R: Registers>(registers: R, slots: &mut [Row], f: Pack3<R::Four>, t: Pack3<R::Four>) {
+    let ([x, y, z], [u, v, w]) = (f.0, t.0);
+    slots.copy_from_slice(&registers.rows([x, y, z, u, v, w]));
 }
 
 #[cfg(test)]
 mod tests {
-    use shell_kinematics::Isotropic;
+    use shell_kinematics::{Isotropic, Section, StrainMeasure};
     use sph_core::{Cylinder, EndWeights, lattice};
 
     use super::*;
@@ -204,9 +230,11 @@ mod tests {
         };
         let here = run(&|slots, energies| sweep.run(0, slots, energies, false));
         let static_law = PointLaw { strain: &StretchCorrected, section: &section };
-        let baseline =
-            run(&|slots, energies| sweep.range::<true, false, _, _>(static_law, 0, slots, energies));
-        let any = run(&|slots, energies| sweep.range::<true, false, _, _>(law, 0, slots, energies));
+        let baseline = run(&|slots, energies| {
+            sweep.range::<true, false, _, _, _>(Baseline, static_law, 0, slots, energies)
+        });
+        let any =
+            run(&|slots, energies| sweep.range::<true, false, _, _, _>(Baseline, law, 0, slots, energies));
         assert!(here == baseline && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
     }

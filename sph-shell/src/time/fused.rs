@@ -10,9 +10,10 @@ use std::ops::Range;
 
 use explicit_dynamics::Work;
 
+use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Packs, Row};
-use crate::points::dispatch::widest;
 use crate::points::sweep::Sweep;
+use crate::registers::Registers;
 use crate::time::particle::{Slots, Update};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
@@ -137,12 +138,12 @@ struct Points<'a, 'b> {
     mask: usize,
 }
 
-impl pulp::NullaryFnOnce for Points<'_, '_> {
+impl Sweeping for Points<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
-        self.sweep.block(self.packs, self.ring, self.mask);
+    fn run<R: Registers>(self, registers: R) {
+        self.sweep.block(registers, self.packs, self.ring, self.mask);
     }
 }
 
@@ -161,7 +162,7 @@ struct Particles<'a, 'b> {
 
 impl Particles<'_, '_> {
     #[inline(always)]
-    fn run<const LOADED: bool>(self) {
+    fn all<const LOADED: bool>(self) {
         let Self { update, state, slots, first, particles, next, rates, work } = self;
         let rows = state[particles.clone()].iter().zip(next).zip(rates);
         for (a, ((row, new), rate)) in particles.zip(rows) {
@@ -171,12 +172,12 @@ impl Particles<'_, '_> {
     }
 }
 
-impl pulp::NullaryFnOnce for Particles<'_, '_> {
+impl Sweeping for Particles<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
-        if self.update.external.is_empty() { self.run::<false>() } else { self.run::<true>() }
+    fn run<R: Registers>(self, _: R) {
+        if self.update.external.is_empty() { self.all::<false>() } else { self.all::<true>() }
     }
 }
 

@@ -7,9 +7,10 @@ use explicit_dynamics::{
 use rayon::prelude::*;
 
 use crate::Shell;
+use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::bounds::Unsound;
-use crate::points::dispatch::widest;
+use crate::registers::Registers;
 use crate::time::particle::{Decay, Slots, Update, drifted};
 
 /// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved in place.
@@ -26,7 +27,7 @@ type ChunkRows<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut Work);
 
 impl<const DRIFT: bool> Chunk<'_, '_, DRIFT> {
     #[inline(always)]
-    fn run<const LOADED: bool>(self) -> Work {
+    fn all<const LOADED: bool>(self) -> Work {
         let mut work = Work::default();
         for (i, (row, rate)) in self.state.iter_mut().zip(self.rates).enumerate() {
             let new = self.update.particle::<DRIFT, LOADED>(self.first + i, row, rate, self.slots, &mut work);
@@ -38,12 +39,12 @@ impl<const DRIFT: bool> Chunk<'_, '_, DRIFT> {
     }
 }
 
-impl<const DRIFT: bool> pulp::NullaryFnOnce for Chunk<'_, '_, DRIFT> {
+impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
     type Output = Work;
 
     #[inline(always)]
-    fn call(self) -> Work {
-        if self.update.external.is_empty() { self.run::<false>() } else { self.run::<true>() }
+    fn run<R: Registers>(self, _: R) -> Work {
+        if self.update.external.is_empty() { self.all::<false>() } else { self.all::<true>() }
     }
 }
 
