@@ -19,6 +19,8 @@ pub(crate) trait Registers: Copy {
     fn splat(self, value: f64) -> Self::Four;
     /// Four numbers from memory.
     fn load(self, pack: &Pack) -> Self::Four;
+    /// Four numbers from four places.
+    fn gather(self, four: [&f64; LANES]) -> Self::Four;
     /// Four numbers to memory.
     fn store(self, four: Self::Four) -> Pack;
     /// Rows of four particles, turned into columns.
@@ -66,6 +68,11 @@ impl Registers for Baseline {
     }
 
     #[inline(always)]
+    fn gather(self, [a, b, c, d]: [&f64; LANES]) -> Pack {
+        Pack::new([*a, *b, *c, *d])
+    }
+
+    #[inline(always)]
     fn store(self, four: Pack) -> Pack {
         four
     }
@@ -110,6 +117,11 @@ impl<L: Lanes> Registers for L {
     #[inline(always)]
     fn load(self, pack: &Pack) -> Wide<L> {
         Wide { lanes: self, four: Lanes::load(self, pack.as_array()) }
+    }
+
+    #[inline(always)]
+    fn gather(self, [a, b, c, d]: [&f64; LANES]) -> Wide<L> {
+        Wide { lanes: self, four: Lanes::load(self, &[*a, *b, *c, *d]) }
     }
 
     #[inline(always)]

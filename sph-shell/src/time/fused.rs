@@ -9,12 +9,13 @@
 use std::ops::Range;
 
 use explicit_dynamics::Work;
+use shell_kinematics::LANES;
 
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Packs, Row};
 use crate::points::sweep::Sweep;
 use crate::registers::Registers;
-use crate::time::particle::{Slots, Update};
+use crate::time::particle::{Slots, Update, put};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
 const BLOCK: usize = 16;
@@ -73,15 +74,19 @@ impl Part {
         let blocks = (end - first).div_ceil(BLOCK);
         let mut ready = vec![particles.start as u32; blocks];
         let (mut block, mut longest) = (0, 0);
-        for a in particles.clone() {
-            let own = packs.slots_of(a);
-            // Particles are completed in order: none before the one in front of it.
-            if let (Some(&lowest), Some(&highest)) = (own.first(), own.last()) {
-                block = block.max((pack_of(highest) - first) / BLOCK);
-                let swept = (first + (block + 1) * BLOCK).min(end);
-                longest = longest.max(swept - pack_of(lowest));
+        // Four at a time, in order: none before those in front of it.
+        for a in particles.clone().step_by(LANES) {
+            let four = a..(a + LANES).min(particles.end);
+            let (mut lowest, mut highest) = (end, first);
+            for &slot in four.clone().flat_map(|a| packs.slots_of(a)) {
+                (lowest, highest) = (lowest.min(pack_of(slot)), highest.max(pack_of(slot)));
             }
-            ready[block] = a as u32 + 1;
+            if lowest <= highest {
+                block = block.max((highest - first) / BLOCK);
+                let swept = (first + (block + 1) * BLOCK).min(end);
+                longest = longest.max(swept - lowest);
+            }
+            ready[block] = four.end as u32;
         }
         for b in 1..blocks {
             ready[b] = ready[b].max(ready[b - 1]);
@@ -162,12 +167,15 @@ struct Particles<'a, 'b> {
 
 impl Particles<'_, '_> {
     #[inline(always)]
-    fn all<const LOADED: bool>(self) {
+    fn all<const LOADED: bool, R: Registers>(self, registers: R) {
         let Self { update, state, slots, first, particles, next, rates, work } = self;
-        let rows = state[particles.clone()].iter().zip(next).zip(rates);
-        for (a, ((row, new), rate)) in particles.zip(rows) {
+        let rows = state[particles.clone()].chunks(LANES);
+        let groups = rows.zip(next.chunks_mut(LANES)).zip(rates.chunks_mut(LANES));
+        for (a, ((rows, next), rates)) in particles.step_by(LANES).zip(groups) {
             let tally = &mut work[(a - first) / PARTICLE_CHUNK];
-            *new = update.particle::<true, LOADED>(a, row, rate, slots, tally);
+            let [places, kicked] = update.four::<true, LOADED, R>(registers, a, rows, rates, slots, tally);
+            put(next, &places);
+            put(rates, &kicked);
         }
     }
 }
@@ -176,8 +184,12 @@ impl Sweeping for Particles<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<R: Registers>(self, _: R) {
-        if self.update.external.is_empty() { self.all::<false>() } else { self.all::<true>() }
+    fn run<R: Registers>(self, registers: R) {
+        if self.update.external.is_empty() {
+            self.all::<false, R>(registers)
+        } else {
+            self.all::<true, R>(registers)
+        }
     }
 }
 

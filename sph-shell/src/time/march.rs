@@ -5,13 +5,14 @@ use explicit_dynamics::{
     lanczos_step,
 };
 use rayon::prelude::*;
+use shell_kinematics::LANES;
 
 use crate::Shell;
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::bounds::Unsound;
 use crate::registers::Registers;
-use crate::time::particle::{Decay, Slots, Update, drifted};
+use crate::time::particle::{Decay, Slots, Update, drifted, put};
 
 /// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved in place.
 struct Chunk<'a, 'b, const DRIFT: bool> {
@@ -27,13 +28,17 @@ type ChunkRows<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut Work);
 
 impl<const DRIFT: bool> Chunk<'_, '_, DRIFT> {
     #[inline(always)]
-    fn all<const LOADED: bool>(self) -> Work {
+    fn all<const LOADED: bool, R: Registers>(self, registers: R) -> Work {
         let mut work = Work::default();
-        for (i, (row, rate)) in self.state.iter_mut().zip(self.rates).enumerate() {
-            let new = self.update.particle::<DRIFT, LOADED>(self.first + i, row, rate, self.slots, &mut work);
+        let groups = self.state.chunks_mut(LANES).zip(self.rates.chunks_mut(LANES));
+        for (i, (rows, rates)) in groups.enumerate() {
+            let a = self.first + LANES * i;
+            let [places, kicked] =
+                self.update.four::<DRIFT, LOADED, R>(registers, a, rows, rates, self.slots, &mut work);
             if DRIFT {
-                *row = new;
+                put(rows, &places);
             }
+            put(rates, &kicked);
         }
         work
     }
@@ -43,8 +48,12 @@ impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
     type Output = Work;
 
     #[inline(always)]
-    fn run<R: Registers>(self, _: R) -> Work {
-        if self.update.external.is_empty() { self.all::<false>() } else { self.all::<true>() }
+    fn run<R: Registers>(self, registers: R) -> Work {
+        if self.update.external.is_empty() {
+            self.all::<false, R>(registers)
+        } else {
+            self.all::<true, R>(registers)
+        }
     }
 }
 

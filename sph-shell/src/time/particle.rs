@@ -1,10 +1,11 @@
-//! One particle's step: gather forces, kick, hold what is held, book the work, drift.
+//! The step of four particles: gather forces, kick, hold what is held, book the work, drift.
 
 use explicit_dynamics::{Step, Work};
-use shell_kinematics::parallel_transport;
+use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::supports::Constraint;
 use crate::packs::{Packs, Row};
+use crate::registers::Registers;
 
 /// Slots of forces; a ring that holds only the slots in use is addressed through its mask.
 #[derive(Clone, Copy)]
@@ -59,71 +60,112 @@ impl Update<'_> {
         sum
     }
 
-    /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` of particle `a`, and with `DRIFT` its new row.
+    /// Forces from the slots, kick, and with `DRIFT` the motion, of the particles from number `a` on that `rows` and
+    /// `rates` hold: `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)`. Returns their new rows and rates.
     ///
-    /// Kinetic energy and external work are added to `work`; what damping takes is `2cκ` times the former.
+    /// Of the last particles there may be fewer than four; the lanes beyond repeat the last one and count for nothing.
+    /// Kinetic energy and external work are added to `work`, particle by particle; what damping takes is `2cκ` times the
+    /// former.
     #[inline(always)]
-    pub fn particle<const DRIFT: bool, const LOADED: bool>(
+    pub fn four<const DRIFT: bool, const LOADED: bool, R: Registers>(
         &self,
+        registers: R,
         a: usize,
-        row: &Row,
-        rate: &mut Row,
+        rows: &[Row],
+        rates: &[Row],
         slots: Slots<'_>,
         work: &mut Work,
-    ) -> Row {
+    ) -> [[Row; LANES]; 2] {
         let kick = self.step.kick;
         let Decay { before, after } = self.decay;
-        let internal = self.internal(a, slots);
-        let external = if LOADED { self.external[a] } else { [0.0; 6] };
-        let (m, inertia) = (self.masses[a], self.inertias[a]);
-        let (to_v, to_w) = (kick / m, kick / inertia);
-        let mut f = [0.0; 6];
+        let last = a + rows.len() - 1;
+        let internal = [
+            self.internal(a, slots),
+            self.internal((a + 1).min(last), slots),
+            self.internal((a + 2).min(last), slots),
+            self.internal((a + 3).min(last), slots),
+        ];
+        let internal = registers.columns([&internal[0], &internal[1], &internal[2], &internal[3]]);
+        let mut external = [registers.splat(0.0); 6];
+        if LOADED {
+            external = registers.columns(four_of(self.external, a));
+        }
+        let (row, old) = (registers.columns(four_of(rows, 0)), registers.columns(four_of(rates, 0)));
+        let m = registers.gather(four_of(self.masses, a));
+        let inertia = registers.gather(four_of(self.inertias, a));
+        let kicked = registers.splat(kick);
+        let (to_v, to_w) = (kicked / m, kicked / inertia);
+        let mut f = external;
         for k in 0..6 {
             f[k] = external[k] - internal[k];
         }
         // The director feels the part of its force across itself.
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
-        let old = *rate;
-        let mut new = [0.0; 6];
+        let mut new = old;
         for k in 0..3 {
             new[k] = (old[k] * before + to_v * f[k]) * after;
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
-        let number = self.constraint_of[a] as usize;
-        let mut told = false;
-        if number > 0 {
-            (new, told) = self.hold(&self.constraints[number - 1], *row, new);
+        let [h0, h1, h2, h3] = four_of(self.constraint_of, a);
+        let mut told = [false; LANES];
+        if (h0 | h1 | h2 | h3) > 0 {
+            let mut moved = registers.rows(new);
+            told = self.hold_four([*h0, *h1, *h2, *h3], four_of(rows, 0), &mut moved);
+            new = registers.columns([&moved[0], &moved[1], &moved[2], &moved[3]]);
         }
-        let mut mean = [0.0; 6];
+        let mut mean = new;
         for k in 0..6 {
-            mean[k] = 0.5 * (old[k] + new[k]);
+            mean[k] = (old[k] + new[k]) * 0.5;
         }
         let square = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
         let turning = mean[3] * mean[3] + mean[4] * mean[4] + mean[5] * mean[5];
-        work.kinetic += 0.5 * (m * square + inertia * turning);
+        let kinetic = registers.store((m * square + inertia * turning) * 0.5).lanes();
+        let mut done = mean;
         if LOADED {
             for k in 0..6 {
-                work.external += kick * external[k] * mean[k];
+                done[k] = kicked * external[k] * mean[k];
             }
         }
-        if told && kick > 0.0 {
-            work.external = self.with_told_work(a, work.external, *row, f, [old, new]);
+        let done = registers.rows(done);
+        for lane in 0..rows.len().min(LANES) {
+            work.kinetic += kinetic[lane];
+            if LOADED {
+                for k in 0..6 {
+                    work.external += done[lane][k];
+                }
+            }
+            if told[lane] && kick > 0.0 {
+                let [f, old, new] = [registers.rows(f), registers.rows(old), registers.rows(new)];
+                let rates = [old[lane], new[lane]];
+                work.external = self.with_told_work(a + lane, work.external, rows[lane], f[lane], rates);
+            }
         }
         if DRIFT {
-            let (place, carried) = drifted(row, &new, self.step.drift());
-            *rate = carried;
-            place
+            let dt = self.step.drift();
+            let (d, w) = parallel_transport([row[3], row[4], row[5]], [new[3], new[4], new[5]], dt);
+            let x = Pack3([row[0], row[1], row[2]]) + Pack3([new[0], new[1], new[2]]) * registers.splat(dt);
+            let place = [x.0[0], x.0[1], x.0[2], d[0], d[1], d[2]];
+            [registers.rows(place), registers.rows([new[0], new[1], new[2], w[0], w[1], w[2]])]
         } else {
-            *rate = new;
-            *row
+            [registers.rows(row), registers.rows(new)]
         }
     }
 
-    /// Takes out what a support holds and puts in what it prescribes; true if it prescribes anything.
+    /// [`Update::hold`] of those of four particles that a support holds, by the numbers of their constraints.
     ///
     /// Neither this nor the work below is inlined: particles that nothing holds pay one branch.
     #[cold]
     #[inline(never)]
+    fn hold_four(&self, held: [u32; LANES], rows: [&Row; LANES], new: &mut [Row; LANES]) -> [bool; LANES] {
+        let mut told = [false; LANES];
+        for lane in (0..LANES).filter(|&lane| held[lane] > 0) {
+            let constraint = &self.constraints[held[lane] as usize - 1];
+            (new[lane], told[lane]) = self.hold(constraint, *rows[lane], new[lane]);
+        }
+        told
+    }
+
+    /// Takes out what a support holds and puts in what it prescribes; true if it prescribes anything.
     fn hold(&self, constraint: &Constraint, row: Row, new: Row) -> (Row, bool) {
         let mut v = constraint.free_translation([new[0], new[1], new[2]]);
         let motion = constraint.velocity(self.step);
@@ -155,6 +197,26 @@ impl Update<'_> {
         let moved = if told.motion.is_some() { 0..3 } else { 0..0 };
         let rotated = if told.rotation.is_some() { 3..6 } else { 0..0 };
         moved.chain(rotated).fold(external, work)
+    }
+}
+
+/// Four from number `first` on, or all there are and the last one again.
+#[inline(always)]
+fn four_of<T>(all: &[T], first: usize) -> [&T; LANES] {
+    if let Some([a, b, c, d]) = all[first..].first_chunk() {
+        return [a, b, c, d];
+    }
+    let last = all.len() - 1;
+    [&all[first], &all[(first + 1).min(last)], &all[(first + 2).min(last)], &all[(first + 3).min(last)]]
+}
+
+/// Writes as many of four rows as there is room for.
+#[inline(always)]
+pub(crate) fn put(place: &mut [Row], rows: &[Row; LANES]) {
+    if let Some(four) = place.first_chunk_mut() {
+        *four = *rows;
+    } else {
+        place.copy_from_slice(&rows[..place.len()]);
     }
 }
 
