@@ -233,6 +233,7 @@ mod control;
 mod dispatch;
 mod error;
 mod formulation;
+mod gather;
 mod packs;
 mod points;
 mod reference;

@@ -2,9 +2,7 @@
 //!
 //! Stencils are stored in difference form: the first particle of a stencil is its base, and the
 //! other entries act on `x_k − x_base`. Translation then costs nothing, to the last bit, and the
-//! forces of a point sum to zero exactly. Each (point, particle) pair owns a slot into which the
-//! sweep writes its force; particles add up their slots in ascending order, so the result does not
-//! depend on threads.
+//! forces of a point sum to zero exactly.
 
 use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::SamplingOperator;
@@ -42,21 +40,17 @@ pub(crate) struct Entry {
     pub g2: Pack,
 }
 
-/// All packs, and for each particle the slots it adds up.
+/// All packs.
 #[derive(Clone, Debug)]
 pub(crate) struct Packs {
     pub points: Vec<PointPack>,
     pub entries: Vec<Entry>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
-    /// First slot of each particle in `slots`, and the end.
-    pub offsets: Vec<u32>,
-    /// Slot numbers, ascending for each particle.
-    pub slots: Vec<u32>,
 }
 
 impl PointPack {
-    /// First slot of pack number `index`.
+    /// First slot of pack number `index` where slots of all packs follow each other.
     pub fn first_slot(&self, index: usize) -> usize {
         (self.first as usize + index) * LANES
     }
@@ -80,13 +74,10 @@ impl Packs {
             points: Vec::with_capacity(count.div_ceil(LANES)),
             entries: Vec::new(),
             order: Vec::with_capacity(count.div_ceil(LANES)),
-            offsets: Vec::new(),
-            slots: Vec::new(),
         };
         for lanes in order.chunks(LANES) {
             packs.push(operator, lanes);
         }
-        packs.find_slots(operator);
         packs
     }
 
@@ -119,42 +110,8 @@ impl Packs {
         self.order.push(lane_points);
     }
 
-    /// The transpose: which slots belong to each particle.
-    fn find_slots(&mut self, operator: &SamplingOperator) {
-        let mut owned: Vec<(u32, u32)> = Vec::with_capacity(operator.particles.len());
-        let mut point = 0;
-        for (index, pack) in self.points.iter().enumerate() {
-            for lane in 0..LANES {
-                // The last pack's filling lanes own no slots.
-                if point == operator.points.len() {
-                    break;
-                }
-                point += 1;
-                let stencil = operator.stencil(self.order[index][lane] as usize);
-                for (k, &particle) in stencil.particles.iter().enumerate() {
-                    owned.push((particle, (pack.first_slot(index) + k * LANES + lane) as u32));
-                }
-            }
-        }
-        owned.sort_unstable();
-        self.offsets = vec![0; operator.particle_count + 1];
-        for &(particle, _) in &owned {
-            self.offsets[particle as usize + 1] += 1;
-        }
-        for i in 0..operator.particle_count {
-            self.offsets[i + 1] += self.offsets[i];
-        }
-        self.slots = owned.into_iter().map(|(_, slot)| slot).collect();
-    }
-
     /// Slots altogether.
     pub fn slot_count(&self) -> usize {
         (self.entries.len() + self.points.len()) * LANES
-    }
-
-    /// The slots of one particle.
-    #[inline(always)]
-    pub fn slots_of(&self, particle: usize) -> &[u32] {
-        &self.slots[self.offsets[particle] as usize..self.offsets[particle + 1] as usize]
     }
 }

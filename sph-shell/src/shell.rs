@@ -1,7 +1,7 @@
 //! The shell: how it is put together, its forces, and what can be read from it.
 
 use explicit_dynamics::{Instant, Work};
-use shell_kinematics::{Section, StrainMeasure};
+use shell_kinematics::{LANES, Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
@@ -10,6 +10,7 @@ use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::error::ShellError;
 use crate::formulation::Formulation;
+use crate::gather::Places;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme};
@@ -62,13 +63,16 @@ impl Shell {
         let (points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {
-            Scheme::Cells { .. } => Fused::plan(&points.packs, count, threads),
+            Scheme::Cells { .. } => {
+                let places = Places::new(&points.packs, &reference.operator);
+                Some(Fused::plan(&points.packs, &places, count, threads))
+            }
             Scheme::Wide { .. } | Scheme::StrongForm { .. } => None,
         };
         Ok(Self {
-            slots: vec![[0.0; 6]; points.slot_count()],
+            slots: points.slots(),
             external: vec![[0.0; 6]; if parts.loads.is_empty() { 0 } else { count }],
-            pack_energies: vec![0.0; points.packs.points.len()],
+            pack_energies: vec![0.0; if fused.is_some() { 0 } else { points.packs.points.len() }],
             chunk_work: vec![Work::default(); count.div_ceil(PARTICLE_CHUNK)],
             state: reference.rest(),
             rates: vec![[0.0; 6]; count],
@@ -146,16 +150,12 @@ impl Shell {
 
     /// `[∂U/∂x, ∂U/∂d]` of a particle for the last forces evaluated \[F, F L\].
     pub fn internal_force(&self, particle: usize) -> [f64; 6] {
-        let mut sum = self.points.direct().get(particle).copied().unwrap_or([0.0; 6]);
-        if !self.slots.is_empty() {
-            for &slot in self.points.packs.slots_of(particle) {
-                let row = &self.slots[slot as usize];
-                for i in 0..6 {
-                    sum[i] += row[i];
-                }
-            }
+        let group = particle / LANES;
+        let mut sums = [self.points.direct()[particle]; LANES];
+        if let Some(lists) = self.points.lists() {
+            lists.add(group, &self.slots, &mut sums);
         }
-        sum
+        sums[particle % LANES]
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -182,6 +182,13 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
+        if let Some(mut fused) = self.fused.take() {
+            let mut forces = std::mem::take(self.points.direct_mut());
+            self.internal_energy = fused.forces(&self.sweep(energy), &mut forces);
+            *self.points.direct_mut() = forces;
+            self.fused = Some(fused);
+            return;
+        }
         let Points { packs, shear, scheme } = &mut self.points;
         if let Scheme::StrongForm { equations, forces } = scheme {
             let law = PointLaw { strain: self.strain, section: &*self.section };
@@ -191,10 +198,11 @@ impl Shell {
         }
         let mut slots = std::mem::take(&mut self.slots);
         let mut energies = std::mem::take(&mut self.pack_energies);
-        self.sweep(energy).run(0, &mut slots, &mut energies, self.threads > 1);
+        let count = self.points.packs.slot_count();
+        self.sweep(energy).run(0, &mut slots[..count], &mut energies, self.threads > 1);
         (self.slots, self.pack_energies) = (slots, energies);
         let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
-        if let Scheme::Wide { control, forces } = &mut self.points.scheme {
+        if let Scheme::Wide { control, forces, .. } = &mut self.points.scheme {
             total += control.evaluate(&self.state, forces, self.threads > 1);
         }
         self.internal_energy = total;

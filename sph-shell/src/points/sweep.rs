@@ -6,9 +6,10 @@ use std::ops::Range;
 use shell_kinematics::{IsotropicSection, LANES, Pack3, SectionOf, StrainsOf, StretchCorrected};
 
 use crate::dispatch::{Work, widest};
-use crate::packs::Row;
+use crate::gather::Place;
+use crate::packs::{Packs, PointPack, Row};
 use crate::points::point::{Point, PointForces, PointLaw, sign};
-use crate::points::scheme::{Points, Scheme};
+use crate::points::scheme::Points;
 use crate::registers::{Baseline, Registers};
 
 /// Packs under which a sweep is not split further between threads.
@@ -42,29 +43,43 @@ impl Sweep<'_> {
         widest(Leaf { sweep: self, first, slots, energies });
     }
 
-    /// Sweeps some packs of cells into a ring of slots; the mask is the ring's length less one.
+    /// Sweeps some packs of cells into a ring of slots, and for their energies if they are asked for.
     #[inline(always)]
-    pub fn block<R: Registers>(&self, registers: R, packs: Range<usize>, ring: &mut [Row], mask: usize) {
-        match self.default_pair() {
-            Some(law) => self.ring(registers, law, packs, ring, mask),
-            None => self.ring(Baseline, self.law, packs, ring, mask),
+    pub fn block<R: Registers>(
+        &self,
+        registers: R,
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        match (self.default_pair(), self.energy) {
+            (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
+            (None, false) => self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies),
+            (Some(law), false) => self.cells::<false, _, _, _>(registers, law, packs, ring, energies),
         }
     }
 
     #[inline(always)]
-    fn ring<R: Registers, M: StrainsOf<R::Four> + ?Sized, S: SectionOf<R::Four> + ?Sized>(
+    fn cells<
+        const ENERGY: bool,
+        R: Registers,
+        M: StrainsOf<R::Four> + ?Sized,
+        S: SectionOf<R::Four> + ?Sized,
+    >(
         &self,
         registers: R,
         law: PointLaw<'_, M, S>,
         packs: Range<usize>,
-        ring: &mut [Row],
-        mask: usize,
+        ring: &mut Ring,
+        energies: &mut [f64],
     ) {
-        for index in packs {
+        for (index, energy) in packs.zip(energies) {
             let point = self.points.point(index).treated_in(registers);
-            let first = point.pack.first_slot(index) & mask;
-            let own = &mut ring[first..first + point.pack.slot_count()];
-            sweep_pack::<true, false, _, M, S>(&point, law, self.state, own);
+            let own = &mut ring.of(index)[..point.pack.slot_count()];
+            let found = sweep_pack::<true, ENERGY, _, M, S>(&point, law, self.state, own);
+            if ENERGY {
+                *energy = found;
+            }
         }
     }
 
@@ -78,7 +93,6 @@ impl Sweep<'_> {
 
     #[inline(always)]
     fn range<
-        const CELL: bool,
         const ENERGY: bool,
         R: Registers,
         M: StrainsOf<R::Four> + ?Sized,
@@ -94,7 +108,7 @@ impl Sweep<'_> {
         for (i, energy) in energies.iter_mut().enumerate() {
             let point = self.points.point(first + i).treated_in(registers);
             let (own, rest) = slots.split_at_mut(point.pack.slot_count());
-            let found = sweep_pack::<CELL, ENERGY, _, M, S>(&point, law, self.state, own);
+            let found = sweep_pack::<false, ENERGY, _, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
             }
@@ -103,7 +117,53 @@ impl Sweep<'_> {
     }
 }
 
-/// The packs that one thread sweeps at a time.
+/// Slots of the packs under way: room for a number of packs that is a power of two, and a slot of zeros behind.
+#[derive(Clone, Debug)]
+pub(crate) struct Ring {
+    rows: Vec<Row>,
+    /// Slots of the widest pack.
+    stride: usize,
+    /// Packs less one.
+    mask: usize,
+}
+
+impl Ring {
+    /// Room for at least so many packs.
+    pub fn new(packs: &Packs, room: usize) -> Self {
+        let stride = packs.points.iter().map(PointPack::slot_count).max().unwrap_or(0);
+        let room = room.next_power_of_two();
+        Self { rows: vec![[0.0; 6]; room * stride + 1], stride, mask: room - 1 }
+    }
+
+    /// The slot of a place.
+    pub fn slot(&self, (pack, entry, lane): Place) -> usize {
+        (pack as usize & self.mask) * self.stride + usize::from(entry) * LANES + usize::from(lane)
+    }
+
+    /// The slot of zeros.
+    pub fn zero(&self) -> usize {
+        self.rows.len() - 1
+    }
+
+    /// All slots.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The slots of a pack.
+    #[inline(always)]
+    fn of(&mut self, pack: usize) -> &mut [Row] {
+        let first = (pack & self.mask) * self.stride;
+        &mut self.rows[first..first + self.stride]
+    }
+
+    /// Bytes of the ring.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.rows[..])
+    }
+}
+
+/// The packs of wide stencils that one thread sweeps at a time.
 struct Leaf<'a, 'b> {
     sweep: &'b Sweep<'a>,
     first: usize,
@@ -117,21 +177,10 @@ impl Work for Leaf<'_, '_> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) {
         let Self { sweep, first, slots, energies } = self;
-        let cells = matches!(sweep.points.scheme, Scheme::Cells { .. });
-        let any = sweep.law;
-        match (sweep.default_pair(), cells, sweep.energy) {
-            (Some(law), true, false) => {
-                sweep.range::<true, false, _, _, _>(registers, law, first, slots, energies)
-            }
-            (Some(law), false, false) => {
-                sweep.range::<false, false, _, _, _>(registers, law, first, slots, energies)
-            }
-            (None, true, false) => sweep.range::<true, false, _, _, _>(Baseline, any, first, slots, energies),
-            (None, false, false) => {
-                sweep.range::<false, false, _, _, _>(Baseline, any, first, slots, energies)
-            }
-            (_, true, true) => sweep.range::<true, true, _, _, _>(Baseline, any, first, slots, energies),
-            (_, false, true) => sweep.range::<false, true, _, _, _>(Baseline, any, first, slots, energies),
+        match (sweep.default_pair(), sweep.energy) {
+            (_, true) => sweep.range::<true, _, _, _>(Baseline, sweep.law, first, slots, energies),
+            (None, false) => sweep.range::<false, _, _, _>(Baseline, sweep.law, first, slots, energies),
+            (Some(law), false) => sweep.range::<false, _, _, _>(registers, law, first, slots, energies),
         }
     }
 }
@@ -223,19 +272,35 @@ mod tests {
             PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
         let sweep = Sweep { points: &points, law, state: &state, energy: false };
         let count = points.packs.points.len();
-        let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
-            let mut slots = vec![[0.0; 6]; points.packs.slot_count()];
-            how(&mut slots, &mut vec![0.0; count]);
-            slots.into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>()
+        let mut energies = vec![0.0; count];
+        let mut run = |how: &dyn Fn(&mut Ring, &mut [f64])| {
+            let mut ring = Ring::new(&points.packs, count);
+            how(&mut ring, &mut energies);
+            ring.rows().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>()
         };
-        let here = run(&|slots, energies| sweep.run(0, slots, energies, false));
+        let here = run(&|ring, energies| widest(Cells { sweep, ring, energies }));
         let static_law = PointLaw { strain: &StretchCorrected, section: &section };
-        let baseline = run(&|slots, energies| {
-            sweep.range::<true, false, _, _, _>(Baseline, static_law, 0, slots, energies)
+        let baseline = run(&|ring, energies| {
+            sweep.cells::<false, _, _, _>(Baseline, static_law, 0..count, ring, energies)
         });
         let any =
-            run(&|slots, energies| sweep.range::<true, false, _, _, _>(Baseline, law, 0, slots, energies));
+            run(&|ring, energies| sweep.cells::<false, _, _, _>(Baseline, law, 0..count, ring, energies));
         assert!(here == baseline && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
+    }
+
+    /// All cells, in the copy for this machine.
+    struct Cells<'a, 'b> {
+        sweep: Sweep<'a>,
+        ring: &'b mut Ring,
+        energies: &'b mut [f64],
+    }
+
+    impl Work for Cells<'_, '_> {
+        type Output = ();
+
+        fn run<R: Registers>(self, registers: R) {
+            self.sweep.block(registers, 0..self.energies.len(), self.ring, self.energies);
+        }
     }
 }

@@ -1,10 +1,12 @@
-//! The whole step in one sweep: points block by block, each particle as soon as its last point is done.
+//! Cells in one sweep: points block by block, each particle as soon as its last point is done.
 //!
 //! Slots live in a ring just long enough for the particles under way, so they stay in the cache: a step moves
 //! about half the memory of two passes over all points and all particles. The new state is written beside the
 //! old one, which all points read. Each thread owns a range of particles and sweeps every point that touches
-//! it; points on a border are swept twice. Every particle adds the same slots in the same order as in two
-//! passes: the bits are the same, for any number of threads (tested).
+//! it; points on a border are swept twice. Every particle adds the same slots in the same order whatever the
+//! ranges: the bits are the same for any number of threads (tested).
+//!
+//! The same sweep finds forces without a step: then particles keep the sum of their slots.
 
 use std::ops::Range;
 
@@ -12,15 +14,16 @@ use explicit_dynamics::Work;
 use shell_kinematics::LANES;
 
 use crate::dispatch::{Work as Sweeping, widest};
+use crate::gather::{Gather, Places};
 use crate::packs::{PARTICLE_CHUNK, Packs, Row};
-use crate::points::sweep::Sweep;
+use crate::points::sweep::{Ring, Sweep};
 use crate::registers::Registers;
 use crate::time::particle::{Slots, Update, put};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
 const BLOCK: usize = 16;
 
-/// The plan of a fused step, and the buffers it needs.
+/// The plan of a sweep, and the buffers it needs.
 #[derive(Clone, Debug)]
 pub(crate) struct Fused {
     parts: Vec<Part>,
@@ -35,51 +38,86 @@ struct Part {
     packs: Range<usize>,
     /// For each block of packs the particle up to which all are complete when the block is done.
     ready: Vec<u32>,
-    ring: Vec<Row>,
+    ring: Ring,
+    /// Where in the ring the forces on each particle lie.
+    lists: Gather,
+    /// Energy of each pack, filled on request \[F L\].
+    energies: Vec<f64>,
 }
 
+/// What is done with particles as their forces are complete.
+trait Task: Sized + Send {
+    /// Those before and after a particle, counted from the first.
+    fn split(self, at: usize) -> (Self, Self);
+
+    /// Takes a range of particles, whose forces lie in `slots`; `first` is the first of all.
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>);
+}
+
+/// Particles are moved, into `next`, with the work of every chunk.
+struct Move<'a> {
+    update: &'a Update<'a>,
+    state: &'a [Row],
+    next: &'a mut [Row],
+    rates: &'a mut [Row],
+    work: &'a mut [Work],
+}
+
+/// Particles keep their forces.
+struct Keep<'a>(&'a mut [Row]);
+
 impl Fused {
-    /// Plans a step for stencils of four particles (cells); others have no plan.
-    pub fn plan(packs: &Packs, particles: usize, threads: usize) -> Option<Self> {
-        let rows = packs.points.first()?.slot_count();
-        if packs.points.iter().any(|pack| pack.slot_count() != rows) || !rows.is_power_of_two() {
-            return None;
-        }
+    /// Plans the sweep over cells.
+    pub fn plan(packs: &Packs, places: &Places, particles: usize, threads: usize) -> Self {
         let chunks = particles.div_ceil(PARTICLE_CHUNK);
         let border = |part: usize| (chunks * part / threads * PARTICLE_CHUNK).min(particles);
-        let parts =
-            (0..threads).map(|part| Part::plan(packs, border(part)..border(part + 1), rows)).collect();
-        Some(Self { parts, next: vec![[0.0; 6]; particles] })
+        let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
+        Self { parts: (0..threads).map(part).collect(), next: vec![[0.0; 6]; particles] }
     }
 
     /// Sweeps all points and moves all particles on, into `next`, with the work of every chunk.
-    pub fn run(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rates: &mut [Row], work: &mut [Work]) {
-        run_parts(sweep, update, &mut self.parts, &mut self.next, rates, work);
+    pub fn advance(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rates: &mut [Row], work: &mut [Work]) {
+        work.fill(Work::default());
+        let task = Move { update, state: sweep.state, next: &mut self.next, rates, work };
+        run(sweep, &mut self.parts, task);
     }
 
-    /// Bytes of rings and of the second state.
+    /// Sweeps all points for the forces on all particles; returns the energy \[F L\], zero if the sweep finds none.
+    pub fn forces(&mut self, sweep: &Sweep<'_>, forces: &mut [Row]) -> f64 {
+        run(sweep, &mut self.parts, Keep(forces));
+        if !sweep.energy {
+            return 0.0;
+        }
+        // Packs on a border have the same energy in both parts.
+        let energy = |pack: usize| {
+            let part = self.parts.iter().find(|part| part.packs.contains(&pack));
+            part.map_or(0.0, |part| part.energies[pack - part.packs.start])
+        };
+        (0..sweep.points.packs.points.len()).map(energy).sum()
+    }
+
+    /// Bytes of rings, lists and of the second state.
     pub fn bytes(&self) -> usize {
-        let rings: usize = self.parts.iter().map(|part| size_of_val(&part.ring[..])).sum();
-        rings + size_of_val(&self.next[..])
+        let part = |part: &Part| part.ring.bytes() + part.lists.bytes() + size_of_val(&part.energies[..]);
+        self.parts.iter().map(part).sum::<usize>() + size_of_val(&self.next[..])
     }
 }
 
 impl Part {
-    fn plan(packs: &Packs, particles: Range<usize>, rows: usize) -> Self {
-        let pack_of = |slot: u32| slot as usize / rows;
-        let slots =
-            &packs.slots[packs.offsets[particles.start] as usize..packs.offsets[particles.end] as usize];
-        let first = slots.iter().map(|&s| pack_of(s)).min().unwrap_or(0);
-        let end = slots.iter().map(|&s| pack_of(s) + 1).max().unwrap_or(first);
+    fn plan(packs: &Packs, places: &Places, particles: Range<usize>) -> Self {
+        let touched = || particles.clone().flat_map(|a| places.of(a)).map(|place| place.0 as usize);
+        let first = touched().min().unwrap_or(0);
+        let end = touched().max().map_or(first, |last| last + 1);
         let blocks = (end - first).div_ceil(BLOCK);
         let mut ready = vec![particles.start as u32; blocks];
-        let (mut block, mut longest) = (0, 0);
+        let (mut block, mut longest) = (0, 1);
         // Four at a time, in order: none before those in front of it.
         for a in particles.clone().step_by(LANES) {
             let four = a..(a + LANES).min(particles.end);
             let (mut lowest, mut highest) = (end, first);
-            for &slot in four.clone().flat_map(|a| packs.slots_of(a)) {
-                (lowest, highest) = (lowest.min(pack_of(slot)), highest.max(pack_of(slot)));
+            for place in four.clone().flat_map(|a| places.of(a)) {
+                let pack = place.0 as usize;
+                (lowest, highest) = (lowest.min(pack), highest.max(pack));
             }
             if lowest <= highest {
                 block = block.max((highest - first) / BLOCK);
@@ -91,44 +129,26 @@ impl Part {
         for b in 1..blocks {
             ready[b] = ready[b].max(ready[b - 1]);
         }
-        let ring = vec![[0.0; 6]; (longest * rows).next_power_of_two()];
-        Self { particles, packs: first..end, ready, ring }
+        let ring = Ring::new(packs, longest);
+        let lists = Gather::new(places, particles.clone(), |place| ring.slot(place), ring.zero());
+        Self { particles, packs: first..end, ready, ring, lists, energies: vec![0.0; end - first] }
     }
-}
 
-/// One thread's sweep.
-struct Run<'a, 'b> {
-    sweep: &'b Sweep<'a>,
-    update: &'b Update<'a>,
-    part: &'b mut Part,
-    next: &'b mut [Row],
-    rates: &'b mut [Row],
-    work: &'b mut [Work],
-}
-
-impl Run<'_, '_> {
-    fn blocks(self) {
-        let Self { sweep, update, part, next, rates, work } = self;
-        let Part { particles, packs, ready, ring } = part;
-        let mask = ring.len() - 1;
-        let first = particles.start;
-        work.fill(Work::default());
-        let mut done = first;
+    /// Sweeps the part's packs and hands its particles to the task.
+    fn run<T: Task>(&mut self, sweep: &Sweep<'_>, mut task: T) {
+        let Self { particles, packs, ready, ring, lists, energies } = self;
+        let mut done = particles.start;
         for (block, &ready) in ready.iter().enumerate() {
             let start = packs.start + block * BLOCK;
-            let packs = start..(start + BLOCK).min(packs.end);
-            widest(Points { sweep, packs, ring, mask });
-            let particles = done..ready as usize;
-            let own = done - first..ready as usize - first;
+            let block = start..(start + BLOCK).min(packs.end);
+            let energies = &mut energies[block.start - packs.start..block.end - packs.start];
+            widest(Points { sweep, packs: block, ring, energies });
+            let slots = Slots { rows: ring.rows(), lists, first: particles.start };
             widest(Particles {
-                update,
-                state: sweep.state,
-                slots: Slots { rows: ring, mask },
-                first,
-                particles,
-                next: &mut next[own.clone()],
-                rates: &mut rates[own],
-                work,
+                task: &mut task,
+                particles: done..ready as usize,
+                first: particles.start,
+                slots,
             });
             done = ready as usize;
         }
@@ -139,8 +159,8 @@ impl Run<'_, '_> {
 struct Points<'a, 'b> {
     sweep: &'b Sweep<'a>,
     packs: Range<usize>,
-    ring: &'b mut [Row],
-    mask: usize,
+    ring: &'b mut Ring,
+    energies: &'b mut [f64],
 }
 
 impl Sweeping for Points<'_, '_> {
@@ -148,74 +168,99 @@ impl Sweeping for Points<'_, '_> {
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) {
-        self.sweep.block(registers, self.packs, self.ring, self.mask);
+        self.sweep.block(registers, self.packs, self.ring, self.energies);
     }
 }
 
 /// The particles that a block has completed.
-struct Particles<'a, 'b> {
-    update: &'b Update<'a>,
-    state: &'b [Row],
-    slots: Slots<'b>,
-    /// First particle of the part, from which chunks of work are counted.
-    first: usize,
+struct Particles<'b, T> {
+    task: &'b mut T,
     particles: Range<usize>,
-    next: &'b mut [Row],
-    rates: &'b mut [Row],
-    work: &'b mut [Work],
+    first: usize,
+    slots: Slots<'b>,
 }
 
-impl Particles<'_, '_> {
+impl<T: Task> Sweeping for Particles<'_, T> {
+    type Output = ();
+
     #[inline(always)]
-    fn all<const LOADED: bool, R: Registers>(self, registers: R) {
-        let Self { update, state, slots, first, particles, next, rates, work } = self;
-        let rows = state[particles.clone()].chunks(LANES);
-        let groups = rows.zip(next.chunks_mut(LANES)).zip(rates.chunks_mut(LANES));
+    fn run<R: Registers>(self, registers: R) {
+        self.task.take(registers, self.particles, self.first, self.slots);
+    }
+}
+
+impl Move<'_> {
+    #[inline(always)]
+    fn all<const LOADED: bool, R: Registers>(
+        &mut self,
+        registers: R,
+        particles: Range<usize>,
+        first: usize,
+        slots: Slots<'_>,
+    ) {
+        let own = particles.start - first..particles.end - first;
+        let rows = self.state[particles.clone()].chunks(LANES);
+        let groups =
+            rows.zip(self.next[own.clone()].chunks_mut(LANES)).zip(self.rates[own].chunks_mut(LANES));
         for (a, ((rows, next), rates)) in particles.step_by(LANES).zip(groups) {
-            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
-            let [places, kicked] = update.four::<true, LOADED, R>(registers, a, rows, rates, slots, tally);
+            let work = &mut self.work[(a - first) / PARTICLE_CHUNK];
+            let [places, kicked] =
+                self.update.four::<true, LOADED, R>(registers, a, rows, rates, Some(slots), work);
             put(next, &places);
             put(rates, &kicked);
         }
     }
 }
 
-impl Sweeping for Particles<'_, '_> {
-    type Output = ();
+impl Task for Move<'_> {
+    fn split(self, at: usize) -> (Self, Self) {
+        let Self { update, state, next, rates, work } = self;
+        let (next, rates) = (next.split_at_mut(at), rates.split_at_mut(at));
+        let work = work.split_at_mut(at / PARTICLE_CHUNK);
+        (
+            Self { update, state, next: next.0, rates: rates.0, work: work.0 },
+            Self { update, state, next: next.1, rates: rates.1, work: work.1 },
+        )
+    }
 
     #[inline(always)]
-    fn run<R: Registers>(self, registers: R) {
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
         if self.update.external.is_empty() {
-            self.all::<false, R>(registers)
+            self.all::<false, R>(registers, particles, first, slots);
         } else {
-            self.all::<true, R>(registers)
+            self.all::<true, R>(registers, particles, first, slots);
+        }
+    }
+}
+
+impl Task for Keep<'_> {
+    fn split(self, at: usize) -> (Self, Self) {
+        let (left, right) = self.0.split_at_mut(at);
+        (Self(left), Self(right))
+    }
+
+    #[inline(always)]
+    fn take<R: Registers>(&mut self, _: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+        let own = particles.start - first..particles.end - first;
+        for (a, forces) in particles.step_by(LANES).zip(self.0[own].chunks_mut(LANES)) {
+            let mut sums = [[0.0; 6]; LANES];
+            slots.add(a, &mut sums);
+            put(forces, &sums);
         }
     }
 }
 
 /// All parts, halved until each thread has one.
-fn run_parts(
-    sweep: &Sweep<'_>,
-    update: &Update<'_>,
-    parts: &mut [Part],
-    next: &mut [Row],
-    rates: &mut [Row],
-    work: &mut [Work],
-) {
+fn run<T: Task>(sweep: &Sweep<'_>, parts: &mut [Part], task: T) {
     match parts {
         [] => {}
-        [part] => Run { sweep, update, part, next, rates, work }.blocks(),
+        [part] => part.run(sweep, task),
         _ => {
             let half = parts.len() / 2;
             let cut = parts[half].particles.start - parts[0].particles.start;
             let (left, right) = parts.split_at_mut(half);
-            let (left_next, right_next) = next.split_at_mut(cut);
-            let (left_rates, right_rates) = rates.split_at_mut(cut);
-            let (left_work, right_work) = work.split_at_mut(cut / PARTICLE_CHUNK);
-            rayon::join(
-                || run_parts(sweep, update, left, left_next, left_rates, left_work),
-                || run_parts(sweep, update, right, right_next, right_rates, right_work),
-            );
+            let (left_task, right_task) = task.split(cut);
+            rayon::join(|| run(sweep, left, left_task), || run(sweep, right, right_task));
         }
     }
 }

@@ -4,21 +4,30 @@ use explicit_dynamics::{Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::supports::Constraint;
-use crate::packs::{Packs, Row};
+use crate::gather::Gather;
+use crate::packs::Row;
 use crate::registers::Registers;
 
-/// Slots of forces; a ring that holds only the slots in use is addressed through its mask.
+/// Slots of forces, and where in them the forces on the particles from number `first` on lie.
 #[derive(Clone, Copy)]
 pub(crate) struct Slots<'a> {
     pub rows: &'a [Row],
-    pub mask: usize,
+    pub lists: &'a Gather,
+    pub first: usize,
+}
+
+impl Slots<'_> {
+    /// Adds what lies in the slots of the four particles from number `a` on.
+    #[inline(always)]
+    pub fn add(&self, a: usize, sums: &mut [Row; LANES]) {
+        self.lists.add((a - self.first) / LANES, self.rows, sums);
+    }
 }
 
 /// What the update of a particle reads.
 #[derive(Clone, Copy)]
 pub(crate) struct Update<'a> {
-    pub packs: &'a Packs,
-    /// Internal forces found particle by particle; empty if there are none.
+    /// Internal forces found particle by particle; empty if all lie in slots.
     pub direct: &'a [Row],
     /// External forces; empty without loads.
     pub external: &'a [Row],
@@ -45,21 +54,6 @@ impl Decay {
 }
 
 impl Update<'_> {
-    /// Sum of the slots of particle `a`, in ascending order.
-    #[inline(always)]
-    fn internal(&self, a: usize, slots: Slots<'_>) -> Row {
-        let mut sum = if self.direct.is_empty() { [0.0; 6] } else { self.direct[a] };
-        if !slots.rows.is_empty() {
-            for &slot in self.packs.slots_of(a) {
-                let row = &slots.rows[slot as usize & slots.mask];
-                for i in 0..6 {
-                    sum[i] += row[i];
-                }
-            }
-        }
-        sum
-    }
-
     /// Forces from the slots, kick, and with `DRIFT` the motion, of the particles from number `a` on that `rows` and
     /// `rates` hold: `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)`. Returns their new rows and rates.
     ///
@@ -73,18 +67,19 @@ impl Update<'_> {
         a: usize,
         rows: &[Row],
         rates: &[Row],
-        slots: Slots<'_>,
+        slots: Option<Slots<'_>>,
         work: &mut Work,
     ) -> [[Row; LANES]; 2] {
         let kick = self.step.kick;
         let Decay { before, after } = self.decay;
-        let last = a + rows.len() - 1;
-        let internal = [
-            self.internal(a, slots),
-            self.internal((a + 1).min(last), slots),
-            self.internal((a + 2).min(last), slots),
-            self.internal((a + 3).min(last), slots),
-        ];
+        let mut internal = [[0.0; 6]; LANES];
+        if !self.direct.is_empty() {
+            let [i0, i1, i2, i3] = four_of(self.direct, a);
+            internal = [*i0, *i1, *i2, *i3];
+        }
+        if let Some(slots) = slots {
+            slots.add(a, &mut internal);
+        }
         let internal = registers.columns([&internal[0], &internal[1], &internal[2], &internal[3]]);
         let mut external = [registers.splat(0.0); 6];
         if LOADED {
