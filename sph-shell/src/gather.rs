@@ -9,6 +9,7 @@ use shell_kinematics::LANES;
 use sph_core::SamplingOperator;
 
 use crate::packs::{Packs, Row};
+use crate::registers::Registers;
 
 /// Slots of particles in ascending order; four particles have lists of one length, filled up with a slot of zeros.
 #[derive(Clone, Debug)]
@@ -36,17 +37,31 @@ impl Gather {
         lists
     }
 
-    /// Adds the slots of the four particles of a group to their rows.
+    /// Adds the slots of the four particles of a group to their rows, in halves.
     #[inline(always)]
-    pub fn add(&self, group: usize, slots: &[Row], rows: &mut [Row; LANES]) {
+    pub fn add<R: Registers>(
+        &self,
+        registers: R,
+        group: usize,
+        slots: &[Row],
+        mut sums: [[R::Four; 2]; LANES],
+    ) -> [[R::Four; 2]; LANES] {
         for four in &self.slots[self.offsets[group] as usize..self.offsets[group + 1] as usize] {
             for lane in 0..LANES {
-                let slot = &slots[four[lane] as usize];
-                for i in 0..6 {
-                    rows[lane][i] += slot[i];
-                }
+                let [low, high] = registers.halves(&slots[four[lane] as usize]);
+                sums[lane][0] += low;
+                sums[lane][1] += high;
             }
         }
+        sums
+    }
+
+    /// The slots of one particle, where its list is filled up the slot of zeros.
+    pub fn of(&self, particle: usize) -> impl Iterator<Item = u32> + '_ {
+        let (group, lane) = (particle / LANES, particle % LANES);
+        self.slots[self.offsets[group] as usize..self.offsets[group + 1] as usize]
+            .iter()
+            .map(move |four| four[lane])
     }
 
     /// Bytes of the lists.

@@ -284,6 +284,8 @@ pub struct Shell {
     loads: Vec<AppliedLoad>,
     /// Positions and directors.
     state: Vec<Row>,
+    /// Positions and directors at the end of a step, before they take the place of the old ones.
+    next: Vec<Row>,
     /// Their rates.
     rates: Vec<Row>,
     /// Internal forces of the sampling points, one row a (point, particle) pair.

@@ -19,14 +19,19 @@ pub(crate) trait Registers: Copy {
     fn splat(self, value: f64) -> Self::Four;
     /// Four numbers from memory.
     fn load(self, pack: &Pack) -> Self::Four;
-    /// Four numbers from four places.
-    fn gather(self, four: [&f64; LANES]) -> Self::Four;
+    /// Four numbers that follow each other in memory.
+    fn four(self, four: &[f64; LANES]) -> Self::Four;
     /// Four numbers to memory.
     fn store(self, four: Self::Four) -> Pack;
     /// Rows of four particles, turned into columns.
     fn columns(self, rows: [&Row; LANES]) -> [Self::Four; 6];
     /// The transpose of [`Registers::columns`].
     fn rows(self, columns: [Self::Four; 6]) -> [Row; LANES];
+
+    /// A row as it lies in memory, in two overlapping halves: `[x, y, z, u]` and `[z, u, v, w]`.
+    fn halves(self, row: &Row) -> [Self::Four; 2];
+    /// Rows in halves, turned into columns.
+    fn turned(self, rows: [[Self::Four; 2]; LANES]) -> [Self::Four; 6];
 
     /// Some packs from memory. Closures would not be compiled for the lanes; loops are.
     #[inline(always)]
@@ -68,8 +73,8 @@ impl Registers for Baseline {
     }
 
     #[inline(always)]
-    fn gather(self, [a, b, c, d]: [&f64; LANES]) -> Pack {
-        Pack::new([*a, *b, *c, *d])
+    fn four(self, four: &[f64; LANES]) -> Pack {
+        Pack::new(*four)
     }
 
     #[inline(always)]
@@ -97,6 +102,28 @@ impl Registers for Baseline {
         }
         rows
     }
+
+    #[inline(always)]
+    fn halves(self, row: &Row) -> [Pack; 2] {
+        let [x, y, z, u, v, w] = *row;
+        [Pack::new([x, y, z, u]), Pack::new([z, u, v, w])]
+    }
+
+    #[inline(always)]
+    fn turned(self, rows: [[Pack; 2]; LANES]) -> [Pack; 6] {
+        let mut columns = [Pack::ZERO; 6];
+        for i in 0..6 {
+            // From the fourth number on, two places before in the second half.
+            let (half, place) = if i < 4 { (0, i) } else { (1, i - 2) };
+            columns[i] = Pack::new([
+                rows[0][half].lanes()[place],
+                rows[1][half].lanes()[place],
+                rows[2][half].lanes()[place],
+                rows[3][half].lanes()[place],
+            ]);
+        }
+        columns
+    }
 }
 
 /// A pack in a register of some lanes.
@@ -120,8 +147,8 @@ impl<L: Lanes> Registers for L {
     }
 
     #[inline(always)]
-    fn gather(self, [a, b, c, d]: [&f64; LANES]) -> Wide<L> {
-        Wide { lanes: self, four: Lanes::load(self, &[*a, *b, *c, *d]) }
+    fn four(self, four: &[f64; LANES]) -> Wide<L> {
+        Wide { lanes: self, four: Lanes::load(self, four) }
     }
 
     #[inline(always)]
@@ -162,6 +189,19 @@ impl<L: Lanes> Registers for L {
             rows[lane] = [x, y, z, u, v, w];
         }
         rows
+    }
+
+    #[inline(always)]
+    fn halves(self, row: &Row) -> [Wide<L>; 2] {
+        let [x, y, z, u, v, w] = *row;
+        [self.four(&[x, y, z, u]), self.four(&[z, u, v, w])]
+    }
+
+    #[inline(always)]
+    fn turned(self, [a, b, c, d]: [[Wide<L>; 2]; LANES]) -> [Wide<L>; 6] {
+        let [x, y, z, u] = Lanes::rows(self, [a[0].four, b[0].four, c[0].four, d[0].four]);
+        let [_, _, v, w] = Lanes::rows(self, [a[1].four, b[1].four, c[1].four, d[1].four]);
+        [self.four(&x), self.four(&y), self.four(&z), self.four(&u), self.four(&v), self.four(&w)]
     }
 }
 

@@ -1,7 +1,7 @@
 //! The shell: how it is put together, its forces, and what can be read from it.
 
 use explicit_dynamics::{Instant, Work};
-use shell_kinematics::{LANES, Section, StrainMeasure};
+use shell_kinematics::{Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
@@ -75,6 +75,7 @@ impl Shell {
             pack_energies: vec![0.0; if fused.is_some() { 0 } else { points.packs.points.len() }],
             chunk_work: vec![Work::default(); count.div_ceil(PARTICLE_CHUNK)],
             state: reference.rest(),
+            next: vec![[0.0; 6]; count],
             rates: vec![[0.0; 6]; count],
             points,
             chord_loss,
@@ -150,12 +151,14 @@ impl Shell {
 
     /// `[∂U/∂x, ∂U/∂d]` of a particle for the last forces evaluated \[F, F L\].
     pub fn internal_force(&self, particle: usize) -> [f64; 6] {
-        let group = particle / LANES;
-        let mut sums = [self.points.direct()[particle]; LANES];
-        if let Some(lists) = self.points.lists() {
-            lists.add(group, &self.slots, &mut sums);
+        let mut sum = self.points.direct()[particle];
+        for slot in self.points.lists().into_iter().flat_map(|lists| lists.of(particle)) {
+            let row = &self.slots[slot as usize];
+            for i in 0..6 {
+                sum[i] += row[i];
+            }
         }
-        sums[particle % LANES]
+        sum
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -230,7 +233,8 @@ impl Shell {
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
-        let rows = self.slots.len() + self.state.len() + self.rates.len() + self.external.len();
+        let rows =
+            self.slots.len() + self.state.len() + self.next.len() + self.rates.len() + self.external.len();
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)

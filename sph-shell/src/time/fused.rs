@@ -18,17 +18,15 @@ use crate::gather::{Gather, Places};
 use crate::packs::{PARTICLE_CHUNK, Packs, Row};
 use crate::points::sweep::{Ring, Sweep};
 use crate::registers::Registers;
-use crate::time::particle::{Slots, Update, put};
+use crate::time::particle::{Rows, Slots, Update};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
 const BLOCK: usize = 16;
 
-/// The plan of a sweep, and the buffers it needs.
+/// The plan of a sweep, with its rings.
 #[derive(Clone, Debug)]
 pub(crate) struct Fused {
     parts: Vec<Part>,
-    /// State at the end of the step, before it takes the place of the old one.
-    pub next: Vec<Row>,
 }
 
 /// One thread's share.
@@ -54,12 +52,10 @@ trait Task: Sized + Send {
     fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>);
 }
 
-/// Particles are moved, into `next`, with the work of every chunk.
+/// Particles are moved, with the work of every chunk.
 struct Move<'a> {
     update: &'a Update<'a>,
-    state: &'a [Row],
-    next: &'a mut [Row],
-    rates: &'a mut [Row],
+    rows: Rows<'a>,
     work: &'a mut [Work],
 }
 
@@ -72,13 +68,13 @@ impl Fused {
         let chunks = particles.div_ceil(PARTICLE_CHUNK);
         let border = |part: usize| (chunks * part / threads * PARTICLE_CHUNK).min(particles);
         let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
-        Self { parts: (0..threads).map(part).collect(), next: vec![[0.0; 6]; particles] }
+        Self { parts: (0..threads).map(part).collect() }
     }
 
-    /// Sweeps all points and moves all particles on, into `next`, with the work of every chunk.
-    pub fn advance(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rates: &mut [Row], work: &mut [Work]) {
+    /// Sweeps all points and moves all particles on, with the work of every chunk.
+    pub fn advance(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rows: Rows<'_>, work: &mut [Work]) {
         work.fill(Work::default());
-        let task = Move { update, state: sweep.state, next: &mut self.next, rates, work };
+        let task = Move { update, rows, work };
         run(sweep, &mut self.parts, task);
     }
 
@@ -96,10 +92,10 @@ impl Fused {
         (0..sweep.points.packs.points.len()).map(energy).sum()
     }
 
-    /// Bytes of rings, lists and of the second state.
+    /// Bytes of rings and lists.
     pub fn bytes(&self) -> usize {
         let part = |part: &Part| part.ring.bytes() + part.lists.bytes() + size_of_val(&part.energies[..]);
-        self.parts.iter().map(part).sum::<usize>() + size_of_val(&self.next[..])
+        self.parts.iter().map(part).sum()
     }
 }
 
@@ -189,47 +185,26 @@ impl<T: Task> Sweeping for Particles<'_, T> {
     }
 }
 
-impl Move<'_> {
-    #[inline(always)]
-    fn all<const LOADED: bool, R: Registers>(
-        &mut self,
-        registers: R,
-        particles: Range<usize>,
-        first: usize,
-        slots: Slots<'_>,
-    ) {
-        let own = particles.start - first..particles.end - first;
-        let rows = self.state[particles.clone()].chunks(LANES);
-        let groups =
-            rows.zip(self.next[own.clone()].chunks_mut(LANES)).zip(self.rates[own].chunks_mut(LANES));
-        for (a, ((rows, next), rates)) in particles.step_by(LANES).zip(groups) {
-            let work = &mut self.work[(a - first) / PARTICLE_CHUNK];
-            let [places, kicked] =
-                self.update.four::<true, LOADED, R>(registers, a, rows, rates, Some(slots), work);
-            put(next, &places);
-            put(rates, &kicked);
-        }
-    }
-}
-
 impl Task for Move<'_> {
     fn split(self, at: usize) -> (Self, Self) {
-        let Self { update, state, next, rates, work } = self;
+        let Self { update, rows: Rows { state, next, rates }, work } = self;
         let (next, rates) = (next.split_at_mut(at), rates.split_at_mut(at));
         let work = work.split_at_mut(at / PARTICLE_CHUNK);
         (
-            Self { update, state, next: next.0, rates: rates.0, work: work.0 },
-            Self { update, state, next: next.1, rates: rates.1, work: work.1 },
+            Self { update, rows: Rows { state, next: next.0, rates: rates.0 }, work: work.0 },
+            Self { update, rows: Rows { state, next: next.1, rates: rates.1 }, work: work.1 },
         )
     }
 
     #[inline(always)]
     fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
-        if self.update.external.is_empty() {
-            self.all::<false, R>(registers, particles, first, slots);
-        } else {
-            self.all::<true, R>(registers, particles, first, slots);
-        }
+        let own = particles.start - first..particles.end - first;
+        let rows = Rows {
+            state: self.rows.state,
+            next: &mut self.rows.next[own.clone()],
+            rates: &mut self.rows.rates[own],
+        };
+        self.update.run::<true, R>(registers, particles, first, rows, Some(slots), self.work);
     }
 }
 
@@ -240,12 +215,14 @@ impl Task for Keep<'_> {
     }
 
     #[inline(always)]
-    fn take<R: Registers>(&mut self, _: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
         let own = particles.start - first..particles.end - first;
-        for (a, forces) in particles.step_by(LANES).zip(self.0[own].chunks_mut(LANES)) {
-            let mut sums = [[0.0; 6]; LANES];
-            slots.add(a, &mut sums);
-            put(forces, &sums);
+        let zeros = [[registers.splat(0.0); 2]; LANES];
+        for (i, forces) in self.0[own].chunks_mut(LANES).enumerate() {
+            let group = (particles.start - first) / LANES + i;
+            let sums = slots.lists.add(registers, group, slots.rows, zeros);
+            let sums = registers.rows(registers.turned(sums));
+            forces.copy_from_slice(&sums[..forces.len()]);
         }
     }
 }

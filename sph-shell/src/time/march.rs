@@ -5,55 +5,35 @@ use explicit_dynamics::{
     lanczos_step,
 };
 use rayon::prelude::*;
-use shell_kinematics::LANES;
 
 use crate::Shell;
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::bounds::Unsound;
 use crate::registers::Registers;
-use crate::time::particle::{Decay, Slots, Update, drifted, put};
+use crate::time::particle::{Decay, Rows, Slots, Update, drifted};
 
-/// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved in place.
+/// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved.
 struct Chunk<'a, 'b, const DRIFT: bool> {
     update: &'b Update<'a>,
     slots: Option<Slots<'a>>,
     first: usize,
-    state: &'b mut [Row],
-    rates: &'b mut [Row],
+    rows: Rows<'b>,
+    work: &'b mut Work,
 }
 
-/// State, rates and work of a chunk of particles.
+/// Places for new rows, rates and work of a chunk of particles.
 type ChunkRows<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut Work);
 
-impl<const DRIFT: bool> Chunk<'_, '_, DRIFT> {
-    #[inline(always)]
-    fn all<const LOADED: bool, R: Registers>(self, registers: R) -> Work {
-        let mut work = Work::default();
-        let groups = self.state.chunks_mut(LANES).zip(self.rates.chunks_mut(LANES));
-        for (i, (rows, rates)) in groups.enumerate() {
-            let a = self.first + LANES * i;
-            let [places, kicked] =
-                self.update.four::<DRIFT, LOADED, R>(registers, a, rows, rates, self.slots, &mut work);
-            if DRIFT {
-                put(rows, &places);
-            }
-            put(rates, &kicked);
-        }
-        work
-    }
-}
-
 impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
-    type Output = Work;
+    type Output = ();
 
     #[inline(always)]
-    fn run<R: Registers>(self, registers: R) -> Work {
-        if self.update.external.is_empty() {
-            self.all::<false, R>(registers)
-        } else {
-            self.all::<true, R>(registers)
-        }
+    fn run<R: Registers>(self, registers: R) {
+        let Self { update, slots, first, rows, work } = self;
+        let range = first..first + rows.rates.len();
+        *work = Work::default();
+        update.run::<DRIFT, R>(registers, range, first, rows, slots, std::slice::from_mut(work));
     }
 }
 
@@ -74,42 +54,45 @@ impl Shell {
 
     /// Kicks all particles, and moves them with `DRIFT`, from the slots that the sweep over all points filled.
     fn update<const DRIFT: bool>(&mut self, step: &Step) -> Work {
-        let mut state = std::mem::take(&mut self.state);
+        let mut next = std::mem::take(&mut self.next);
         let mut rates = std::mem::take(&mut self.rates);
         let mut chunk_work = std::mem::take(&mut self.chunk_work);
         let update = self.update_parts(step, self.points.direct());
         let slots = self.points.lists().map(|lists| Slots { rows: &self.slots, lists, first: 0 });
-        let chunk = |(number, ((state, rates), work)): (usize, ChunkRows<'_>)| {
-            let first = number * PARTICLE_CHUNK;
-            *work = widest(Chunk::<DRIFT> { update: &update, slots, first, state, rates });
+        let chunk = |(number, ((next, rates), work)): (usize, ChunkRows<'_>)| {
+            let (first, rows) = (number * PARTICLE_CHUNK, Rows { state: &self.state, next, rates });
+            widest(Chunk::<DRIFT> { update: &update, slots, first, rows, work });
         };
         if self.threads > 1 {
-            state
-                .par_chunks_mut(PARTICLE_CHUNK)
+            next.par_chunks_mut(PARTICLE_CHUNK)
                 .zip(rates.par_chunks_mut(PARTICLE_CHUNK))
                 .zip(chunk_work.par_iter_mut())
                 .enumerate()
                 .for_each(chunk);
         } else {
-            state
-                .chunks_mut(PARTICLE_CHUNK)
+            next.chunks_mut(PARTICLE_CHUNK)
                 .zip(rates.chunks_mut(PARTICLE_CHUNK))
                 .zip(chunk_work.iter_mut())
                 .enumerate()
                 .for_each(chunk);
         }
-        (self.state, self.rates, self.chunk_work) = (state, rates, chunk_work);
+        (self.next, self.rates, self.chunk_work) = (next, rates, chunk_work);
+        if DRIFT {
+            std::mem::swap(&mut self.state, &mut self.next);
+        }
         self.total_work(step)
     }
 
     /// A step by the plan; external forces are already evaluated.
     fn fused_step(&mut self, step: &Step) -> Work {
         let Some(mut fused) = self.fused.take() else { return Work::default() };
+        let mut next = std::mem::take(&mut self.next);
         let mut rates = std::mem::take(&mut self.rates);
         let mut work = std::mem::take(&mut self.chunk_work);
-        fused.advance(&self.sweep(false), &self.update_parts(step, &[]), &mut rates, &mut work);
-        std::mem::swap(&mut self.state, &mut fused.next);
-        (self.rates, self.chunk_work, self.fused) = (rates, work, Some(fused));
+        let rows = Rows { state: &self.state, next: &mut next, rates: &mut rates };
+        fused.advance(&self.sweep(false), &self.update_parts(step, &[]), rows, &mut work);
+        (self.next, self.rates, self.chunk_work, self.fused) = (next, rates, work, Some(fused));
+        std::mem::swap(&mut self.state, &mut self.next);
         self.total_work(step)
     }
 

@@ -1,12 +1,14 @@
 //! The step of four particles: gather forces, kick, hold what is held, book the work, drift.
 
+use std::ops::Range;
+
 use explicit_dynamics::{Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::supports::Constraint;
 use crate::gather::Gather;
-use crate::packs::Row;
-use crate::registers::Registers;
+use crate::packs::{PARTICLE_CHUNK, Row};
+use crate::registers::{Baseline, Registers};
 
 /// Slots of forces, and where in them the forces on the particles from number `first` on lie.
 #[derive(Clone, Copy)]
@@ -14,14 +16,6 @@ pub(crate) struct Slots<'a> {
     pub rows: &'a [Row],
     pub lists: &'a Gather,
     pub first: usize,
-}
-
-impl Slots<'_> {
-    /// Adds what lies in the slots of the four particles from number `a` on.
-    #[inline(always)]
-    pub fn add(&self, a: usize, sums: &mut [Row; LANES]) {
-        self.lists.add((a - self.first) / LANES, self.rows, sums);
-    }
 }
 
 /// What the update of a particle reads.
@@ -39,6 +33,31 @@ pub(crate) struct Update<'a> {
     pub decay: Decay,
 }
 
+/// The rows of particles: all before the step, and of those that are kicked the place for the new ones and the rates.
+pub(crate) struct Rows<'a> {
+    pub state: &'a [Row],
+    /// Not used where particles do not drift.
+    pub next: &'a mut [Row],
+    pub rates: &'a mut [Row],
+}
+
+/// What the step of four particles reads; the lanes from `count` on count for nothing.
+#[derive(Clone, Copy)]
+struct Four<'a> {
+    /// Number of the first.
+    a: usize,
+    count: usize,
+    rows: &'a [Row; LANES],
+    rates: &'a [Row; LANES],
+    external: &'a [Row; LANES],
+    masses: &'a [f64; LANES],
+    inertias: &'a [f64; LANES],
+    held: &'a [u32; LANES],
+}
+
+/// Four particles that no load touches.
+const ZEROS: [Row; LANES] = [[0.0; 6]; LANES];
+
 /// What damping leaves of a velocity: `1 − ½cκ` before the kick, `1/(1 + ½cκ)` after it.
 #[derive(Clone, Copy)]
 pub(crate) struct Decay {
@@ -54,46 +73,126 @@ impl Decay {
 }
 
 impl Update<'_> {
-    /// Forces from the slots, kick, and with `DRIFT` the motion, of the particles from number `a` on that `rows` and
-    /// `rates` hold: `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)`. Returns their new rows and rates.
+    /// Kicks the particles of `range`, which `rates` holds, by their forces, and with `DRIFT` moves them from their rows
+    /// in `state` into `next`. Chunks of `work` count from particle `first` on.
+    #[inline(always)]
+    pub fn run<const DRIFT: bool, R: Registers>(
+        &self,
+        registers: R,
+        range: Range<usize>,
+        first: usize,
+        rows: Rows<'_>,
+        slots: Option<Slots<'_>>,
+        work: &mut [Work],
+    ) {
+        if self.external.is_empty() {
+            self.groups::<DRIFT, false, R>(registers, range, first, rows, slots, work);
+        } else {
+            self.groups::<DRIFT, true, R>(registers, range, first, rows, slots, work);
+        }
+    }
+
+    #[inline(always)]
+    fn groups<const DRIFT: bool, const LOADED: bool, R: Registers>(
+        &self,
+        registers: R,
+        range: Range<usize>,
+        first: usize,
+        rows: Rows<'_>,
+        slots: Option<Slots<'_>>,
+        work: &mut [Work],
+    ) {
+        let Rows { state, next, rates } = rows;
+        let (rows, rest) = state[range.clone()].as_chunks::<LANES>();
+        let (rates, rest_rates) = rates.as_chunks_mut::<LANES>();
+        let (next, rest_next) = next.as_chunks_mut::<LANES>();
+        let masses = self.masses[range.clone()].as_chunks::<LANES>().0;
+        let inertias = self.inertias[range.clone()].as_chunks::<LANES>().0;
+        let held = self.constraint_of[range.clone()].as_chunks::<LANES>().0;
+        let groups = rows.iter().zip(rates).zip(masses).zip(inertias).zip(held).enumerate();
+        for (i, ((((rows, rates), masses), inertias), held)) in groups {
+            let a = range.start + LANES * i;
+            let external = if LOADED { &four_of(self.external, a) } else { &ZEROS };
+            let four = Four { a, count: LANES, rows, rates, external, masses, inertias, held };
+            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
+            let [places, kicked] = self.four::<DRIFT, LOADED, R>(registers, four, slots, tally);
+            if DRIFT {
+                next[i] = places;
+            }
+            *rates = kicked;
+        }
+        if !rest.is_empty() {
+            let a = range.end - rest.len();
+            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
+            self.rest::<DRIFT, LOADED>(a, state, rest_rates, rest_next, slots, tally);
+        }
+    }
+
+    /// The last particles of all, if they are fewer than four: the lanes beyond repeat the last one.
+    #[cold]
+    #[inline(never)]
+    fn rest<const DRIFT: bool, const LOADED: bool>(
+        &self,
+        a: usize,
+        state: &[Row],
+        rates: &mut [Row],
+        next: &mut [Row],
+        slots: Option<Slots<'_>>,
+        work: &mut Work,
+    ) {
+        let four = Four {
+            a,
+            count: rates.len(),
+            rows: &four_of(state, a),
+            rates: &four_of(rates, 0),
+            external: &if LOADED { four_of(self.external, a) } else { ZEROS },
+            masses: &four_of(self.masses, a),
+            inertias: &four_of(self.inertias, a),
+            held: &four_of(self.constraint_of, a),
+        };
+        let [places, kicked] = self.four::<DRIFT, LOADED, _>(Baseline, four, slots, work);
+        if DRIFT {
+            next.copy_from_slice(&places[..next.len()]);
+        }
+        rates.copy_from_slice(&kicked[..rates.len()]);
+    }
+
+    /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` of four particles, and with `DRIFT` their motion; returns their new rows and
+    /// rates.
     ///
-    /// Of the last particles there may be fewer than four; the lanes beyond repeat the last one and count for nothing.
     /// Kinetic energy and external work are added to `work`, particle by particle; what damping takes is `2cκ` times the
     /// former.
     #[inline(always)]
-    pub fn four<const DRIFT: bool, const LOADED: bool, R: Registers>(
+    fn four<const DRIFT: bool, const LOADED: bool, R: Registers>(
         &self,
         registers: R,
-        a: usize,
-        rows: &[Row],
-        rates: &[Row],
+        four: Four<'_>,
         slots: Option<Slots<'_>>,
         work: &mut Work,
     ) -> [[Row; LANES]; 2] {
+        let Four { a, count, rows, rates, held, .. } = four;
         let kick = self.step.kick;
         let Decay { before, after } = self.decay;
-        let mut internal = [[0.0; 6]; LANES];
+        let mut sums = [[registers.splat(0.0); 2]; LANES];
         if !self.direct.is_empty() {
-            let [i0, i1, i2, i3] = four_of(self.direct, a);
-            internal = [*i0, *i1, *i2, *i3];
+            let [i, j, k, l] = four_of(self.direct, a);
+            sums = [registers.halves(&i), registers.halves(&j), registers.halves(&k), registers.halves(&l)];
         }
-        if let Some(slots) = slots {
-            slots.add(a, &mut internal);
+        if let Some(Slots { rows, lists, first }) = slots {
+            sums = lists.add(registers, (a - first) / LANES, rows, sums);
         }
-        let internal = registers.columns([&internal[0], &internal[1], &internal[2], &internal[3]]);
+        let mut f = registers.turned(sums);
         let mut external = [registers.splat(0.0); 6];
         if LOADED {
-            external = registers.columns(four_of(self.external, a));
+            external = columns(registers, four.external);
         }
-        let (row, old) = (registers.columns(four_of(rows, 0)), registers.columns(four_of(rates, 0)));
-        let m = registers.gather(four_of(self.masses, a));
-        let inertia = registers.gather(four_of(self.inertias, a));
+        for k in 0..6 {
+            f[k] = external[k] - f[k];
+        }
+        let (row, old) = (columns(registers, rows), columns(registers, rates));
+        let (m, inertia) = (registers.four(four.masses), registers.four(four.inertias));
         let kicked = registers.splat(kick);
         let (to_v, to_w) = (kicked / m, kicked / inertia);
-        let mut f = external;
-        for k in 0..6 {
-            f[k] = external[k] - internal[k];
-        }
         // The director feels the part of its force across itself.
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         let mut new = old;
@@ -101,12 +200,11 @@ impl Update<'_> {
             new[k] = (old[k] * before + to_v * f[k]) * after;
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
-        let [h0, h1, h2, h3] = four_of(self.constraint_of, a);
         let mut told = [false; LANES];
-        if (h0 | h1 | h2 | h3) > 0 {
+        if *held != [0; LANES] {
             let mut moved = registers.rows(new);
-            told = self.hold_four([*h0, *h1, *h2, *h3], four_of(rows, 0), &mut moved);
-            new = registers.columns([&moved[0], &moved[1], &moved[2], &moved[3]]);
+            told = self.hold_four(held, rows, &mut moved);
+            new = columns(registers, &moved);
         }
         let mut mean = new;
         for k in 0..6 {
@@ -122,7 +220,7 @@ impl Update<'_> {
             }
         }
         let done = registers.rows(done);
-        for lane in 0..rows.len().min(LANES) {
+        for lane in 0..count {
             work.kinetic += kinetic[lane];
             if LOADED {
                 for k in 0..6 {
@@ -135,15 +233,16 @@ impl Update<'_> {
                 work.external = self.with_told_work(a + lane, work.external, rows[lane], f[lane], rates);
             }
         }
-        if DRIFT {
-            let dt = self.step.drift();
-            let (d, w) = parallel_transport([row[3], row[4], row[5]], [new[3], new[4], new[5]], dt);
-            let x = Pack3([row[0], row[1], row[2]]) + Pack3([new[0], new[1], new[2]]) * registers.splat(dt);
-            let place = [x.0[0], x.0[1], x.0[2], d[0], d[1], d[2]];
-            [registers.rows(place), registers.rows([new[0], new[1], new[2], w[0], w[1], w[2]])]
-        } else {
-            [registers.rows(row), registers.rows(new)]
+        if !DRIFT {
+            return [*rows, registers.rows(new)];
         }
+        let dt = self.step.drift();
+        let (d, w) = parallel_transport([row[3], row[4], row[5]], [new[3], new[4], new[5]], dt);
+        let x = Pack3([row[0], row[1], row[2]]) + Pack3([new[0], new[1], new[2]]) * registers.splat(dt);
+        [
+            registers.rows([x.0[0], x.0[1], x.0[2], d[0], d[1], d[2]]),
+            registers.rows([new[0], new[1], new[2], w[0], w[1], w[2]]),
+        ]
     }
 
     /// [`Update::hold`] of those of four particles that a support holds, by the numbers of their constraints.
@@ -151,11 +250,11 @@ impl Update<'_> {
     /// Neither this nor the work below is inlined: particles that nothing holds pay one branch.
     #[cold]
     #[inline(never)]
-    fn hold_four(&self, held: [u32; LANES], rows: [&Row; LANES], new: &mut [Row; LANES]) -> [bool; LANES] {
+    fn hold_four(&self, held: &[u32; LANES], rows: &[Row; LANES], new: &mut [Row; LANES]) -> [bool; LANES] {
         let mut told = [false; LANES];
         for lane in (0..LANES).filter(|&lane| held[lane] > 0) {
             let constraint = &self.constraints[held[lane] as usize - 1];
-            (new[lane], told[lane]) = self.hold(constraint, *rows[lane], new[lane]);
+            (new[lane], told[lane]) = self.hold(constraint, rows[lane], new[lane]);
         }
         told
     }
@@ -195,23 +294,19 @@ impl Update<'_> {
     }
 }
 
-/// Four from number `first` on, or all there are and the last one again.
+/// Rows of four particles, turned into columns.
 #[inline(always)]
-fn four_of<T>(all: &[T], first: usize) -> [&T; LANES] {
-    if let Some([a, b, c, d]) = all[first..].first_chunk() {
-        return [a, b, c, d];
-    }
-    let last = all.len() - 1;
-    [&all[first], &all[(first + 1).min(last)], &all[(first + 2).min(last)], &all[(first + 3).min(last)]]
+fn columns<R: Registers>(registers: R, [a, b, c, d]: &[Row; LANES]) -> [R::Four; 6] {
+    registers.columns([a, b, c, d])
 }
 
-/// Writes as many of four rows as there is room for.
+/// Four from number `first` on, or all there are and the last one again.
 #[inline(always)]
-pub(crate) fn put(place: &mut [Row], rows: &[Row; LANES]) {
-    if let Some(four) = place.first_chunk_mut() {
-        *four = *rows;
-    } else {
-        place.copy_from_slice(&rows[..place.len()]);
+fn four_of<T: Copy>(all: &[T], first: usize) -> [T; LANES] {
+    let last = all.len() - 1;
+    match all[first..].first_chunk() {
+        Some(four) => *four,
+        None => std::array::from_fn(|lane| all[(first + lane).min(last)]),
     }
 }
 
