@@ -7,8 +7,9 @@
 use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::SamplingOperator;
 
-/// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
-pub(crate) type Row = [f64; 6];
+use crate::registers::Registers;
+
+pub(crate) use crate::registers::Row;
 
 /// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
 pub(crate) const PARTICLE_CHUNK: usize = 512;
@@ -47,6 +48,14 @@ pub(crate) struct Packs {
     pub entries: Vec<Entry>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
+}
+
+impl Entry {
+    /// φ, G₁ and G₂ in registers.
+    #[inline(always)]
+    pub fn load<R: Registers>(&self, registers: R) -> [R::Four; 3] {
+        [registers.load(&self.phi), registers.load(&self.g1), registers.load(&self.g2)]
+    }
 }
 
 impl PointPack {

@@ -8,7 +8,8 @@ use std::ops::{Add, AddAssign, Div, Mul, Sub};
 use shell_kinematics::{LANES, Measures, Number, Pack};
 use sph_core::lanes::Lanes;
 
-use crate::packs::Row;
+/// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
+pub(crate) type Row = [f64; 6];
 
 /// A kind of registers; a token that is handed down to wherever something is loaded.
 pub(crate) trait Registers: Copy {
@@ -185,8 +186,10 @@ impl<L: Lanes> Registers for L {
         let ends = self.rows_of_two([v.four, w.four]);
         let mut rows = [[0.0; 6]; LANES];
         for lane in 0..LANES {
-            let ([x, y, z, u], [v, w]) = (starts[lane], ends[lane]);
-            rows[lane] = [x, y, z, u, v, w];
+            // Whole pieces: taken apart into numbers, they would be put together again across rows.
+            let (start, end) = rows[lane].split_at_mut(LANES);
+            start.copy_from_slice(&starts[lane]);
+            end.copy_from_slice(&ends[lane]);
         }
         rows
     }

@@ -66,9 +66,14 @@ impl Lanes for V3 {
 
     #[inline(always)]
     fn rows_of_two(self, [a, b]: [__m256d; 2]) -> [[f64; 2]; LANES] {
-        let [a0, b0, a2, b2]: Pack = cast(self.avx._mm256_unpacklo_pd(a, b));
-        let [a1, b1, a3, b3]: Pack = cast(self.avx._mm256_unpackhi_pd(a, b));
-        [[a0, b0], [a1, b1], [a2, b2], [a3, b3]]
+        let avx = self.avx;
+        let (even, odd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
+        [
+            cast(avx._mm256_castpd256_pd128(even)),
+            cast(avx._mm256_castpd256_pd128(odd)),
+            cast(avx._mm256_extractf128_pd::<1>(even)),
+            cast(avx._mm256_extractf128_pd::<1>(odd)),
+        ]
     }
 
     #[inline(always)]

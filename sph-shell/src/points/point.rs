@@ -3,8 +3,8 @@
 //! Forces, results, tangent and strong form share this pipeline; every correction of a strain stands here beside its transpose.
 
 use shell_kinematics::{
-    LANES, Measures, Pack, Pack3, Placement, PlacementForces, Section, SectionOf, StrainMeasure, Strains,
-    StrainsOf,
+    LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf, StrainMeasure,
+    Strains, StrainsOf,
 };
 
 use crate::control::arcs::ArcPack;
@@ -66,6 +66,12 @@ pub(crate) fn sign(k: usize) -> f64 {
     if k.is_multiple_of(2) { -1.0 } else { 1.0 }
 }
 
+/// Adds a vector to a sum with its sign in the pattern; Σh = 0, so that differences from the base are enough.
+#[inline(always)]
+pub(crate) fn signed<P: Number>(k: usize, sum: Pack3<P>, vector: Pack3<P>) -> Pack3<P> {
+    if k.is_multiple_of(2) { sum - vector } else { sum + vector }
+}
+
 impl<'a> Point<'a> {
     /// The points of a pack, their strains not corrected.
     #[inline(always)]
@@ -94,31 +100,59 @@ impl<R: Registers> Point<'_, R> {
     /// The five vectors, and with `CELL` the raw hourglass sums.
     #[inline(always)]
     pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
-        let registers = self.registers;
+        if CELL && let Ok(entries) = self.entries.try_into() {
+            return self.quadrangle(state, entries);
+        }
         let base = self.columns(state, &self.pack.base);
-        let zero = Pack3([registers.splat(0.0); 3]);
+        let zero = Pack3([self.registers.splat(0.0); 3]);
         let mut p =
             Placement { x1: zero, x2: zero, d: Pack3([base[3], base[4], base[5]]), d1: zero, d2: zero };
         let mut raw = [zero; 2];
         for (k, entry) in self.entries.iter().enumerate() {
-            let row = self.columns(state, &entry.particles);
-            let dx = Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]);
-            let dd = Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]);
-            let [g1, g2, phi] =
-                [registers.load(&entry.g1), registers.load(&entry.g2), registers.load(&entry.phi)];
+            let [dx, dd] = self.difference(state, entry, &base);
+            let [phi, g1, g2] = entry.load(self.registers);
             p.x1 += dx * g1;
             p.x2 += dx * g2;
             p.d += dd * phi;
             p.d1 += dd * g1;
             p.d2 += dd * g2;
             if CELL {
-                // Σh = 0, so the pattern needs differences only; entry 0 here is particle 1 of the cell.
-                let h = registers.splat(sign(k));
-                raw[0] += dx * h;
-                raw[1] += dd * h;
+                raw = [signed(k, raw[0], dx), signed(k, raw[1], dd)];
             }
         }
         (p, raw)
+    }
+
+    /// The same for three entries beyond the base, vector by vector: sums stay in registers.
+    #[inline(always)]
+    fn quadrangle(&self, state: &[Row], [a, b, c]: &[Entry; 3]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
+        let base = self.columns(state, &self.pack.base);
+        let zero = Pack3([self.registers.splat(0.0); 3]);
+        let [[xa, da], [xb, db], [xc, dc]] = [
+            self.difference(state, a, &base),
+            self.difference(state, b, &base),
+            self.difference(state, c, &base),
+        ];
+        let [[phi_a, g1a, g2a], [phi_b, g1b, g2b], [phi_c, g1c, g2c]] =
+            [a.load(self.registers), b.load(self.registers), c.load(self.registers)];
+        let x1 = zero + xa * g1a + xb * g1b + xc * g1c;
+        let x2 = zero + xa * g2a + xb * g2b + xc * g2c;
+        let raw_x = signed(2, signed(1, signed(0, zero, xa), xb), xc);
+        let d = Pack3([base[3], base[4], base[5]]) + da * phi_a + db * phi_b + dc * phi_c;
+        let d1 = zero + da * g1a + db * g1b + dc * g1c;
+        let d2 = zero + da * g2a + db * g2b + dc * g2c;
+        let raw_d = signed(2, signed(1, signed(0, zero, da), db), dc);
+        (Placement { x1, x2, d, d1, d2 }, [raw_x, raw_d])
+    }
+
+    /// Position and director of an entry's particles less those of the base.
+    #[inline(always)]
+    fn difference(&self, state: &[Row], entry: &Entry, base: &[R::Four; 6]) -> [Pack3<R::Four>; 2] {
+        let row = self.columns(state, &entry.particles);
+        [
+            Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]),
+            Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]),
+        ]
     }
 
     /// Particles → vectors → measures → arcs → strains → shear; the control of cells with `CELL`.

@@ -8,7 +8,7 @@ use shell_kinematics::{IsotropicSection, LANES, Pack3, SectionOf, StrainsOf, Str
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
 use crate::packs::{Packs, PointPack, Row};
-use crate::points::point::{Point, PointForces, PointLaw, sign};
+use crate::points::point::{Point, PointForces, PointLaw, signed};
 use crate::points::scheme::Points;
 use crate::registers::{Baseline, Registers};
 
@@ -217,23 +217,20 @@ fn sweep_pack<
         energy += more;
     }
     // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
-    let (mut base_x, mut base_d) = (zero, f.q);
+    let mut base = [zero, f.q];
     let (base_slots, slots) = slots.split_at_mut(LANES);
     for ((k, entry), slots) in point.entries.iter().enumerate().zip(slots.chunks_exact_mut(LANES)) {
-        let [g1, g2, phi] =
-            [registers.load(&entry.g1), registers.load(&entry.g2), registers.load(&entry.phi)];
+        let [phi, g1, g2] = entry.load(registers);
         let mut on_x = f.n1 * g1 + f.n2 * g2;
         let mut on_d = f.q * phi + f.m1 * g1 + f.m2 * g2;
         if CELL {
-            let h = registers.splat(sign(k));
-            on_x += pattern[0] * h;
-            on_d += pattern[1] * h;
+            on_x = signed(k, on_x, pattern[0]);
+            on_d = signed(k, on_d, pattern[1]);
         }
-        base_x = base_x - on_x;
-        base_d = base_d - on_d;
+        base = [base[0] - on_x, base[1] - on_d];
         store(registers, slots, on_x, on_d);
     }
-    store(registers, base_slots, base_x, base_d);
+    store(registers, base_slots, base[0], base[1]);
     if ENERGY { registers.store(energy).sum() } else { 0.0 }
 }
 
