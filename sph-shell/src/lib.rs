@@ -238,6 +238,7 @@ mod packs;
 mod points;
 mod reference;
 mod registers;
+mod shared;
 mod shell;
 mod state;
 mod statics;

@@ -82,8 +82,9 @@ impl ArcPack {
         let rows: Vec<[[[f64; 3]; 3]; LANES]> = packs
             .order
             .iter()
-            .zip(&packs.points)
-            .map(|(points, pack)| {
+            .enumerate()
+            .map(|(index, points)| {
+                let pack = packs.constants.get(index);
                 let (k, weight) = (pack.reference.curvature.map(Pack::lanes), pack.weight.lanes());
                 let at = |lane: usize| [k[0][lane], k[1][lane], k[2][lane]];
                 std::array::from_fn(|lane| row(points[lane], weight[lane], at(lane)))

@@ -169,6 +169,12 @@ impl CellPack {
         pack
     }
 
+    /// All constants.
+    pub fn numbers(&self) -> impl Iterator<Item = Pack> + use<> {
+        let Self { lever, twist, stiffness, swirl, quarter, reference } = self.clone();
+        lever.into_iter().chain(twist).chain(stiffness).chain([swirl, quarter]).chain(reference)
+    }
+
     /// The constants in registers.
     #[inline(always)]
     pub fn load<R: Registers>(&self, registers: R) -> CellPack<R::Four> {

@@ -10,7 +10,7 @@ use shell_kinematics::{
 use crate::control::arcs::ArcPack;
 use crate::control::cells::{CellPack, CellState};
 use crate::control::shear::ShearPack;
-use crate::packs::{Entry, Packs, PointPack, Row};
+use crate::packs::{Constants, Entry, Packs, PointPack, Row};
 use crate::registers::{Baseline, Registers};
 
 /// Strain measure and section of the points.
@@ -33,7 +33,9 @@ impl<M: ?Sized, S: ?Sized> Copy for PointLaw<'_, M, S> {}
 #[derive(Clone, Copy)]
 pub(crate) struct Point<'a, R = Baseline> {
     pub registers: R,
-    pub pack: &'a PointPack,
+    pub place: &'a PointPack,
+    pub pack: &'a Constants,
+    pub particles: &'a [[u32; LANES]],
     pub entries: &'a [Entry],
     pub shear: Option<&'a ShearPack>,
     pub arcs: Option<&'a ArcPack>,
@@ -76,16 +78,25 @@ impl<'a> Point<'a> {
     /// The points of a pack, their strains not corrected.
     #[inline(always)]
     pub fn new(packs: &'a Packs, index: usize) -> Self {
-        let pack = &packs.points[index];
-        let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-        Self { registers: Baseline, pack, entries, shear: None, arcs: None, cell: None }
+        let place = &packs.points[index];
+        let width = place.width as usize;
+        Self {
+            registers: Baseline,
+            place,
+            pack: packs.constants.get(index),
+            particles: &packs.particles[place.first as usize..][..width],
+            entries: &packs.entries[place.entries as usize..][..width],
+            shear: None,
+            arcs: None,
+            cell: None,
+        }
     }
 
     /// The same points in other registers.
     #[inline(always)]
     pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
-        let Self { pack, entries, shear, arcs, cell, .. } = self;
-        Point { registers, pack, entries, shear, arcs, cell }
+        let Self { place, pack, particles, entries, shear, arcs, cell, .. } = self;
+        Point { registers, place, pack, particles, entries, shear, arcs, cell }
     }
 }
 
@@ -100,16 +111,16 @@ impl<R: Registers> Point<'_, R> {
     /// The five vectors, and with `CELL` the raw hourglass sums.
     #[inline(always)]
     pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
-        if CELL && let Ok(entries) = self.entries.try_into() {
-            return self.quadrangle(state, entries);
+        if CELL && let (Ok(entries), Ok(particles)) = (self.entries.try_into(), self.particles.try_into()) {
+            return self.quadrangle(state, entries, particles);
         }
-        let base = self.columns(state, &self.pack.base);
+        let base = self.columns(state, &self.place.base);
         let zero = Pack3([self.registers.splat(0.0); 3]);
         let mut p =
             Placement { x1: zero, x2: zero, d: Pack3([base[3], base[4], base[5]]), d1: zero, d2: zero };
         let mut raw = [zero; 2];
-        for (k, entry) in self.entries.iter().enumerate() {
-            let [dx, dd] = self.difference(state, entry, &base);
+        for (k, (entry, particles)) in self.entries.iter().zip(self.particles).enumerate() {
+            let [dx, dd] = self.difference(state, particles, &base);
             let [phi, g1, g2] = entry.load(self.registers);
             p.x1 += dx * g1;
             p.x2 += dx * g2;
@@ -125,13 +136,18 @@ impl<R: Registers> Point<'_, R> {
 
     /// The same for three entries beyond the base, vector by vector: sums stay in registers.
     #[inline(always)]
-    fn quadrangle(&self, state: &[Row], [a, b, c]: &[Entry; 3]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
-        let base = self.columns(state, &self.pack.base);
+    fn quadrangle(
+        &self,
+        state: &[Row],
+        [a, b, c]: &[Entry; 3],
+        [at_a, at_b, at_c]: &[[u32; LANES]; 3],
+    ) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
+        let base = self.columns(state, &self.place.base);
         let zero = Pack3([self.registers.splat(0.0); 3]);
         let [[xa, da], [xb, db], [xc, dc]] = [
-            self.difference(state, a, &base),
-            self.difference(state, b, &base),
-            self.difference(state, c, &base),
+            self.difference(state, at_a, &base),
+            self.difference(state, at_b, &base),
+            self.difference(state, at_c, &base),
         ];
         let [[phi_a, g1a, g2a], [phi_b, g1b, g2b], [phi_c, g1c, g2c]] =
             [a.load(self.registers), b.load(self.registers), c.load(self.registers)];
@@ -145,10 +161,15 @@ impl<R: Registers> Point<'_, R> {
         (Placement { x1, x2, d, d1, d2 }, [raw_x, raw_d])
     }
 
-    /// Position and director of an entry's particles less those of the base.
+    /// Position and director of particles less those of the base.
     #[inline(always)]
-    fn difference(&self, state: &[Row], entry: &Entry, base: &[R::Four; 6]) -> [Pack3<R::Four>; 2] {
-        let row = self.columns(state, &entry.particles);
+    fn difference(
+        &self,
+        state: &[Row],
+        particles: &[u32; LANES],
+        base: &[R::Four; 6],
+    ) -> [Pack3<R::Four>; 2] {
+        let row = self.columns(state, particles);
         [
             Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]),
             Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]),

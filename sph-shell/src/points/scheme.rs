@@ -9,10 +9,11 @@ use crate::control::shear::ShearPack;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
 use crate::gather::{Gather, Place, Places};
-use crate::packs::{Packs, Row};
+use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
+use crate::shared::Shared;
 
 /// All sampling points.
 #[derive(Clone, Debug)]
@@ -29,7 +30,7 @@ pub(crate) enum Scheme {
     /// Points at the cells, each with the control of its hourglass, and the forces on the particles.
     Cells {
         forces: Vec<Row>,
-        control: Vec<CellPack>,
+        control: Shared<CellPack>,
         /// Membrane strain that chords of uneven cells lose; empty on lattices of developable surfaces.
         arcs: Vec<ArcPack>,
     },
@@ -62,15 +63,11 @@ impl Points {
         let shear = ShearPack::all(operator, &packs.order, &second, &third, section.thickness);
         let forces = || vec![[0.0; 6]; positions.len()];
         let mut scheme = match *formulation {
-            Formulation::StressPoint(Reach::Cell) => {
-                let cell = |(points, weight)| CellPack::new(operator, points, weight, positions, section);
-                let weights = packs.points.iter().map(|pack| pack.weight);
-                Scheme::Cells {
-                    forces: forces(),
-                    control: packs.order.iter().zip(weights).map(cell).collect(),
-                    arcs: Vec::new(),
-                }
-            }
+            Formulation::StressPoint(Reach::Cell) => Scheme::Cells {
+                forces: forces(),
+                control: Shared::new([], CellPack::numbers),
+                arcs: Vec::new(),
+            },
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
                 let (control, places) =
                     (PairControl::new(reference, section)?, Places::new(&packs, operator));
@@ -87,13 +84,22 @@ impl Points {
             }
         };
         let rest = reference.rest();
-        for index in 0..packs.points.len() {
-            let (p, raw) = Point::new(&packs, index).interpolate::<true>(&rest);
+        let (mut constants, mut cells) = (Vec::new(), Vec::new());
+        for (index, points) in packs.order.iter().enumerate() {
+            let point = Point::new(&packs, index);
+            let (p, raw) = point.interpolate::<true>(&rest);
+            let weight = point.pack.weight;
             let mut measures = p.measures();
-            if let Scheme::Cells { control, .. } = &mut scheme {
-                measures.curvature = control[index].rest(&p, &measures.curvature, raw);
+            if let Scheme::Cells { .. } = scheme {
+                let mut cell = CellPack::new(operator, points, weight, positions, section);
+                measures.curvature = cell.rest(&p, &measures.curvature, raw);
+                cells.push(cell);
             }
-            packs.points[index].reference = measures;
+            constants.push(Constants { weight, reference: measures });
+        }
+        packs.keep(constants);
+        if let Scheme::Cells { control, .. } = &mut scheme {
+            *control = Shared::new(cells, CellPack::numbers);
         }
         let mut loss = ChordLoss::default();
         if let Scheme::Cells { arcs, .. } = &mut scheme {
@@ -106,7 +112,7 @@ impl Points {
     #[inline(always)]
     pub fn point(&self, index: usize) -> Point<'_> {
         let (cell, arcs) = match &self.scheme {
-            Scheme::Cells { control, arcs, .. } => (control.get(index), arcs.get(index)),
+            Scheme::Cells { control, arcs, .. } => (Some(control.get(index)), arcs.get(index)),
             _ => (None, None),
         };
         Point { shear: self.shear.get(index), arcs, cell, ..Point::new(&self.packs, index) }
@@ -139,10 +145,9 @@ impl Points {
 
     /// Bytes of all that a step touches.
     pub fn bytes(&self) -> usize {
-        let Packs { points, entries, .. } = &self.packs;
-        let layout = size_of_val(&points[..]) + size_of_val(&entries[..]) + size_of_val(&self.shear[..]);
+        let layout = self.packs.bytes() + size_of_val(&self.shear[..]);
         let scheme = match &self.scheme {
-            Scheme::Cells { control, arcs, .. } => size_of_val(&control[..]) + size_of_val(&arcs[..]),
+            Scheme::Cells { control, arcs, .. } => control.bytes() + size_of_val(&arcs[..]),
             Scheme::Wide { control, lists, .. } => control.bytes() + lists.bytes(),
             Scheme::StrongForm { .. } => 0,
         };

@@ -75,7 +75,7 @@ impl Sweep<'_> {
     ) {
         for (index, energy) in packs.zip(energies) {
             let point = self.points.point(index).treated_in(registers);
-            let own = &mut ring.of(index)[..point.pack.slot_count()];
+            let own = &mut ring.of(index)[..point.place.slot_count()];
             let found = sweep_pack::<true, ENERGY, _, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
@@ -107,7 +107,7 @@ impl Sweep<'_> {
     ) {
         for (i, energy) in energies.iter_mut().enumerate() {
             let point = self.points.point(first + i).treated_in(registers);
-            let (own, rest) = slots.split_at_mut(point.pack.slot_count());
+            let (own, rest) = slots.split_at_mut(point.place.slot_count());
             let found = sweep_pack::<false, ENERGY, _, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
