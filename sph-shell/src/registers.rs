@@ -56,6 +56,22 @@ pub(crate) trait Registers: Copy {
     }
 }
 
+/// Rows of four particles, turned into columns.
+#[inline(always)]
+pub(crate) fn columns<R: Registers>(registers: R, [a, b, c, d]: &[Row; LANES]) -> [R::Four; 6] {
+    registers.columns([a, b, c, d])
+}
+
+/// Four from number `first` on, or all there are and the last one again.
+#[inline(always)]
+pub(crate) fn four_of<T: Copy>(all: &[T], first: usize) -> [T; LANES] {
+    let last = all.len() - 1;
+    match all[first..].first_chunk() {
+        Some(four) => *four,
+        None => std::array::from_fn(|lane| all[(first + lane).min(last)]),
+    }
+}
+
 /// Packs as any processor has them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Baseline;

@@ -8,6 +8,7 @@ use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Body};
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
+use crate::control::pairs::PairControl;
 use crate::error::ShellError;
 use crate::formulation::Formulation;
 use crate::gather::Places;
@@ -206,7 +207,10 @@ impl Shell {
         (self.slots, self.pack_energies) = (slots, energies);
         let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
         if let Scheme::Wide { control, forces, .. } = &mut self.points.scheme {
-            total += control.evaluate(&self.state, forces, self.threads > 1);
+            control.evaluate(&self.state, forces, self.threads > 1);
+            if energy {
+                total += PairControl::energy(&self.state, forces);
+            }
         }
         self.internal_energy = total;
     }

@@ -8,7 +8,7 @@ use shell_kinematics::{LANES, Pack3, parallel_transport};
 use crate::conditions::supports::Constraint;
 use crate::gather::Gather;
 use crate::packs::{PARTICLE_CHUNK, Row};
-use crate::registers::{Baseline, Registers};
+use crate::registers::{Baseline, Registers, columns, four_of};
 
 /// Slots of forces, and where in them the forces on the particles from number `first` on lie.
 #[derive(Clone, Copy)]
@@ -291,22 +291,6 @@ impl Update<'_> {
         let moved = if told.motion.is_some() { 0..3 } else { 0..0 };
         let rotated = if told.rotation.is_some() { 3..6 } else { 0..0 };
         moved.chain(rotated).fold(external, work)
-    }
-}
-
-/// Rows of four particles, turned into columns.
-#[inline(always)]
-fn columns<R: Registers>(registers: R, [a, b, c, d]: &[Row; LANES]) -> [R::Four; 6] {
-    registers.columns([a, b, c, d])
-}
-
-/// Four from number `first` on, or all there are and the last one again.
-#[inline(always)]
-fn four_of<T: Copy>(all: &[T], first: usize) -> [T; LANES] {
-    let last = all.len() - 1;
-    match all[first..].first_chunk() {
-        Some(four) => *four,
-        None => std::array::from_fn(|lane| all[(first + lane).min(last)]),
     }
 }
 
