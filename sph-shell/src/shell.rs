@@ -196,8 +196,15 @@ impl Shell {
         let Points { packs, shear, scheme } = &mut self.points;
         if let Scheme::StrongForm { equations, forces } = scheme {
             let law = PointLaw { strain: self.strain, section: &*self.section };
-            self.internal_energy =
-                equations.evaluate(&self.reference, packs, shear, law, &self.state, &self.rates, forces);
+            self.internal_energy = equations.evaluate(
+                &self.reference,
+                packs,
+                shear,
+                law,
+                [&self.state, &self.rates],
+                energy,
+                forces,
+            );
             return;
         }
         let mut slots = std::mem::take(&mut self.slots);

@@ -2,9 +2,11 @@
 //!
 //! Forces, results, tangent and strong form share this pipeline; every correction of a strain stands here beside its transpose.
 
+use std::any::Any;
+
 use shell_kinematics::{
-    LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf, StrainMeasure,
-    Strains, StrainsOf,
+    IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
+    StrainMeasure, Strains, StrainsOf, StretchCorrected,
 };
 
 use crate::control::arcs::ArcPack;
@@ -28,6 +30,16 @@ impl<M: ?Sized, S: ?Sized> Clone for PointLaw<'_, M, S> {
 }
 
 impl<M: ?Sized, S: ?Sized> Copy for PointLaw<'_, M, S> {}
+
+impl PointLaw<'_> {
+    /// The strain measure and section of most scenes, for which sweeps are compiled in.
+    #[inline(always)]
+    pub fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
+        let strain = (self.strain as &dyn Any).downcast_ref()?;
+        let section = (self.section as &dyn Any).downcast_ref()?;
+        Some(PointLaw { strain, section })
+    }
+}
 
 /// Four points: their stencils, what corrects their strains where something does, and the registers they are treated in.
 #[derive(Clone, Copy)]

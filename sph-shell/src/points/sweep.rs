@@ -1,9 +1,8 @@
 //! The sweep over all sampling points: forces into slots, halves for threads, one copy for the default strain and section.
 
-use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, LANES, Pack3, SectionOf, StrainsOf, StretchCorrected};
+use shell_kinematics::{LANES, Pack3, SectionOf, StrainsOf};
 
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
@@ -52,7 +51,7 @@ impl Sweep<'_> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
-        match (self.default_pair(), self.energy) {
+        match (self.law.default_pair(), self.energy) {
             (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
             (None, false) => self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies),
             (Some(law), false) => self.cells::<false, _, _, _>(registers, law, packs, ring, energies),
@@ -81,14 +80,6 @@ impl Sweep<'_> {
                 *energy = found;
             }
         }
-    }
-
-    /// The strain measure and section of most scenes, for which the sweep is compiled in.
-    #[inline(always)]
-    fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
-        let strain = (self.law.strain as &dyn Any).downcast_ref()?;
-        let section = (self.law.section as &dyn Any).downcast_ref()?;
-        Some(PointLaw { strain, section })
     }
 
     #[inline(always)]
@@ -177,7 +168,7 @@ impl Work for Leaf<'_, '_> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) {
         let Self { sweep, first, slots, energies } = self;
-        match (sweep.default_pair(), sweep.energy) {
+        match (sweep.law.default_pair(), sweep.energy) {
             (_, true) => sweep.range::<true, _, _, _>(Baseline, sweep.law, first, slots, energies),
             (None, false) => sweep.range::<false, _, _, _>(Baseline, sweep.law, first, slots, energies),
             (Some(law), false) => sweep.range::<false, _, _, _>(registers, law, first, slots, energies),
@@ -243,7 +234,7 @@ fn store<R: Registers>(registers: R, slots: &mut [Row], f: Pack3<R::Four>, t: Pa
 
 #[cfg(test)]
 mod tests {
-    use shell_kinematics::{Isotropic, Section, StrainMeasure};
+    use shell_kinematics::{Isotropic, IsotropicSection, Section, StrainMeasure, StretchCorrected};
     use sph_core::{Cylinder, EndWeights, lattice};
 
     use super::*;
