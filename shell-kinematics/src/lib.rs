@@ -13,8 +13,8 @@
 //! | back to the vectors | [`PlacementForces`] | [`Placement::transpose`] |
 //!
 //! Every step stands beside its transpose, so that forces are the exact derivative of the energy. Four points are
-//! treated at a time in a [`Pack`]; formulas read as if it were one number. No fused multiply-add is asked for: the
-//! same bits on every processor.
+//! treated at a time in a [`Pack`]; formulas read as if it were one number, and those that a march needs run on any
+//! [`Number`]. No fused multiply-add is asked for: the same bits on every processor.
 //!
 //! ```
 //! use shell_kinematics::{
