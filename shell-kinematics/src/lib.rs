@@ -13,8 +13,8 @@
 //! | back to the vectors | [`PlacementForces`] | [`Placement::transpose`] |
 //!
 //! Every step stands beside its transpose, so that forces are the exact derivative of the energy. Four points are
-//! treated at a time in a [`Pack`]; formulas read as if it were one number. No fused multiply-add is asked for: the
-//! same bits on every processor.
+//! treated at a time in a [`Pack`]; formulas read as if it were one number, and those that a march needs run on any
+//! [`Number`]. No fused multiply-add is asked for: the same bits on every processor.
 //!
 //! ```
 //! use shell_kinematics::{
@@ -147,10 +147,14 @@ mod tangent;
 
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
-pub use pack::{LANES, Pack, Pack3};
+pub use pack::{LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;
-pub use section::{Isotropic, IsotropicSection, MaterialError, Section, SectionScales, linear_tangent};
-pub use strain::{GreenLagrange, StrainMeasure, StretchCorrected, strain_measure, strain_measures};
+pub use section::{
+    Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
+};
+pub use strain::{
+    GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
+};
 pub use strains::{Resultants, Strains};
 pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};

@@ -4,12 +4,52 @@
 //! whatever the optimiser makes of loops. No fused multiply-add is ever requested, so the same bits come
 //! out on every machine.
 
-use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use wide::f64x4;
 
 /// Points treated together.
 pub const LANES: usize = 4;
+
+/// What the formulas compute with: one number (`f64`), four (a [`Pack`]), or whatever registers a caller brings.
+///
+/// Every operation is that of IEEE 754 on each number by itself, none multiplies and adds at once: the same formula gives
+/// the same bits whatever it computes with.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Mul<f64, Output = Self>
+    + AddAssign
+{
+    /// The same number in every lane, in registers of this kind.
+    fn all(self, value: f64) -> Self;
+
+    /// Whether the number of every lane is below `bound`; what is not a number is not.
+    fn below(self, bound: f64) -> bool;
+
+    /// A function of each lane's number.
+    fn each(self, f: impl Fn(f64) -> f64) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn all(self, value: f64) -> f64 {
+        value
+    }
+
+    #[inline(always)]
+    fn below(self, bound: f64) -> bool {
+        self < bound
+    }
+
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> f64 {
+        f(self)
+    }
+}
 
 /// One number for each of [`LANES`] points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,10 +83,35 @@ impl Pack {
         self.0.to_array()
     }
 
+    /// The four numbers where they lie.
+    #[inline(always)]
+    pub fn as_array(&self) -> &[f64; LANES] {
+        self.0.as_array()
+    }
+
     /// Sum over the lanes, in ascending order.
     #[inline(always)]
     pub fn sum(self) -> f64 {
         self.lanes().iter().sum()
+    }
+}
+
+impl Number for Pack {
+    #[inline(always)]
+    fn all(self, value: f64) -> Pack {
+        Pack::splat(value)
+    }
+
+    #[inline(always)]
+    fn below(self, bound: f64) -> bool {
+        let [a, b, c, d] = self.lanes();
+        a < bound && b < bound && c < bound && d < bound
+    }
+
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Pack {
+        let [a, b, c, d] = self.lanes();
+        Pack::new([f(a), f(b), f(c), f(d)])
     }
 }
 
@@ -71,6 +136,14 @@ impl Mul for Pack {
     #[inline(always)]
     fn mul(self, other: Pack) -> Pack {
         Pack(self.0 * other.0)
+    }
+}
+
+impl Div for Pack {
+    type Output = Pack;
+    #[inline(always)]
+    fn div(self, other: Pack) -> Pack {
+        Pack(self.0 / other.0)
     }
 }
 
@@ -104,9 +177,9 @@ impl SubAssign for Pack {
     }
 }
 
-/// A vector of space for each of [`LANES`] points.
+/// A vector of space for each of [`LANES`] points, or for as many as the numbers have lanes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pack3(pub [Pack; 3]);
+pub struct Pack3<P = Pack>(pub [P; 3]);
 
 impl Pack3 {
     /// The zero vector in every lane.
@@ -123,48 +196,50 @@ impl Pack3 {
     pub fn lane(&self, lane: usize) -> [f64; 3] {
         self.0.map(|component| component.lanes()[lane])
     }
+}
 
+impl<P: Number> Pack3<P> {
     /// Scalar product, lane by lane.
     #[inline(always)]
-    pub fn dot(self, other: Pack3) -> Pack {
+    pub fn dot(self, other: Self) -> P {
         self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
     }
 
     /// Vector product, lane by lane.
     #[inline(always)]
-    pub fn cross(self, other: Pack3) -> Pack3 {
+    pub fn cross(self, other: Self) -> Self {
         let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
         Pack3([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
     }
 }
 
-impl Add for Pack3 {
-    type Output = Pack3;
+impl<P: Number> Add for Pack3<P> {
+    type Output = Self;
     #[inline(always)]
-    fn add(self, other: Pack3) -> Pack3 {
+    fn add(self, other: Self) -> Self {
         Pack3([self.0[0] + other.0[0], self.0[1] + other.0[1], self.0[2] + other.0[2]])
     }
 }
 
-impl Sub for Pack3 {
-    type Output = Pack3;
+impl<P: Number> Sub for Pack3<P> {
+    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: Pack3) -> Pack3 {
+    fn sub(self, other: Self) -> Self {
         Pack3([self.0[0] - other.0[0], self.0[1] - other.0[1], self.0[2] - other.0[2]])
     }
 }
 
-impl Mul<Pack> for Pack3 {
-    type Output = Pack3;
+impl<P: Number> Mul<P> for Pack3<P> {
+    type Output = Self;
     #[inline(always)]
-    fn mul(self, factor: Pack) -> Pack3 {
+    fn mul(self, factor: P) -> Self {
         Pack3([self.0[0] * factor, self.0[1] * factor, self.0[2] * factor])
     }
 }
 
-impl AddAssign for Pack3 {
+impl<P: Number> AddAssign for Pack3<P> {
     #[inline(always)]
-    fn add_assign(&mut self, other: Pack3) {
+    fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }

@@ -2,7 +2,7 @@
 
 use std::any::Any;
 
-use crate::pack::Pack;
+use crate::pack::{Number, Pack};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::{Matrix8, ZERO8};
 
@@ -37,6 +37,30 @@ pub trait Section: Any + Send + Sync {
     /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
     fn homogeneous(&self) -> bool {
         false
+    }
+}
+
+/// The formulas of a [`Section`] for numbers of one kind.
+///
+/// Any section has them for packs; one whose resultants are written for any [`Number`] runs in whatever registers a
+/// caller brings.
+pub trait SectionOf<P> {
+    /// [`Section::resultants`].
+    fn resultants_of(&self, strains: &Strains<P>) -> Resultants<P>;
+
+    /// [`Section::energy`] \[F/L\].
+    fn energy_of(&self, strains: &Strains<P>) -> P;
+}
+
+impl SectionOf<Pack> for dyn Section {
+    #[inline(always)]
+    fn resultants_of(&self, strains: &Strains) -> Resultants {
+        self.resultants(strains)
+    }
+
+    #[inline(always)]
+    fn energy_of(&self, strains: &Strains) -> Pack {
+        self.energy(strains)
     }
 }
 
@@ -183,17 +207,13 @@ impl IsotropicSection {
 
 /// `C s` of plane stress for a stiffness `c` that already holds `1/(1−ν²)`.
 #[inline(always)]
-pub(crate) fn plane_stress(c: f64, nu: f64, s: &[Pack; 3]) -> [Pack; 3] {
+pub(crate) fn plane_stress<P: Number>(c: f64, nu: f64, s: &[P; 3]) -> [P; 3] {
     [(s[0] + s[1] * nu) * c, (s[1] + s[0] * nu) * c, s[2] * (0.5 * (1.0 - nu) * c)]
 }
 
-impl Section for IsotropicSection {
-    fn homogeneous(&self) -> bool {
-        true
-    }
-
+impl<P: Number> SectionOf<P> for IsotropicSection {
     #[inline(always)]
-    fn resultants(&self, strains: &Strains) -> Resultants {
+    fn resultants_of(&self, strains: &Strains<P>) -> Resultants<P> {
         Resultants {
             membrane: plane_stress(self.membrane, self.poisson, &strains.membrane),
             moment: plane_stress(self.bending, self.poisson, &strains.curvature),
@@ -201,13 +221,27 @@ impl Section for IsotropicSection {
         }
     }
 
+    #[inline(always)]
+    fn energy_of(&self, strains: &Strains<P>) -> P {
+        self.resultants_of(strains).work(strains) * 0.5
+    }
+}
+
+impl Section for IsotropicSection {
+    fn homogeneous(&self) -> bool {
+        true
+    }
+
+    fn resultants(&self, strains: &Strains) -> Resultants {
+        self.resultants_of(strains)
+    }
+
     fn tangent(&self, _: &Strains) -> Matrix8 {
         linear_tangent(self)
     }
 
-    #[inline(always)]
     fn energy(&self, strains: &Strains) -> Pack {
-        self.resultants(strains).work(strains) * 0.5
+        self.energy_of(strains)
     }
 
     fn scales(&self) -> SectionScales {

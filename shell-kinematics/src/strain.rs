@@ -2,7 +2,7 @@
 
 use std::any::Any;
 
-use crate::pack::Pack;
+use crate::pack::{Number, Pack};
 use crate::placement::{MeasureForces, Measures};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::{Matrix8, ZERO8};
@@ -29,6 +29,34 @@ pub trait StrainMeasure: Any + Send + Sync {
 
     /// `Σ σ ∂²ε/∂m²`, symmetric.
     fn second_gradient(&self, stress: &Resultants) -> Matrix8;
+}
+
+/// The formulas of a [`StrainMeasure`] for numbers of one kind.
+///
+/// Any measure has them for packs; one that is written for any [`Number`] runs in whatever registers a caller brings.
+pub trait StrainsOf<P> {
+    /// [`StrainMeasure::strains`].
+    fn strains_of(&self, now: &Measures<P>, reference: &Measures<P>) -> Strains<P>;
+
+    /// [`StrainMeasure::transpose`].
+    fn transpose_of(
+        &self,
+        now: &Measures<P>,
+        reference: &Measures<P>,
+        stress: &Resultants<P>,
+    ) -> MeasureForces<P>;
+}
+
+impl StrainsOf<Pack> for dyn StrainMeasure {
+    #[inline(always)]
+    fn strains_of(&self, now: &Measures, reference: &Measures) -> Strains {
+        self.strains(now, reference)
+    }
+
+    #[inline(always)]
+    fn transpose_of(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> MeasureForces {
+        self.transpose(now, reference, stress)
+    }
 }
 
 fn unit_matrix() -> Matrix8 {
@@ -91,17 +119,9 @@ impl StrainMeasure for GreenLagrange {
     }
 }
 
-impl StrainMeasure for StretchCorrected {
-    fn name(&self) -> &'static str {
-        "stretch-corrected"
-    }
-
-    fn describe(&self) -> &'static str {
-        "curvature freed of stretch: an exact circle under M = EIκ is an exact solution"
-    }
-
+impl<P: Number> StrainsOf<P> for StretchCorrected {
     #[inline(always)]
-    fn strains(&self, now: &Measures, reference: &Measures) -> Strains {
+    fn strains_of(&self, now: &Measures<P>, reference: &Measures<P>) -> Strains<P> {
         let change = now.change(reference);
         let [e11, e22, g] = change.membrane;
         let [k11, k22, k12] = now.curvature;
@@ -119,14 +139,19 @@ impl StrainMeasure for StretchCorrected {
     }
 
     #[inline(always)]
-    fn transpose(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> MeasureForces {
+    fn transpose_of(
+        &self,
+        now: &Measures<P>,
+        reference: &Measures<P>,
+        stress: &Resultants<P>,
+    ) -> MeasureForces<P> {
         let e11 = now.membrane[0] - reference.membrane[0];
         let e22 = now.membrane[1] - reference.membrane[1];
         let g = now.membrane[2] - reference.membrane[2];
         let [k11, k22, k12] = now.curvature;
         let [n11, n22, n12] = stress.membrane;
         let [m11, m22, m12] = stress.moment;
-        let one = Pack::splat(1.0);
+        let one = e11.all(1.0);
         let half_km = k12 * m12 * 0.5;
         let half_gm = g * m12 * 0.5;
         MeasureForces {
@@ -142,6 +167,24 @@ impl StrainMeasure for StretchCorrected {
             ],
             shear: stress.shear,
         }
+    }
+}
+
+impl StrainMeasure for StretchCorrected {
+    fn name(&self) -> &'static str {
+        "stretch-corrected"
+    }
+
+    fn describe(&self) -> &'static str {
+        "curvature freed of stretch: an exact circle under M = EIκ is an exact solution"
+    }
+
+    fn strains(&self, now: &Measures, reference: &Measures) -> Strains {
+        self.strains_of(now, reference)
+    }
+
+    fn transpose(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> MeasureForces {
+        self.transpose_of(now, reference, stress)
     }
 
     fn gradient(&self, now: &Measures, reference: &Measures) -> Matrix8 {

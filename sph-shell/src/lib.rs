@@ -8,14 +8,16 @@
 //! | where is | look in |
 //! |---|---|
 //! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
-//! | points in packs of four, and the slots of their forces | `packs.rs` |
+//! | points in packs of four; equal constants kept once | `packs.rs`; `shared.rs` |
+//! | where the forces on a particle lie, the transpose of the stencils | `gather.rs` |
+//! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
 //! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
-//! | the step of one particle (kick, hold, drift) | `time/particle.rs` |
+//! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
@@ -230,11 +232,15 @@
 
 mod conditions;
 mod control;
+mod dispatch;
 mod error;
 mod formulation;
+mod gather;
 mod packs;
 mod points;
 mod reference;
+mod registers;
+mod shared;
 mod shell;
 mod state;
 mod statics;
@@ -281,6 +287,8 @@ pub struct Shell {
     loads: Vec<AppliedLoad>,
     /// Positions and directors.
     state: Vec<Row>,
+    /// Positions and directors at the end of a step, before they take the place of the old ones.
+    next: Vec<Row>,
     /// Their rates.
     rates: Vec<Row>,
     /// Internal forces of the sampling points, one row a (point, particle) pair.

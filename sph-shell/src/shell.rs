@@ -8,8 +8,10 @@ use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Body};
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
+use crate::control::pairs::PairControl;
 use crate::error::ShellError;
 use crate::formulation::Formulation;
+use crate::gather::Places;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme};
@@ -62,15 +64,19 @@ impl Shell {
         let (points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {
-            Scheme::Cells { .. } => Fused::plan(&points.packs, count, threads),
+            Scheme::Cells { .. } => {
+                let places = Places::new(&points.packs, &reference.operator);
+                Some(Fused::plan(&points.packs, &places, count, threads))
+            }
             Scheme::Wide { .. } | Scheme::StrongForm { .. } => None,
         };
         Ok(Self {
-            slots: vec![[0.0; 6]; points.slot_count()],
+            slots: points.slots(),
             external: vec![[0.0; 6]; if parts.loads.is_empty() { 0 } else { count }],
-            pack_energies: vec![0.0; points.packs.points.len()],
+            pack_energies: vec![0.0; if fused.is_some() { 0 } else { points.packs.points.len() }],
             chunk_work: vec![Work::default(); count.div_ceil(PARTICLE_CHUNK)],
             state: reference.rest(),
+            next: vec![[0.0; 6]; count],
             rates: vec![[0.0; 6]; count],
             points,
             chord_loss,
@@ -146,13 +152,11 @@ impl Shell {
 
     /// `[∂U/∂x, ∂U/∂d]` of a particle for the last forces evaluated \[F, F L\].
     pub fn internal_force(&self, particle: usize) -> [f64; 6] {
-        let mut sum = self.points.direct().get(particle).copied().unwrap_or([0.0; 6]);
-        if !self.slots.is_empty() {
-            for &slot in self.points.packs.slots_of(particle) {
-                let row = &self.slots[slot as usize];
-                for i in 0..6 {
-                    sum[i] += row[i];
-                }
+        let mut sum = self.points.direct()[particle];
+        for slot in self.points.lists().into_iter().flat_map(|lists| lists.of(particle)) {
+            let row = &self.slots[slot as usize];
+            for i in 0..6 {
+                sum[i] += row[i];
             }
         }
         sum
@@ -182,20 +186,38 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
+        if let Some(mut fused) = self.fused.take() {
+            let mut forces = std::mem::take(self.points.direct_mut());
+            self.internal_energy = fused.forces(&self.sweep(energy), &mut forces);
+            *self.points.direct_mut() = forces;
+            self.fused = Some(fused);
+            return;
+        }
         let Points { packs, shear, scheme } = &mut self.points;
         if let Scheme::StrongForm { equations, forces } = scheme {
             let law = PointLaw { strain: self.strain, section: &*self.section };
-            self.internal_energy =
-                equations.evaluate(&self.reference, packs, shear, law, &self.state, &self.rates, forces);
+            self.internal_energy = equations.evaluate(
+                &self.reference,
+                packs,
+                shear,
+                law,
+                [&self.state, &self.rates],
+                energy,
+                forces,
+            );
             return;
         }
         let mut slots = std::mem::take(&mut self.slots);
         let mut energies = std::mem::take(&mut self.pack_energies);
-        self.sweep(energy).run(0, &mut slots, &mut energies, self.threads > 1);
+        let count = self.points.packs.slot_count();
+        self.sweep(energy).run(0, &mut slots[..count], &mut energies, self.threads > 1);
         (self.slots, self.pack_energies) = (slots, energies);
         let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
-        if let Scheme::Wide { control, forces } = &mut self.points.scheme {
-            total += control.evaluate(&self.state, forces, self.threads > 1);
+        if let Scheme::Wide { control, forces, .. } = &mut self.points.scheme {
+            control.evaluate(&self.state, forces, self.threads > 1);
+            if energy {
+                total += PairControl::energy(&self.state, forces);
+            }
         }
         self.internal_energy = total;
     }
@@ -222,7 +244,8 @@ impl Shell {
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
-        let rows = self.slots.len() + self.state.len() + self.rates.len() + self.external.len();
+        let rows =
+            self.slots.len() + self.state.len() + self.next.len() + self.rates.len() + self.external.len();
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)

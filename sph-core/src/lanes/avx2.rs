@@ -41,6 +41,42 @@ impl Lanes for V3 {
     }
 
     #[inline(always)]
+    fn store(self, a: __m256d) -> Pack {
+        cast(a)
+    }
+
+    #[inline(always)]
+    fn columns_of_two(self, [a, b, c, d]: [&[f64; 2]; LANES]) -> [__m256d; 2] {
+        let (even, odd) = (join(self, *a, *c), join(self, *b, *d));
+        [self.avx._mm256_unpacklo_pd(even, odd), self.avx._mm256_unpackhi_pd(even, odd)]
+    }
+
+    #[inline(always)]
+    fn rows(self, [a, b, c, d]: [__m256d; LANES]) -> [Pack; LANES] {
+        let avx = self.avx;
+        let (even, odd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
+        let (even_end, odd_end) = (avx._mm256_unpacklo_pd(c, d), avx._mm256_unpackhi_pd(c, d));
+        [
+            cast(avx._mm256_permute2f128_pd::<0x20>(even, even_end)),
+            cast(avx._mm256_permute2f128_pd::<0x20>(odd, odd_end)),
+            cast(avx._mm256_permute2f128_pd::<0x31>(even, even_end)),
+            cast(avx._mm256_permute2f128_pd::<0x31>(odd, odd_end)),
+        ]
+    }
+
+    #[inline(always)]
+    fn rows_of_two(self, [a, b]: [__m256d; 2]) -> [[f64; 2]; LANES] {
+        let avx = self.avx;
+        let (even, odd) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
+        [
+            cast(avx._mm256_castpd256_pd128(even)),
+            cast(avx._mm256_castpd256_pd128(odd)),
+            cast(avx._mm256_extractf128_pd::<1>(even)),
+            cast(avx._mm256_extractf128_pd::<1>(odd)),
+        ]
+    }
+
+    #[inline(always)]
     fn add(self, a: __m256d, b: __m256d) -> __m256d {
         self.avx._mm256_add_pd(a, b)
     }
@@ -171,6 +207,16 @@ mod tests {
             assert_eq!(bits([wide.greatest(wa); 4]), bits([Plain.greatest(a); 4]));
             let (x, y) = (wide.columns([&a, &b, &c, &d]), Plain.columns([&a, &b, &c, &d]));
             (0..4).for_each(|k| same(x[k], y[k]));
+            let (there, plain) = (wide.rows(x), Plain.rows(y));
+            (0..4).for_each(|k| assert_eq!(bits(there[k]), bits(plain[k])));
+            assert_eq!(plain.map(bits), [a, b, c, d].map(bits));
+            let ends = [&a, &b, &c, &d].map(|row| [row[0], row[1]]);
+            let (x, y) = (wide.columns_of_two(ends.each_ref()), Plain.columns_of_two(ends.each_ref()));
+            (0..2).for_each(|k| same(x[k], y[k]));
+            let two = |rows: [[f64; 2]; 4]| rows.map(|[a, b]| bits([a, b, a, b]));
+            assert_eq!(two(wide.rows_of_two(x)), two(ends));
+            assert_eq!(two(Plain.rows_of_two(y)), two(ends));
+            assert_eq!(bits(wide.store(wa)), bits(a));
         }
     }
 

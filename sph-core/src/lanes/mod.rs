@@ -50,6 +50,14 @@ pub trait Lanes: Copy {
     fn load(self, pack: &Pack) -> Self::Four;
     /// The transpose of four rows: all first places, all second, ….
     fn columns(self, rows: [&Pack; LANES]) -> [Self::Four; LANES];
+    /// A pack to memory.
+    fn store(self, a: Self::Four) -> Pack;
+    /// The transpose of four rows of two.
+    fn columns_of_two(self, rows: [&[f64; 2]; LANES]) -> [Self::Four; 2];
+    /// The transpose of four columns: the rows of the first lane, the second, ….
+    fn rows(self, columns: [Self::Four; LANES]) -> [Pack; LANES];
+    /// The transpose of two columns.
+    fn rows_of_two(self, columns: [Self::Four; 2]) -> [[f64; 2]; LANES];
     /// `a + b`.
     fn add(self, a: Self::Four, b: Self::Four) -> Self::Four;
     /// `a − b`.

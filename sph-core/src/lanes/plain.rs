@@ -32,6 +32,26 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
+    fn store(self, a: Pack) -> Pack {
+        a
+    }
+
+    #[inline(always)]
+    fn columns_of_two(self, rows: [&[f64; 2]; LANES]) -> [Pack; 2] {
+        std::array::from_fn(|place| each(|lane| rows[lane][place]))
+    }
+
+    #[inline(always)]
+    fn rows(self, columns: [Pack; LANES]) -> [Pack; LANES] {
+        std::array::from_fn(|lane| each(|place| columns[place][lane]))
+    }
+
+    #[inline(always)]
+    fn rows_of_two(self, [a, b]: [Pack; 2]) -> [[f64; 2]; LANES] {
+        std::array::from_fn(|lane| [a[lane], b[lane]])
+    }
+
+    #[inline(always)]
     fn add(self, a: Pack, b: Pack) -> Pack {
         each(|lane| a[lane] + b[lane])
     }

@@ -26,18 +26,19 @@
 //! of the locking is the rest: at ε = 0.2 a hemisphere of R/t = 250 and a sphere under pressure are both within about one
 //! percent on any cloud. Measurements: docs/uneven-cells.md.
 
-use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Pack};
+use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Number, Pack};
 use sph_core::SamplingOperator;
 
 use crate::packs::Packs;
+use crate::registers::Registers;
 
 /// ε, bound of the softening of the membrane of a cell \[–\]; a shell softens by a twentieth of it.
 const SOFTENING: f64 = 0.2;
 
 /// `L_m` of four points, one row for each membrane measure over `k11, k22, 2k12` \[L\].
 #[derive(Clone, Debug)]
-pub(crate) struct ArcPack {
-    rows: [[Pack; 3]; 3],
+pub(crate) struct ArcPack<P = Pack> {
+    rows: [[P; 3]; 3],
 }
 
 /// What chords of uneven curved cells do to the membrane, in the mean over the area.
@@ -81,8 +82,9 @@ impl ArcPack {
         let rows: Vec<[[[f64; 3]; 3]; LANES]> = packs
             .order
             .iter()
-            .zip(&packs.points)
-            .map(|(points, pack)| {
+            .enumerate()
+            .map(|(index, points)| {
+                let pack = packs.constants.get(index);
                 let (k, weight) = (pack.reference.curvature.map(Pack::lanes), pack.weight.lanes());
                 let at = |lane: usize| [k[0][lane], k[1][lane], k[2][lane]];
                 std::array::from_fn(|lane| row(points[lane], weight[lane], at(lane)))
@@ -100,23 +102,11 @@ impl ArcPack {
         (rows.iter().map(pack).collect(), loss)
     }
 
-    /// Gives the membrane measures back what chords lose.
+    /// The constants in registers.
     #[inline(always)]
-    pub fn adjust(&self, now: &mut Measures, reference: &Measures) {
-        let change: [Pack; 3] = std::array::from_fn(|i| now.curvature[i] - reference.curvature[i]);
-        for (measure, row) in now.membrane.iter_mut().zip(&self.rows) {
-            *measure += row[0] * change[0] + row[1] * change[1] + row[2] * change[2];
-        }
-    }
-
-    /// Transpose of the derivative of [`ArcPack::adjust`].
-    #[inline(always)]
-    pub fn transpose(&self, forces: &mut MeasureForces) {
-        let [n11, n22, n12] = forces.membrane;
+    pub fn load<R: Registers>(&self, registers: R) -> ArcPack<R::Four> {
         let [l11, l22, l12] = &self.rows;
-        for (i, force) in forces.curvature.iter_mut().enumerate() {
-            *force += n11 * l11[i] + n22 * l22[i] + n12 * l12[i];
-        }
+        ArcPack { rows: [registers.loads(l11), registers.loads(l22), registers.loads(l12)] }
     }
 
     /// Turns second derivatives and forces over adjusted measures into those over plain ones.
@@ -136,6 +126,30 @@ impl ArcPack {
             }
         }
         self.transpose(forces);
+    }
+}
+
+impl<P: Number> ArcPack<P> {
+    /// Gives the membrane measures back what chords lose.
+    #[inline(always)]
+    pub fn adjust(&self, now: &mut Measures<P>, reference: &Measures<P>) {
+        let mut change = now.curvature;
+        for i in 0..3 {
+            change[i] = now.curvature[i] - reference.curvature[i];
+        }
+        for (measure, row) in now.membrane.iter_mut().zip(&self.rows) {
+            *measure += row[0] * change[0] + row[1] * change[1] + row[2] * change[2];
+        }
+    }
+
+    /// Transpose of the derivative of [`ArcPack::adjust`].
+    #[inline(always)]
+    pub fn transpose(&self, forces: &mut MeasureForces<P>) {
+        let [n11, n22, n12] = forces.membrane;
+        let [l11, l22, l12] = &self.rows;
+        for (i, force) in forces.curvature.iter_mut().enumerate() {
+            *force += n11 * l11[i] + n22 * l22[i] + n12 * l12[i];
+        }
     }
 }
 

@@ -43,8 +43,10 @@
 //! of vectors that turn with the shell, and of second order about a flat cell: objective, patch tests unchanged.
 //! Measurements and the alternatives: docs/zero-energy-control.md.
 
-use shell_kinematics::{LANES, Pack, Pack3, Placement, PlacementForces, SectionScales};
+use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces, SectionScales};
 use sph_core::{SamplingOperator, Vec3};
+
+use crate::registers::Registers;
 
 /// Share β_x of the full stiffness of the position hourglass, for shells thin and thick against the spacing \[–\].
 const POSITION_SHARE: [f64; 2] = [0.1, 0.5];
@@ -58,38 +60,38 @@ const HOURGLASS: [f64; 2] = [1.0 / 3.0, 13.0 / 30.0];
 
 /// Constants of the control of four cells.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct CellPack {
+pub(crate) struct CellPack<P = Pack> {
     /// `¼ h·ξ`, `¼ h·η` \[L\].
-    lever: [Pack; 2],
+    lever: [P; 2],
     /// `H11, H22, H12 = Σγξ², Σγη², Σγξη` \[L²\].
-    twist: [Pack; 3],
+    twist: [P; 3],
     /// `(8/3) β_x k_s` \[F/L\] and `(8/3) β_d D_b` \[F L\]; zero for triangles.
-    stiffness: [Pack; 2],
+    stiffness: [P; 2],
     /// `w k_a` \[F L³\]; zero for triangles.
-    swirl: Pack,
+    swirl: P,
     /// One quarter; zero for triangles, which have no pattern.
-    quarter: Pack,
+    quarter: P,
     /// Reference values of s1…s6.
-    reference: [Pack; 6],
+    reference: [P; 6],
 }
 
 /// The hourglass of four cells as it is now.
-pub(crate) struct CellState {
-    q: [Pack3; 2],
+pub(crate) struct CellState<P = Pack> {
+    q: [Pack3<P>; 2],
     /// s1…s6 less their reference values.
-    s: [Pack; 6],
+    s: [P; 6],
     /// The same from which the tangent takes the control's forces.
-    pulled: [Pack; 6],
+    pulled: [P; 6],
     /// 1 − d·d, the spread of the directors \[–\].
-    u: Pack,
+    u: P,
     /// s4² + s5² \[–\].
-    z: Pack,
+    z: P,
     /// ∂c/∂z.
-    by_z: Pack,
+    by_z: P,
     /// Arc over chord c \[–\].
-    pub scale: Pack,
+    pub scale: P,
     /// Curvature by chords \[1/L\].
-    pub curvature: [Pack; 3],
+    pub curvature: [P; 3],
 }
 
 /// What the tangent needs of the scaled curvature `k̂ = c k`, weights included.
@@ -109,9 +111,9 @@ pub(crate) const VECTORS: usize = 7;
 pub(crate) type PointTangent = [[Pack; 3 * VECTORS]; 3 * VECTORS];
 
 /// What the control adds: forces on the patterns, to be spread by ±¼.
-pub(crate) struct PatternForces {
-    pub position: Pack3,
-    pub director: Pack3,
+pub(crate) struct PatternForces<P = Pack> {
+    pub position: Pack3<P>,
+    pub director: Pack3<P>,
 }
 
 impl CellPack {
@@ -167,69 +169,29 @@ impl CellPack {
         pack
     }
 
-    /// `q_x` and `q_d` from the raw pattern sums `Σh_b x_b`, `Σh_b d_b`.
-    #[inline(always)]
-    fn patterns(&self, p: &Placement, raw: [Pack3; 2]) -> [Pack3; 2] {
-        let [l1, l2] = self.lever;
-        [raw[0] * self.quarter - p.x1 * l1 - p.x2 * l2, raw[1] * self.quarter - p.d1 * l1 - p.d2 * l2]
+    /// All constants.
+    pub fn numbers(&self) -> impl Iterator<Item = Pack> + use<> {
+        let Self { lever, twist, stiffness, swirl, quarter, reference } = self.clone();
+        lever.into_iter().chain(twist).chain(stiffness).chain([swirl, quarter]).chain(reference)
     }
 
-    /// s1…s6 before their reference values are taken off.
+    /// The constants in registers.
     #[inline(always)]
-    fn components(&self, p: &Placement, curvature: &[Pack; 3], q: &[Pack3; 2]) -> [Pack; 6] {
-        let [h11, h22, h12] = self.twist;
-        let bent = h11 * curvature[0] + h22 * curvature[1] + h12 * curvature[2];
-        let swirl = p.x1.dot(p.d2) - p.x2.dot(p.d1);
-        [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2), swirl]
-    }
-
-    /// Patterns, their components and the scale of the curvature in the present placement.
-    #[inline(always)]
-    pub fn state(&self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) -> CellState {
-        let q = self.patterns(p, raw);
-        let now = self.components(p, curvature, &q);
-        let s: [Pack; 6] = std::array::from_fn(|i| now[i] - self.reference[i]);
-        let one = Pack::splat(1.0);
-        let u = one - p.d.dot(p.d);
-        let z = s[3] * s[3] + s[4] * s[4];
-        let by_z = Pack::splat(HOURGLASS[0]) + u * HOURGLASS[1];
-        let scale = one + u * (Pack::splat(CHORD[0]) + u * CHORD[1]) + z * by_z;
-        CellState { q, s, pulled: s, u, z, by_z, scale, curvature: *curvature }
+    pub fn load<R: Registers>(&self, registers: R) -> CellPack<R::Four> {
+        CellPack {
+            lever: registers.loads(&self.lever),
+            twist: registers.loads(&self.twist),
+            stiffness: registers.loads(&self.stiffness),
+            swirl: registers.load(&self.swirl),
+            quarter: registers.load(&self.quarter),
+            reference: registers.loads(&self.reference),
+        }
     }
 
     /// Takes the present state as the reference; returns its curvature by arcs.
     pub fn rest(&mut self, p: &Placement, curvature: &[Pack; 3], raw: [Pack3; 2]) -> [Pack; 3] {
         self.reference = self.components(p, curvature, &self.patterns(p, raw));
         self.state(p, curvature, raw).arc(*curvature)
-    }
-
-    /// Adds the control's forces to those of the point; returns the pattern forces and the control's energy \[F L\].
-    ///
-    /// `released` is w M:k of [`CellState::released`].
-    #[inline(always)]
-    pub fn add(
-        &self,
-        p: &Placement,
-        state: &CellState,
-        released: Pack,
-        f: &mut PlacementForces,
-    ) -> (PatternForces, Pack) {
-        let CellState { q, s, .. } = state;
-        let [kx, kd] = self.stiffness;
-        let [h11, h22, h12] = self.twist;
-        let held = kd + state.by_z * released * 2.0;
-        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held];
-        let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
-        let director = p.x1 * r4 + p.x2 * r5;
-        let (half3, r6) = (r3 * 0.5, s[5] * self.swirl);
-        let [l1, l2] = self.lever;
-        f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 + p.d2 * r6 - position * l1;
-        f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - p.d1 * r6 - position * l2;
-        f.q += q[0] * r3 - p.d * (state.by_u() * released * 2.0);
-        f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - p.x2 * r6 - director * l1;
-        f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 + p.x1 * r6 - director * l2;
-        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + state.z * kd + s[5] * r6) * 0.5;
-        (PatternForces { position: position * self.quarter, director: director * self.quarter }, energy)
     }
 
     /// `γ_b` of a particle in one lane, from its sign in the pattern and its gradients \[–\].
@@ -309,7 +271,71 @@ impl CellPack {
     }
 }
 
-impl CellState {
+impl<P: Number> CellPack<P> {
+    /// `q_x` and `q_d` from the raw pattern sums `Σh_b x_b`, `Σh_b d_b`.
+    #[inline(always)]
+    fn patterns(&self, p: &Placement<P>, raw: [Pack3<P>; 2]) -> [Pack3<P>; 2] {
+        let [l1, l2] = self.lever;
+        [raw[0] * self.quarter - p.x1 * l1 - p.x2 * l2, raw[1] * self.quarter - p.d1 * l1 - p.d2 * l2]
+    }
+
+    /// s1…s6 before their reference values are taken off.
+    #[inline(always)]
+    fn components(&self, p: &Placement<P>, curvature: &[P; 3], q: &[Pack3<P>; 2]) -> [P; 6] {
+        let [h11, h22, h12] = self.twist;
+        let bent = h11 * curvature[0] + h22 * curvature[1] + h12 * curvature[2];
+        let swirl = p.x1.dot(p.d2) - p.x2.dot(p.d1);
+        [q[0].dot(p.x1), q[0].dot(p.x2), q[0].dot(p.d) + bent * 0.5, q[1].dot(p.x1), q[1].dot(p.x2), swirl]
+    }
+
+    /// Patterns, their components and the scale of the curvature in the present placement.
+    #[inline(always)]
+    pub fn state(&self, p: &Placement<P>, curvature: &[P; 3], raw: [Pack3<P>; 2]) -> CellState<P> {
+        let q = self.patterns(p, raw);
+        let now = self.components(p, curvature, &q);
+        let mut s = now;
+        for i in 0..6 {
+            s[i] = now[i] - self.reference[i];
+        }
+        let one = s[0].all(1.0);
+        let u = one - p.d.dot(p.d);
+        let z = s[3] * s[3] + s[4] * s[4];
+        let by_z = one.all(HOURGLASS[0]) + u * HOURGLASS[1];
+        let scale = one + u * (one.all(CHORD[0]) + u * CHORD[1]) + z * by_z;
+        CellState { q, s, pulled: s, u, z, by_z, scale, curvature: *curvature }
+    }
+
+    /// Adds the control's forces to those of the point; returns the pattern forces and the control's energy \[F L\].
+    ///
+    /// `released` is w M:k of [`CellState::released`].
+    #[inline(always)]
+    pub fn add(
+        &self,
+        p: &Placement<P>,
+        state: &CellState<P>,
+        released: P,
+        f: &mut PlacementForces<P>,
+    ) -> (PatternForces<P>, P) {
+        let CellState { q, s, .. } = state;
+        let [kx, kd] = self.stiffness;
+        let [h11, h22, h12] = self.twist;
+        let held = kd + state.by_z * released * 2.0;
+        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held];
+        let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
+        let director = p.x1 * r4 + p.x2 * r5;
+        let (half3, r6) = (r3 * 0.5, s[5] * self.swirl);
+        let [l1, l2] = self.lever;
+        f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 + p.d2 * r6 - position * l1;
+        f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - p.d1 * r6 - position * l2;
+        f.q += q[0] * r3 - p.d * (state.by_u() * released * 2.0);
+        f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - p.x2 * r6 - director * l1;
+        f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 + p.x1 * r6 - director * l2;
+        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + state.z * kd + s[5] * r6) * 0.5;
+        (PatternForces { position: position * self.quarter, director: director * self.quarter }, energy)
+    }
+}
+
+impl<P: Number> CellState<P> {
     /// Takes the control's forces, for the tangent, from another state.
     pub fn pull_as(&mut self, other: &Self) {
         self.pulled = other.s;
@@ -317,19 +343,20 @@ impl CellState {
 
     /// ∂c/∂u.
     #[inline(always)]
-    fn by_u(&self) -> Pack {
-        Pack::splat(CHORD[0]) + self.u * (2.0 * CHORD[1]) + self.z * HOURGLASS[1]
+    fn by_u(&self) -> P {
+        self.u.all(CHORD[0]) + self.u * (2.0 * CHORD[1]) + self.z * HOURGLASS[1]
     }
 
     /// The curvature measured along arcs: a chord's, times the scale.
     #[inline(always)]
-    pub fn arc(&self, curvature: [Pack; 3]) -> [Pack; 3] {
-        curvature.map(|k| k * self.scale)
+    pub fn arc(&self, curvature: [P; 3]) -> [P; 3] {
+        let [k11, k22, k12] = curvature;
+        [k11 * self.scale, k22 * self.scale, k12 * self.scale]
     }
 
     /// M:k, what a unit of shortening would release per area, from forces on the curvature by arcs \[F/L\].
     #[inline(always)]
-    pub fn released(&self, moment: &[Pack; 3]) -> Pack {
+    pub fn released(&self, moment: &[P; 3]) -> P {
         let [k11, k22, k12] = self.curvature;
         k11 * moment[0] + k22 * moment[1] + k12 * moment[2]
     }

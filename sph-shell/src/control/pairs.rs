@@ -13,25 +13,28 @@
 
 use nalgebra::Matrix3;
 use rayon::prelude::*;
-use shell_kinematics::SectionScales;
+use shell_kinematics::{LANES, Pack, SectionScales};
 use sph_core::{CubicSpline, Kernel, SamplingOperator, Vec3};
 
+use crate::dispatch::{Work, widest};
 use crate::error::ShellError;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::reference::{Reference, mean_cell_areas, pair_gradients};
+use crate::registers::{Registers, columns, four_of};
 
-/// One row block: which particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d` (each times the unit matrix).
-#[derive(Clone, Copy, Debug)]
-struct Block {
-    particle: u32,
-    numbers: [f64; 4],
-}
+/// `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d` of a pair of particles, each times the unit matrix.
+type Numbers = [f64; 4];
 
-/// The assembled control.
+/// The assembled control: row blocks of four particles at a time, as many for each of them. Shorter rows end in blocks of
+/// zeros with the particle itself.
 #[derive(Clone, Debug)]
 pub(crate) struct PairControl {
+    /// First blocks of each four particles, and the end.
     offsets: Vec<u32>,
-    blocks: Vec<Block>,
+    /// The other particle of four blocks.
+    particles: Vec<[u32; LANES]>,
+    /// Their numbers.
+    numbers: Vec<[Pack; 4]>,
 }
 
 /// How x and d of one particle enter e and g of a pair: `[e from x, e from d, g from x, g from d]`.
@@ -53,8 +56,7 @@ impl PairControl {
                 of_particle[share.0 as usize].push((r as u32, s as u32));
             }
         }
-        let mut offsets = vec![0];
-        let mut blocks = Vec::new();
+        let mut rows: Vec<Vec<(u32, Numbers)>> = Vec::with_capacity(count);
         let mut row = vec![[0.0; 4]; count];
         let mut seen = vec![false; count];
         let mut touched: Vec<u32> = Vec::new();
@@ -75,42 +77,71 @@ impl PairControl {
                 }
             }
             touched.sort_unstable();
-            for b in touched.drain(..) {
+            let mut take = |b: u32| {
                 seen[b as usize] = false;
-                blocks.push(Block { particle: b, numbers: std::mem::take(&mut row[b as usize]) });
-            }
-            offsets.push(blocks.len() as u32);
+                (b, std::mem::take(&mut row[b as usize]))
+            };
+            rows.push(touched.drain(..).map(&mut take).collect());
         }
-        Self { offsets, blocks }
+        Self::by_fours(&rows)
     }
 
-    /// Forces `K (x, d)` into `forces`; returns the energy `½ (x, d)·K (x, d)` \[F L\].
-    pub fn evaluate(&self, state: &[Row], forces: &mut [Row], parallel: bool) -> f64 {
-        let chunk = |(number, rows): (usize, &mut [Row])| {
-            for (i, force) in rows.iter_mut().enumerate() {
-                *force = self.row(number * PARTICLE_CHUNK + i, state);
+    fn by_fours(rows: &[Vec<(u32, Numbers)>]) -> Self {
+        let mut control = Self { offsets: vec![0], particles: Vec::new(), numbers: Vec::new() };
+        for (group, four) in rows.chunks(LANES).enumerate() {
+            let most = four.iter().map(Vec::len).max().unwrap_or(0);
+            for k in 0..most {
+                let block = |lane: usize| {
+                    let own = LANES * group + lane.min(four.len() - 1);
+                    four.get(lane).and_then(|row| row.get(k)).copied().unwrap_or((own as u32, [0.0; 4]))
+                };
+                let blocks: [(u32, Numbers); LANES] = std::array::from_fn(block);
+                control.particles.push(blocks.map(|block| block.0));
+                control.numbers.push(std::array::from_fn(|i| Pack::from_fn(|lane| blocks[lane].1[i])));
             }
+            control.offsets.push(control.particles.len() as u32);
+        }
+        control
+    }
+
+    /// Forces `K (x, d)` into `forces`.
+    pub fn evaluate(&self, state: &[Row], forces: &mut [Row], parallel: bool) {
+        let chunk = |(number, forces): (usize, &mut [Row])| {
+            widest(Chunk { control: self, state, first: number * PARTICLE_CHUNK, forces });
         };
         if parallel {
             forces.par_chunks_mut(PARTICLE_CHUNK).enumerate().for_each(chunk);
         } else {
             forces.chunks_mut(PARTICLE_CHUNK).enumerate().for_each(chunk);
         }
+    }
+
+    /// The energy `½ (x, d)·K (x, d)` \[F L\] of the forces that [`PairControl::evaluate`] found.
+    pub fn energy(state: &[Row], forces: &[Row]) -> f64 {
         // Positions count from the first particle: far from the origin the products would lose their digits.
         let origin = state[0];
         let work = |(row, force): (&Row, &Row)| -> f64 {
             (0..3).map(|k| (row[k] - origin[k]) * force[k] + row[3 + k] * force[3 + k]).sum()
         };
-        0.5 * state.iter().zip(forces.iter()).map(work).sum::<f64>()
+        0.5 * state.iter().zip(forces).map(work).sum::<f64>()
     }
 
+    /// The forces on four particles in the rows `own`.
     #[inline(always)]
-    fn row(&self, a: usize, state: &[Row]) -> Row {
-        let own = &state[a];
-        let mut force = [0.0; 6];
-        for block in &self.blocks[self.offsets[a] as usize..self.offsets[a + 1] as usize] {
-            let other = &state[block.particle as usize];
-            let [xx, xd, dx, dd] = block.numbers;
+    fn four<R: Registers>(
+        &self,
+        registers: R,
+        group: usize,
+        own: &[Row; LANES],
+        state: &[Row],
+    ) -> [Row; LANES] {
+        let own = columns(registers, own);
+        let mut force = [registers.splat(0.0); 6];
+        let range = self.offsets[group] as usize..self.offsets[group + 1] as usize;
+        for ([a, b, c, d], numbers) in self.particles[range.clone()].iter().zip(&self.numbers[range]) {
+            let rows = [&state[*a as usize], &state[*b as usize], &state[*c as usize], &state[*d as usize]];
+            let other = registers.columns(rows);
+            let [xx, xd, dx, dd] = registers.loads(numbers);
             for k in 0..3 {
                 // Rows add up to zero over positions: differences keep translation exact.
                 let u = other[k] - own[k];
@@ -119,19 +150,42 @@ impl PairControl {
                 force[3 + k] += dx * u + dd * d;
             }
         }
-        force
+        registers.rows(force)
     }
 
     /// The blocks of particle `a`: other particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d`.
-    pub fn blocks_of(&self, a: usize) -> impl Iterator<Item = (u32, [f64; 4])> + '_ {
-        self.blocks[self.offsets[a] as usize..self.offsets[a + 1] as usize]
-            .iter()
-            .map(|block| (block.particle, block.numbers))
+    pub fn blocks_of(&self, a: usize) -> impl Iterator<Item = (u32, Numbers)> + '_ {
+        let (group, lane) = (a / LANES, a % LANES);
+        let range = self.offsets[group] as usize..self.offsets[group + 1] as usize;
+        let blocks = self.particles[range.clone()].iter().zip(&self.numbers[range]);
+        blocks.map(move |(particles, numbers)| (particles[lane], numbers.map(|pack| pack.lanes()[lane])))
     }
 
     /// Bytes of the assembled matrix.
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.blocks[..]) + size_of_val(&self.offsets[..])
+        size_of_val(&self.numbers[..]) + size_of_val(&self.particles[..]) + size_of_val(&self.offsets[..])
+    }
+}
+
+/// A chunk of particles on its way to a thread, from number `first` on.
+struct Chunk<'a, 'b> {
+    control: &'a PairControl,
+    state: &'a [Row],
+    first: usize,
+    forces: &'b mut [Row],
+}
+
+impl Work for Chunk<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<R: Registers>(self, registers: R) {
+        let Self { control, state, first, forces } = self;
+        for (i, forces) in forces.chunks_mut(LANES).enumerate() {
+            let a = first + LANES * i;
+            let found = control.four(registers, a / LANES, &four_of(state, a), state);
+            forces.copy_from_slice(&found[..forces.len()]);
+        }
     }
 }
 

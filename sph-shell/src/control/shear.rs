@@ -16,8 +16,10 @@
 //! `5(1−ν)/(36α) w |∇κ|²`, of second order in the spacing whatever the thickness. Lattices on developable surfaces keep
 //! all of their shear; triangles among quadrangles, whose T differs most, give up most. Measurements: docs/zero-energy-control.md.
 
-use shell_kinematics::{LANES, Matrix8, Pack, Resultants, Strains};
+use shell_kinematics::{LANES, Matrix8, Number, Pack, Resultants, Strains};
 use sph_core::SamplingOperator;
+
+use crate::registers::Registers;
 
 /// α \[–\]: the least that keeps disordered plates of L/t = 10⁴ within .15 % of L/t = 10²; 0.4 softens the hemisphere by .8 %.
 const RELAXATION: f64 = 0.02;
@@ -26,11 +28,11 @@ const MOST: f64 = 0.1;
 
 /// Shear constants of four points.
 #[derive(Clone, Debug)]
-pub(crate) struct ShearPack {
+pub(crate) struct ShearPack<P = Pack> {
     /// `E_α,βγ` as `[1·11, 1·22, 1·12, 2·11, 2·22, 2·12]` \[L\].
-    moments: [Pack; 6],
+    moments: [P; 6],
     /// Square root of the share of the shear energy that is kept \[–\].
-    share: Pack,
+    share: P,
 }
 
 impl ShearPack {
@@ -67,24 +69,10 @@ impl ShearPack {
         order.iter().map(pack).collect()
     }
 
-    /// Adjusts the shear strains to the curvature.
+    /// The constants in registers.
     #[inline(always)]
-    pub fn adjust(&self, strains: &mut Strains) {
-        let (e, k) = (&self.moments, strains.curvature);
-        let bent = [e[0] * k[0] + e[1] * k[1] + e[2] * k[2], e[3] * k[0] + e[4] * k[1] + e[5] * k[2]];
-        let [q1, q2] = strains.shear;
-        strains.shear = [(q1 + bent[0]) * self.share, (q2 + bent[1]) * self.share];
-    }
-
-    /// Transpose of [`ShearPack::adjust`].
-    #[inline(always)]
-    pub fn transpose(&self, stress: &mut Resultants) {
-        let e = &self.moments;
-        let [q1, q2] = [stress.shear[0] * self.share, stress.shear[1] * self.share];
-        for i in 0..3 {
-            stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
-        }
-        stress.shear = [q1, q2];
+    pub fn load<R: Registers>(&self, registers: R) -> ShearPack<R::Four> {
+        ShearPack { moments: registers.loads(&self.moments), share: registers.load(&self.share) }
     }
 
     /// Adjusts the derivative of the strains as [`ShearPack::adjust`] does the strains.
@@ -96,5 +84,27 @@ impl ShearPack {
                 gradient[6 + alpha][measure] = (gradient[6 + alpha][measure] + bent) * self.share;
             }
         }
+    }
+}
+
+impl<P: Number> ShearPack<P> {
+    /// Adjusts the shear strains to the curvature.
+    #[inline(always)]
+    pub fn adjust(&self, strains: &mut Strains<P>) {
+        let (e, k) = (&self.moments, strains.curvature);
+        let bent = [e[0] * k[0] + e[1] * k[1] + e[2] * k[2], e[3] * k[0] + e[4] * k[1] + e[5] * k[2]];
+        let [q1, q2] = strains.shear;
+        strains.shear = [(q1 + bent[0]) * self.share, (q2 + bent[1]) * self.share];
+    }
+
+    /// Transpose of [`ShearPack::adjust`].
+    #[inline(always)]
+    pub fn transpose(&self, stress: &mut Resultants<P>) {
+        let e = &self.moments;
+        let [q1, q2] = [stress.shear[0] * self.share, stress.shear[1] * self.share];
+        for i in 0..3 {
+            stress.moment[i] += e[i] * q1 + e[3 + i] * q2;
+        }
+        stress.shear = [q1, q2];
     }
 }

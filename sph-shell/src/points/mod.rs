@@ -1,7 +1,6 @@
 //! The sampling points: the pipeline of one pack, the sweep over all, what each formulation adds, and what can be read there.
 
 pub(crate) mod bounds;
-pub(crate) mod dispatch;
 pub(crate) mod point;
 pub(crate) mod results;
 pub(crate) mod scheme;

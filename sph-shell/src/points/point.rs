@@ -2,14 +2,18 @@
 //!
 //! Forces, results, tangent and strong form share this pipeline; every correction of a strain stands here beside its transpose.
 
+use std::any::Any;
+
 use shell_kinematics::{
-    LANES, Measures, Pack, Pack3, Placement, PlacementForces, Section, StrainMeasure, Strains,
+    IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
+    StrainMeasure, Strains, StrainsOf, StretchCorrected,
 };
 
 use crate::control::arcs::ArcPack;
 use crate::control::cells::{CellPack, CellState};
 use crate::control::shear::ShearPack;
-use crate::packs::{Entry, Packs, PointPack, Row};
+use crate::packs::{Constants, Entry, Packs, PointPack, Row};
+use crate::registers::{Baseline, Registers};
 
 /// Strain measure and section of the points.
 ///
@@ -27,10 +31,23 @@ impl<M: ?Sized, S: ?Sized> Clone for PointLaw<'_, M, S> {
 
 impl<M: ?Sized, S: ?Sized> Copy for PointLaw<'_, M, S> {}
 
-/// Four points: their stencils, and what corrects their strains where something does.
+impl PointLaw<'_> {
+    /// The strain measure and section of most scenes, for which sweeps are compiled in.
+    #[inline(always)]
+    pub fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
+        let strain = (self.strain as &dyn Any).downcast_ref()?;
+        let section = (self.section as &dyn Any).downcast_ref()?;
+        Some(PointLaw { strain, section })
+    }
+}
+
+/// Four points: their stencils, what corrects their strains where something does, and the registers they are treated in.
 #[derive(Clone, Copy)]
-pub(crate) struct Point<'a> {
-    pub pack: &'a PointPack,
+pub(crate) struct Point<'a, R = Baseline> {
+    pub registers: R,
+    pub place: &'a PointPack,
+    pub pack: &'a Constants,
+    pub particles: &'a [[u32; LANES]],
     pub entries: &'a [Entry],
     pub shear: Option<&'a ShearPack>,
     pub arcs: Option<&'a ArcPack>,
@@ -38,30 +55,23 @@ pub(crate) struct Point<'a> {
 }
 
 /// Four points in a state: from their vectors to their strains.
-pub(crate) struct PointState<'a> {
-    pub placement: Placement,
+pub(crate) struct PointState<P = Pack> {
+    pub placement: Placement<P>,
     /// Curvature along arcs, membrane with what chords lose.
-    pub measures: Measures,
+    pub measures: Measures<P>,
     /// With the Kirchhoff-consistent shear of [`ShearPack`].
-    pub strains: Strains,
-    pub control: Option<(&'a CellPack, CellState)>,
+    pub strains: Strains<P>,
+    pub control: Option<(CellPack<P>, CellState<P>)>,
 }
 
 /// What the resultants of four points do.
-pub(crate) struct PointForces {
+pub(crate) struct PointForces<P = Pack> {
     /// Forces on the vectors, per area.
-    pub on_vectors: PlacementForces,
+    pub on_vectors: PlacementForces<P>,
     /// Energy per area, if it was asked for.
-    pub density: Pack,
+    pub density: P,
     /// w M:k of [`CellState::released`].
-    pub released: Pack,
-}
-
-/// Rows of four particles, turned into columns.
-#[inline(always)]
-fn load(state: &[Row], particles: &[u32; LANES]) -> [Pack; 6] {
-    let rows = particles.map(|b| state[b as usize]);
-    std::array::from_fn(|c| Pack::from_fn(|lane| rows[lane][c]))
+    pub released: P,
 }
 
 /// Sign of the hourglass pattern (1, −1, 1, −1) at entry `k` beyond the base.
@@ -70,84 +80,163 @@ pub(crate) fn sign(k: usize) -> f64 {
     if k.is_multiple_of(2) { -1.0 } else { 1.0 }
 }
 
+/// Adds a vector to a sum with its sign in the pattern; Σh = 0, so that differences from the base are enough.
+#[inline(always)]
+pub(crate) fn signed<P: Number>(k: usize, sum: Pack3<P>, vector: Pack3<P>) -> Pack3<P> {
+    if k.is_multiple_of(2) { sum - vector } else { sum + vector }
+}
+
 impl<'a> Point<'a> {
     /// The points of a pack, their strains not corrected.
     #[inline(always)]
     pub fn new(packs: &'a Packs, index: usize) -> Self {
-        let pack = &packs.points[index];
-        let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-        Self { pack, entries, shear: None, arcs: None, cell: None }
+        let place = &packs.points[index];
+        let width = place.width as usize;
+        Self {
+            registers: Baseline,
+            place,
+            pack: packs.constants.get(index),
+            particles: &packs.particles[place.first as usize..][..width],
+            entries: &packs.entries[place.entries as usize..][..width],
+            shear: None,
+            arcs: None,
+            cell: None,
+        }
+    }
+
+    /// The same points in other registers.
+    #[inline(always)]
+    pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
+        let Self { place, pack, particles, entries, shear, arcs, cell, .. } = self;
+        Point { registers, place, pack, particles, entries, shear, arcs, cell }
+    }
+}
+
+impl<R: Registers> Point<'_, R> {
+    /// Rows of four particles, turned into columns.
+    #[inline(always)]
+    fn columns(&self, state: &[Row], [a, b, c, d]: &[u32; LANES]) -> [R::Four; 6] {
+        let rows = [&state[*a as usize], &state[*b as usize], &state[*c as usize], &state[*d as usize]];
+        self.registers.columns(rows)
     }
 
     /// The five vectors, and with `CELL` the raw hourglass sums.
     #[inline(always)]
-    pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement, [Pack3; 2]) {
-        let base = load(state, &self.pack.base);
-        let mut p = Placement { d: Pack3([base[3], base[4], base[5]]), ..Placement::default() };
-        let mut raw = [Pack3::ZERO; 2];
-        for (k, entry) in self.entries.iter().enumerate() {
-            let row = load(state, &entry.particles);
-            let dx = Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]);
-            let dd = Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]);
-            p.x1 += dx * entry.g1;
-            p.x2 += dx * entry.g2;
-            p.d += dd * entry.phi;
-            p.d1 += dd * entry.g1;
-            p.d2 += dd * entry.g2;
+    pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
+        if CELL && let (Ok(entries), Ok(particles)) = (self.entries.try_into(), self.particles.try_into()) {
+            return self.quadrangle(state, entries, particles);
+        }
+        let base = self.columns(state, &self.place.base);
+        let zero = Pack3([self.registers.splat(0.0); 3]);
+        let mut p =
+            Placement { x1: zero, x2: zero, d: Pack3([base[3], base[4], base[5]]), d1: zero, d2: zero };
+        let mut raw = [zero; 2];
+        for (k, (entry, particles)) in self.entries.iter().zip(self.particles).enumerate() {
+            let [dx, dd] = self.difference(state, particles, &base);
+            let [phi, g1, g2] = entry.load(self.registers);
+            p.x1 += dx * g1;
+            p.x2 += dx * g2;
+            p.d += dd * phi;
+            p.d1 += dd * g1;
+            p.d2 += dd * g2;
             if CELL {
-                // Σh = 0, so the pattern needs differences only; entry 0 here is particle 1 of the cell.
-                let h = Pack::splat(sign(k));
-                raw[0] += dx * h;
-                raw[1] += dd * h;
+                raw = [signed(k, raw[0], dx), signed(k, raw[1], dd)];
             }
         }
         (p, raw)
     }
 
+    /// The same for three entries beyond the base, vector by vector: sums stay in registers.
+    #[inline(always)]
+    fn quadrangle(
+        &self,
+        state: &[Row],
+        [a, b, c]: &[Entry; 3],
+        [at_a, at_b, at_c]: &[[u32; LANES]; 3],
+    ) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
+        let base = self.columns(state, &self.place.base);
+        let zero = Pack3([self.registers.splat(0.0); 3]);
+        let [[xa, da], [xb, db], [xc, dc]] = [
+            self.difference(state, at_a, &base),
+            self.difference(state, at_b, &base),
+            self.difference(state, at_c, &base),
+        ];
+        let [[phi_a, g1a, g2a], [phi_b, g1b, g2b], [phi_c, g1c, g2c]] =
+            [a.load(self.registers), b.load(self.registers), c.load(self.registers)];
+        let x1 = zero + xa * g1a + xb * g1b + xc * g1c;
+        let x2 = zero + xa * g2a + xb * g2b + xc * g2c;
+        let raw_x = signed(2, signed(1, signed(0, zero, xa), xb), xc);
+        let d = Pack3([base[3], base[4], base[5]]) + da * phi_a + db * phi_b + dc * phi_c;
+        let d1 = zero + da * g1a + db * g1b + dc * g1c;
+        let d2 = zero + da * g2a + db * g2b + dc * g2c;
+        let raw_d = signed(2, signed(1, signed(0, zero, da), db), dc);
+        (Placement { x1, x2, d, d1, d2 }, [raw_x, raw_d])
+    }
+
+    /// Position and director of particles less those of the base.
+    #[inline(always)]
+    fn difference(
+        &self,
+        state: &[Row],
+        particles: &[u32; LANES],
+        base: &[R::Four; 6],
+    ) -> [Pack3<R::Four>; 2] {
+        let row = self.columns(state, particles);
+        [
+            Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]),
+            Pack3([row[3] - base[3], row[4] - base[4], row[5] - base[5]]),
+        ]
+    }
+
     /// Particles → vectors → measures → arcs → strains → shear; the control of cells with `CELL`.
     #[inline(always)]
-    pub fn strained<const CELL: bool, M: StrainMeasure + ?Sized>(
+    pub fn strained<const CELL: bool, M: StrainsOf<R::Four> + ?Sized>(
         &self,
         measure: &M,
         state: &[Row],
-    ) -> PointState<'a> {
+    ) -> PointState<R::Four> {
         let (placement, raw) = self.interpolate::<CELL>(state);
+        let reference = self.registers.load_measures(&self.pack.reference);
         let mut measures = placement.measures();
-        let cell = if CELL { self.cell } else { None };
-        let control = cell.map(|cell| (cell, cell.state(&placement, &measures.curvature, raw)));
-        if let Some((_, state)) = &control {
+        let mut control = None;
+        if CELL && let Some(cell) = self.cell {
+            let cell = cell.load(self.registers);
+            let state = cell.state(&placement, &measures.curvature, raw);
             measures.curvature = state.arc(measures.curvature);
+            control = Some((cell, state));
         }
         if let Some(arcs) = self.arcs {
-            arcs.adjust(&mut measures, &self.pack.reference);
+            arcs.load(self.registers).adjust(&mut measures, &reference);
         }
-        let mut strains = measure.strains(&measures, &self.pack.reference);
+        let mut strains = measure.strains_of(&measures, &reference);
         if let Some(shear) = self.shear {
-            shear.adjust(&mut strains);
+            shear.load(self.registers).adjust(&mut strains);
         }
         PointState { placement, measures, strains, control }
     }
 
     /// Strains → resultants and, transposed, back to forces on the vectors; the energy with `ENERGY`.
     #[inline(always)]
-    pub fn forces<const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    pub fn forces<const ENERGY: bool, M: StrainsOf<R::Four> + ?Sized, S: SectionOf<R::Four> + ?Sized>(
         &self,
         law: PointLaw<'_, M, S>,
-        now: &PointState<'_>,
-    ) -> PointForces {
-        let mut stress = law.section.resultants(&now.strains);
-        let density = if ENERGY { law.section.energy(&now.strains) } else { Pack::ZERO };
+        now: &PointState<R::Four>,
+    ) -> PointForces<R::Four> {
+        let registers = self.registers;
+        let mut stress = law.section.resultants_of(&now.strains);
+        let density = if ENERGY { law.section.energy_of(&now.strains) } else { registers.splat(0.0) };
         if let Some(shear) = self.shear {
-            shear.transpose(&mut stress);
+            shear.load(registers).transpose(&mut stress);
         }
-        let mut on_measures = law.strain.transpose(&now.measures, &self.pack.reference, &stress);
+        let reference = registers.load_measures(&self.pack.reference);
+        let mut on_measures = law.strain.transpose_of(&now.measures, &reference, &stress);
         if let Some(arcs) = self.arcs {
-            arcs.transpose(&mut on_measures);
+            arcs.load(registers).transpose(&mut on_measures);
         }
-        let mut released = Pack::ZERO;
+        let mut released = registers.splat(0.0);
         if let Some((_, state)) = &now.control {
-            released = state.released(&on_measures.curvature) * self.pack.weight;
-            on_measures.curvature = on_measures.curvature.map(|b| b * state.scale);
+            released = state.released(&on_measures.curvature) * registers.load(&self.pack.weight);
+            on_measures.curvature = state.arc(on_measures.curvature);
         }
         PointForces { on_vectors: now.placement.transpose(&on_measures), density, released }
     }

@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::SectionScales;
+use shell_kinematics::{LANES, SectionScales};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -8,10 +8,12 @@ use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
-use crate::packs::{Packs, Row};
+use crate::gather::{Gather, Place, Places};
+use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
+use crate::shared::Shared;
 
 /// All sampling points.
 #[derive(Clone, Debug)]
@@ -25,14 +27,16 @@ pub(crate) struct Points {
 /// What a formulation does beside the strains of its points.
 #[derive(Clone, Debug)]
 pub(crate) enum Scheme {
-    /// Points at the cells, each with the control of its hourglass.
+    /// Points at the cells, each with the control of its hourglass, and the forces on the particles.
     Cells {
-        control: Vec<CellPack>,
+        forces: Vec<Row>,
+        control: Shared<CellPack>,
         /// Membrane strain that chords of uneven cells lose; empty on lattices of developable surfaces.
         arcs: Vec<ArcPack>,
     },
-    /// Wide stencils, at cells or particles, with the control of pairs and its forces on the particles.
-    Wide { control: PairControl, forces: Vec<Row> },
+    /// Wide stencils, at cells or particles, with the control of pairs and its forces on the particles; the slots of
+    /// each particle.
+    Wide { control: PairControl, forces: Vec<Row>, lists: Gather },
     /// The paper's equations, and their forces on the particles.
     StrongForm { equations: StrongForm, forces: Vec<Row> },
 }
@@ -59,16 +63,20 @@ impl Points {
         let shear = ShearPack::all(operator, &packs.order, &second, &third, section.thickness);
         let forces = || vec![[0.0; 6]; positions.len()];
         let mut scheme = match *formulation {
-            Formulation::StressPoint(Reach::Cell) => {
-                let cell = |(points, weight)| CellPack::new(operator, points, weight, positions, section);
-                let weights = packs.points.iter().map(|pack| pack.weight);
-                Scheme::Cells {
-                    control: packs.order.iter().zip(weights).map(cell).collect(),
-                    arcs: Vec::new(),
-                }
-            }
+            Formulation::StressPoint(Reach::Cell) => Scheme::Cells {
+                forces: forces(),
+                control: Shared::new([], CellPack::numbers),
+                arcs: Vec::new(),
+            },
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
-                Scheme::Wide { control: PairControl::new(reference, section)?, forces: forces() }
+                let (control, places) =
+                    (PairControl::new(reference, section)?, Places::new(&packs, operator));
+                let slot = |(pack, entry, lane): Place| {
+                    let first = packs.points[pack as usize].first_slot(pack as usize);
+                    first + usize::from(entry) * LANES + usize::from(lane)
+                };
+                let lists = Gather::new(&places, 0..positions.len(), slot, packs.slot_count());
+                Scheme::Wide { control, forces: forces(), lists }
             }
             Formulation::StrongForm { viscosity, .. } => {
                 let equations = StrongForm::new(reference, viscosity, section.thickness * density);
@@ -76,13 +84,22 @@ impl Points {
             }
         };
         let rest = reference.rest();
-        for index in 0..packs.points.len() {
-            let (p, raw) = Point::new(&packs, index).interpolate::<true>(&rest);
+        let (mut constants, mut cells) = (Vec::new(), Vec::new());
+        for (index, points) in packs.order.iter().enumerate() {
+            let point = Point::new(&packs, index);
+            let (p, raw) = point.interpolate::<true>(&rest);
+            let weight = point.pack.weight;
             let mut measures = p.measures();
-            if let Scheme::Cells { control, .. } = &mut scheme {
-                measures.curvature = control[index].rest(&p, &measures.curvature, raw);
+            if let Scheme::Cells { .. } = scheme {
+                let mut cell = CellPack::new(operator, points, weight, positions, section);
+                measures.curvature = cell.rest(&p, &measures.curvature, raw);
+                cells.push(cell);
             }
-            packs.points[index].reference = measures;
+            constants.push(Constants { weight, reference: measures });
+        }
+        packs.keep(constants);
+        if let Scheme::Cells { control, .. } = &mut scheme {
+            *control = Shared::new(cells, CellPack::numbers);
         }
         let mut loss = ChordLoss::default();
         if let Scheme::Cells { arcs, .. } = &mut scheme {
@@ -95,36 +112,43 @@ impl Points {
     #[inline(always)]
     pub fn point(&self, index: usize) -> Point<'_> {
         let (cell, arcs) = match &self.scheme {
-            Scheme::Cells { control, arcs } => (control.get(index), arcs.get(index)),
+            Scheme::Cells { control, arcs, .. } => (Some(control.get(index)), arcs.get(index)),
             _ => (None, None),
         };
         Point { shear: self.shear.get(index), arcs, cell, ..Point::new(&self.packs, index) }
     }
 
-    /// Number of slots that the sweep fills, one a (point, particle) pair; the strong form has none.
-    pub fn slot_count(&self) -> usize {
-        if let Scheme::StrongForm { .. } = self.scheme { 0 } else { self.packs.slot_count() }
+    /// The slots that a sweep over all of wide stencils fills, one a (point, particle) pair, and a slot of zeros behind.
+    pub fn slots(&self) -> Vec<Row> {
+        let count = if let Scheme::Wide { .. } = self.scheme { self.packs.slot_count() + 1 } else { 0 };
+        vec![[0.0; 6]; count]
     }
 
-    /// Internal forces that are summed particle by particle; cells have none.
+    /// Internal forces that are summed particle by particle: all but those in the slots of wide stencils.
     pub fn direct(&self) -> &[Row] {
-        match &self.scheme {
-            Scheme::Cells { .. } => &[],
-            Scheme::Wide { forces, .. } | Scheme::StrongForm { forces, .. } => forces,
-        }
+        let (Scheme::Cells { forces, .. } | Scheme::Wide { forces, .. } | Scheme::StrongForm { forces, .. }) =
+            &self.scheme;
+        forces
+    }
+
+    /// The same, to be found anew.
+    pub fn direct_mut(&mut self) -> &mut Vec<Row> {
+        let (Scheme::Cells { forces, .. } | Scheme::Wide { forces, .. } | Scheme::StrongForm { forces, .. }) =
+            &mut self.scheme;
+        forces
+    }
+
+    /// Where the other forces on each particle lie.
+    pub fn lists(&self) -> Option<&Gather> {
+        if let Scheme::Wide { lists, .. } = &self.scheme { Some(lists) } else { None }
     }
 
     /// Bytes of all that a step touches.
     pub fn bytes(&self) -> usize {
-        let Packs { points, entries, slots, offsets, .. } = &self.packs;
-        let layout = size_of_val(&points[..])
-            + size_of_val(&entries[..])
-            + size_of_val(&slots[..])
-            + size_of_val(&offsets[..])
-            + size_of_val(&self.shear[..]);
+        let layout = self.packs.bytes() + size_of_val(&self.shear[..]);
         let scheme = match &self.scheme {
-            Scheme::Cells { control, arcs } => size_of_val(&control[..]) + size_of_val(&arcs[..]),
-            Scheme::Wide { control, .. } => control.bytes(),
+            Scheme::Cells { control, arcs, .. } => control.bytes() + size_of_val(&arcs[..]),
+            Scheme::Wide { control, lists, .. } => control.bytes() + lists.bytes(),
             Scheme::StrongForm { .. } => 0,
         };
         layout + scheme + size_of_val(self.direct())

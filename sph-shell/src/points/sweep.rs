@@ -1,14 +1,15 @@
 //! The sweep over all sampling points: forces into slots, halves for threads, one copy for the default strain and section.
 
-use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, LANES, Pack, Pack3, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{LANES, Pack3, SectionOf, StrainsOf};
 
-use crate::packs::Row;
-use crate::points::dispatch::widest;
-use crate::points::point::{Point, PointForces, PointLaw, sign};
-use crate::points::scheme::{Points, Scheme};
+use crate::dispatch::{Work, widest};
+use crate::gather::Place;
+use crate::packs::{Packs, PointPack, Row};
+use crate::points::point::{Point, PointForces, PointLaw, signed};
+use crate::points::scheme::Points;
+use crate::registers::{Baseline, Registers};
 
 /// Packs under which a sweep is not split further between threads.
 const PACK_CHUNK: usize = 64;
@@ -41,51 +42,64 @@ impl Sweep<'_> {
         widest(Leaf { sweep: self, first, slots, energies });
     }
 
-    /// Sweeps some packs of cells into a ring of slots; the mask is the ring's length less one.
+    /// Sweeps some packs of cells into a ring of slots, and for their energies if they are asked for.
     #[inline(always)]
-    pub fn block(&self, packs: Range<usize>, ring: &mut [Row], mask: usize) {
-        match self.default_pair() {
-            Some(law) => self.ring(law, packs, ring, mask),
-            None => self.ring(self.law, packs, ring, mask),
+    pub fn block<R: Registers>(
+        &self,
+        registers: R,
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        match (self.law.default_pair(), self.energy) {
+            (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
+            (None, false) => self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies),
+            (Some(law), false) => self.cells::<false, _, _, _>(registers, law, packs, ring, energies),
         }
     }
 
     #[inline(always)]
-    fn ring<M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn cells<
+        const ENERGY: bool,
+        R: Registers,
+        M: StrainsOf<R::Four> + ?Sized,
+        S: SectionOf<R::Four> + ?Sized,
+    >(
         &self,
+        registers: R,
         law: PointLaw<'_, M, S>,
         packs: Range<usize>,
-        ring: &mut [Row],
-        mask: usize,
+        ring: &mut Ring,
+        energies: &mut [f64],
     ) {
-        for index in packs {
-            let point = self.points.point(index);
-            let first = point.pack.first_slot(index) & mask;
-            let own = &mut ring[first..first + point.pack.slot_count()];
-            sweep_pack::<true, false, M, S>(&point, law, self.state, own);
+        for (index, energy) in packs.zip(energies) {
+            let point = self.points.point(index).treated_in(registers);
+            let own = &mut ring.of(index)[..point.place.slot_count()];
+            let found = sweep_pack::<true, ENERGY, _, M, S>(&point, law, self.state, own);
+            if ENERGY {
+                *energy = found;
+            }
         }
     }
 
-    /// The strain measure and section of most scenes, for which the sweep is compiled in.
     #[inline(always)]
-    fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
-        let strain = (self.law.strain as &dyn Any).downcast_ref()?;
-        let section = (self.law.section as &dyn Any).downcast_ref()?;
-        Some(PointLaw { strain, section })
-    }
-
-    #[inline(always)]
-    fn range<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn range<
+        const ENERGY: bool,
+        R: Registers,
+        M: StrainsOf<R::Four> + ?Sized,
+        S: SectionOf<R::Four> + ?Sized,
+    >(
         &self,
+        registers: R,
         law: PointLaw<'_, M, S>,
         first: usize,
         mut slots: &mut [Row],
         energies: &mut [f64],
     ) {
         for (i, energy) in energies.iter_mut().enumerate() {
-            let point = self.points.point(first + i);
-            let (own, rest) = slots.split_at_mut(point.pack.slot_count());
-            let found = sweep_pack::<CELL, ENERGY, M, S>(&point, law, self.state, own);
+            let point = self.points.point(first + i).treated_in(registers);
+            let (own, rest) = slots.split_at_mut(point.place.slot_count());
+            let found = sweep_pack::<false, ENERGY, _, M, S>(&point, law, self.state, own);
             if ENERGY {
                 *energy = found;
             }
@@ -94,7 +108,53 @@ impl Sweep<'_> {
     }
 }
 
-/// The packs that one thread sweeps at a time.
+/// Slots of the packs under way: room for a number of packs that is a power of two, and a slot of zeros behind.
+#[derive(Clone, Debug)]
+pub(crate) struct Ring {
+    rows: Vec<Row>,
+    /// Slots of the widest pack.
+    stride: usize,
+    /// Packs less one.
+    mask: usize,
+}
+
+impl Ring {
+    /// Room for at least so many packs.
+    pub fn new(packs: &Packs, room: usize) -> Self {
+        let stride = packs.points.iter().map(PointPack::slot_count).max().unwrap_or(0);
+        let room = room.next_power_of_two();
+        Self { rows: vec![[0.0; 6]; room * stride + 1], stride, mask: room - 1 }
+    }
+
+    /// The slot of a place.
+    pub fn slot(&self, (pack, entry, lane): Place) -> usize {
+        (pack as usize & self.mask) * self.stride + usize::from(entry) * LANES + usize::from(lane)
+    }
+
+    /// The slot of zeros.
+    pub fn zero(&self) -> usize {
+        self.rows.len() - 1
+    }
+
+    /// All slots.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The slots of a pack.
+    #[inline(always)]
+    fn of(&mut self, pack: usize) -> &mut [Row] {
+        let first = (pack & self.mask) * self.stride;
+        &mut self.rows[first..first + self.stride]
+    }
+
+    /// Bytes of the ring.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.rows[..])
+    }
+}
+
+/// The packs of wide stencils that one thread sweeps at a time.
 struct Leaf<'a, 'b> {
     sweep: &'b Sweep<'a>,
     first: usize,
@@ -102,76 +162,79 @@ struct Leaf<'a, 'b> {
     energies: &'b mut [f64],
 }
 
-impl pulp::NullaryFnOnce for Leaf<'_, '_> {
+impl Work for Leaf<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn run<R: Registers>(self, registers: R) {
         let Self { sweep, first, slots, energies } = self;
-        let cells = matches!(sweep.points.scheme, Scheme::Cells { .. });
-        match (sweep.default_pair(), cells, sweep.energy) {
-            (Some(law), true, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
-            (_, true, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
-            (_, true, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
-            (_, false, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
-            (_, false, true) => sweep.range::<false, true, _, _>(sweep.law, first, slots, energies),
+        match (sweep.law.default_pair(), sweep.energy) {
+            (_, true) => sweep.range::<true, _, _, _>(Baseline, sweep.law, first, slots, energies),
+            (None, false) => sweep.range::<false, _, _, _>(Baseline, sweep.law, first, slots, energies),
+            (Some(law), false) => sweep.range::<false, _, _, _>(registers, law, first, slots, energies),
         }
-    }
-}
-
-#[inline(always)]
-fn store(slots: &mut [Row], force: [Pack3; 2]) {
-    let [f, t] = [force[0].0.map(Pack::lanes), force[1].0.map(Pack::lanes)];
-    for (lane, slot) in slots.iter_mut().enumerate().take(LANES) {
-        *slot = [f[0][lane], f[1][lane], f[2][lane], t[0][lane], t[1][lane], t[2][lane]];
     }
 }
 
 /// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
 #[inline(always)]
-fn sweep_pack<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
-    point: &Point<'_>,
+fn sweep_pack<
+    const CELL: bool,
+    const ENERGY: bool,
+    R: Registers,
+    M: StrainsOf<R::Four> + ?Sized,
+    S: SectionOf<R::Four> + ?Sized,
+>(
+    point: &Point<'_, R>,
     law: PointLaw<'_, M, S>,
     state: &[Row],
     slots: &mut [Row],
 ) -> f64 {
+    let registers = point.registers;
     let now = point.strained::<CELL, M>(law.strain, state);
     let PointForces { on_vectors: mut f, density, released } = point.forces::<ENERGY, M, S>(law, &now);
-    let w = point.pack.weight;
+    let w = registers.load(&point.pack.weight);
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;
     f.q = f.q * w;
     f.m1 = f.m1 * w;
     f.m2 = f.m2 * w;
     let mut energy = density * w;
-    let mut pattern = [Pack3::ZERO; 2];
+    let zero = Pack3([registers.splat(0.0); 3]);
+    let mut pattern = [zero; 2];
     if let Some((cell, state)) = &now.control {
         let (forces, more) = cell.add(&now.placement, state, released, &mut f);
         pattern = [forces.position, forces.director];
         energy += more;
     }
     // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
-    let (mut base_x, mut base_d) = (Pack3::ZERO, f.q);
-    for (k, entry) in point.entries.iter().enumerate() {
-        let mut on_x = f.n1 * entry.g1 + f.n2 * entry.g2;
-        let mut on_d = f.q * entry.phi + f.m1 * entry.g1 + f.m2 * entry.g2;
+    let mut base = [zero, f.q];
+    let (base_slots, slots) = slots.split_at_mut(LANES);
+    for ((k, entry), slots) in point.entries.iter().enumerate().zip(slots.chunks_exact_mut(LANES)) {
+        let [phi, g1, g2] = entry.load(registers);
+        let mut on_x = f.n1 * g1 + f.n2 * g2;
+        let mut on_d = f.q * phi + f.m1 * g1 + f.m2 * g2;
         if CELL {
-            let h = Pack::splat(sign(k));
-            on_x += pattern[0] * h;
-            on_d += pattern[1] * h;
+            on_x = signed(k, on_x, pattern[0]);
+            on_d = signed(k, on_d, pattern[1]);
         }
-        base_x = base_x - on_x;
-        base_d = base_d - on_d;
-        let first = (k + 1) * LANES;
-        store(&mut slots[first..first + LANES], [on_x, on_d]);
+        base = [base[0] - on_x, base[1] - on_d];
+        store(registers, slots, on_x, on_d);
     }
-    store(&mut slots[..LANES], [base_x, base_d]);
-    if ENERGY { energy.sum() } else { 0.0 }
+    store(registers, base_slots, base[0], base[1]);
+    if ENERGY { registers.store(energy).sum() } else { 0.0 }
+}
+
+/// Forces and couples of four points on a particle of each, into four slots.
+#[inline(always)]
+fn store<R: Registers>(registers: R, slots: &mut [Row], f: Pack3<R::Four>, t: Pack3<R::Four>) {
+    let ([x, y, z], [u, v, w]) = (f.0, t.0);
+    slots.copy_from_slice(&registers.rows([x, y, z, u, v, w]));
 }
 
 #[cfg(test)]
 mod tests {
-    use shell_kinematics::Isotropic;
+    use shell_kinematics::{Isotropic, IsotropicSection, Section, StrainMeasure, StretchCorrected};
     use sph_core::{Cylinder, EndWeights, lattice};
 
     use super::*;
@@ -197,17 +260,35 @@ mod tests {
             PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
         let sweep = Sweep { points: &points, law, state: &state, energy: false };
         let count = points.packs.points.len();
-        let run = |how: &dyn Fn(&mut [Row], &mut [f64])| {
-            let mut slots = vec![[0.0; 6]; points.packs.slot_count()];
-            how(&mut slots, &mut vec![0.0; count]);
-            slots.into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>()
+        let mut energies = vec![0.0; count];
+        let mut run = |how: &dyn Fn(&mut Ring, &mut [f64])| {
+            let mut ring = Ring::new(&points.packs, count);
+            how(&mut ring, &mut energies);
+            ring.rows().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>()
         };
-        let here = run(&|slots, energies| sweep.run(0, slots, energies, false));
+        let here = run(&|ring, energies| widest(Cells { sweep, ring, energies }));
         let static_law = PointLaw { strain: &StretchCorrected, section: &section };
-        let baseline =
-            run(&|slots, energies| sweep.range::<true, false, _, _>(static_law, 0, slots, energies));
-        let any = run(&|slots, energies| sweep.range::<true, false, _, _>(law, 0, slots, energies));
+        let baseline = run(&|ring, energies| {
+            sweep.cells::<false, _, _, _>(Baseline, static_law, 0..count, ring, energies)
+        });
+        let any =
+            run(&|ring, energies| sweep.cells::<false, _, _, _>(Baseline, law, 0..count, ring, energies));
         assert!(here == baseline && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
+    }
+
+    /// All cells, in the copy for this machine.
+    struct Cells<'a, 'b> {
+        sweep: Sweep<'a>,
+        ring: &'b mut Ring,
+        energies: &'b mut [f64],
+    }
+
+    impl Work for Cells<'_, '_> {
+        type Output = ();
+
+        fn run<R: Registers>(self, registers: R) {
+            self.sweep.block(registers, 0..self.energies.len(), self.ring, self.energies);
+        }
     }
 }

@@ -147,15 +147,15 @@ fn shares(point: &Point<'_>, lane: usize) -> Vec<(u32, [f64; VECTORS])> {
         let gamma = point.cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
         [g1, g2, phi, g1, g2, gamma, gamma]
     };
-    let own = point.pack.base[lane];
+    let own = point.place.base[lane];
     let mut base = (1.0, 0.0, 0.0);
     let mut shares = Vec::with_capacity(point.entries.len() + 1);
-    for (k, entry) in point.entries.iter().enumerate() {
+    for (k, (entry, particles)) in point.entries.iter().zip(point.particles).enumerate() {
         let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
         base = (base.0 - phi, base.1 - g1, base.2 - g2);
         // Filled-up places repeat the base with zero: a triangle has no fourth particle and no pattern.
-        if entry.particles[lane] != own {
-            shares.push((entry.particles[lane], number(sign(k), phi, g1, g2)));
+        if particles[lane] != own {
+            shares.push((particles[lane], number(sign(k), phi, g1, g2)));
         }
     }
     shares.push((own, number(1.0, base.0, base.1, base.2)));

@@ -1,29 +1,32 @@
-//! The whole step in one sweep: points block by block, each particle as soon as its last point is done.
+//! Cells in one sweep: points block by block, each particle as soon as its last point is done.
 //!
 //! Slots live in a ring just long enough for the particles under way, so they stay in the cache: a step moves
 //! about half the memory of two passes over all points and all particles. The new state is written beside the
 //! old one, which all points read. Each thread owns a range of particles and sweeps every point that touches
-//! it; points on a border are swept twice. Every particle adds the same slots in the same order as in two
-//! passes: the bits are the same, for any number of threads (tested).
+//! it; points on a border are swept twice. Every particle adds the same slots in the same order whatever the
+//! ranges: the bits are the same for any number of threads (tested).
+//!
+//! The same sweep finds forces without a step: then particles keep the sum of their slots.
 
 use std::ops::Range;
 
 use explicit_dynamics::Work;
+use shell_kinematics::LANES;
 
+use crate::dispatch::{Work as Sweeping, widest};
+use crate::gather::{Gather, Places};
 use crate::packs::{PARTICLE_CHUNK, Packs, Row};
-use crate::points::dispatch::widest;
-use crate::points::sweep::Sweep;
-use crate::time::particle::{Slots, Update};
+use crate::points::sweep::{Ring, Sweep};
+use crate::registers::Registers;
+use crate::time::particle::{Rows, Slots, Update};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
 const BLOCK: usize = 16;
 
-/// The plan of a fused step, and the buffers it needs.
+/// The plan of a sweep, with its rings.
 #[derive(Clone, Debug)]
 pub(crate) struct Fused {
     parts: Vec<Part>,
-    /// State at the end of the step, before it takes the place of the old one.
-    pub next: Vec<Row>,
 }
 
 /// One thread's share.
@@ -33,96 +36,115 @@ struct Part {
     packs: Range<usize>,
     /// For each block of packs the particle up to which all are complete when the block is done.
     ready: Vec<u32>,
-    ring: Vec<Row>,
+    ring: Ring,
+    /// Where in the ring the forces on each particle lie.
+    lists: Gather,
+    /// Energy of each pack, filled on request \[F L\].
+    energies: Vec<f64>,
 }
 
+/// What is done with particles as their forces are complete.
+trait Task: Sized + Send {
+    /// Those before and after a particle, counted from the first.
+    fn split(self, at: usize) -> (Self, Self);
+
+    /// Takes a range of particles, whose forces lie in `slots`; `first` is the first of all.
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>);
+}
+
+/// Particles are moved, with the work of every chunk.
+struct Move<'a> {
+    update: &'a Update<'a>,
+    rows: Rows<'a>,
+    work: &'a mut [Work],
+}
+
+/// Particles keep their forces.
+struct Keep<'a>(&'a mut [Row]);
+
 impl Fused {
-    /// Plans a step for stencils of four particles (cells); others have no plan.
-    pub fn plan(packs: &Packs, particles: usize, threads: usize) -> Option<Self> {
-        let rows = packs.points.first()?.slot_count();
-        if packs.points.iter().any(|pack| pack.slot_count() != rows) || !rows.is_power_of_two() {
-            return None;
-        }
+    /// Plans the sweep over cells.
+    pub fn plan(packs: &Packs, places: &Places, particles: usize, threads: usize) -> Self {
         let chunks = particles.div_ceil(PARTICLE_CHUNK);
         let border = |part: usize| (chunks * part / threads * PARTICLE_CHUNK).min(particles);
-        let parts =
-            (0..threads).map(|part| Part::plan(packs, border(part)..border(part + 1), rows)).collect();
-        Some(Self { parts, next: vec![[0.0; 6]; particles] })
+        let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
+        Self { parts: (0..threads).map(part).collect() }
     }
 
-    /// Sweeps all points and moves all particles on, into `next`, with the work of every chunk.
-    pub fn run(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rates: &mut [Row], work: &mut [Work]) {
-        run_parts(sweep, update, &mut self.parts, &mut self.next, rates, work);
+    /// Sweeps all points and moves all particles on, with the work of every chunk.
+    pub fn advance(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rows: Rows<'_>, work: &mut [Work]) {
+        work.fill(Work::default());
+        let task = Move { update, rows, work };
+        run(sweep, &mut self.parts, task);
     }
 
-    /// Bytes of rings and of the second state.
+    /// Sweeps all points for the forces on all particles; returns the energy \[F L\], zero if the sweep finds none.
+    pub fn forces(&mut self, sweep: &Sweep<'_>, forces: &mut [Row]) -> f64 {
+        run(sweep, &mut self.parts, Keep(forces));
+        if !sweep.energy {
+            return 0.0;
+        }
+        // Packs on a border have the same energy in both parts.
+        let energy = |pack: usize| {
+            let part = self.parts.iter().find(|part| part.packs.contains(&pack));
+            part.map_or(0.0, |part| part.energies[pack - part.packs.start])
+        };
+        (0..sweep.points.packs.points.len()).map(energy).sum()
+    }
+
+    /// Bytes of rings and lists.
     pub fn bytes(&self) -> usize {
-        let rings: usize = self.parts.iter().map(|part| size_of_val(&part.ring[..])).sum();
-        rings + size_of_val(&self.next[..])
+        let part = |part: &Part| part.ring.bytes() + part.lists.bytes() + size_of_val(&part.energies[..]);
+        self.parts.iter().map(part).sum()
     }
 }
 
 impl Part {
-    fn plan(packs: &Packs, particles: Range<usize>, rows: usize) -> Self {
-        let pack_of = |slot: u32| slot as usize / rows;
-        let slots =
-            &packs.slots[packs.offsets[particles.start] as usize..packs.offsets[particles.end] as usize];
-        let first = slots.iter().map(|&s| pack_of(s)).min().unwrap_or(0);
-        let end = slots.iter().map(|&s| pack_of(s) + 1).max().unwrap_or(first);
+    fn plan(packs: &Packs, places: &Places, particles: Range<usize>) -> Self {
+        let touched = || particles.clone().flat_map(|a| places.of(a)).map(|place| place.0 as usize);
+        let first = touched().min().unwrap_or(0);
+        let end = touched().max().map_or(first, |last| last + 1);
         let blocks = (end - first).div_ceil(BLOCK);
         let mut ready = vec![particles.start as u32; blocks];
-        let (mut block, mut longest) = (0, 0);
-        for a in particles.clone() {
-            let own = packs.slots_of(a);
-            // Particles are completed in order: none before the one in front of it.
-            if let (Some(&lowest), Some(&highest)) = (own.first(), own.last()) {
-                block = block.max((pack_of(highest) - first) / BLOCK);
-                let swept = (first + (block + 1) * BLOCK).min(end);
-                longest = longest.max(swept - pack_of(lowest));
+        let (mut block, mut longest) = (0, 1);
+        // Four at a time, in order: none before those in front of it.
+        for a in particles.clone().step_by(LANES) {
+            let four = a..(a + LANES).min(particles.end);
+            let (mut lowest, mut highest) = (end, first);
+            for place in four.clone().flat_map(|a| places.of(a)) {
+                let pack = place.0 as usize;
+                (lowest, highest) = (lowest.min(pack), highest.max(pack));
             }
-            ready[block] = a as u32 + 1;
+            if lowest <= highest {
+                block = block.max((highest - first) / BLOCK);
+                let swept = (first + (block + 1) * BLOCK).min(end);
+                longest = longest.max(swept - lowest);
+            }
+            ready[block] = four.end as u32;
         }
         for b in 1..blocks {
             ready[b] = ready[b].max(ready[b - 1]);
         }
-        let ring = vec![[0.0; 6]; (longest * rows).next_power_of_two()];
-        Self { particles, packs: first..end, ready, ring }
+        let ring = Ring::new(packs, longest);
+        let lists = Gather::new(places, particles.clone(), |place| ring.slot(place), ring.zero());
+        Self { particles, packs: first..end, ready, ring, lists, energies: vec![0.0; end - first] }
     }
-}
 
-/// One thread's sweep.
-struct Run<'a, 'b> {
-    sweep: &'b Sweep<'a>,
-    update: &'b Update<'a>,
-    part: &'b mut Part,
-    next: &'b mut [Row],
-    rates: &'b mut [Row],
-    work: &'b mut [Work],
-}
-
-impl Run<'_, '_> {
-    fn blocks(self) {
-        let Self { sweep, update, part, next, rates, work } = self;
-        let Part { particles, packs, ready, ring } = part;
-        let mask = ring.len() - 1;
-        let first = particles.start;
-        work.fill(Work::default());
-        let mut done = first;
+    /// Sweeps the part's packs and hands its particles to the task.
+    fn run<T: Task>(&mut self, sweep: &Sweep<'_>, mut task: T) {
+        let Self { particles, packs, ready, ring, lists, energies } = self;
+        let mut done = particles.start;
         for (block, &ready) in ready.iter().enumerate() {
             let start = packs.start + block * BLOCK;
-            let packs = start..(start + BLOCK).min(packs.end);
-            widest(Points { sweep, packs, ring, mask });
-            let particles = done..ready as usize;
-            let own = done - first..ready as usize - first;
+            let block = start..(start + BLOCK).min(packs.end);
+            let energies = &mut energies[block.start - packs.start..block.end - packs.start];
+            widest(Points { sweep, packs: block, ring, energies });
+            let slots = Slots { rows: ring.rows(), lists, first: particles.start };
             widest(Particles {
-                update,
-                state: sweep.state,
-                slots: Slots { rows: ring, mask },
-                first,
-                particles,
-                next: &mut next[own.clone()],
-                rates: &mut rates[own],
-                work,
+                task: &mut task,
+                particles: done..ready as usize,
+                first: particles.start,
+                slots,
             });
             done = ready as usize;
         }
@@ -133,76 +155,89 @@ impl Run<'_, '_> {
 struct Points<'a, 'b> {
     sweep: &'b Sweep<'a>,
     packs: Range<usize>,
-    ring: &'b mut [Row],
-    mask: usize,
+    ring: &'b mut Ring,
+    energies: &'b mut [f64],
 }
 
-impl pulp::NullaryFnOnce for Points<'_, '_> {
+impl Sweeping for Points<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
-        self.sweep.block(self.packs, self.ring, self.mask);
+    fn run<R: Registers>(self, registers: R) {
+        self.sweep.block(registers, self.packs, self.ring, self.energies);
     }
 }
 
 /// The particles that a block has completed.
-struct Particles<'a, 'b> {
-    update: &'b Update<'a>,
-    state: &'b [Row],
-    slots: Slots<'b>,
-    /// First particle of the part, from which chunks of work are counted.
-    first: usize,
+struct Particles<'b, T> {
+    task: &'b mut T,
     particles: Range<usize>,
-    next: &'b mut [Row],
-    rates: &'b mut [Row],
-    work: &'b mut [Work],
+    first: usize,
+    slots: Slots<'b>,
 }
 
-impl Particles<'_, '_> {
+impl<T: Task> Sweeping for Particles<'_, T> {
+    type Output = ();
+
     #[inline(always)]
-    fn run<const LOADED: bool>(self) {
-        let Self { update, state, slots, first, particles, next, rates, work } = self;
-        let rows = state[particles.clone()].iter().zip(next).zip(rates);
-        for (a, ((row, new), rate)) in particles.zip(rows) {
-            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
-            *new = update.particle::<true, LOADED>(a, row, rate, slots, tally);
+    fn run<R: Registers>(self, registers: R) {
+        self.task.take(registers, self.particles, self.first, self.slots);
+    }
+}
+
+impl Task for Move<'_> {
+    fn split(self, at: usize) -> (Self, Self) {
+        let Self { update, rows: Rows { state, next, rates }, work } = self;
+        let (next, rates) = (next.split_at_mut(at), rates.split_at_mut(at));
+        let work = work.split_at_mut(at / PARTICLE_CHUNK);
+        (
+            Self { update, rows: Rows { state, next: next.0, rates: rates.0 }, work: work.0 },
+            Self { update, rows: Rows { state, next: next.1, rates: rates.1 }, work: work.1 },
+        )
+    }
+
+    #[inline(always)]
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+        let own = particles.start - first..particles.end - first;
+        let rows = Rows {
+            state: self.rows.state,
+            next: &mut self.rows.next[own.clone()],
+            rates: &mut self.rows.rates[own],
+        };
+        self.update.run::<true, R>(registers, particles, first, rows, Some(slots), self.work);
+    }
+}
+
+impl Task for Keep<'_> {
+    fn split(self, at: usize) -> (Self, Self) {
+        let (left, right) = self.0.split_at_mut(at);
+        (Self(left), Self(right))
+    }
+
+    #[inline(always)]
+    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+        let own = particles.start - first..particles.end - first;
+        let zeros = [[registers.splat(0.0); 2]; LANES];
+        for (i, forces) in self.0[own].chunks_mut(LANES).enumerate() {
+            let group = (particles.start - first) / LANES + i;
+            let sums = slots.lists.add(registers, group, slots.rows, zeros);
+            let sums = registers.rows(registers.turned(sums));
+            forces.copy_from_slice(&sums[..forces.len()]);
         }
     }
 }
 
-impl pulp::NullaryFnOnce for Particles<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        if self.update.external.is_empty() { self.run::<false>() } else { self.run::<true>() }
-    }
-}
-
 /// All parts, halved until each thread has one.
-fn run_parts(
-    sweep: &Sweep<'_>,
-    update: &Update<'_>,
-    parts: &mut [Part],
-    next: &mut [Row],
-    rates: &mut [Row],
-    work: &mut [Work],
-) {
+fn run<T: Task>(sweep: &Sweep<'_>, parts: &mut [Part], task: T) {
     match parts {
         [] => {}
-        [part] => Run { sweep, update, part, next, rates, work }.blocks(),
+        [part] => part.run(sweep, task),
         _ => {
             let half = parts.len() / 2;
             let cut = parts[half].particles.start - parts[0].particles.start;
             let (left, right) = parts.split_at_mut(half);
-            let (left_next, right_next) = next.split_at_mut(cut);
-            let (left_rates, right_rates) = rates.split_at_mut(cut);
-            let (left_work, right_work) = work.split_at_mut(cut / PARTICLE_CHUNK);
-            rayon::join(
-                || run_parts(sweep, update, left, left_next, left_rates, left_work),
-                || run_parts(sweep, update, right, right_next, right_rates, right_work),
-            );
+            let (left_task, right_task) = task.split(cut);
+            rayon::join(|| run(sweep, left, left_task), || run(sweep, right, right_task));
         }
     }
 }

@@ -1,0 +1,42 @@
+//! Runs a piece of work with the widest registers of the machine it finds itself on.
+//!
+//! The workspace is built for the oldest processor of its architecture. Where AVX2 is present, the sweeps of a step run
+//! as a second copy compiled for it. No fused multiply-add is generated (the compiler may not contract), so both copies
+//! give the same bits; tests compare them.
+
+use crate::registers::{Baseline, Registers};
+
+/// A piece of work, written once for any registers.
+pub(crate) trait Work {
+    /// What it gives back.
+    type Output;
+
+    /// Does the work; only code that is inlined into it is compiled for the registers.
+    fn run<R: Registers>(self, registers: R) -> Self::Output;
+}
+
+/// Runs `work` in the copy for this machine.
+pub(crate) fn widest<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(lanes) = pulp::x86::V3::try_new() {
+        return lanes.vectorize(Wide { work, lanes });
+    }
+    work.run(Baseline)
+}
+
+/// Work on its way into the copy with AVX2.
+#[cfg(target_arch = "x86_64")]
+struct Wide<W> {
+    work: W,
+    lanes: pulp::x86::V3,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl<W: Work> pulp::NullaryFnOnce for Wide<W> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn call(self) -> W::Output {
+        self.work.run(self.lanes)
+    }
+}
