@@ -94,7 +94,7 @@ fn tell<E: Equilibrium + ?Sized>(
     stepper.newton.tangent(system, low.level)?;
     let mode = stepper.newton.solver.weakest_direction();
     let below = stepper.newton.solver.quadratic(&mode);
-    let participation = participation(&stepper.newton, system, low.level, &mode);
+    let participation = participation(stepper.newton, system, low.level, &mode);
     stepper.newton.go_back(system, &high.state);
     stepper.newton.tangent(system, high.level)?;
     let above = stepper.newton.solver.quadratic(&mode);
@@ -164,10 +164,10 @@ pub fn switch_branch<E: Equilibrium + ?Sized>(
     let mut increment = Increment { motion, level: point.level - point.state_level };
     newton.advance(system, &increment.motion);
     let constraint = Constraint::Functional { weights: &weights, target: amplitude };
-    match newton.correct(system, point.level, &mut increment, &constraint) {
+    match newton.correct(system, point.level, &mut increment, &constraint, false) {
         Ok(converged) => {
             system.accept();
-            Ok(Start { level: converged.level, heading: Some(increment) })
+            Ok(Start { level: converged.level, heading: Some(increment), stiffness: None })
         }
         Err(error) => {
             newton.go_back(system, &point.state);

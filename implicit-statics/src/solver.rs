@@ -134,6 +134,21 @@ impl SymmetricSolver {
         &self.scale
     }
 
+    /// Whether there is a factor to solve with.
+    pub(crate) fn is_regular(&self) -> bool {
+        self.inertia != Inertia::default() && self.inertia.zero == 0
+    }
+
+    /// The first stiffness that each unknown had, to which [`SymmetricSolver::scale`] refers.
+    pub(crate) fn first_stiffness(&self) -> &[f64] {
+        &self.first
+    }
+
+    /// Takes other stiffnesses for the first ones; zeros are found anew. The present factor stays as it is.
+    pub(crate) fn refer_to(&mut self, first: &[f64]) {
+        self.first.copy_from_slice(first);
+    }
+
     /// Solves `K x = b` in place, with one step of refinement and the guard
     /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
     pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {

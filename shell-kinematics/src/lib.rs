@@ -153,4 +153,4 @@ pub use rotation::parallel_transport;
 pub use section::{Isotropic, IsotropicSection, MaterialError, Section, SectionScales, linear_tangent};
 pub use strain::{GreenLagrange, StrainMeasure, StretchCorrected, strain_measure, strain_measures};
 pub use strains::{Resultants, Strains};
-pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};
+pub use tangent::{Matrix8, Matrix15, ZERO8, congruence};
