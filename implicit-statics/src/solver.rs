@@ -20,8 +20,8 @@ const NO_STIFFNESS: f64 = 1e-15;
 /// Largest entry of `|L||D||L|ᵀ` in units of the largest of the matrix up to which pivots need no exchange: the rounding of the
 /// factor is then that of eigenvalues that count as zero.
 const GROWTH: f64 = 100.0;
-/// Residual relative to the right side that refinement leaves as it is.
-const EXACT: f64 = 1e-13;
+/// Residual in units of rounding of the product `|K||x|` that refinement would leave as it is.
+const SETTLED: f64 = 4.0;
 /// Residual guard relative to the right side.
 const GUARD: f64 = 1e-8;
 /// Residual guard in units of rounding of the product `|K||x|`: no solver can do better than that.
@@ -149,40 +149,33 @@ impl SymmetricSolver {
         self.first.copy_from_slice(first);
     }
 
-    /// Solves `K x = b` in place, with one step of refinement where the residual asks for it, and the guard
+    /// Solves `K x = b` in place, with one step of refinement where more than rounding is left, and the guard
     /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
     pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
         if self.inertia.zero > 0 {
             return Err(self.singular());
         }
-        let n = self.unknowns;
-        let scaled: Vec<f64> = (0..n).map(|i| right[i] * self.scale[i]).collect();
-        let mut solution = scaled.clone();
-        self.backsolve(&mut solution);
+        right.iter_mut().zip(&self.scale).for_each(|(f, s)| *f *= s);
+        let scaled = right.to_vec();
+        self.backsolve(right);
         let mut residual = scaled.clone();
-        self.subtract_product(&solution, &mut residual);
+        self.subtract_product(right, &mut residual);
         let mut left = self.force_norm(&residual);
-        let given = self.force_norm(&scaled);
-        if left > EXACT * given {
+        let rounding = self.rounding_of(right);
+        if left > SETTLED * rounding {
             let mut refined = residual.clone();
             self.backsolve(&mut refined);
-            for i in 0..n {
-                refined[i] += solution[i];
-            }
+            refined.iter_mut().zip(&*right).for_each(|(more, x)| *more += x);
             residual.copy_from_slice(&scaled);
             self.subtract_product(&refined, &mut residual);
             let after = self.force_norm(&residual);
             if after <= left {
-                (solution, left) = (refined, after);
+                right.copy_from_slice(&refined);
+                left = after;
             }
         }
-        let mut bound = GUARD * given;
-        for i in 0..n {
-            right[i] = solution[i] * self.scale[i];
-        }
-        if left > bound {
-            bound = bound.max(GUARD_ROUNDINGS * self.rounding(right));
-        }
+        let bound = (GUARD * self.force_norm(&scaled)).max(GUARD_ROUNDINGS * rounding);
+        right.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
         if left <= bound { Ok(()) } else { Err(EquilibriumError::Solve { residual: left, bound }) }
     }
 
@@ -198,11 +191,16 @@ impl SymmetricSolver {
 
     /// ε ‖ |K| |x| ‖: rounding that evaluating forces of this stiffness at this displacement cannot avoid \[F\].
     pub fn rounding(&self, x: &[f64]) -> f64 {
+        self.rounding_of(&x.iter().zip(&self.scale).map(|(x, s)| x / s).collect::<Vec<f64>>())
+    }
+
+    /// The same of a scaled displacement.
+    fn rounding_of(&self, x: &[f64]) -> f64 {
         let mut sums = vec![0.0; self.unknowns];
         self.for_entries(|i, j, value| {
-            sums[i] += value.abs() * (x[j] / self.scale[j]).abs();
+            sums[i] += (value * x[j]).abs();
             if i != j {
-                sums[j] += value.abs() * (x[i] / self.scale[i]).abs();
+                sums[j] += (value * x[i]).abs();
             }
         });
         f64::EPSILON * self.force_norm(&sums)

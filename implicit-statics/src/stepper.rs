@@ -124,7 +124,8 @@ impl<'a> Stepper<'a> {
                         bent = self.predict(system, &mut increment, predicted, response)?;
                     }
                 }
-                let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level, bent)?;
+                let converged =
+                    self.newton.correct(system, level, &mut increment, &Constraint::Level, bent)?;
                 if converged.inertia.negative != before {
                     self.newton.same_side(system, level, &increment)?;
                 }
@@ -136,7 +137,13 @@ impl<'a> Stepper<'a> {
                 predicted = target / rate;
                 let bent = self.predict(system, &mut increment, predicted, response)?;
                 let constraint = Constraint::Functional { weights: &self.weights, target };
-                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint, bent)?
+                self.newton.correct(
+                    system,
+                    self.level + increment.level,
+                    &mut increment,
+                    &constraint,
+                    bent,
+                )?
             }
             (Control::ArcLength { .. }, Some(response)) => {
                 let length = (self.product(response, response) + self.load).sqrt();
@@ -144,7 +151,13 @@ impl<'a> Stepper<'a> {
                 predicted = sign * size / length;
                 self.predict(system, &mut increment, predicted, response)?;
                 let constraint = Constraint::Sphere { weights: &self.weights, load: self.load, radius: size };
-                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint, false)?
+                self.newton.correct(
+                    system,
+                    self.level + increment.level,
+                    &mut increment,
+                    &constraint,
+                    false,
+                )?
             }
             (_, None) => unreachable!("asked for at the departure"),
         };
@@ -174,11 +187,8 @@ impl<'a> Stepper<'a> {
         let by_load = matches!(self.control, Control::Load { .. });
         let predicts = !by_load || system.held_values_move() || self.bends && self.last.is_some();
         let negative = self.newton.tangent(system, self.level)?.negative;
-        let response = if predicts || self.compares {
-            Some(self.newton.response(system, self.level)?)
-        } else {
-            None
-        };
+        let response =
+            if predicts || self.compares { Some(self.newton.response(system, self.level)?) } else { None };
         self.departure = Some((negative, response.clone()));
         Ok((negative, response))
     }

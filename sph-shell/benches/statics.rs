@@ -12,9 +12,8 @@ use std::ops::ControlFlow;
 
 use explicit_dynamics::Amplitude;
 use implicit_statics::{
-    BucklingOptions, Control, CriticalOptions, Equilibrium, PathOptions, Start, SymmetricSolver,
-    linear_buckling, linear_response, natural_modes, unwatched,
-    Newton, NewtonOptions,
+    BucklingOptions, Control, CriticalOptions, Equilibrium, Newton, NewtonOptions, PathOptions, Start,
+    SymmetricSolver, linear_buckling, linear_response, natural_modes, unwatched,
 };
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, Cylinder, EndWeights, Plate, Side, Vec3, lattice};
@@ -75,7 +74,8 @@ fn panel(side: usize) -> (StaticShell, u32) {
     let cloud = lattice(&patch, [side, side], EndWeights::Trapezoid).expect("a lattice");
     let sides = cloud.sides.clone().expect("sides");
     let edge = |side: Side| sides.edge(side).to_vec();
-    let plane = |side, normal| Supported { particles: edge(side), support: Box::new(SymmetryPlane { normal }) };
+    let plane =
+        |side, normal| Supported { particles: edge(side), support: Box::new(SymmetryPlane { normal }) };
     let supports = vec![
         Supported { particles: edge(Side::U1), support: Box::new(Hinged) },
         plane(Side::U0, Vec3::x()),
@@ -179,7 +179,8 @@ fn buckling(side: usize) {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|text| text != "--bench").collect();
-    let number = |place: usize, default| arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default);
+    let number =
+        |place: usize, default| arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default);
     match arguments.first().map(String::as_str) {
         Some("iteration") => iteration(number(1, 21)),
         Some("panel") => through(number(1, 21), number(2, 60)),

@@ -254,13 +254,22 @@ impl CellPack {
         let [b11, b22, b12] = self.twist.map(|h| h * 0.5);
         let force = |i: usize| pulled[i] * [kx, kx, kx, held, held, self.swirl][i];
         // s1 … s6: products of a pattern and a vector, ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1, the swirl.
-        let bend = [p.d1 * b11 + p.d2 * b12, p.d2 * b22 + p.d1 * b12, p.x1 * b11 + p.x2 * b12, p.x2 * b22 + p.x1 * b12];
+        let bend = [
+            p.d1 * b11 + p.d2 * b12,
+            p.d2 * b22 + p.d1 * b12,
+            p.x1 * b11 + p.x2 * b12,
+            p.x2 * b22 + p.x1 * b12,
+        ];
         add_square(out, kx, &[(0, q[0]), (5, p.x1)]);
         add_square(out, kx, &[(1, q[0]), (5, p.x2)]);
         add_square(out, kx, &[(0, bend[0]), (1, bend[1]), (2, q[0]), (3, bend[2]), (4, bend[3]), (5, p.d)]);
         add_square(out, held, &[(0, q[1]), (6, p.x1)]);
         add_square(out, held, &[(1, q[1]), (6, p.x2)]);
-        add_square(out, self.swirl, &[(0, p.d2), (1, Pack3::ZERO - p.d1), (3, Pack3::ZERO - p.x2), (4, p.x1)]);
+        add_square(
+            out,
+            self.swirl,
+            &[(0, p.d2), (1, Pack3::ZERO - p.d1), (3, Pack3::ZERO - p.x2), (4, p.x1)],
+        );
         for (y, z, value) in [
             (0, 5, force(0)),
             (1, 5, force(1)),

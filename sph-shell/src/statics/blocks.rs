@@ -68,7 +68,8 @@ impl BlockPattern {
             pattern.columns.extend(row);
             pattern.offsets.push(pattern.columns.len() as u32);
         }
-        (0..shell.points.packs.points.len()).for_each(|index| pattern.find_targets(&shell.points.packs, index));
+        (0..shell.points.packs.points.len())
+            .for_each(|index| pattern.find_targets(&shell.points.packs, index));
         pattern
     }
 
