@@ -9,6 +9,10 @@ use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Where a bracket is cut: in its middle, or elsewhere if no equilibrium is found there.
 const PARTS: [f64; 5] = [0.5, 0.37, 0.63, 0.21, 0.79];
+/// Distance of a cut from where the eigenvalue is expected to vanish, in widths of the last bracket: cuts on both sides end it.
+const ASIDE: f64 = 0.4;
+/// Cuts in a row that leave more than half of the bracket after which its middle is taken.
+const SLOW: usize = 2;
 
 /// One end of a bracket.
 #[derive(Clone)]
@@ -17,6 +21,8 @@ struct Edge {
     level: f64,
     negative: usize,
     state: Vec<f64>,
+    /// The eigenvalue of least magnitude of the scaled tangent, where it was found.
+    weakest: f64,
 }
 
 /// Every change of the number of negative pivots within one step of the given size, by bisection of the size; a bracket
@@ -33,9 +39,14 @@ pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
     options: &CriticalOptions,
 ) -> (Vec<CriticalPoint>, Vec<Passage>) {
     let saved = system.save();
-    let last =
-        Edge { size, level: converged.level, negative: converged.inertia.negative, state: state.into() };
-    let mut low = Edge { size: 0.0, level: stepper.level, negative, state: saved.clone() };
+    let last = Edge {
+        size,
+        level: converged.level,
+        negative: converged.inertia.negative,
+        state: state.into(),
+        weakest: f64::NAN,
+    };
+    let mut low = Edge { size: 0.0, level: stepper.level, negative, state: saved.clone(), weakest: f64::NAN };
     let (mut found, mut passages) = (Vec::new(), Vec::new());
     while low.negative != last.negative {
         let high = narrow(stepper, system, &saved, &mut low, &last, options.tolerance * size);
@@ -55,8 +66,11 @@ pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
     (found, passages)
 }
 
-/// Bisects towards the first change of the number of negative pivots between `low`, which moves, and `last`, until the
+/// Cuts towards the first change of the number of negative pivots between `low`, which moves, and `last`, until the
 /// bracket is as wide as `width`, or no trial within it is an equilibrium of this branch; the upper end.
+///
+/// Cuts are made beside the place where the line through the weakest eigenvalues of the last two trials vanishes, on the side
+/// of the farther end, and in the middle as long as that does not narrow the bracket.
 fn narrow<E: Equilibrium + ?Sized>(
     stepper: &mut Stepper,
     system: &mut E,
@@ -66,13 +80,24 @@ fn narrow<E: Equilibrium + ?Sized>(
     width: f64,
 ) -> Edge {
     let mut high = last.clone();
+    let (mut before, mut latest) = ((f64::NAN, f64::NAN), (f64::NAN, f64::NAN));
+    let mut slow = 0;
     while high.size - low.size > width {
-        let between = |part: f64| low.size + part * (high.size - low.size);
-        let mut trials = PARTS.into_iter().map(between);
+        let wide = high.size - low.size;
+        let between = |part: f64| low.size + part * wide;
+        let ((s, e), (t, f)) = (before, latest);
+        let vanishes = t - f * (t - s) / (f - e);
+        let aside = if vanishes < between(0.5) { ASIDE * width } else { -ASIDE * width };
+        let cut = Some(vanishes + aside).filter(|cut| slow < SLOW && low.size < *cut && *cut < high.size);
+        let mut trials = cut.into_iter().chain(PARTS.into_iter().map(between));
         let Some(middle) = trials.find_map(|trial| probe(stepper, system, saved, trial).ok().flatten())
         else {
             break;
         };
+        (before, latest) = (latest, (middle.size, middle.weakest));
+        let left =
+            if middle.negative == low.negative { high.size - middle.size } else { middle.size - low.size };
+        slow = if left > 0.5 * wide && slow < SLOW { slow + 1 } else { 0 };
         if middle.negative == low.negative {
             *low = middle;
         } else {
@@ -94,7 +119,7 @@ fn tell<E: Equilibrium + ?Sized>(
     stepper.newton.tangent(system, low.level)?;
     let mode = stepper.newton.solver.weakest_direction();
     let below = stepper.newton.solver.quadratic(&mode);
-    let participation = participation(&stepper.newton, system, low.level, &mode);
+    let participation = participation(stepper.newton, system, low.level, &mode);
     stepper.newton.go_back(system, &high.state);
     stepper.newton.tangent(system, high.level)?;
     let above = stepper.newton.solver.quadratic(&mode);
@@ -130,7 +155,11 @@ fn probe<E: Equilibrium + ?Sized>(
         return Ok(None);
     }
     let (level, negative) = (made.converged.level, made.converged.inertia.negative);
-    Ok(Some(Edge { size, level, negative, state: system.save() }))
+    // The comparison with the tangents, where it was made, has left the factor of this state.
+    stepper.newton.tangent(system, level)?;
+    let mode = stepper.newton.solver.weakest_direction();
+    let weakest = stepper.newton.solver.quadratic(&mode);
+    Ok(Some(Edge { size, level, negative, state: system.save(), weakest }))
 }
 
 /// Share of the load in a mode at the state whose tangent was factorised last.
@@ -164,10 +193,10 @@ pub fn switch_branch<E: Equilibrium + ?Sized>(
     let mut increment = Increment { motion, level: point.level - point.state_level };
     newton.advance(system, &increment.motion);
     let constraint = Constraint::Functional { weights: &weights, target: amplitude };
-    match newton.correct(system, point.level, &mut increment, &constraint) {
+    match newton.correct(system, point.level, &mut increment, &constraint, false) {
         Ok(converged) => {
             system.accept();
-            Ok(Start { level: converged.level, heading: Some(increment) })
+            Ok(Start { level: converged.level, heading: Some(increment), stiffness: None })
         }
         Err(error) => {
             newton.go_back(system, &point.state);

@@ -54,9 +54,11 @@ impl<'a> CountingSolver<'a> {
     pub fn new(
         unknowns: usize,
         pattern: &[(usize, usize)],
+        places: Option<&[[f64; 3]]>,
         watch: &'a mut Watch<'a>,
     ) -> Result<Self, EquilibriumError> {
-        Ok(Self { solver: SymmetricSolver::new(unknowns, pattern)?, watch, effort: Effort::default() })
+        let solver = SymmetricSolver::placed(unknowns, pattern, places)?;
+        Ok(Self { solver, watch, effort: Effort::default() })
     }
 
     /// Asks whether to go on.

@@ -83,6 +83,12 @@ pub trait Equilibrium {
         self.update(motion);
     }
 
+    /// `out` = the motion in the tangent space of the present state that leads to a saved one; false, and nothing done, where
+    /// the system does not offer it. Paths are then predicted along their bend as well as their tangent.
+    fn motion_to(&self, _saved: &[f64], _out: &mut [f64]) -> bool {
+        false
+    }
+
     /// A copy of the state with its history, to come back to.
     fn save(&self) -> Vec<f64>;
 

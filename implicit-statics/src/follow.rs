@@ -10,7 +10,7 @@ use crate::options::{Control, CriticalOptions, PathOptions};
 use crate::path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 use crate::stepper::{Made, Stepper};
 use crate::vectors::{difference, dot};
-use crate::{Equilibrium, EquilibriumError, Increment};
+use crate::{Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Part of the first step above which a load step that may have strayed is halved.
 const STRAY: f64 = 0.1;
@@ -34,14 +34,35 @@ pub fn follow<E: Equilibrium + ?Sized>(
     system: &mut E,
     start: &Start,
     options: &PathOptions,
-    mut observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
+    observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
 ) -> Path {
-    let mut path = Path::new(start);
-    path.end = march(system, start, options, &mut path, &mut |point, _, system| observer(point, system));
-    path
+    match Newton::new(system, &options.newton) {
+        Ok(mut newton) => newton.follow(system, start, options, observer),
+        Err(error) => Path { end: Err(error), ..Path::new(start) },
+    }
+}
+
+impl Newton {
+    /// As [`follow`], for paths in parts: the analysis of the pattern serves them all, and the factor of the state in which one
+    /// ends the next. Newton's own options stand back behind those of the path.
+    pub fn follow<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        start: &Start,
+        options: &PathOptions,
+        mut observer: impl FnMut(&Point, &mut E) -> ControlFlow<()>,
+    ) -> Path {
+        let mut path = Path::new(start);
+        self.options = options.newton.clone();
+        path.end =
+            march(self, system, start, options, &mut path, &mut |point, _, system| observer(point, system));
+        self.leave(system);
+        path
+    }
 }
 
 fn march<E: Equilibrium + ?Sized>(
+    newton: &mut Newton,
     system: &mut E,
     start: &Start,
     options: &PathOptions,
@@ -49,7 +70,7 @@ fn march<E: Equilibrium + ?Sized>(
     observer: &mut Observer<'_, E>,
 ) -> Result<End, EquilibriumError> {
     options.check(system)?;
-    let (mut stepper, converged, (mut size, first)) = Stepper::new(system, start, options)?;
+    let (mut stepper, converged, (mut size, first)) = Stepper::new(newton, system, start, options)?;
     let unstable = converged.inertia.negative;
     let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable };
     let stop = observer(&point, None, system);
@@ -90,9 +111,9 @@ fn march<E: Equilibrium + ?Sized>(
         }
         let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
-        stepper.accept(converged.level, increment);
+        stepper.accept(system, &saved, converged.level, increment);
         system.accept();
-        path.restart = Start { level: stepper.level, heading: stepper.last.clone() };
+        path.restart = stepper.restart();
         let point = Point { step, converged, size: size_made, restarts, unstable };
         let stop = observer(&point, stepper.last.as_ref(), system);
         path.points.push(point);
@@ -255,9 +276,13 @@ fn trace<E: Equilibrium + ?Sized>(
         ..options.clone()
     };
     let (mut done, mut highest) = (0.0_f64, level);
-    let mut path = Path::new(&Start { level, heading: None });
+    let start = Start { level, ..Start::default() };
+    let mut path = Path::new(&start);
     let mut turned = false;
-    let end = march(system, &Start { level, heading: None }, &arc, &mut path, &mut |point, step, _| {
+    let Ok(mut newton) = Newton::new(system, &options.newton) else {
+        return Traced { leads: Leads::Unknown, critical: Vec::new(), passages: Vec::new() };
+    };
+    let end = march(&mut newton, system, &start, &arc, &mut path, &mut |point, step, _| {
         let Some(step) = step else { return ControlFlow::Continue(()) };
         let before = done;
         done += progress(step);
@@ -275,7 +300,7 @@ fn trace<E: Equilibrium + ?Sized>(
     let limit = limit.map_or(highest, |point| point.level);
     let leads = match end {
         Ok(End::Stopped) if turned => Leads::Back(limit),
-        Ok(End::Stopped) => match land(system, &path.restart, target - done, options) {
+        Ok(End::Stopped) => match land(&mut newton, system, &path.restart, target - done, options) {
             Ok(()) => {
                 let (state, way) = (system.save(), difference(found, &begun));
                 let rest = difference(&state, found);
@@ -294,6 +319,7 @@ fn trace<E: Equilibrium + ?Sized>(
 
 /// Goes the rest of the way from a point just beyond the end of the step.
 fn land<E: Equilibrium + ?Sized>(
+    newton: &mut Newton,
     system: &mut E,
     from: &Start,
     rest: f64,
@@ -309,7 +335,7 @@ fn land<E: Equilibrium + ?Sized>(
         _ => Control::Load { step: rest, until: from.level + rest },
     };
     let short = PathOptions { control, critical: None, ..options.clone() };
-    let start = Start { level: from.level, heading: None };
-    march(system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(()))
+    let start = Start { level: from.level, ..Start::default() };
+    march(newton, system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(()))
         .map(|_| ())
 }

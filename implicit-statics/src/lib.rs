@@ -182,6 +182,7 @@ mod effort;
 mod eigen;
 mod equilibrium;
 mod error;
+mod factor;
 mod follow;
 mod geometric;
 mod modal;

@@ -47,7 +47,7 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
-    lowest_modes(&pattern, &values, &system.masses(), count, shift, watch)
+    modes_of((&pattern, system.places().as_deref()), &values, &system.masses(), count, shift, watch)
         .map_err(|error| error.named(system, 0, level))
 }
 
@@ -63,6 +63,18 @@ pub fn lowest_modes<'a>(
     shift: f64,
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
+    modes_of((pattern, None), stiffness, masses, count, shift, watch)
+}
+
+/// The same, the places of the unknowns with the pattern.
+fn modes_of<'a>(
+    (pattern, places): (&[(usize, usize)], Option<&[[f64; 3]]>),
+    stiffness: &[f64],
+    masses: &[f64],
+    count: usize,
+    shift: f64,
+    watch: &'a mut Watch<'a>,
+) -> Result<Spectrum<Mode>, EquilibriumError> {
     let n = masses.len();
     let carrying = masses.iter().filter(|&&m| m > 0.0).count();
     require(
@@ -71,7 +83,7 @@ pub fn lowest_modes<'a>(
         count as f64,
         "between 1 and the number of unknowns with mass",
     )?;
-    let solver = CountingSolver::new(n, pattern, watch)?;
+    let solver = CountingSolver::new(n, pattern, places, watch)?;
     let mut vibration = Vibration { solver, pattern, stiffness, masses };
     let below = vibration.below(shift)?.0;
     let mut krylov = Krylov::new(&mut vibration, n, &[])?;

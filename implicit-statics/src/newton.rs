@@ -13,9 +13,8 @@ const TRIALS: usize = 6;
 const STALLED: f64 = 0.25;
 /// … and is rounding of the forces when the correction is below this share of the way: one more would square it.
 const AT_REST: f64 = 1e-8;
-/// A correction that brings the residual below this share of the one before leaves its tangent good for another, where the
-/// system keeps factors: with ten times the cost of forces in tangent and factor, two such corrections cost a fifth of a new one.
-const KEPT: f64 = 0.03;
+/// What an iterate reached by the factor of another one leaves of the bound: corrections by its own would leave as little.
+const BY_ANOTHER: f64 = 0.1;
 
 /// How an equilibrium was reached.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,8 +76,10 @@ pub struct Newton {
     pub(crate) most_negative: usize,
     /// Level at which the tangent of the present state was factorised, if it was.
     factored: Option<f64>,
-    /// The response to the load there, once it was asked for.
+    /// The response to the load by the factor at hand, once it was asked for.
     answer: Option<Vec<f64>>,
+    /// The state in which the last path ended.
+    left: Vec<f64>,
 }
 
 impl Newton {
@@ -88,6 +89,7 @@ impl Newton {
         options: &NewtonOptions,
     ) -> Result<Self, EquilibriumError> {
         require(options.tolerance > 0.0, "newton tolerance", options.tolerance, "positive")?;
+        require((0.0..1.0).contains(&options.keep), "newton keep", options.keep, "at least 0 and below 1")?;
         require(options.iterations > 0, "newton iterations", options.iterations as f64, "one at least")?;
         let n = system.unknowns();
         let pattern = system.pattern();
@@ -106,7 +108,53 @@ impl Newton {
             most_negative: 0,
             factored: None,
             answer: None,
+            left: Vec::new(),
         })
+    }
+
+    /// Begins a path: the sense of scale is that of its start; a factor of the same state by the same stiffnesses serves on.
+    pub(crate) fn begin<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &E,
+        stiffness: Option<&[f64]>,
+    ) -> Result<(), EquilibriumError> {
+        let n = self.residual.len();
+        let zeros = vec![0.0; n];
+        let stiffness = stiffness.unwrap_or(&zeros);
+        if stiffness.len() != n {
+            let name = "stiffness at the start";
+            return Err(EquilibriumError::Length { name, length: stiffness.len(), expected: n });
+        }
+        if self.solver.first_stiffness() != stiffness || system.save() != self.left {
+            self.factored = None;
+        }
+        self.solver.refer_to(stiffness);
+        self.step = 0;
+        (self.force_scale, self.first_way) = (0.0, 0.0);
+        self.travelled.fill(0.0);
+        Ok(())
+    }
+
+    /// Ends a path in the present state.
+    pub(crate) fn leave<E: Equilibrium + ?Sized>(&mut self, system: &E) {
+        self.left = system.save();
+    }
+
+    /// Takes the present state over if it balances a level, else corrects it.
+    pub(crate) fn settle<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Converged, EquilibriumError> {
+        let size = self.residual(system, level)?;
+        let bound = self.options.tolerance * norm(&self.external).max(self.force_scale);
+        if size > bound || system.within_bounds().is_err() {
+            return self.at_level(system, level);
+        }
+        let inertia = self.tangent(system, level)?;
+        self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
+        system.accept();
+        Ok(Converged { level, iterations: 0, residuals: vec![size], bound, inertia })
     }
 
     /// Finds equilibrium at a load level from the present state. After a failure the state is as before.
@@ -119,7 +167,7 @@ impl Newton {
     ) -> Result<Converged, EquilibriumError> {
         let saved = system.save();
         let mut increment = Increment { motion: vec![0.0; system.unknowns()], level: 0.0 };
-        let outcome = self.correct(system, level, &mut increment, &Constraint::Level);
+        let outcome = self.correct(system, level, &mut increment, &Constraint::Level, false);
         match &outcome {
             Ok(_) => {
                 self.accept(&increment);
@@ -155,6 +203,15 @@ impl Newton {
         if let Some(response) = &self.answer {
             return Ok(response.clone());
         }
+        self.answer_by_factor(system, level)
+    }
+
+    /// The same by the factor at hand.
+    fn answer_by_factor<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Vec<f64>, EquilibriumError> {
         system.load_rate(level, &mut self.rate);
         let mut response = self.rate.clone();
         self.solver.solve(&mut response).map_err(|error| error.named(system, self.step, level))?;
@@ -171,13 +228,13 @@ impl Newton {
     /// Moves the state.
     pub(crate) fn advance<E: Equilibrium + ?Sized>(&mut self, system: &mut E, motion: &[f64]) {
         system.update(motion);
-        (self.factored, self.answer) = (None, None);
+        self.factored = None;
     }
 
     /// Comes back to a saved state.
     pub(crate) fn go_back<E: Equilibrium + ?Sized>(&mut self, system: &mut E, saved: &[f64]) {
         system.restore(saved);
-        (self.factored, self.answer) = (None, None);
+        self.factored = None;
     }
 
     /// Takes note of a step that is kept.
@@ -189,16 +246,23 @@ impl Newton {
 
     /// Iterates to equilibrium and constraint from the present (predicted) state at `level`; `increment` holds
     /// what was predicted since the last equilibrium and takes up the corrections. The state is not put back.
+    ///
+    /// Where the system keeps factors, one serves as long as residuals fall fast; it serves the first correction as well if
+    /// the state was predicted along the bend of its path. A correction by it that makes things worse is taken back.
     pub(crate) fn correct<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         mut level: f64,
         increment: &mut Increment,
         constraint: &Constraint,
+        bent: bool,
     ) -> Result<Converged, EquilibriumError> {
         self.most_negative = 0;
-        let mut residuals = Vec::new();
+        let keeps = system.keeps_factor() && !matches!(constraint, Constraint::Sphere { .. });
+        let mut residuals: Vec<f64> = Vec::new();
         let mut rest = f64::INFINITY;
+        // Where the last correction began, if it was by the factor of another state.
+        let mut before: Option<(Vec<f64>, Increment, f64)> = None;
         for iterations in 0.. {
             let size = self.residual(system, level)?;
             residuals.push(size);
@@ -207,7 +271,7 @@ impl Newton {
             if scale == 0.0 {
                 scale = residuals[0];
             }
-            let asked = self.options.tolerance * scale;
+            let asked = self.options.tolerance * scale * if before.is_some() { BY_ANOTHER } else { 1.0 };
             let at_rest = rest <= AT_REST && size > STALLED * residuals[iterations - 1];
             let bound = if at_rest { asked.max(size) } else { asked };
             let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
@@ -231,11 +295,23 @@ impl Newton {
                 });
             }
 
-            let falls = iterations > 0 && size <= KEPT * residuals[iterations - 1];
-            let serves = falls && matches!(constraint, Constraint::Level) && system.keeps_factor();
-            if self.factored.is_none() && !serves {
-                self.tangent(system, level)?; // else a load step starts: the tangent before it serves
+            let serves = match iterations.checked_sub(1) {
+                None => bent,
+                Some(last) => size <= self.options.keep * residuals[last],
+            };
+            if let Some((state, made, at)) = before.take().filter(|_| size > residuals[iterations - 1]) {
+                self.go_back(system, &state);
+                (*increment, level) = (made, at);
+                self.residual(system, level)?;
+                residuals[iterations] = norm(&self.residual);
             }
+            if self.factored.is_none() {
+                if keeps && serves && self.solver.is_regular() {
+                    before = Some((system.save(), increment.clone(), level));
+                } else {
+                    self.tangent(system, level)?;
+                }
+            } // else a load step starts: the tangent before it serves
             let correction = self.correction(system, level, increment, constraint)?;
             level += correction.level;
             increment.level += correction.level;
@@ -303,7 +379,11 @@ impl Newton {
         if let Constraint::Level = constraint {
             return Ok(Increment { motion, level: 0.0 });
         }
-        let response = self.response(system, level)?;
+        let response = match (self.factored, &self.answer) {
+            (None, Some(answer)) => answer.clone(),
+            (None, None) => self.answer_by_factor(system, level)?,
+            (Some(_), _) => self.response(system, level)?,
+        };
         let (missing, rate) = match constraint {
             Constraint::Level => unreachable!("returned above"),
             Constraint::Functional { weights, target } => {

@@ -16,11 +16,14 @@ pub struct NewtonOptions {
     pub iterations: usize,
     /// Whether load-controlled steps that overshoot are shortened; default true.
     pub line_search: bool,
+    /// Share of the residual before below which an iterate goes on with the factor at hand, where the system keeps factors
+    /// ([`Equilibrium::keeps_factor`]); 0 gives every iterate its own. Default 0.03.
+    pub keep: f64,
 }
 
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-9, iterations: 15, line_search: true }
+        Self { tolerance: 1e-9, iterations: 15, line_search: true, keep: 0.03 }
     }
 }
 

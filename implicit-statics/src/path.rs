@@ -7,8 +7,11 @@ use crate::{Converged, EquilibriumError, Increment, Inertia};
 pub struct Start {
     /// Level of the present state \[–\].
     pub level: f64,
-    /// The increment that led here: gives arc length its direction and first radius.
+    /// The increment that led here: gives arc length its direction and first radius, steps of load and displacement the
+    /// bend of their path.
     pub heading: Option<Increment>,
+    /// Stiffness that each unknown first had on the path, its unit in the factor \[F/L, F L\]; none where a path begins.
+    pub stiffness: Option<Vec<f64>>,
 }
 
 /// A converged point of a path.

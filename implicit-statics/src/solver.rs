@@ -1,12 +1,12 @@
 //! The sparse symmetric solver and the small dense one: symbolic.rs beside it is the only other file that sees faer.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::perm::PermRef;
-use faer::sparse::linalg::cholesky::{IntranodeLbltRef, SymbolicCholesky, SymbolicCholeskyRaw};
+use faer::sparse::linalg::cholesky::SymbolicCholesky;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{Conj, Mat, MatMut, Par, Side};
+use faer::{Mat, Par, Side};
 
 use crate::EquilibriumError;
+use crate::factor::Factor;
 use crate::pattern::columns;
 use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
@@ -17,6 +17,11 @@ const SMALL_PIVOT: f64 = 1e-13;
 const ZERO_EIGENVALUE: f64 = 1e-12;
 /// A diagonal entry below this share of the largest is rounding, not the stiffness of an unknown in other units.
 const NO_STIFFNESS: f64 = 1e-15;
+/// Largest entry of `|L||D||L|ᵀ` in units of the largest of the matrix up to which pivots need no exchange: the rounding of the
+/// factor is then that of eigenvalues that count as zero.
+const GROWTH: f64 = 100.0;
+/// Residual in units of rounding of the product `|K||x|` that refinement would leave as it is.
+const SETTLED: f64 = 4.0;
 /// Residual guard relative to the right side.
 const GUARD: f64 = 1e-8;
 /// Residual guard in units of rounding of the product `|K||x|`: no solver can do better than that.
@@ -35,7 +40,8 @@ pub struct Inertia {
     pub zero: usize,
 }
 
-/// `K = L B Lᵀ` with Bunch–Kaufman pivots \[bunch1977\] inside supernodes, for one fixed sparsity.
+/// `K = L D Lᵀ`, and where that is not stable `K = L B Lᵀ` with Bunch–Kaufman pivots \[bunch1977\] inside supernodes, for one
+/// fixed sparsity.
 ///
 /// Ordering and symbolic factor are made once. Rows and columns are scaled by powers of two towards a unit
 /// diagonal, which leaves the inertia and makes "zero" independent of units. Constraints must
@@ -49,10 +55,7 @@ pub struct SymmetricSolver {
     scale: Vec<f64>,
     peak: f64,
     symbolic: SymbolicCholesky<usize>,
-    factor: Vec<f64>,
-    subdiagonal: Vec<f64>,
-    forward: Vec<usize>,
-    inverse: Vec<usize>,
+    factor: Factor,
     memory: MemBuffer,
     inertia: Inertia,
 }
@@ -75,7 +78,7 @@ impl SymmetricSolver {
         let symbolic = analyse(&matrix, places);
         let scratch = StackReq::any_of(&[
             symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
+            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
         ]);
         Ok(Self {
             unknowns,
@@ -83,10 +86,7 @@ impl SymmetricSolver {
             first: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
             peak: 1.0,
-            factor: vec![0.0; symbolic.len_val()],
-            subdiagonal: vec![0.0; unknowns],
-            forward: vec![0; unknowns],
-            inverse: vec![0; unknowns],
+            factor: Factor::new(&symbolic),
             memory: MemBuffer::new(scratch),
             inertia: Inertia::default(),
             matrix,
@@ -97,7 +97,7 @@ impl SymmetricSolver {
 
     /// Entries of the factor, a measure of its cost.
     pub fn factor_entries(&self) -> usize {
-        self.factor.len()
+        self.factor.values.len()
     }
 
     /// Multiplications of one factorisation, its cost.
@@ -134,37 +134,48 @@ impl SymmetricSolver {
         &self.scale
     }
 
-    /// Solves `K x = b` in place, with one step of refinement and the guard
+    /// Whether there is a factor to solve with.
+    pub(crate) fn is_regular(&self) -> bool {
+        self.inertia != Inertia::default() && self.inertia.zero == 0
+    }
+
+    /// The first stiffness that each unknown had, to which [`SymmetricSolver::scale`] refers.
+    pub(crate) fn first_stiffness(&self) -> &[f64] {
+        &self.first
+    }
+
+    /// Takes other stiffnesses for the first ones; zeros are found anew. The present factor stays as it is.
+    pub(crate) fn refer_to(&mut self, first: &[f64]) {
+        self.first.copy_from_slice(first);
+    }
+
+    /// Solves `K x = b` in place, with one step of refinement where more than rounding is left, and the guard
     /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
     pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
         if self.inertia.zero > 0 {
             return Err(self.singular());
         }
-        let n = self.unknowns;
-        let scaled: Vec<f64> = (0..n).map(|i| right[i] * self.scale[i]).collect();
-        let mut solution = scaled.clone();
-        self.backsolve(&mut solution);
+        right.iter_mut().zip(&self.scale).for_each(|(f, s)| *f *= s);
+        let scaled = right.to_vec();
+        self.backsolve(right);
         let mut residual = scaled.clone();
-        self.subtract_product(&solution, &mut residual);
-        let before = self.force_norm(&residual);
-
-        let mut refined = residual.clone();
-        self.backsolve(&mut refined);
-        for i in 0..n {
-            refined[i] += solution[i];
+        self.subtract_product(right, &mut residual);
+        let mut left = self.force_norm(&residual);
+        let rounding = self.rounding_of(right);
+        if left > SETTLED * rounding {
+            let mut refined = residual.clone();
+            self.backsolve(&mut refined);
+            refined.iter_mut().zip(&*right).for_each(|(more, x)| *more += x);
+            residual.copy_from_slice(&scaled);
+            self.subtract_product(&refined, &mut residual);
+            let after = self.force_norm(&residual);
+            if after <= left {
+                right.copy_from_slice(&refined);
+                left = after;
+            }
         }
-        residual.copy_from_slice(&scaled);
-        self.subtract_product(&refined, &mut residual);
-        let after = self.force_norm(&residual);
-
-        let (solution, left) = if after <= before { (refined, after) } else { (solution, before) };
-        let mut bound = GUARD * self.force_norm(&scaled);
-        for i in 0..n {
-            right[i] = solution[i] * self.scale[i];
-        }
-        if left > bound {
-            bound = bound.max(GUARD_ROUNDINGS * self.rounding(right));
-        }
+        let bound = (GUARD * self.force_norm(&scaled)).max(GUARD_ROUNDINGS * rounding);
+        right.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
         if left <= bound { Ok(()) } else { Err(EquilibriumError::Solve { residual: left, bound }) }
     }
 
@@ -180,11 +191,16 @@ impl SymmetricSolver {
 
     /// ε ‖ |K| |x| ‖: rounding that evaluating forces of this stiffness at this displacement cannot avoid \[F\].
     pub fn rounding(&self, x: &[f64]) -> f64 {
+        self.rounding_of(&x.iter().zip(&self.scale).map(|(x, s)| x / s).collect::<Vec<f64>>())
+    }
+
+    /// The same of a scaled displacement.
+    fn rounding_of(&self, x: &[f64]) -> f64 {
         let mut sums = vec![0.0; self.unknowns];
         self.for_entries(|i, j, value| {
-            sums[i] += value.abs() * (x[j] / self.scale[j]).abs();
+            sums[i] += (value * x[j]).abs();
             if i != j {
-                sums[j] += value.abs() * (x[i] / self.scale[i]).abs();
+                sums[j] += (value * x[i]).abs();
             }
         });
         f64::EPSILON * self.force_norm(&sums)
@@ -220,7 +236,7 @@ impl SymmetricSolver {
     /// Counts eigenvalues below −δ and below +δ by two shifted factors; keeps a factor that can be solved with.
     fn singular_inertia(&mut self) -> Inertia {
         let shifted = |solver: &mut Self, shift: f64| {
-            solver.factorise(shift).unwrap_or_else(|| solver.count_pivots().0).negative
+            solver.factorise(shift).unwrap_or_else(|| solver.factor.count_pivots(&solver.symbolic).0).negative
         };
         let below_plus = shifted(self, -ZERO_EIGENVALUE * self.peak);
         let negative = shifted(self, ZERO_EIGENVALUE * self.peak);
@@ -271,71 +287,44 @@ impl SymmetricSolver {
             shifted = copy;
             &shifted
         };
+        let matrix = SparseColMatRef::new(self.matrix.as_ref(), &values[..]);
+        let trusted = SMALL_PIVOT * self.peak;
+        let plain = self.symbolic.factorize_numeric_ldlt(
+            &mut self.factor.values,
+            matrix,
+            Side::Lower,
+            Default::default(),
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+            Default::default(),
+        );
+        if plain.is_ok() {
+            self.factor.unpivoted();
+            let (inertia, smallest) = self.factor.count_pivots(&self.symbolic);
+            let definite = inertia.negative == 0;
+            if smallest > trusted && (definite || self.factor.growth(&self.symbolic) < GROWTH * self.peak) {
+                return Some(inertia);
+            }
+        }
         // faer writes the subdiagonal of 2×2 pivots only: those of the last factor would stay.
-        self.subdiagonal.fill(0.0);
+        self.factor.subdiagonal.fill(0.0);
         self.symbolic.factorize_numeric_intranode_lblt(
-            &mut self.factor,
-            &mut self.subdiagonal,
-            &mut self.forward,
-            &mut self.inverse,
-            SparseColMatRef::new(self.matrix.as_ref(), values),
+            &mut self.factor.values,
+            &mut self.factor.subdiagonal,
+            &mut self.factor.forward,
+            &mut self.factor.inverse,
+            matrix,
             Side::Lower,
             Par::Seq,
             MemStack::new(&mut self.memory),
             Default::default(),
         );
-        let (inertia, smallest) = self.count_pivots();
-        (smallest > SMALL_PIVOT * self.peak).then_some(inertia)
-    }
-
-    /// Signs of the 1×1 and 2×2 pivots, and the least magnitude of their eigenvalues (zero if not finite).
-    fn count_pivots(&self) -> (Inertia, f64) {
-        let SymbolicCholeskyRaw::Supernodal(supernodes) = self.symbolic.raw() else {
-            unreachable!("the supernodal factor was asked for");
-        };
-        let mut inertia = Inertia::default();
-        let mut smallest = f64::INFINITY;
-        let mut count = |pivot: f64| {
-            match pivot {
-                p if p > 0.0 => inertia.positive += 1,
-                p if p < 0.0 => inertia.negative += 1,
-                _ => inertia.zero += 1,
-            }
-            smallest = smallest.min(if pivot.is_finite() { pivot.abs() } else { 0.0 });
-        };
-        for s in 0..supernodes.n_supernodes() {
-            let (begin, end) = (supernodes.supernode_begin()[s], supernodes.supernode_end()[s]);
-            let height = end - begin + supernodes.supernode(s).pattern().len();
-            let diagonal =
-                |j: usize| self.factor[supernodes.col_ptr_for_val()[s] + (j - begin) * (height + 1)];
-            let mut j = begin;
-            while j < end {
-                let coupling = self.subdiagonal[j];
-                if coupling == 0.0 {
-                    count(diagonal(j));
-                    j += 1;
-                } else {
-                    let (mean, half) =
-                        (0.5 * (diagonal(j) + diagonal(j + 1)), 0.5 * (diagonal(j) - diagonal(j + 1)));
-                    let radius = libm::hypot(half, coupling);
-                    count(mean + radius);
-                    count(mean - radius);
-                    j += 2;
-                }
-            }
-        }
-        (inertia, smallest)
+        let (inertia, smallest) = self.factor.count_pivots(&self.symbolic);
+        (smallest > trusted).then_some(inertia)
     }
 
     fn backsolve(&mut self, right: &mut [f64]) {
-        let permutation = PermRef::new_checked(&self.forward, &self.inverse, self.unknowns);
-        IntranodeLbltRef::new(&self.symbolic, &self.factor, &self.subdiagonal, permutation)
-            .solve_in_place_with_conj(
-                Conj::No,
-                MatMut::from_column_major_slice_mut(right, self.unknowns, 1),
-                Par::Seq,
-                MemStack::new(&mut self.memory),
-            );
+        self.factor.substitute(&self.symbolic, right);
     }
 
     /// `out −= K̂ x` with the scaled matrix.

@@ -14,6 +14,10 @@ const MISS: f64 = 0.5;
 /// The same where Newton passed by a state with more negative pivots than both ends. Rings rolled up do so, and leave .12.
 const WILD_MISS: f64 = 0.25;
 
+/// Part of a step by its tangent up to which the bend of the path is trusted, and sizes of the last step it is extrapolated over.
+const BEND: f64 = 0.5;
+const BEYOND: f64 = 4.0;
+
 /// A step made.
 pub(crate) struct Made {
     pub converged: Converged,
@@ -28,7 +32,7 @@ pub(crate) struct Made {
 
 /// Steps of a path: the state stands at the last converged point whenever no step is being made.
 pub(crate) struct Stepper<'a> {
-    pub newton: Newton,
+    pub newton: &'a mut Newton,
     pub level: f64,
     pub last: Option<Increment>,
     control: &'a Control,
@@ -39,16 +43,23 @@ pub(crate) struct Stepper<'a> {
     sign: f64,
     /// Whether steps are compared with the tangents at their ends.
     compares: bool,
+    /// Whether steps are predicted along the bend of the path: the last one lies in the present tangent space.
+    bends: bool,
+    /// Negative pivots and response at the last converged point, once a step set out from there.
+    departure: Option<(usize, Option<Vec<f64>>)>,
 }
 
 impl<'a> Stepper<'a> {
     /// Brings the starting state to balance; measures the first step, and the step that bounds are relative to.
     pub fn new<E: Equilibrium + ?Sized>(
+        newton: &'a mut Newton,
         system: &mut E,
         start: &Start,
         options: &'a PathOptions,
     ) -> Result<(Self, Converged, (f64, f64)), EquilibriumError> {
-        let newton = Newton::new(system, &options.newton)?;
+        newton.begin(system, start.stiffness.as_deref())?;
+        let arc = matches!(options.control, Control::ArcLength { .. });
+        let bends = !arc && system.motion_to(&system.save(), &mut vec![0.0; system.unknowns()]);
         let mut stepper = Self {
             newton,
             level: start.level,
@@ -58,6 +69,8 @@ impl<'a> Stepper<'a> {
             load: 0.0,
             sign: 1.0,
             compares: options.critical.is_some(),
+            bends,
+            departure: None,
         };
         let response = stepper.newton.response(system, start.level)?;
         let (change, sizes) = match &options.control {
@@ -85,7 +98,7 @@ impl<'a> Stepper<'a> {
         if change.is_finite() {
             stepper.newton.expect(change, &response);
         }
-        let converged = stepper.newton.at_level(system, start.level)?;
+        let converged = stepper.newton.settle(system, start.level)?;
         Ok((stepper, converged, sizes))
     }
 
@@ -97,47 +110,60 @@ impl<'a> Stepper<'a> {
     ) -> Result<Made, EquilibriumError> {
         let zero = vec![0.0; system.unknowns()];
         let mut increment = Increment { motion: zero, level: 0.0 };
-        let from = if self.compares { Some(self.newton.response(system, self.level)?) } else { None };
-        let before = self.newton.solver.inertia().negative;
+        let (before, from) = self.depart(system)?;
         let predicted;
-        let converged = match self.control {
-            Control::Load { .. } => {
+        let converged = match (self.control, &from) {
+            (Control::Load { .. }, _) => {
                 predicted = self.sign * size;
                 increment.level = predicted;
                 let level = self.level + increment.level;
-                let before = self.newton.tangent(system, self.level)?;
-                if system.held_values_move() {
-                    let response = self.newton.response(system, self.level)?;
-                    self.predict(system, &mut increment, predicted, &response)?;
+                let mut bent = false;
+                if let Some(response) = from.as_ref().filter(|_| system.held_values_move() || self.bends) {
+                    let predict = system.held_values_move() || self.last.is_some();
+                    if predict {
+                        bent = self.predict(system, &mut increment, predicted, response)?;
+                    }
                 }
-                let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
-                if converged.inertia.negative != before.negative {
+                let converged =
+                    self.newton.correct(system, level, &mut increment, &Constraint::Level, bent)?;
+                if converged.inertia.negative != before {
                     self.newton.same_side(system, level, &increment)?;
                 }
-                Ok(converged)
+                converged
             }
-            Control::Displacement { .. } => {
-                let response = self.newton.response(system, self.level)?;
-                let rate = dot(&self.weights, &response);
+            (Control::Displacement { .. }, Some(response)) => {
+                let rate = dot(&self.weights, response);
                 let target = self.sign * size;
                 predicted = target / rate;
-                self.predict(system, &mut increment, predicted, &response)?;
+                let bent = self.predict(system, &mut increment, predicted, response)?;
                 let constraint = Constraint::Functional { weights: &self.weights, target };
-                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
+                self.newton.correct(
+                    system,
+                    self.level + increment.level,
+                    &mut increment,
+                    &constraint,
+                    bent,
+                )?
             }
-            Control::ArcLength { .. } => {
-                let response = self.newton.response(system, self.level)?;
-                let length = (self.product(&response, &response) + self.load).sqrt();
-                let sign = self.heading(&response);
+            (Control::ArcLength { .. }, Some(response)) => {
+                let length = (self.product(response, response) + self.load).sqrt();
+                let sign = self.heading(response);
                 predicted = sign * size / length;
-                self.predict(system, &mut increment, predicted, &response)?;
+                self.predict(system, &mut increment, predicted, response)?;
                 let constraint = Constraint::Sphere { weights: &self.weights, load: self.load, radius: size };
-                self.newton.correct(system, self.level + increment.level, &mut increment, &constraint)
+                self.newton.correct(
+                    system,
+                    self.level + increment.level,
+                    &mut increment,
+                    &constraint,
+                    false,
+                )?
             }
-        }?;
+            (_, None) => unreachable!("asked for at the departure"),
+        };
         let most_negative = self.newton.most_negative;
         let unstable = self.unstable(system, &converged)?;
-        let strays = match from {
+        let strays = match from.filter(|_| self.compares) {
             Some(from) => {
                 let arc = matches!(self.control, Control::ArcLength { .. });
                 let wild = !arc && most_negative > before.max(converged.inertia.negative);
@@ -147,6 +173,24 @@ impl<'a> Stepper<'a> {
             None => false,
         };
         Ok(Made { converged, increment, strays, unstable, predicted })
+    }
+
+    /// Negative pivots at the last converged point, and the response to the load where steps are predicted by it or
+    /// compared with it.
+    fn depart<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+    ) -> Result<(usize, Option<Vec<f64>>), EquilibriumError> {
+        if let Some(known) = &self.departure {
+            return Ok(known.clone());
+        }
+        let by_load = matches!(self.control, Control::Load { .. });
+        let predicts = !by_load || system.held_values_move() || self.bends && self.last.is_some();
+        let negative = self.newton.tangent(system, self.level)?.negative;
+        let response =
+            if predicts || self.compares { Some(self.newton.response(system, self.level)?) } else { None };
+        self.departure = Some((negative, response.clone()));
+        Ok((negative, response))
     }
 
     /// Part of a step that the mean of the tangents at its two ends, each over the whole step, leaves unexplained.
@@ -212,16 +256,32 @@ impl<'a> Stepper<'a> {
         let motion = crossing.motion.iter().map(|q| share * q).collect();
         let mut increment = Increment { motion, level: level - self.level };
         self.newton.advance(system, &increment.motion);
-        let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level)?;
+        let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level, false)?;
         let (unstable, predicted) = (converged.inertia.negative, level - self.level);
         Ok(Made { converged, increment, strays: false, unstable, predicted })
     }
 
-    /// Takes a step over as the new last point.
-    pub fn accept(&mut self, level: f64, increment: Increment) {
+    /// Takes the step from a saved state over, which led to the present one as the new last point.
+    pub fn accept<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &E,
+        saved: &[f64],
+        level: f64,
+        mut increment: Increment,
+    ) {
         self.newton.accept(&increment);
+        if self.bends && system.motion_to(saved, &mut increment.motion) {
+            increment.motion.iter_mut().for_each(|q| *q = -*q);
+        }
         self.level = level;
         self.last = Some(increment);
+        self.departure = None;
+    }
+
+    /// Whence the path goes on.
+    pub fn restart(&self) -> Start {
+        let stiffness = Some(self.newton.solver.first_stiffness().to_vec());
+        Start { level: self.level, heading: self.last.clone(), stiffness }
     }
 
     /// Length of an increment in the norm of the arc.
@@ -238,13 +298,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Moves along the response by a change of level, and along the bend of the path; whether it had one.
     fn predict<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         increment: &mut Increment,
         change: f64,
         response: &[f64],
-    ) -> Result<(), EquilibriumError> {
+    ) -> Result<bool, EquilibriumError> {
         if !change.is_finite() {
             let (step, level) = (self.newton.step, self.level);
             return Err(EquilibriumError::Uncontrolled { step, level, rate: dot(&self.weights, response) });
@@ -253,8 +314,31 @@ impl<'a> Stepper<'a> {
         for (motion, response) in increment.motion.iter_mut().zip(response) {
             *motion = change * response;
         }
+        let bend = self.bend(increment);
+        if let Some(bend) = &bend {
+            increment.level += bend.level;
+            increment.motion.iter_mut().zip(&bend.motion).for_each(|(q, b)| *q += b);
+        }
         self.newton.advance(system, &increment.motion);
-        Ok(())
+        Ok(bend.is_some())
+    }
+
+    /// What a parabola through the last two points adds to a step `t` along the tangent at the second: with the last step
+    /// `l` and the ratio c of their sizes `c t − c² l`.
+    fn bend(&self, tangent: &Increment) -> Option<Increment> {
+        let last = self.last.as_ref().filter(|_| self.bends)?;
+        let size = |step: &Increment| match self.control {
+            Control::Displacement { .. } => dot(&self.weights, &step.motion),
+            _ => step.level,
+        };
+        let ratio = size(tangent) / size(last);
+        if !(ratio > 0.0 && ratio <= BEYOND) {
+            return None;
+        }
+        let bent = |t: f64, l: f64| ratio * (t - ratio * l);
+        let motion: Vec<f64> = tangent.motion.iter().zip(&last.motion).map(|(t, l)| bent(*t, *l)).collect();
+        let trusted = self.newton.length(&motion) <= BEND * self.newton.length(&tangent.motion);
+        trusted.then(|| Increment { motion, level: bent(tangent.level, last.level) })
     }
 
     /// Sign of the predictor's change of level: not back along the last step \[feng1996\].

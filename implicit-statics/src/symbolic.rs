@@ -5,14 +5,17 @@ use faer::perm::Perm;
 use faer::sparse::SymbolicSparseColMat;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 
+use crate::factor::supernodes;
 use crate::ordering::{dissection, sweep};
 
-/// Analyses a lower triangle in the order that multiplies least: of a sweep and of nested dissection where places are known, else
-/// by approximate minimum degree.
+/// Unknowns up to which minimum degree is tried beside orders by places: beyond, dissection is as good and found in less time.
+const MANY: usize = 20_000;
+
+/// Analyses a lower triangle in the order that multiplies least: of a sweep, of nested dissection and, for few unknowns, of
+/// approximate minimum degree where places are known, else by the last.
 pub(crate) fn analyse(
     matrix: &SymbolicSparseColMat<usize>,
     places: Option<&[[f64; 3]]>,
@@ -27,16 +30,22 @@ pub(crate) fn analyse(
         let order = Perm::new_checked(order.into(), inverse.into(), count);
         in_order(matrix, SymmetricOrdering::Custom(order.as_ref()))
     };
-    let along = placed(sweep(places));
-    let divided = placed(dissection(places, matrix.col_ptr(), matrix.row_idx()));
-    if multiplications(&divided) < multiplications(&along) { divided } else { along }
+    let mut best = placed(dissection(places, matrix.col_ptr(), matrix.row_idx()));
+    let mut keep_better = |other: SymbolicCholesky<usize>| {
+        if multiplications(&other) < multiplications(&best) {
+            best = other;
+        }
+    };
+    keep_better(placed(sweep(places)));
+    if places.len() <= MANY {
+        keep_better(in_order(matrix, SymmetricOrdering::Amd));
+    }
+    best
 }
 
 /// Multiplications of the factor: each column updates half a square as large as what is below it.
 pub(crate) fn multiplications(symbolic: &SymbolicCholesky<usize>) -> f64 {
-    let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
-        unreachable!("the supernodal factor was asked for");
-    };
+    let supernodes = supernodes(symbolic);
     let of = |s: usize| {
         let width = (supernodes.supernode_end()[s] - supernodes.supernode_begin()[s]) as f64;
         let below = supernodes.supernode(s).pattern().len() as f64;

@@ -157,4 +157,4 @@ pub use strain::{
     GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
 };
 pub use strains::{Resultants, Strains};
-pub use tangent::{Matrix8, Matrix15, ZERO8, add_second_derivatives, congruence};
+pub use tangent::{Matrix8, Matrix15, ZERO8, congruence};

@@ -20,21 +20,19 @@ pub type Matrix15 = [[Pack; 15]; 15];
 /// The zero matrix over strains.
 pub const ZERO8: Matrix8 = [[Pack::ZERO; 8]; 8];
 
-/// Which two vectors each measure multiplies, and by what: `m = Σ factor v_i·v_j`.
-const PRODUCTS: [&[(usize, usize, f64)]; 8] = [
-    &[(0, 0, 0.5)],
-    &[(1, 1, 0.5)],
-    &[(0, 1, 1.0)],
-    &[(0, 3, 1.0)],
-    &[(1, 4, 1.0)],
-    &[(0, 4, 1.0), (1, 3, 1.0)],
-    &[(0, 2, 1.0)],
-    &[(1, 2, 1.0)],
+/// The measures that each vector enters, and the vector it is multiplied by there: `∂m/∂v_i` is the other vector.
+const FACTORS: [&[(usize, usize)]; 5] = [
+    &[(0, 0), (2, 1), (3, 3), (5, 4), (6, 2)],
+    &[(1, 1), (2, 0), (4, 4), (5, 3), (7, 2)],
+    &[(6, 0), (7, 1)],
+    &[(3, 0), (5, 1)],
+    &[(4, 1), (5, 0)],
 ];
 
 impl MeasureForces {
     /// The eight forces in order.
-    fn components(&self) -> [Pack; 8] {
+    #[inline(always)]
+    pub fn components(&self) -> [Pack; 8] {
         let [a, b, c] = self.membrane;
         let [d, e, f] = self.curvature;
         let [g, h] = self.shear;
@@ -43,61 +41,58 @@ impl MeasureForces {
 }
 
 impl Placement {
-    fn vectors(&self) -> [Pack3; 5] {
+    /// The five vectors in order.
+    #[inline(always)]
+    pub fn vectors(&self) -> [Pack3; 5] {
         [self.x1, self.x2, self.d, self.d1, self.d2]
     }
 
-    /// `A = ∂m/∂v`, one row a measure.
-    pub fn measure_gradients(&self) -> [[Pack; 15]; 8] {
+    /// `Σ f ∂m/∂v` for a factor of each measure, one row a vector.
+    #[inline(always)]
+    pub fn along_gradients(&self, factors: &[Pack; 8]) -> [Pack3; 5] {
         let v = self.vectors();
-        let mut rows = [[Pack::ZERO; 15]; 8];
-        for (row, products) in rows.iter_mut().zip(PRODUCTS) {
-            for &(i, j, factor) in products {
-                for k in 0..3 {
-                    row[3 * i + k] += v[j].0[k] * factor;
-                    row[3 * j + k] += v[i].0[k] * factor;
-                }
-            }
-        }
-        rows
+        std::array::from_fn(|i| {
+            FACTORS[i].iter().fold(Pack3::ZERO, |sum, &(measure, other)| sum + v[other] * factors[measure])
+        })
     }
 
     /// `Aᵀ D A + Σ s ∂²m/∂v²` for a symmetric `D` over the measures and forces `s` on them.
+    #[inline(always)]
     pub fn tangent(&self, over_measures: &Matrix8, forces: &MeasureForces) -> Matrix15 {
-        let a = self.measure_gradients();
+        let v = self.vectors();
+        let products = over_measures.each_ref().map(|row| self.along_gradients(row)); // D A
         let mut out = [[Pack::ZERO; 15]; 15];
-        for (i, row) in over_measures.iter().enumerate() {
-            // D A, one row at a time.
-            let mut product = [Pack::ZERO; 15];
-            for (value, gradient) in row.iter().zip(&a) {
-                for c in 0..15 {
-                    product[c] += *value * gradient[c];
-                }
-            }
-            for r in 0..15 {
-                for c in 0..15 {
-                    out[r][c] += a[i][r] * product[c];
+        for i in 0..5 {
+            for &(measure, other) in FACTORS[i] {
+                for j in i..5 {
+                    for k in 0..3 {
+                        for l in 0..3 {
+                            out[3 * i + k][3 * j + l] += v[other].0[k] * products[measure][j].0[l];
+                        }
+                    }
                 }
             }
         }
-        add_second_derivatives(&mut out, &forces.components());
+        // Each product of two vectors puts its force on the diagonal of their block.
+        let s = forces.components();
+        for i in 0..5 {
+            for &(measure, other) in FACTORS[i].iter().filter(|factor| factor.1 >= i) {
+                for k in 0..3 {
+                    out[3 * i + k][3 * other + k] += s[measure];
+                }
+            }
+        }
+        for row in 0..15 {
+            for column in 0..row {
+                out[row][column] = out[column][row];
+            }
+        }
         out
     }
 }
 
-/// Adds `Σ s_m ∂²m/∂v²`: each product of two vectors puts its force on the diagonals of their blocks.
-pub fn add_second_derivatives(out: &mut Matrix15, forces: &[Pack; 8]) {
-    for (force, products) in forces.iter().zip(PRODUCTS) {
-        for &(i, j, factor) in products {
-            for k in 0..3 {
-                out[3 * i + k][3 * j + k] += *force * factor;
-                out[3 * j + k][3 * i + k] += *force * factor;
-            }
-        }
-    }
-}
-
-/// `Jᵀ C J`.
+/// `Jᵀ C J` for a symmetric `C`.
+#[inline(always)]
 pub fn congruence(j: &Matrix8, c: &Matrix8) -> Matrix8 {
     let mut cj = ZERO8;
     for r in 0..8 {
@@ -109,10 +104,11 @@ pub fn congruence(j: &Matrix8, c: &Matrix8) -> Matrix8 {
     }
     let mut out = ZERO8;
     for r in 0..8 {
-        for k in 0..8 {
-            for s in 0..8 {
+        for s in r..8 {
+            for k in 0..8 {
                 out[r][s] += j[k][r] * cj[k][s];
             }
+            out[s][r] = out[r][s];
         }
     }
     out

@@ -96,8 +96,8 @@ pub(crate) struct CellState<P = Pack> {
 
 /// What the tangent needs of the scaled curvature `k̂ = c k`, weights included.
 pub(crate) struct ScaleTangent {
-    /// Coupling of the scale with the five vectors; zero for the patterns.
-    pub mixed: [Pack; 21],
+    /// Coupling of the scale with the five vectors; the patterns have none.
+    pub mixed: [Pack3; 5],
     /// Second derivative over the scale itself.
     pub twice: Pack,
     /// First derivative over the scale, w M:k.
@@ -194,14 +194,15 @@ impl CellPack {
         self.state(p, curvature, raw).arc(*curvature)
     }
 
-    /// `γ_b` of a particle in one lane, from its sign in the pattern and its gradients \[–\].
-    pub fn gamma(&self, lane: usize, sign: f64, g1: f64, g2: f64) -> f64 {
-        let [l1, l2] = self.lever.map(|l| l.lanes()[lane]);
-        self.quarter.lanes()[lane] * sign - l1 * g1 - l2 * g2
+    /// `γ_b` of particles from their sign in the pattern and their gradients \[–\].
+    #[inline(always)]
+    pub fn gamma(&self, sign: f64, g1: Pack, g2: Pack) -> Pack {
+        self.quarter * sign - self.lever[0] * g1 - self.lever[1] * g2
     }
 
     /// Adds the second derivatives of the control's energy, and those of the curvature's scale, over
-    /// x,1 x,2 d d,1 d,2 q_x q_d.
+    /// x,1 x,2 d d,1 d,2 q_x q_d: the upper triangle by vectors.
+    #[inline(always)]
     pub fn add_tangent(
         &self,
         p: &Placement,
@@ -212,60 +213,79 @@ impl CellPack {
         let CellState { q, s, pulled, .. } = state;
         let [kx, kd] = self.stiffness;
         let held = kd + state.by_z * scale.released * 2.0;
-        let stiffness = [kx, kx, kx, held, held, self.swirl];
-        let [h11, h22, h12] = self.twist;
-        // Each component is a product of a pattern and a vector, or of two vectors: by number.
-        let products: [(usize, usize); 6] = [(5, 0), (5, 1), (5, 2), (6, 0), (6, 1), (4, 0)];
-        let vectors = [p.x1, p.x2, p.d, p.d1, p.d2, q[0], q[1]];
-        let bent = [h11 * 0.5, h22 * 0.5, h12 * 0.5];
+        let [b11, b22, b12] = self.twist.map(|h| h * 0.5);
+        let force = |i: usize| pulled[i] * [kx, kx, kx, held, held, self.swirl][i];
+        // s1 … s6: products of a pattern and a vector, ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1, the swirl.
+        let bend = [
+            p.d1 * b11 + p.d2 * b12,
+            p.d2 * b22 + p.d1 * b12,
+            p.x1 * b11 + p.x2 * b12,
+            p.x2 * b22 + p.x1 * b12,
+        ];
+        add_square(out, kx, &[(0, q[0]), (5, p.x1)]);
+        add_square(out, kx, &[(1, q[0]), (5, p.x2)]);
+        add_square(out, kx, &[(0, bend[0]), (1, bend[1]), (2, q[0]), (3, bend[2]), (4, bend[3]), (5, p.d)]);
+        add_square(out, held, &[(0, q[1]), (6, p.x1)]);
+        add_square(out, held, &[(1, q[1]), (6, p.x2)]);
+        add_square(
+            out,
+            self.swirl,
+            &[(0, p.d2), (1, Pack3::ZERO - p.d1), (3, Pack3::ZERO - p.x2), (4, p.x1)],
+        );
+        for (y, z, value) in [
+            (0, 5, force(0)),
+            (1, 5, force(1)),
+            (2, 5, force(2)),
+            (0, 3, force(2) * b11),
+            (1, 4, force(2) * b22),
+            (0, 4, force(2) * b12 + force(5)),
+            (1, 3, force(2) * b12 - force(5)),
+            (0, 6, force(3)),
+            (1, 6, force(4)),
+            (2, 2, scale.released * state.by_u() * -2.0),
+        ] {
+            (0..3).for_each(|k| out[3 * y + k][3 * z + k] += value);
+        }
         // Gradients of u and z; c has second derivatives 2·CHORD[1] over u, u and HOURGLASS[1] over u, z.
-        let (mut of_u, mut of_z) = ([Pack::ZERO; 21], [Pack::ZERO; 21]);
-        for k in 0..3 {
-            of_u[6 + k] = p.d.0[k] * -2.0;
-            out[6 + k][6 + k] += scale.released * state.by_u() * -2.0;
-        }
-        for (i, &(pattern, vector)) in products.iter().enumerate() {
-            let force = pulled[i] * stiffness[i];
-            let mut gradient = [Pack::ZERO; 21];
+        let of_u = p.d * Pack::splat(-2.0);
+        let twice = [s[3] * 2.0, s[4] * 2.0];
+        let of_z = [q[1] * twice[0], q[1] * twice[1], p.x1 * twice[0] + p.x2 * twice[1]];
+        let of_c = [of_z[0] * state.by_z, of_z[1] * state.by_z, of_u * state.by_u(), of_z[2] * state.by_z];
+        let half = scale.twice * 0.5;
+        let with_c = [
+            (0, scale.mixed[0] + of_c[0] * half),
+            (1, scale.mixed[1] + of_c[1] * half),
+            (2, scale.mixed[2] + of_c[2] * half),
+            (3, scale.mixed[3]),
+            (4, scale.mixed[4]),
+            (6, of_c[3] * half),
+        ];
+        let of_c = [(0, of_c[0]), (1, of_c[1]), (2, of_c[2]), (6, of_c[3])];
+        add_products(out, &of_c, &with_c);
+        add_products(out, &with_c, &of_c);
+        let (over_u, across) = (scale.released * CHORD[1], scale.released * HOURGLASS[1]);
+        let with_u =
+            [(0, of_z[0] * across), (1, of_z[1] * across), (2, of_u * over_u), (6, of_z[2] * across)];
+        add_products(out, &[(2, of_u)], &with_u);
+        add_products(out, &with_u, &[(2, of_u)]);
+    }
+}
+
+/// Adds `k g gᵀ` for the parts of a gradient g by vectors.
+#[inline(always)]
+fn add_square<const N: usize>(out: &mut PointTangent, stiffness: Pack, gradient: &[(usize, Pack3); N]) {
+    add_products(out, &gradient.map(|(y, part)| (y, part * stiffness)), gradient);
+}
+
+/// Adds the upper triangle of `a bᵀ`, both by vectors.
+#[inline(always)]
+fn add_products(out: &mut PointTangent, a: &[(usize, Pack3)], b: &[(usize, Pack3)]) {
+    for &(y, left) in a {
+        for &(z, right) in b.iter().filter(|part| part.0 >= y) {
             for k in 0..3 {
-                gradient[3 * pattern + k] = vectors[vector].0[k];
-                gradient[3 * vector + k] = vectors[pattern].0[k];
-                out[3 * pattern + k][3 * vector + k] += force;
-                out[3 * vector + k][3 * pattern + k] += force;
-            }
-            // Products of vectors that belong to the component, too.
-            let further: &[(usize, usize, Pack)] = match i {
-                // ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1.
-                2 => &[(0, 3, bent[0]), (1, 4, bent[1]), (0, 4, bent[2]), (1, 3, bent[2])],
-                5 => &[(1, 3, -Pack::splat(1.0))],
-                _ => &[],
-            };
-            for &(u, v, factor) in further {
-                for k in 0..3 {
-                    gradient[3 * u + k] += vectors[v].0[k] * factor;
-                    gradient[3 * v + k] += vectors[u].0[k] * factor;
-                    out[3 * u + k][3 * v + k] += force * factor;
-                    out[3 * v + k][3 * u + k] += force * factor;
+                for l in 0..3 {
+                    out[3 * y + k][3 * z + l] += left.0[k] * right.0[l];
                 }
-            }
-            for r in 0..21 {
-                for c in 0..21 {
-                    out[r][c] += gradient[r] * gradient[c] * stiffness[i];
-                }
-                if i == 3 || i == 4 {
-                    of_z[r] += gradient[r] * s[i] * 2.0;
-                }
-            }
-        }
-        let of_c: [Pack; 21] = std::array::from_fn(|i| of_u[i] * state.by_u() + of_z[i] * state.by_z);
-        let over_u = scale.released * (2.0 * CHORD[1]);
-        let across = scale.released * HOURGLASS[1];
-        for r in 0..21 {
-            for c in 0..21 {
-                let coupled = scale.mixed[r] * of_c[c] + of_c[r] * scale.mixed[c];
-                let of_both = of_u[r] * of_z[c] + of_z[r] * of_u[c];
-                out[r][c] +=
-                    coupled + of_c[r] * of_c[c] * scale.twice + of_u[r] * of_u[c] * over_u + of_both * across;
             }
         }
     }

@@ -10,8 +10,8 @@ use explicit_dynamics::Instant;
 
 use crate::Shell;
 use crate::conditions::loads::{Block, Body};
+use crate::statics::blocks::BlockPattern;
 use crate::statics::static_shell::StaticShell;
-use crate::statics::stiffness::BlockPattern;
 
 /// The largest entry of the skew part that counts as rounding, in units of the largest derivative.
 const ROUNDING: f64 = 1e-9;
@@ -53,8 +53,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
             add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
         });
-        let mut share = 0.0_f64;
-        self.project_blocks(&skew, |_| 0.0, |value| share = share.max(value.abs()));
+        let mut values = vec![0.0; self.entries()];
+        self.project_blocks(&skew, |_| 0.0, &mut values);
+        let share = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         if share > ROUNDING * largest { share / largest } else { 0.0 }
     }
 }

@@ -1,6 +1,8 @@
 //! Statics: the unknowns, the tangent of the energy and of the loads, the system that is balanced.
 
+pub(crate) mod blocks;
 pub(crate) mod dofs;
 pub(crate) mod load_stiffness;
+pub(crate) mod projection;
 pub(crate) mod static_shell;
 pub(crate) mod stiffness;

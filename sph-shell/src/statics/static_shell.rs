@@ -11,8 +11,9 @@ use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::packs::Row;
 use crate::points::bounds::Unsound;
+use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::{Basis, DofMap};
-use crate::statics::stiffness::BlockPattern;
+use crate::statics::projection::{Projection, entries};
 
 /// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
 ///
@@ -23,6 +24,8 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
     blocks: Vec<Block>,
+    /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
+    entries: Vec<usize>,
     /// Particles with a prescribed displacement or rotation.
     moved: Vec<u32>,
 }
@@ -42,7 +45,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     pub fn lent(shell: S) -> Self {
         let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
-        Self { shell, dofs, pattern, blocks, moved: Vec::new() }
+        let entries = entries(&dofs, &pattern);
+        Self { shell, dofs, pattern, blocks, entries, moved: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -74,6 +78,11 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         weights
     }
 
+    /// Number of entries of the pattern of the unknowns.
+    pub(crate) fn entries(&self) -> usize {
+        self.entries[self.shell.len()]
+    }
+
     pub(crate) fn basis(&self, particle: usize) -> Basis {
         self.shell.basis(particle, self.dofs.arc)
     }
@@ -85,40 +94,19 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         }
     }
 
-    /// Turns the lower triangle of blocks into entries between unknowns, in the order of the pattern; `radial` is taken
-    /// from the turns of a particle on the diagonal.
+    /// Entries between the unknowns from the lower triangle of blocks, in the order of the pattern; `radial` is taken from the
+    /// turns of a particle on the diagonal: a director that turns keeps its length, so its force along itself stiffens or
+    /// softens every turn.
     pub(crate) fn project_blocks(
         &self,
         blocks: &[Block],
-        radial: impl Fn(usize) -> f64,
-        mut visit: impl FnMut(f64),
+        radial: impl Fn(usize) -> f64 + Sync,
+        values: &mut [f64],
     ) {
-        for a in 0..self.shell.len() {
-            let row_basis = self.basis(a);
-            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
-                let b = self.pattern.columns[block] as usize;
-                let column_basis = self.basis(b);
-                let along = if a == b { radial(a) } else { 0.0 };
-                for row in 0..row_basis.count {
-                    let left = if row < row_basis.translations { 0 } else { 3 };
-                    for column in 0..if a == b { row + 1 } else { column_basis.count } {
-                        let top = if column < column_basis.translations { 0 } else { 3 };
-                        let mut value = 0.0;
-                        for i in 0..3 {
-                            for j in 0..3 {
-                                value += row_basis.directions[row][i]
-                                    * blocks[block][left + i][top + j]
-                                    * column_basis.directions[column][j];
-                            }
-                        }
-                        if a == b && row == column && left == 3 {
-                            value -= along;
-                        }
-                        visit(value * row_basis.rates[row] * column_basis.rates[column]);
-                    }
-                }
-            }
-        }
+        let bases: Vec<Basis> = (0..self.shell.len()).map(|a| self.basis(a)).collect();
+        let projection =
+            Projection { bases: &bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
+        projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
 
     /// Puts prescribed values where a level has them.
@@ -156,7 +144,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         });
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         for a in 0..rows.len() {
-            for number in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+            for number in self.pattern.of_row(a) {
                 let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
                 for i in 0..6 {
                     rows[a][i] -= product(&block[i], &rates[b]);
@@ -180,9 +168,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn pattern(&self) -> Vec<(usize, usize)> {
-        let mut out = Vec::new();
+        let mut out = Vec::with_capacity(self.entries());
         for a in 0..self.shell.len() {
-            for block in self.pattern.offsets[a] as usize..self.pattern.offsets[a + 1] as usize {
+            for block in self.pattern.of_row(a) {
                 let b = self.pattern.columns[block] as usize;
                 for row in self.dofs.of(a) {
                     out.extend(self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)));
@@ -190,6 +178,17 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             }
         }
         out
+    }
+
+    /// Those of the particles at rest.
+    fn places(&self) -> Option<Vec<[f64; 3]>> {
+        let rest = &self.shell.reference.cloud.positions;
+        let of = |a: usize| self.dofs.of(a).map(move |_| rest[a].into());
+        Some((0..self.shell.len()).flat_map(of).collect())
+    }
+
+    fn keeps_factor(&self) -> bool {
+        true
     }
 
     fn internal(&mut self, level: f64, out: &mut [f64]) {
@@ -232,7 +231,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
-        self.assemble(|a| self.radial(a, self.shell.internal_force(a)), values);
+        let shell = &*self.shell;
+        self.project_blocks(&self.blocks, |a| shell.radial(a, shell.internal_force(a)), values);
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
@@ -247,7 +247,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
         self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
         // Without stress here, the force along the director is that of the stresses alone up to their square.
-        self.assemble(|a| self.radial(a, internal[a]), values);
+        let shell = &*self.shell;
+        self.project_blocks(&self.blocks, |a| shell.radial(a, internal[a]), values);
         true
     }
 
@@ -279,6 +280,24 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             let turn = self.move_particle(a, own);
             self.basis(a).turns(&turn, own);
         }
+    }
+
+    fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
+        for (a, row) in saved.chunks_exact(6).enumerate() {
+            let here = &self.shell.state[a];
+            let along: f64 = (3..6).map(|k| here[k] * row[k]).sum();
+            let across = Vec3::from_fn(|k, _| row[3 + k] - along * here[3 + k]);
+            let sine = across.norm();
+            // The great circle through both directors.
+            let turn = if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() };
+            let basis = self.basis(a);
+            let own = &mut out[self.dofs.of(a)];
+            for (value, direction) in own.iter_mut().zip(&basis.directions) {
+                *value = (0..3).map(|k| direction[k] * (row[k] - here[k])).sum();
+            }
+            basis.turns(&turn, own);
+        }
+        true
     }
 
     fn save(&self) -> Vec<f64> {
@@ -337,22 +356,13 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
         w.into()
     }
+}
 
+impl Shell {
     /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
     fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
-        let (e, row) = (self.shell.external_force(a), &self.shell.state[a]);
+        let (e, row) = (self.external_force(a), &self.state[a]);
         (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
-    }
-
-    /// Entries between the unknowns from the blocks.
-    fn assemble(&self, radial: impl Fn(usize) -> f64, values: &mut [f64]) {
-        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-        let mut next = values.iter_mut();
-        self.project_blocks(&self.blocks, radial, |value| {
-            if let Some(slot) = next.next() {
-                *slot = value;
-            }
-        });
     }
 }
 

@@ -3,59 +3,32 @@
 //! Every sampling point contributes the second derivative of its energy with respect to its vectors (the five of a
 //! placement, and the two hourglass patterns of a cell), carried to its particles by the stencil; the pair control
 //! is a constant matrix. Directors live on spheres: their blocks lose `(d·∂U/∂d) I` on the tangent plane.
+//!
+//! Four points are treated at a time. Each thread owns some rows of blocks and sweeps the packs that touch them, so that
+//! every block sums its points in one order: the same bits for any number of threads.
 
-use shell_kinematics::{LANES, Matrix8, MeasureForces, Pack, Placement, congruence};
+use std::ops::Range;
+
+use shell_kinematics::{
+    LANES, Matrix8, MeasureForces, Pack, Placement, Section, StrainMeasure, StrainsOf, congruence,
+};
 
 use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::control::cells::{CellState, PointTangent, ScaleTangent, VECTORS};
+use crate::dispatch::{Work, widest};
 use crate::packs::Row;
-use crate::points::point::{Point, PointState, sign};
+use crate::points::point::{Point, PointLaw, PointState, sign};
 use crate::points::scheme::Scheme;
+use crate::registers::Registers;
+use crate::statics::blocks::{BlockPattern, Target};
 
-/// Those of a point's vectors that are made of positions.
-const OF_POSITIONS: [bool; VECTORS] = [true, true, false, false, false, true, false];
-
-/// Which pairs of particles (row not below column) share a block, row by row.
-#[derive(Clone, Debug)]
-pub(crate) struct BlockPattern {
-    pub offsets: Vec<u32>,
-    pub columns: Vec<u32>,
-}
-
-impl BlockPattern {
-    pub fn new(shell: &Shell) -> Self {
-        let mut rows: Vec<Vec<u32>> = (0..shell.len()).map(|a| vec![a as u32]).collect();
-        let operator = &shell.reference.operator;
-        for p in 0..operator.points.len() {
-            let particles = operator.stencil(p).particles;
-            for &a in particles {
-                rows[a as usize].extend(particles.iter().filter(|&&b| b < a));
-            }
-        }
-        shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
-        if let Scheme::Wide { control, .. } = &shell.points.scheme {
-            for (a, row) in rows.iter_mut().enumerate() {
-                row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
-            }
-        }
-        let mut pattern = Self { offsets: vec![0], columns: Vec::new() };
-        for mut row in rows {
-            row.sort_unstable();
-            row.dedup();
-            pattern.columns.extend(row);
-            pattern.offsets.push(pattern.columns.len() as u32);
-        }
-        pattern
-    }
-
-    /// Number of the block of particles `a ≥ b`.
-    pub fn find(&self, a: u32, b: u32) -> Option<usize> {
-        let first = self.offsets[a as usize] as usize;
-        let row = &self.columns[first..self.offsets[a as usize + 1] as usize];
-        row.binary_search(&b).ok().map(|i| first + i)
-    }
-}
+/// Vectors of a point that are made of positions: x,1 x,2 q_x.
+const OF_POSITIONS: [usize; 3] = [0, 1, 5];
+/// Those made of directors: d d,1 d,2 q_d.
+const OF_DIRECTORS: [usize; 4] = [2, 3, 4, 6];
+/// Blocks below which a thread's share is not divided.
+const SHARE: usize = 256;
 
 impl Shell {
     /// Second derivatives of the internal energy at the present state, into one block a pair of the pattern; the
@@ -66,62 +39,101 @@ impl Shell {
         stressed: Option<&[Row]>,
         blocks: &mut [Block],
     ) {
-        blocks.fill([[0.0; 6]; 6]);
-        for index in 0..self.points.packs.points.len() {
-            let point = self.points.point(index);
-            let tangent = self.point_tangent(&point, stressed);
-            for lane in 0..LANES {
-                if point.pack.weight.lanes()[lane] == 0.0 {
-                    continue;
-                }
-                let shares = shares(&point, lane);
-                scatter(&tangent, lane, &shares, pattern, blocks);
-            }
+        let assembly = Assembly { shell: self, pattern, stressed };
+        assembly.run(0..self.len(), blocks, self.threads.next_power_of_two());
+    }
+}
+
+/// One evaluation of all blocks.
+#[derive(Clone, Copy)]
+struct Assembly<'a> {
+    shell: &'a Shell,
+    pattern: &'a BlockPattern,
+    stressed: Option<&'a [Row]>,
+}
+
+impl Assembly<'_> {
+    /// Fills the blocks of some rows, halves of them on two threads.
+    fn run(&self, rows: Range<usize>, blocks: &mut [Block], threads: usize) {
+        if threads > 1 && blocks.len() >= 2 * SHARE {
+            let first = self.pattern.of_row(rows.start).start;
+            let offsets = &self.pattern.offsets[rows.start..=rows.end];
+            let half = first + blocks.len() / 2;
+            let cut = rows.start + offsets.partition_point(|&offset| (offset as usize) < half);
+            let (left, right) = blocks.split_at_mut(self.pattern.of_row(cut).start - first);
+            rayon::join(
+                || self.run(rows.start..cut, left, threads / 2),
+                || self.run(cut..rows.end, right, threads / 2),
+            );
+            return;
         }
-        if let Scheme::Wide { control, .. } = &self.points.scheme {
-            for a in 0..self.len() {
-                for (b, [xx, xd, dx, dd]) in control.blocks_of(a) {
-                    let Some(block) = (b as usize <= a).then(|| pattern.find(a as u32, b)).flatten() else {
-                        continue;
-                    };
+        widest(Leaf { assembly: *self, rows: rows.clone(), blocks });
+        if let Scheme::Wide { control, .. } = &self.shell.points.scheme {
+            let first = self.pattern.of_row(rows.start).start;
+            for a in rows {
+                for (b, [xx, xd, dx, dd]) in control.blocks_of(a).filter(|block| block.0 as usize <= a) {
+                    let Some(block) = self.pattern.find(a as u32, b) else { continue };
                     for i in 0..3 {
-                        blocks[block][i][i] += xx;
-                        blocks[block][i][3 + i] += xd;
-                        blocks[block][3 + i][i] += dx;
-                        blocks[block][3 + i][3 + i] += dd;
+                        blocks[block - first][i][i] += xx;
+                        blocks[block - first][i][3 + i] += xd;
+                        blocks[block - first][3 + i][i] += dx;
+                        blocks[block - first][3 + i][3 + i] += dd;
                     }
                 }
             }
         }
     }
 
+    #[inline(always)]
+    fn packs<M: StrainMeasure + StrainsOf<Pack> + ?Sized, S: Section + ?Sized>(
+        &self,
+        law: PointLaw<'_, M, S>,
+        rows: &Range<usize>,
+        blocks: &mut [Block],
+    ) {
+        blocks.fill([[0.0; 6]; 6]);
+        let first = self.pattern.of_row(rows.start).start;
+        let mut stencil = Stencil::default();
+        for index in (0..self.shell.points.packs.points.len()).filter(|&i| self.pattern.touches(i, rows)) {
+            let point = self.shell.points.point(index);
+            let tangent = self.point_tangent(&point, law);
+            stencil.take(&point);
+            scatter(&tangent, &stencil, self.pattern.targets(index), first, blocks);
+        }
+    }
+
     /// Second derivatives of four points over their vectors, weights included.
     ///
     /// With stresses of another state, resultants and what the control pulls are taken from there, all else from here.
-    fn point_tangent(&self, point: &Point<'_>, stressed: Option<&[Row]>) -> PointTangent {
+    #[inline(always)]
+    fn point_tangent<M: StrainMeasure + StrainsOf<Pack> + ?Sized, S: Section + ?Sized>(
+        &self,
+        point: &Point<'_>,
+        law: PointLaw<'_, M, S>,
+    ) -> PointTangent {
         let pack = point.pack;
         let PointState { placement: p, measures: now, strains, mut control } =
-            point.strained::<true, _>(self.strain, &self.state);
-        let mut stress = self.section.resultants(&strains);
-        if let Some(state) = stressed {
-            let there = point.strained::<true, _>(self.strain, state);
-            stress = self.section.resultants(&there.strains);
+            point.strained::<true, M>(law.strain, &self.shell.state);
+        let mut stress = law.section.resultants(&strains);
+        if let Some(state) = self.stressed {
+            let there = point.strained::<true, M>(law.strain, state);
+            stress = law.section.resultants(&there.strains);
             if let (Some((_, here)), Some((_, there))) = (&mut control, &there.control) {
                 here.pull_as(there);
             }
         }
-        let mut gradient = self.strain.gradient(&now, &pack.reference);
+        let mut gradient = law.strain.gradient(&now, &pack.reference);
         if let Some(shear) = point.shear {
             shear.adjust_gradient(&mut gradient);
         }
-        let mut over = congruence(&gradient, &self.section.tangent(&strains));
+        let mut over = congruence(&gradient, &law.section.tangent(&strains));
         if let Some(shear) = point.shear {
             shear.transpose(&mut stress);
         }
-        for (row, add) in over.iter_mut().zip(self.strain.second_gradient(&stress)) {
+        for (row, add) in over.iter_mut().zip(law.strain.second_gradient(&stress)) {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
-        let mut forces = self.strain.transpose(&now, &pack.reference, &stress);
+        let mut forces = law.strain.transpose(&now, &pack.reference, &stress);
         if let Some(arcs) = point.arcs {
             arcs.tangent(&mut over, &mut forces);
         }
@@ -137,33 +149,64 @@ impl Shell {
         if let (Some((cell, state)), Some(scale)) = (&control, &scale) {
             cell.add_tangent(&p, state, scale, &mut out);
         }
+        for row in 0..3 * VECTORS {
+            for column in 0..row {
+                out[row][column] = out[column][row];
+            }
+        }
         out
     }
 }
 
-/// How each particle of a point enters its vectors: `[G₁, G₂, φ, G₁, G₂, γ, γ]`.
-fn shares(point: &Point<'_>, lane: usize) -> Vec<(u32, [f64; VECTORS])> {
-    let number = |h: f64, phi: f64, g1: f64, g2: f64| {
-        let gamma = point.cell.map_or(0.0, |cell| cell.gamma(lane, h, g1, g2));
-        [g1, g2, phi, g1, g2, gamma, gamma]
-    };
-    let own = point.place.base[lane];
-    let mut base = (1.0, 0.0, 0.0);
-    let mut shares = Vec::with_capacity(point.entries.len() + 1);
-    for (k, (entry, particles)) in point.entries.iter().zip(point.particles).enumerate() {
-        let (phi, g1, g2) = (entry.phi.lanes()[lane], entry.g1.lanes()[lane], entry.g2.lanes()[lane]);
-        base = (base.0 - phi, base.1 - g1, base.2 - g2);
-        // Filled-up places repeat the base with zero: a triangle has no fourth particle and no pattern.
-        if particles[lane] != own {
-            shares.push((particles[lane], number(sign(k), phi, g1, g2)));
+/// The rows that one thread fills.
+struct Leaf<'a, 'b> {
+    assembly: Assembly<'a>,
+    rows: Range<usize>,
+    blocks: &'b mut [Block],
+}
+
+impl Work for Leaf<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<R: Registers>(self, _: R) {
+        let Self { assembly, rows, blocks } = self;
+        let law = PointLaw { strain: assembly.shell.strain, section: &*assembly.shell.section };
+        match law.default_pair() {
+            Some(law) => assembly.packs(law, &rows, blocks),
+            None => assembly.packs(law, &rows, blocks),
         }
     }
-    shares.push((own, number(1.0, base.0, base.1, base.2)));
-    shares
+}
+
+/// How each particle of four points enters their vectors.
+#[derive(Default)]
+struct Stencil {
+    /// Its shares `[G₁, G₂, φ, G₁, G₂, γ, γ]`, the base first.
+    shares: Vec<[Pack; VECTORS]>,
+}
+
+impl Stencil {
+    #[inline(always)]
+    fn take(&mut self, point: &Point<'_>) {
+        let number = |h: f64, phi: Pack, g1: Pack, g2: Pack| {
+            let gamma = point.cell.map_or(Pack::ZERO, |cell| cell.gamma(h, g1, g2));
+            [g1, g2, phi, g1, g2, gamma, gamma]
+        };
+        self.shares.clear();
+        self.shares.push([Pack::ZERO; VECTORS]);
+        let mut base = (Pack::splat(1.0), Pack::ZERO, Pack::ZERO);
+        for (k, entry) in point.entries.iter().enumerate() {
+            base = (base.0 - entry.phi, base.1 - entry.g1, base.2 - entry.g2);
+            self.shares.push(number(sign(k), entry.phi, entry.g1, entry.g2));
+        }
+        self.shares[0] = number(1.0, base.0, base.1, base.2);
+    }
 }
 
 /// Turns second derivatives and forces over measures with the curvature k̂ = c k into those with k, and finds the
 /// couplings with c: `∂²ψ = … + (c P k + b)·∂k ⊗ ∂c + … + (k·P·k) ∂c ⊗ ∂c + (b·k) ∂²c`, P and b over k̂.
+#[inline(always)]
 fn scale_tangent(
     p: &Placement,
     state: &CellState,
@@ -176,12 +219,11 @@ fn scale_tangent(
     let along: [Pack; 8] = std::array::from_fn(|i| over[i][3] * k[0] + over[i][4] * k[1] + over[i][5] * k[2]);
     let twice = along[3] * k[0] + along[4] * k[1] + along[5] * k[2];
     let released = state.released(&forces.curvature);
-    let mut mixed = [Pack::ZERO; 3 * VECTORS];
-    for (i, row) in p.measure_gradients().iter().enumerate() {
+    let factors: [Pack; 8] = std::array::from_fn(|i| {
         let direct = if (3..6).contains(&i) { forces.curvature[i - 3] } else { Pack::ZERO };
-        let factor = (along[i] * of(i) + direct) * weight;
-        mixed.iter_mut().zip(row).for_each(|(value, gradient)| *value += factor * *gradient);
-    }
+        (along[i] * of(i) + direct) * weight
+    });
+    let mixed = p.along_gradients(&factors);
     for (i, row) in over.iter_mut().enumerate() {
         for (j, value) in row.iter_mut().enumerate() {
             *value = *value * of(i) * of(j);
@@ -191,32 +233,49 @@ fn scale_tangent(
     ScaleTangent { mixed, twice: twice * weight, released: released * weight }
 }
 
-/// Adds one point's second derivatives to the blocks of its particles.
+/// Adds second derivatives of four points to the blocks of their particles, as far as these are among the blocks from
+/// number `first` on.
+#[inline(always)]
 fn scatter(
     tangent: &PointTangent,
-    lane: usize,
-    shares: &[(u32, [f64; VECTORS])],
-    pattern: &BlockPattern,
+    stencil: &Stencil,
+    targets: &[[Target; LANES]],
+    first: usize,
     blocks: &mut [Block],
 ) {
-    for &(b, of_b) in shares {
-        // H times the columns of b: rows are vectors of the point, columns are [x, d] of b.
-        let mut product = [[0.0; 6]; 3 * VECTORS];
-        for (r, row) in product.iter_mut().enumerate() {
-            for z in 0..VECTORS {
-                let first = if OF_POSITIONS[z] { 0 } else { 3 };
-                for k in 0..3 {
-                    row[first + k] += of_b[z] * tangent[r][3 * z + k].lanes()[lane];
+    let mut targets = targets.iter();
+    for (l, of_l) in stencil.shares.iter().enumerate() {
+        // H times the columns of l: rows are vectors of the point, columns are [x, d] of l.
+        let mut product = [[Pack::ZERO; 6]; 3 * VECTORS];
+        for (row, from) in product.iter_mut().zip(tangent) {
+            for k in 0..3 {
+                for z in OF_POSITIONS {
+                    row[k] += of_l[z] * from[3 * z + k];
+                }
+                for z in OF_DIRECTORS {
+                    row[3 + k] += of_l[z] * from[3 * z + k];
                 }
             }
         }
-        for &(a, of_a) in shares.iter().filter(|share| share.0 >= b) {
-            let Some(block) = pattern.find(a, b) else { continue };
-            for y in 0..VECTORS {
-                let first = if OF_POSITIONS[y] { 0 } else { 3 };
-                for k in 0..3 {
-                    for column in 0..6 {
-                        blocks[block][first + k][column] += of_a[y] * product[3 * y + k][column];
+        for (of_k, targets) in stencil.shares[l..].iter().zip(&mut targets) {
+            let mut block = [[Pack::ZERO; 6]; 6];
+            for i in 0..3 {
+                for column in 0..6 {
+                    for y in OF_POSITIONS {
+                        block[i][column] += of_k[y] * product[3 * y + i][column];
+                    }
+                    for y in OF_DIRECTORS {
+                        block[3 + i][column] += of_k[y] * product[3 * y + i][column];
+                    }
+                }
+            }
+            let block = block.map(|row| row.map(Pack::lanes));
+            for (lane, target) in targets.iter().enumerate() {
+                let Some((place, turned)) = target.within(first, blocks.len()) else { continue };
+                let sum = &mut blocks[place];
+                for i in 0..6 {
+                    for j in 0..6 {
+                        sum[i][j] += if turned { block[j][i][lane] } else { block[i][j][lane] };
                     }
                 }
             }

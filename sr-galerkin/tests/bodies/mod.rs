@@ -99,7 +99,8 @@ pub fn body(parts: Parts) -> Galerkin {
 
 /// Newton's method as the design has it: 1e-8, 30 iterations, whole steps.
 pub fn newton(body: &Galerkin) -> Newton {
-    let options = NewtonOptions { tolerance: 1e-8, iterations: 30, line_search: false };
+    let options =
+        NewtonOptions { tolerance: 1e-8, iterations: 30, line_search: false, ..NewtonOptions::default() };
     Newton::new(body, &options).expect("options")
 }
 

@@ -95,6 +95,8 @@ pub(crate) enum Stage {
         level: f64,
         /// Increment that led there: motion of the unknowns, and level.
         heading: Option<(Vec<f64>, f64)>,
+        /// Stiffness that each unknown first had on the path.
+        stiffness: Option<Vec<f64>>,
     },
 }
 
