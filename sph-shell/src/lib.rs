@@ -17,6 +17,7 @@
 //! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
 //! | the step of one particle (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
+//! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
@@ -232,6 +233,7 @@ mod conditions;
 mod control;
 mod error;
 mod formulation;
+mod junction;
 mod packs;
 mod points;
 mod reference;
@@ -245,6 +247,7 @@ use explicit_dynamics::Work;
 use shell_kinematics::{Section, StrainMeasure};
 
 use conditions::supports::Constraint;
+use junction::group::Junctions;
 use packs::Row;
 use points::scheme::Points;
 use time::fused::Fused;
@@ -278,6 +281,8 @@ pub struct Shell {
     /// Number of each particle's entry in `constraints`, one up; zero for a free particle.
     constraint_of: Vec<u32>,
     constraints: Vec<Constraint>,
+    /// Sheets that meet along lines.
+    junctions: Junctions,
     loads: Vec<AppliedLoad>,
     /// Positions and directors.
     state: Vec<Row>,

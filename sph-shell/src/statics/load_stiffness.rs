@@ -53,6 +53,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
             add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
         });
+        self.shell.junctions.tie(&self.shell.state, &self.pattern, &mut skew, -1.0);
         let mut share = 0.0_f64;
         self.project_blocks(&skew, |_| 0.0, |value| share = share.max(value.abs()));
         if share > ROUNDING * largest { share / largest } else { 0.0 }

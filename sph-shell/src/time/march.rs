@@ -65,6 +65,7 @@ impl Shell {
 
     /// Kicks all particles, and moves them with `DRIFT`, from the slots that the sweep over all points filled.
     fn update<const DRIFT: bool>(&mut self, step: &Step) -> Work {
+        let of_groups = self.kick_groups(step, DRIFT);
         let mut state = std::mem::take(&mut self.state);
         let mut rates = std::mem::take(&mut self.rates);
         let mut chunk_work = std::mem::take(&mut self.chunk_work);
@@ -90,7 +91,8 @@ impl Shell {
                 .for_each(chunk);
         }
         (self.state, self.rates, self.chunk_work) = (state, rates, chunk_work);
-        self.total_work(step)
+        self.drift_groups(if DRIFT { step.drift() } else { 0.0 });
+        self.total_work(step, of_groups)
     }
 
     /// A step by the plan; external forces are already evaluated.
@@ -101,12 +103,12 @@ impl Shell {
         fused.run(&self.sweep(false), &self.update_parts(step), &mut rates, &mut work);
         std::mem::swap(&mut self.state, &mut fused.next);
         (self.rates, self.chunk_work, self.fused) = (rates, work, Some(fused));
-        self.total_work(step)
+        self.total_work(step, Work::default())
     }
 
-    /// Adds the work of all chunks, in their order whatever the threads.
-    fn total_work(&self, step: &Step) -> Work {
-        let sum = self.chunk_work.iter().fold(Work::default(), |sum, part| Work {
+    /// Adds the work of all chunks, in their order whatever the threads, to what is there already.
+    fn total_work(&self, step: &Step, first: Work) -> Work {
+        let sum = self.chunk_work.iter().fold(first, |sum, part| Work {
             kinetic: sum.kinetic + part.kinetic,
             external: sum.external + part.external,
             dissipated: 0.0,
@@ -127,9 +129,11 @@ impl Dynamics for Shell {
     }
 
     fn drift(&mut self, step: &Step) {
+        self.set_groups_aside();
         for (row, rate) in self.state.iter_mut().zip(&mut self.rates) {
             (*row, *rate) = drifted(row, rate, step.drift());
         }
+        self.drift_groups(step.drift());
     }
 
     fn advance(&mut self, step: &Step) -> Work {

@@ -7,7 +7,8 @@ use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
 use sph_core::{
-    Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice, poisson_cloud,
+    Cell, CellList, Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice,
+    poisson_cloud,
 };
 use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
 
@@ -136,4 +137,53 @@ pub fn shake(shell: &mut Shell, size: f64, seed: u64) {
 pub fn energy(shell: &mut Shell) -> f64 {
     shell.evaluate_internal(true);
     shell.stored_energy()
+}
+
+/// Flat sheets of rectangular cells that meet along lines of common places.
+#[derive(Default)]
+pub struct Sheets {
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    cells: Vec<Cell>,
+}
+
+impl Sheets {
+    /// Adds the sheet `origin + s u + t v`, s and t in [0, 1], of so many cells along u and v; its normal is along u × v.
+    pub fn add(mut self, origin: Vec3, [u, v]: [Vec3; 2], [nu, nv]: [usize; 2]) -> Self {
+        let first = self.positions.len() as u32;
+        let at = |i: usize, j: usize| first + (i * (nv + 1) + j) as u32;
+        for i in 0..=nu {
+            for j in 0..=nv {
+                let place = origin + u * (i as f64 / nu as f64) + v * (j as f64 / nv as f64);
+                self.positions.push(place);
+                self.normals.push(u.cross(&v).normalize());
+            }
+        }
+        for i in 0..nu {
+            for j in 0..nv {
+                self.cells.push(Cell::quadrangle([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+            }
+        }
+        self
+    }
+
+    /// The cloud, particles on one place joined.
+    pub fn cloud(self) -> Cloud {
+        let Self { positions, normals, cells } = self;
+        let list = CellList::new(&positions, 0.1);
+        let (mut near, mut joined) = (Vec::new(), Vec::new());
+        for (a, x) in positions.iter().enumerate() {
+            list.within(x, 1e-9, &mut near);
+            near.sort_unstable();
+            if near.len() > 1 && near[0] as usize == a {
+                joined.push(near.clone());
+            }
+        }
+        Cloud::from_sheets(positions, Some(normals), cells, joined).unwrap()
+    }
+}
+
+/// Particles of a cloud at which `on` holds.
+pub fn at(cloud: &Cloud, on: impl Fn(&Vec3) -> bool) -> Vec<u32> {
+    (0..cloud.len() as u32).filter(|&a| on(&cloud.positions[a as usize])).collect()
 }
