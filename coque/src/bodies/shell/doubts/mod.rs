@@ -11,6 +11,7 @@ mod look;
 mod method;
 mod senseless;
 mod sheet;
+mod tied;
 
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud};
@@ -29,7 +30,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 15] = [
+const RULES: [Rule; 17] = [
     Rule { doubt: Doubt::NoWork, of: senseless::no_work },
     Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
     Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
@@ -40,6 +41,8 @@ const RULES: [Rule; 15] = [
     Rule { doubt: Doubt::WideThin, of: method::wide },
     Rule { doubt: Doubt::UnevenCells, of: method::uneven },
     Rule { doubt: Doubt::SharpFold, of: coarse::fold },
+    Rule { doubt: Doubt::TiedBothSides, of: tied::both_sides },
+    Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
     Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
     Rule { doubt: Doubt::CoarseBending, of: coarse::bending },
     Rule { doubt: Doubt::FewParticles, of: coarse::few },
