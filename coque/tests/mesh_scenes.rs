@@ -259,7 +259,8 @@ fn a_march_sways_a_stem_as_far_as_newton_does() {
 
 #[test]
 fn wide_stencils_refuse_edges_of_three_faces_and_keep_one_normal_at_folds() {
-    let nodal = ("[[supports]]\non = \"left\"", "[formulation.nodal]\norder = 2\n\n[[supports]]\non = \"left\"");
+    let nodal =
+        ("[[supports]]\non = \"left\"", "[formulation.nodal]\norder = 2\n\n[[supports]]\non = \"left\"");
     let refused = stem_on_a_bar(&[nodal]).err().unwrap();
     let shown = render(&refused, Rendering { width: 200, colour: false });
     assert!(shown.contains("belongs to 3 faces or more"), "{shown}");

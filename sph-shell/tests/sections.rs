@@ -83,7 +83,8 @@ fn a_box_twists_as_st_venant_says() {
         let loads = walls.map(|(wall, direction)| along_edge(&cloud, wall, n, direction * 0.5));
         let foot = at(&cloud, |x| x.y < 1e-9);
         // Three corners keep the foot in its plane; a square box does not warp.
-        let corners = at(&cloud, |x| x.y < 1e-9 && x.x.abs() > 0.5 - 1e-9 && x.z.abs() > 0.5 - 1e-9 && x.x + x.z < 0.5);
+        let corners =
+            at(&cloud, |x| x.y < 1e-9 && x.x.abs() > 0.5 - 1e-9 && x.z.abs() > 0.5 - 1e-9 && x.x + x.z < 0.5);
         let held = |displacement| Held { displacement, director: None };
         let supports = vec![on(foot, held(vec![X, Z])), on(corners, held(vec![Y]))];
         let (work, _) = linear(cloud, MILD, supports, loads.into());
@@ -110,9 +111,7 @@ fn a_box_is_distorted_as_elements_say() {
 
 /// A square plate on a rib along its middle, with a flange or without, n cells a side and m down the rib.
 fn stiffened(n: usize, m: usize, flange: bool) -> Cloud {
-    let mut sheets = Sheets::default()
-        .add(Vec3::zeros(), [X, Y], [n, n])
-        .add(Y * 0.5, [X, -Z * 0.1], [n, m]);
+    let mut sheets = Sheets::default().add(Vec3::zeros(), [X, Y], [n, n]).add(Y * 0.5, [X, -Z * 0.1], [n, m]);
     if flange {
         sheets = sheets.add(Y * 0.47 - Z * 0.1, [X, Y * 0.06], [n, 4]);
     }
@@ -124,9 +123,7 @@ fn stiffened_plates_bend_as_elements_say() {
     for (flange, [centre, quarter]) in [(false, [1.488e-4, 2.638e-4]), (true, [7.018e-5, 2.130e-4])] {
         for (n, m, bound) in [(16, 4, 2.6e-2), (32, 8, 6e-3)] {
             let cloud = stiffened(n, m, flange);
-            let edge = at(&cloud, |x| {
-                x.z.abs() < 1e-9 && (x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9)
-            });
+            let edge = at(&cloud, |x| x.z.abs() < 1e-9 && (x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9));
             let place = |x: f64, y: f64| at(&cloud, |p| (p - X * x - Y * y).norm() < 1e-9)[0];
             let (middle, aside) = (place(0.5, 0.5), place(0.5, 0.25));
             let held = |displacement| Held { displacement, director: None };
@@ -147,7 +144,11 @@ fn stiffened_plates_bend_as_elements_say() {
             let (_, moved) = linear(cloud, [2e11, 0.3, 0.01], supports, vec![Box::new(load)]);
             let found = [middle, aside].map(|a| -moved[a as usize].z);
             let errors = [found[0] / centre - 1.0, found[1] / quarter - 1.0];
-            println!("flange {flange}, {n}×{m}: {found:?} {:.2} {:.2} %", 100.0 * errors[0], 100.0 * errors[1]);
+            println!(
+                "flange {flange}, {n}×{m}: {found:?} {:.2} {:.2} %",
+                100.0 * errors[0],
+                100.0 * errors[1]
+            );
             assert!(errors.iter().all(|error| error.abs() < bound), "{flange} {n}: {errors:?}");
         }
     }

@@ -30,8 +30,9 @@ pub fn case() -> Case {
     Case {
         name: "crease",
         title: "Two plates that meet at an angle",
-        about: "Two plates of width one meet at 150°, 90° and 30°, in a mesh of quadrangles that the reader brings in; a particle of \
-                the fold has one director, the mean of the normals. Bent across the fold (two bars, a force at the end), bent along \
+        about: "Two plates of width one meet at 150°, 90° and 30°, in a mesh of quadrangles that the reader brings in; beyond a turn of 30° \
+                each plate has particles of its own along the fold, tied, and one with the mean of the normals for stencils that \
+                reach across. Bent across the fold (two bars, a force at the end), bent along \
                 it (angle section under an end moment), twisted (angle section, GJ = ⅔Gbt³), and free (six zero modes and no \
                 seventh).",
         citation: "bars by the force method; bending of thin-walled sections; torsion of St Venant",
@@ -181,7 +182,8 @@ impl Fold {
         let [left, right] = self.plates();
         let bend = |x: &Vec3| Vec3::x() * x.x + if x.y < 0.0 { left.0 * -x.y } else { right.0 * x.y };
         let mesh = Mesh::blocks([columns, 2 * self.cells], &[&flat]);
-        mesh.jittered(self.jitter * step, 1, stays).mapped(bend).cloud()
+        let mesh = mesh.jittered(self.jitter * step, 1, stays).mapped(bend);
+        if self.method == STATIC { mesh.cloud() } else { mesh.undivided() }
     }
 
     /// Displacements of all particles under the loads \[L\].
@@ -200,6 +202,11 @@ impl Fold {
     fn found(&self, cloud: &Cloud, ratio: f64, warnings: Vec<Warning>) -> Outcome {
         Outcome { warnings, ..finding(cloud.len(), 1.0 / self.cells as f64, &[("ratio", ratio)]) }
     }
+}
+
+/// Particles on the place of one: each sheet of a junction has its own.
+fn sheets(cloud: &Cloud, a: u32) -> f64 {
+    cloud.joined.iter().find(|group| group.contains(&a)).map_or(1.0, |group| group.len() as f64)
 }
 
 fn on_fold(x: &Vec3) -> bool {
@@ -245,7 +252,7 @@ fn along(fold: &Fold) -> Result<Outcome, String> {
         // Traction as the height over the centroid; an edge hands the value at its middle in halves to its ends.
         let height = x.z - 0.5 * rise;
         let part = match x.norm() {
-            r if r < 1e-9 => height + 0.5 * step * rise,
+            r if r < 1e-9 => (height + 0.5 * step * rise) / sheets(&cloud, a),
             r if r > 1.0 - 1e-9 => 0.5 * (height - 0.5 * step * rise),
             _ => height,
         };

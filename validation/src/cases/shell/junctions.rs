@@ -197,9 +197,7 @@ fn ribbed(n: usize, m: usize, flange: bool) -> Result<Outcome, String> {
         parts.push((Y * 0.47 - Z * 0.1, [X, Y * 0.06], [n, 4]));
     }
     let cloud = welded(&parts)?;
-    let edge = particles(&cloud, |x| {
-        x.z.abs() < 1e-9 && (x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9)
-    });
+    let edge = particles(&cloud, |x| x.z.abs() < 1e-9 && (x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9));
     let one = |x: f64, y: f64| particles(&cloud, |p| (p - X * x - Y * y).norm() < 1e-9);
     let held = |displacement| Held { displacement, director: None };
     let supports = vec![

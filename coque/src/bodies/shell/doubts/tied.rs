@@ -15,7 +15,12 @@ const FEW: usize = 3;
 
 /// Cells tied along two opposite edges.
 pub(super) fn both_sides(look: &Look<'_>) -> Option<String> {
-    let tied = Tied::of(look)?;
+    both_sides_of(&look.shell.reference().cloud, &look.across)
+}
+
+/// The same of a cloud alone.
+pub(super) fn both_sides_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String> {
+    let tied = Tied::of(cloud, across)?;
     let both = |&&c: &&usize| tied.opposite(c).any(|[here, there]| tied.is(c, here) && tied.is(c, there));
     let all = Vec::from_iter(0..tied.cloud.cells.len());
     let found = Vec::from_iter(all.iter().filter(both));
@@ -31,7 +36,12 @@ pub(super) fn both_sides(look: &Look<'_>) -> Option<String> {
 
 /// Sheets of one or two cells from a junction to an edge that is free.
 pub(super) fn shallow(look: &Look<'_>) -> Option<String> {
-    let tied = Tied::of(look)?;
+    shallow_of(&look.shell.reference().cloud, &look.across)
+}
+
+/// The same of a cloud alone.
+pub(super) fn shallow_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String> {
+    let tied = Tied::of(cloud, across)?;
     let mut worst: Option<(usize, usize)> = None;
     let mut count = 0;
     for c in 0..tied.cloud.cells.len() {
@@ -68,8 +78,7 @@ struct Tied<'a> {
 
 impl<'a> Tied<'a> {
     /// None without junctions.
-    fn of(look: &'a Look<'_>) -> Option<Self> {
-        let cloud = &look.shell.reference().cloud;
+    fn of(cloud: &'a Cloud, across: &'a [[u32; 4]]) -> Option<Self> {
         if cloud.joined.is_empty() {
             return None;
         }
@@ -77,7 +86,7 @@ impl<'a> Tied<'a> {
         for group in &cloud.joined {
             first.extend(group.iter().map(|&a| (a, group[0])));
         }
-        let mut tied = Self { cloud, across: &look.across, first, cells_at: HashMap::new() };
+        let mut tied = Self { cloud, across, first, cells_at: HashMap::new() };
         for edge in cloud.cells.iter().flat_map(Cell::edges) {
             if let Some(places) = tied.places(edge) {
                 *tied.cells_at.entry(places).or_insert(0) += 1;
