@@ -307,24 +307,9 @@ impl Constraint {
         }
     }
 
-    /// What supports leave of the spin of a group: nothing of a fixed one, the part along the normal where directors stay in a
-    /// plane.
-    pub(crate) fn free_spin(&self, spin: Vec3) -> Vec3 {
-        match self.director {
-            DirectorHold::Free => spin,
-            DirectorHold::Fixed => Vec3::zeros(),
-            DirectorHold::InPlane(n) => n * n.dot(&spin),
-        }
-    }
-
     /// Spin of the prescribed rotation over a step \[1/T\].
     pub(crate) fn spin(&self, step: &Step) -> Option<Vec3> {
         Some(self.rotation.as_ref()?.spin(step.from, step.to))
-    }
-
-    /// Whether anything is held or prescribed.
-    pub(crate) fn holds(&self) -> bool {
-        !self.tied || self.held_freedoms() > 0
     }
 
     /// Mean velocity of the prescribed motion over a step \[L/T\].

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, SymmetricEigen};
 use sph_core::Vec3;
 
 use crate::Shell;
+use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
@@ -164,6 +165,23 @@ impl Group {
             let w = spin.cross(&director(&state[a as usize]));
             rates[a as usize] = [motion[0], motion[1], motion[2], w.x, w.y, w.z];
         }
+    }
+}
+
+impl Constraint {
+    /// What supports leave of the spin of a group: nothing of a fixed one, the part along the normal where directors stay in a
+    /// plane.
+    pub(crate) fn free_spin(&self, spin: Vec3) -> Vec3 {
+        match self.director {
+            DirectorHold::Free => spin,
+            DirectorHold::Fixed => Vec3::zeros(),
+            DirectorHold::InPlane(n) => n * n.dot(&spin),
+        }
+    }
+
+    /// Whether anything is held or prescribed.
+    pub(crate) fn holds(&self) -> bool {
+        !self.tied || self.held_freedoms() > 0
     }
 }
 

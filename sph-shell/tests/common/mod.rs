@@ -10,7 +10,7 @@ use sph_core::{
     Cell, CellList, Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice,
     poisson_cloud,
 };
-use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
+use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Support, Supported};
 
 pub const YOUNG: f64 = 1200.0;
 pub const POISSON: f64 = 0.3;
@@ -186,4 +186,37 @@ impl Sheets {
 /// Particles of a cloud at which `on` holds.
 pub fn at(cloud: &Cloud, on: impl Fn(&Vec3) -> bool) -> Vec<u32> {
     (0..cloud.len() as u32).filter(|&a| on(&cloud.positions[a as usize])).collect()
+}
+
+pub const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
+pub const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+pub const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
+
+/// Two legs of length one that meet at an angle between their normals [rad], so many cells each; wide along y.
+pub fn folded(fold: f64, n: usize, wide: f64, across: usize) -> Cloud {
+    let (sin, cos) = fold.sin_cos();
+    Sheets::default()
+        .add(Vec3::zeros(), [X, Y * wide], [n, across])
+        .add(X, [X * cos + Z * sin, Y * wide], [n, across])
+        .cloud()
+}
+
+/// A bar of length two with a stem of length one up from its middle.
+pub fn tee(n: usize, wide: f64, across: usize) -> Cloud {
+    Sheets::default()
+        .add(-X, [X * 2.0, Y * wide], [2 * n, across])
+        .add(Vec3::zeros(), [Z, Y * wide], [n, across])
+        .cloud()
+}
+
+/// Shares of particles by their boundary length along y.
+pub fn line(cloud: &Cloud, particles: &[u32]) -> Vec<(u32, f64)> {
+    let y = |a: &u32| cloud.positions[*a as usize].y;
+    let most = particles.iter().map(y).fold(0.0, f64::max);
+    particles.iter().map(|a| (*a, if y(a) < 1e-9 || y(a) > most - 1e-9 { 0.5 } else { 1.0 })).collect()
+}
+
+/// A support on particles.
+pub fn supported(particles: Vec<u32>, support: impl Support + 'static) -> Supported {
+    Supported { particles, support: Box::new(support) }
 }
