@@ -32,6 +32,10 @@ pub enum Doubt {
     FewParticles,
     /// A fold with one director for both sides.
     SharpFold,
+    /// Cells between two junctions that are one cell apart.
+    TiedBothSides,
+    /// A sheet of few cells from a junction to its edge.
+    ShallowSheet,
     /// Cells with sharp corners.
     SharpCorners,
     /// Many triangles round one particle.
@@ -93,6 +97,8 @@ impl Doubt {
             Self::CoarseTurn => "coarse-turn",
             Self::FewParticles => "few-particles",
             Self::SharpFold => "sharp-fold",
+            Self::TiedBothSides => "tied-both-sides",
+            Self::ShallowSheet => "shallow-sheet",
             Self::SharpCorners => "sharp-corners",
             Self::Pole => "pole",
             Self::HeldLoad => "held-load",
@@ -154,6 +160,8 @@ mod tests {
             Doubt::CoarseTurn,
             Doubt::FewParticles,
             Doubt::SharpFold,
+            Doubt::TiedBothSides,
+            Doubt::ShallowSheet,
             Doubt::SharpCorners,
             Doubt::Pole,
             Doubt::HeldLoad,

@@ -7,7 +7,7 @@ mod common;
 use std::fmt::Write as _;
 
 use common::{Replaced, overridden, scene, scenes};
-use coque::mesh::{Format, parse, report};
+use coque::mesh::{Format, Surface, parse, report};
 use coque::{Doubt, doubts};
 use explicit_dynamics::Amplitude;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
@@ -156,8 +156,11 @@ fn drawn_out(profile: &[[f64; 2]]) -> String {
 
 /// What `coque mesh` warns of.
 fn mesh_warnings(obj: &str) -> Vec<String> {
-    let surface = parse("made.obj", Format::Obj, obj.as_bytes()).unwrap();
-    let report = report(&surface).unwrap();
+    warnings_of(&parse("made.obj", Format::Obj, obj.as_bytes()).unwrap())
+}
+
+fn warnings_of(surface: &Surface) -> Vec<String> {
+    let report = report(surface).unwrap();
     report.lines().filter_map(|line| line.strip_prefix("  warning    ")).map(String::from).collect()
 }
 
@@ -167,11 +170,37 @@ fn folds_are_told_by_mesh() {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let x = |i: i32| 0.1 * f64::from(i);
         let place = |i: i32| if i < 10 { [x(i), 0.0] } else { [1.0 + x(i - 10) * cos, x(i - 10) * sin] };
-        mesh_warnings(&drawn_out(&(0..=20).map(place).collect::<Vec<_>>()))
+        let obj = drawn_out(&(0..=20).map(place).collect::<Vec<_>>());
+        parse("made.obj", Format::Obj, obj.as_bytes()).unwrap()
     };
-    assert_eq!(bent(30.0), [""; 0]);
-    let [warning] = &bent(90.0)[..] else { panic!("one warning") };
+    assert_eq!(warnings_of(&bent(30.0)), [""; 0]);
+    // Two sheets that are tied are right; with one normal for both they are not.
+    assert_eq!(warnings_of(&bent(90.0)), [""; 0]);
+    let [warning] = &warnings_of(&bent(90.0).undivided().unwrap())[..] else { panic!("one warning") };
     assert!(warning.starts_with("a fold of 90° (over 30° on 5 edges)"), "{warning}");
+}
+
+#[test]
+fn sheets_that_are_too_narrow_at_junctions_are_told() {
+    // Flanges of so many cells on a web of so many, at right angles.
+    let channel = |flange: usize, web: usize| {
+        let mut profile: Vec<[f64; 2]> = (0..=flange).map(|i| [0.1 * (flange - i) as f64, 0.0]).collect();
+        profile.extend((1..=web).map(|i| [0.0, 0.1 * i as f64]));
+        profile.extend((1..=flange).map(|i| [0.1 * i as f64, 0.1 * web as f64]));
+        mesh_warnings(&drawn_out(&profile))
+    };
+    assert_eq!(channel(3, 2), [""; 0]);
+    let [warning] = &channel(4, 1)[..] else { panic!("one warning") };
+    assert!(
+        warning
+            .starts_with("5 cells are tied along two opposite edges, the first at [0.0000, 0.0500, 0.0500]"),
+        "{warning}"
+    );
+    let [warning] = &channel(2, 4)[..] else { panic!("one warning") };
+    assert!(warning.starts_with("a sheet is 2 cells deep from a junction to its free edge"), "{warning}");
+    assert!(warning.contains("along 10 edges"), "{warning}");
+    let [warning] = &channel(1, 4)[..] else { panic!("one warning") };
+    assert!(warning.contains("by 33 % of its share"), "{warning}");
 }
 
 /// A sheet that comes back over itself at a two-hundredth of a cell, its nodes beside those below.

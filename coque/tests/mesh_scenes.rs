@@ -212,3 +212,57 @@ fn broken_scenes_on_meshes() {
     assert!(!all.contains("not refused"), "{all}");
     insta::assert_snapshot!(all);
 }
+
+/// A stem on a bar from a mesh in which both share nodes, by one part of a scene.
+fn stem_on_a_bar(more: &[(&str, &str)]) -> Result<coque::Model, SceneError> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes/t-frame.toml");
+    let mut text = fs::read_to_string(&file).unwrap();
+    for (from, to) in more {
+        assert!(text.contains(from), "no {from}");
+        text = text.replace(from, to);
+    }
+    Scene::parse(&text, &file.display().to_string())?.build(1)
+}
+
+#[test]
+fn sheets_that_share_nodes_are_tied() {
+    let model = stem_on_a_bar(&[("total = [10e3,", "total = [1.0,"), ("levels = 10", "levels = 1")]).unwrap();
+    assert_eq!(model.warnings(), []);
+    let outcome = model.run(&mut Silent);
+    let modelled = format!("{:?}", outcome.summary.body.modelled);
+    assert!(modelled.contains("2 edges of three faces and more: 6 particles tied at 3 places"), "{modelled}");
+    // Two beams: P L³/3EI of the stem, and the turn PL²/8EI of the joint between the halves of the bar, times L; shear 1e-4 of it.
+    let bending = 210e9 * 0.3 * 0.02_f64.powi(3) / 12.0;
+    let exact = (1.0 / 3.0 + 1.0 / 8.0) / bending;
+    let sway = *outcome.curve.column("sway").unwrap().last().unwrap();
+    // One point a cell integrates M² of the bar's halves and of the stem by the midpoint: 39/n² % with n = 6.
+    assert!((sway / exact - 1.0 + 0.0108).abs() < 2e-3, "{:.3} %", 100.0 * (sway / exact - 1.0));
+    // The bar's ends bear the couple that the force makes about them.
+    let rises = *outcome.curve.column("left_rises").unwrap().last().unwrap();
+    assert!(rises.abs() > 0.1, "{rises}");
+}
+
+#[test]
+fn a_march_sways_a_stem_as_far_as_newton_does() {
+    let still = stem_on_a_bar(&[("levels = 10", "levels = 2")]).unwrap().run(&mut Silent);
+    let march = [(
+        "[analysis.static]\nlevels = 10",
+        "[analysis.explicit.quasi-static]\nlevels = [0.5, 1.0]\nperiod = 0.09\nhold = 10.0\ntolerance = 1e-9",
+    )];
+    let moved = stem_on_a_bar(&march).unwrap().run(&mut Silent);
+    let last = |outcome: &Outcome, name: &str| *outcome.curve.column(name).unwrap().last().unwrap();
+    for name in ["sway", "left_rises"] {
+        let (a, b) = (last(&still, name), last(&moved, name));
+        assert!((a / b - 1.0).abs() < 1e-4, "{name}: {a} {b}");
+    }
+}
+
+#[test]
+fn wide_stencils_refuse_edges_of_three_faces_and_keep_one_normal_at_folds() {
+    let nodal =
+        ("[[supports]]\non = \"left\"", "[formulation.nodal]\norder = 2\n\n[[supports]]\non = \"left\"");
+    let refused = stem_on_a_bar(&[nodal]).err().unwrap();
+    let shown = render(&refused, Rendering { width: 200, colour: false });
+    assert!(shown.contains("belongs to 3 faces or more"), "{shown}");
+    assert!(shown.contains("formulation.stress-point"), "{shown}");
+}

@@ -1,30 +1,34 @@
-//! Surfaces from files: nodes in use, faces turned the same way, sets, boundary loops; and the cloud made of them.
+//! Surfaces from files: nodes in use, faces turned the same way, sheets cut where they meet, sets, boundary loops; and the cloud
+//! made of them.
 //!
 //! [`parse`] lets the reader of the format take what stands in a file, and makes it a sound [`Surface`] or refuses it.
 
 mod boundary;
 mod error;
 mod formats;
+mod junctions;
 mod order;
 mod orient;
 mod quality;
 mod raw;
 mod refusal;
 mod report;
+mod undivided;
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use sph_core::{Cell, Cloud, Frame, Vec3, pair_triangles};
 
-use boundary::loops;
+use boundary::{free_edges, loops};
 use order::{along_the_surface, renumber};
-use orient::{Turned, check_faces, orient, reversed};
+use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
 
 pub use boundary::{Loop, boundary_edges, chains};
 pub use error::MeshError;
 pub use formats::{Format, parse, read};
+pub use junctions::Junctions;
 pub use quality::{Quality, quality};
 pub use report::report;
 
@@ -54,6 +58,10 @@ pub struct Surface {
     pub thicknesses: Vec<f64>,
     /// Closed lines of boundary nodes, the longest first: the sets `boundary0`, `boundary1`, …
     pub loops: Vec<Loop>,
+    /// Nodes of different sheets on one place, at junctions; each list ascending.
+    pub joined: Vec<Vec<u32>>,
+    /// Edges at which sheets meet.
+    pub junctions: Junctions,
     /// Connected pieces.
     pub pieces: usize,
     /// Faces that were turned round to agree with their neighbours.
@@ -115,9 +123,12 @@ impl Surface {
                     .push("nodes numbered along the surface; messages keep the numbers of the file".into());
             }
         }
-        let Turned { pieces, faces: turned, seams } = orient(&mut raw)?;
+        let pairs = junctions::pairs(&raw)?;
+        let Turned { pieces, faces: turned, seams } = orient(&mut raw, &pairs)?;
+        let (junctions, joined) = junctions::cut(&mut raw, &pairs)?;
+        refuse_pinched(&raw)?;
         let faces: Vec<Cell> = raw.faces.iter().map(|face| face.cell).collect();
-        let edges = boundary_edges(&faces);
+        let edges = free_edges(&faces, &joined);
         if seams > 0 {
             let note =
                 format!("coincident nodes on the boundary: {seams}; the surface is open there, as at a slit");
@@ -128,7 +139,9 @@ impl Surface {
             file: String::new(),
             format,
             checksum: 0,
-            loops: loops(&raw.positions, &edges),
+            loops: loops(&raw.positions, &edges, &joined),
+            joined,
+            junctions,
             positions: raw.positions,
             faces,
             sets: BTreeMap::new(),
@@ -206,6 +219,21 @@ impl Surface {
         self
     }
 
+    /// What is tied at junctions, in words.
+    pub fn tied(&self) -> String {
+        let Junctions { branches, folds } = self.junctions;
+        let particles = self.joined.iter().map(Vec::len).sum();
+        let kinds = [(branches, "edge", " of three faces and more"), (folds, "fold", "")];
+        let kinds: Vec<String> =
+            kinds.into_iter().filter(|k| k.0 > 0).map(|(n, what, more)| counted(n, what) + more).collect();
+        format!(
+            "{}: {} tied at {}",
+            kinds.join(", "),
+            counted(particles, "particle"),
+            counted(self.joined.len(), "place")
+        )
+    }
+
     /// Normals of the file, or area-weighted means over the faces (any length).
     pub fn node_normals(&self) -> Vec<Vec3> {
         self.normals.clone().unwrap_or_else(|| mean_normals(&self.positions, &self.faces))
@@ -225,6 +253,7 @@ impl Surface {
                 edge_normals: vec![Vec3::zeros(); self.positions.len()],
                 edge_lengths: vec![0.0; self.positions.len()],
                 cells: Vec::new(),
+                joined: Vec::new(),
                 sides: None,
                 lattice: None,
             };
@@ -232,7 +261,7 @@ impl Surface {
             return Ok((cloud, Cells::default()));
         }
         let (cells, counts) = self.cells();
-        let cloud = Cloud::from_cells(self.positions.clone(), Some(normals), cells);
+        let cloud = Cloud::from_sheets(self.positions.clone(), Some(normals), cells, self.joined.clone());
         cloud.map(|cloud| (cloud, counts)).map_err(|error| self.refusal(&error))
     }
 

@@ -31,6 +31,30 @@ pub enum SpaceError {
         /// Smallest distance accepted `[L]`.
         bound: f64,
     },
+    /// A list of joined particles names one that does not exist, or that is joined already.
+    #[error(
+        "particle {particle} is joined twice or not below {particles}; correct the lists of joined particles"
+    )]
+    BadJoint {
+        /// Particle index found.
+        particle: usize,
+        /// Number of particles.
+        particles: usize,
+    },
+    /// Joined particles stand apart.
+    #[error(
+        "particles {first} and {second} are joined and stand {distance:e} apart, at most {bound:e} is allowed; put them on one place"
+    )]
+    JoinedApart {
+        /// The first particle of the list.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// Distance between the two `[L]`.
+        distance: f64,
+        /// Greatest distance accepted `[L]`.
+        bound: f64,
+    },
     /// A particle belongs to no cell, or has no neighbour.
     #[error(
         "particle {particle} is isolated: {found} cells or neighbours, at least 1 is needed; connect or remove it"

@@ -152,6 +152,7 @@ fn line(n: usize) -> Cloud {
         edge_normals: vec![Vec3::zeros(); n],
         edge_lengths: vec![0.0; n],
         cells: Vec::new(),
+        joined: Vec::new(),
         sides: None,
         lattice: None,
     }

@@ -11,6 +11,23 @@ pub enum ShellError {
     /// Density must be positive and finite.
     #[error("density is {0}; it must be positive and finite")]
     Density(f64),
+    /// Joined particles under a formulation that is not sampled at cells.
+    #[error(
+        "sheets that meet along a line need strains sampled at cells; use the formulation stress-point with the support cell"
+    )]
+    JunctionOfWideStencils,
+    /// Joined particles whose directors run along one line, about which nothing would resist.
+    #[error(
+        "the sheets that meet at particle {particle} are parallel: the sine of the greatest angle between their normals is {sine:.1e}, at least {bound} is needed; give them one particle there, or keep them apart"
+    )]
+    ParallelDirectors {
+        /// A particle of the place.
+        particle: u32,
+        /// Sine of the greatest angle.
+        sine: f64,
+        /// What it must be.
+        bound: f64,
+    },
     /// A particle number beyond the cloud.
     #[error("{what} names particle {particle}, but the cloud has {count} particles (numbered from 0)")]
     NoSuchParticle {

@@ -10,8 +10,9 @@ use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;
 use crate::error::ShellError;
-use crate::formulation::Formulation;
+use crate::formulation::{Formulation, Reach};
 use crate::gather::Places;
+use crate::junction::group::Junctions;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme};
@@ -49,6 +50,10 @@ impl Shell {
     /// [`ShellError`]: unsound clouds, stencils too small for their order, empty or unknown sets,
     /// supports that contradict each other.
     pub fn new(parts: Parts) -> Result<Self, ShellError> {
+        let cells = matches!(parts.formulation, Formulation::StressPoint(Reach::Cell));
+        if !cells && !parts.cloud.joined.is_empty() {
+            return Err(ShellError::JunctionOfWideStencils);
+        }
         let scales = parts.section.scales();
         let reference = Reference::new(
             parts.cloud,
@@ -61,6 +66,7 @@ impl Shell {
             load.load.check(&reference)?;
         }
         let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
+        let junctions = Junctions::new(&reference)?;
         let (points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {
@@ -82,6 +88,7 @@ impl Shell {
             chord_loss,
             constraint_of,
             constraints,
+            junctions,
             loads: parts.loads,
             wetted: None,
             internal_energy: 0.0,
@@ -134,10 +141,13 @@ impl Shell {
         self.state.is_empty()
     }
 
-    /// Degrees of freedom that no support holds: three translations and two rotations a particle, less what is held.
+    /// Degrees of freedom that no support holds: three translations and two rotations a particle, three and three a group of tied
+    /// ones, less what is held.
     pub fn freedoms(&self) -> usize {
-        let held: usize = self.constraints.iter().map(Constraint::held_freedoms).sum();
-        5 * self.len() - held
+        let alone = (0..self.len()).filter(|&a| self.junctions.first(a) == a);
+        let held: usize = alone.filter_map(|a| self.constraint(a)).map(Constraint::held_freedoms).sum();
+        let (particles, groups) = self.tied();
+        5 * (self.len() - particles) + 6 * groups - held
     }
 
     /// Internal energy found by the last evaluation that was asked for it \[F L\].
@@ -167,18 +177,23 @@ impl Shell {
         self.external.get(particle).copied().unwrap_or([0.0; 6])
     }
 
-    /// What the supports of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated.
+    /// What the supports of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated. The first
+    /// particle of a group bears what supports of the group do.
     pub fn reaction(&self, particle: usize) -> Vec3 {
-        let f = self.internal_force(particle);
-        let e = self.external_force(particle);
+        let f = self.gathered(particle, |a| self.internal_force(a));
+        let e = self.gathered(particle, |a| self.external_force(a));
         Vec3::new(f[0] - e[0], f[1] - e[1], f[2] - e[2])
     }
 
     /// The moment that the supports of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let f = self.internal_force(particle);
-        let e = self.external_force(particle);
+        let [f, e] = [self.internal_force(particle), self.external_force(particle)];
+        if self.junctions.of(particle).is_some() {
+            let of = |row: Row| Vec3::new(row[3], row[4], row[5]);
+            return of(self.gathered(particle, |a| self.internal_force(a)))
+                - of(self.gathered(particle, |a| self.external_force(a)));
+        }
         self.director(particle).cross(&Vec3::new(f[3] - e[3], f[4] - e[4], f[5] - e[5]))
     }
 

@@ -34,7 +34,8 @@ impl Shell {
         Vec3::new(row[3], row[4], row[5])
     }
 
-    /// Sets the velocity of a particle and the rate of its director; held parts are taken out.
+    /// Sets the velocity of a particle and the rate of its director; held parts are taken out. Tied particles share the velocity
+    /// last set, and turn as their directors' rates say.
     pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
         let d = self.director(particle);
         let tangent = director_rate - d * d.dot(&director_rate);
@@ -43,6 +44,9 @@ impl Shell {
             (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
         }
         self.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
+        for &a in self.junctions.of(particle).iter().flat_map(|group| &group.particles) {
+            self.rates[a as usize][..3].copy_from_slice(&v);
+        }
     }
 
     /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.

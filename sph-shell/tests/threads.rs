@@ -126,10 +126,9 @@ fn one_sweep_and_two_passes_give_the_same_bits() {
 }
 
 /// Allocations of 200 steps after a few to warm up.
-fn allocations(threads: usize) -> usize {
+fn allocations(threads: usize, mut shell: Shell) -> usize {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
-        let mut shell = body(Formulation::StressPoint(Reach::Cell), threads);
         let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
         let mut march = |steps: usize| {
             for _ in 0..steps {
@@ -148,7 +147,11 @@ fn a_step_allocates_nothing() {
     let _alone = ALONE.lock().unwrap();
     for threads in [1, 2] {
         // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
-        let counted = allocations(threads);
-        assert!(counted < 20, "{counted} allocations in 200 steps on {threads} threads");
+        let cells = Formulation::StressPoint(Reach::Cell);
+        let sheets = Parts { threads, ..common::parts(common::tee(5, 1.0, 5), cells, 0.1) };
+        for shell in [body(cells, threads), Shell::new(sheets).unwrap()] {
+            let counted = allocations(threads, shell);
+            assert!(counted < 20, "{counted} allocations in 200 steps on {threads} threads");
+        }
     }
 }

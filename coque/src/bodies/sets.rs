@@ -1,6 +1,6 @@
 //! Named sets of particles: edges, corners and middle rows of the lattice, nearest particles, boxes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
 
@@ -60,6 +60,19 @@ impl Sets {
             SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
         })
     }
+}
+
+/// The particles of a set, one for each place: the first of those that a junction ties stands for all of them.
+pub(crate) fn places<'a>(cloud: &'a Cloud, particles: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
+    let mut first: BTreeMap<u32, u32> = BTreeMap::new();
+    for group in &cloud.joined {
+        first.extend(group.iter().map(|&a| (a, group[0])));
+    }
+    let mut told = BTreeSet::new();
+    particles.iter().filter_map(move |a| match first.get(a) {
+        None => Some(*a),
+        Some(&first) => told.insert(first).then_some(first),
+    })
 }
 
 fn built_in(name: &str, cloud: &Cloud) -> Option<Vec<u32>> {

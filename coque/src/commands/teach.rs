@@ -2,7 +2,7 @@
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 35] = [
+const TEMPLATES: [(&str, &str); 36] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -81,11 +81,15 @@ const TEMPLATES: [(&str, &str); 35] = [
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
     ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
+    ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
     ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
 ];
+
+/// The templates on a mesh, with the mesh that is written beside them.
+const MESHES: [(&str, &str); 1] = [("t-frame", include_str!("../../../scenes/meshes/t-frame.msh"))];
 
 /// Writes a scene to start from, or lists what there is.
 pub fn new(new: &New) -> Result<(), Refused> {
@@ -97,21 +101,33 @@ pub fn new(new: &New) -> Result<(), Refused> {
     };
     let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
     let shown = file.display().to_string();
+    let text = text.replace(&format!("scenes/meshes/{name}.msh"), &format!("{name}.msh"));
+    let text = text.replace(&format!("scenes/meshes/{name}.toml"), &shown);
+    let text = text.replace(&format!("scenes/{name}.toml"), &shown);
+    if let Some((_, mesh)) = MESHES.iter().find(|(known, _)| known == name) {
+        write_new(&file.with_file_name(format!("{name}.msh")), mesh)?;
+    }
+    // The schema lies beside the scenes of the repository, not here.
+    let lines = text.lines().filter(|line| !line.starts_with("#:schema"));
+    let text: String = lines.map(|line| format!("{line}\n")).collect();
+    write_new(&file, &text)?;
+    print(&format!("{shown}: look at it, then\n  coque check {shown}\n  coque run {shown}\n"))
+}
+
+/// Writes a file that is not there yet, whole or not at all.
+fn write_new(file: &Path, text: &str) -> Result<(), Refused> {
+    let shown = file.display();
     let refuse = |error: io::Error| match error.kind() {
         io::ErrorKind::AlreadyExists => format!("{shown} is there already; name another file\n"),
         _ => format!("cannot write {shown}: {error}\n"),
     };
-    let text = text.replace(&format!("scenes/{name}.toml"), &shown);
-    let mut to = OpenOptions::new().write(true).create_new(true).open(&file).map_err(refuse)?;
-    // The schema lies beside the scenes of the repository, not here.
-    let lines = text.lines().filter(|line| !line.starts_with("#:schema"));
-    let text: String = lines.map(|line| format!("{line}\n")).collect();
+    let mut to = OpenOptions::new().write(true).create_new(true).open(file).map_err(refuse)?;
     if let Err(error) = to.write_all(text.as_bytes()).and_then(|()| to.sync_all()) {
         // Half a template is none.
-        let _ = fs::remove_file(&file);
+        let _ = fs::remove_file(file);
         return Err(refuse(error).into());
     }
-    print(&format!("{shown}: look at it, then\n  coque check {shown}\n  coque run {shown}\n"))
+    Ok(())
 }
 
 /// Name and title of each template.

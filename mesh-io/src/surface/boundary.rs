@@ -12,7 +12,7 @@ const TOUCHING: f64 = 1e-6;
 /// Nodes on one place beyond which they are taken for a file whose nodes were never joined.
 const CROWD: usize = 1000;
 
-/// A closed line of boundary nodes.
+/// A line of boundary nodes, closed but where more sheets than two meet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Nodes in order, with the surface to the left seen against the normal; the lowest comes first.
@@ -29,23 +29,62 @@ pub fn boundary_edges(faces: &[Cell]) -> HashMap<u32, u32> {
     faces.iter().flat_map(Cell::edges).filter(|&(a, b)| !all.contains(&(b, a))).collect()
 }
 
-/// All loops, the longest first.
-pub(super) fn loops(positions: &[Vec3], edges: &HashMap<u32, u32>) -> Vec<Loop> {
-    let mut starts: Vec<u32> = edges.keys().copied().collect();
-    starts.sort_unstable();
+/// The same without the edges along which sheets meet: both ends of such an edge stand where other sheets do, and it is an edge of
+/// one of them too.
+pub(super) fn free_edges(faces: &[Cell], joined: &[Vec<u32>]) -> HashMap<u32, u32> {
+    let mut edges = boundary_edges(faces);
+    if joined.is_empty() {
+        return edges;
+    }
+    let mut place = HashMap::new();
+    for group in joined {
+        place.extend(group.iter().map(|&node| (node, group[0])));
+    }
+    let at = |node: u32| place.get(&node).copied().unwrap_or(node);
+    let mut faces_at = HashMap::new();
+    for (a, b) in faces.iter().flat_map(Cell::edges) {
+        let (a, b) = (at(a), at(b));
+        *faces_at.entry((a.min(b), a.max(b))).or_insert(0) += 1;
+    }
+    edges.retain(|&a, b| {
+        let (a, b) = (at(a), at(*b));
+        faces_at.get(&(a.min(b), a.max(b))) == Some(&1)
+    });
+    edges
+}
+
+/// All loops, the longest first. Over a junction a loop goes on along the sheet next to it if there are two of them; if there are
+/// more, or one goes straight on, the line ends there.
+pub(super) fn loops(positions: &[Vec3], edges: &HashMap<u32, u32>, joined: &[Vec<u32>]) -> Vec<Loop> {
+    let arrived: HashSet<u32> = edges.values().copied().collect();
+    let mut next = edges.clone();
+    for group in joined {
+        let mut ends = group.iter().filter(|&node| arrived.contains(node) && !edges.contains_key(node));
+        let mut begins = group.iter().filter(|&node| edges.contains_key(node) && !arrived.contains(node));
+        if let ((Some(&end), None), (Some(&begin), None)) =
+            ((ends.next(), ends.next()), (begins.next(), begins.next()))
+        {
+            next.insert(end, begin);
+        }
+    }
+    let reached: HashSet<u32> = next.values().copied().collect();
+    let mut starts: Vec<u32> = next.keys().copied().collect();
+    // Lines that end begin where nothing arrives; what is left then is closed.
+    starts.sort_unstable_by_key(|&node| (reached.contains(&node), node));
     let mut seen = HashSet::new();
     let mut loops = Vec::new();
     for start in starts {
         let mut nodes = Vec::new();
-        let mut node = start;
-        while seen.insert(node) {
-            nodes.push(node);
-            node = edges.get(&node).copied().unwrap_or(start);
+        let mut node = Some(start);
+        while let Some(at) = node.filter(|&at| seen.insert(at)) {
+            nodes.push(at);
+            node = next.get(&at).copied();
         }
         if nodes.is_empty() {
             continue;
         }
-        let ends = nodes.iter().zip(nodes.iter().cycle().skip(1));
+        let closed = next.get(&nodes[nodes.len() - 1]) == Some(&start);
+        let ends = nodes.iter().zip(nodes.iter().cycle().skip(1)).take(nodes.len() - usize::from(!closed));
         let length = ends.map(|(&a, &b)| (positions[b as usize] - positions[a as usize]).norm()).sum();
         loops.push(Loop { nodes, length });
     }

@@ -1,4 +1,4 @@
-//! Makes a sheet of faces: every edge with one or two of them, all turned the same way, fans whole.
+//! Makes sheets of faces: neighbours turned the same way, fans whole.
 
 use std::collections::HashMap;
 
@@ -6,6 +6,7 @@ use sph_core::{Cell, Vec3};
 
 use super::MeshError;
 use super::boundary::refuse_hanging;
+use super::junctions::{Bond, Pair};
 use super::raw::{Face, Raw};
 
 /// Area below which a face has none, in units of its longest edge squared; the bound of the cloud.
@@ -13,12 +14,12 @@ const FLAT: f64 = 1e-6;
 
 /// An edge as one face has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
-    low: u32,
-    high: u32,
-    face: u32,
+pub(super) struct Side {
+    pub low: u32,
+    pub high: u32,
+    pub face: u32,
     /// Whether the face goes from the lower to the higher node.
-    forward: bool,
+    pub forward: bool,
 }
 
 /// What was done to turn all faces the same way.
@@ -77,24 +78,21 @@ pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
 
 /// Turns faces so that neighbours run opposite ways along their common edge, by a flood through every piece.
 ///
-/// The smaller part of a piece is turned; faces agree with given normals where these are known. Refuses
-/// edges of three faces, nodes that hang on a foreign edge, surfaces that have one side only, and fans that meet
-/// at a node.
-pub(super) fn orient(raw: &mut Raw) -> Result<Turned, MeshError> {
+/// The smaller part of a piece is turned; faces agree with given normals where these are known. Across folds faces are turned
+/// the same way too. Refuses nodes that hang on a foreign edge, and surfaces that have one side only.
+pub(super) fn orient(raw: &mut Raw, pairs: &[Pair]) -> Result<Turned, MeshError> {
     let sides = sides(&raw.faces);
-    let neighbours = neighbours(raw, &sides)?;
+    let neighbours = neighbours(raw, pairs);
     let alone = sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high)).filter(|shared| shared.len() == 1);
     let edges: Vec<(u32, u32)> = alone.map(|shared| (shared[0].low, shared[0].high)).collect();
     let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node), &|node| raw.line_at(node))?;
-    refuse_pinched(raw, &sides)?;
     let mut turned = vec![None; raw.faces.len()];
-    let mut result = Turned { seams, ..Turned::default() };
+    let mut result = Turned { seams, pieces: pieces(raw.faces.len(), pairs), ..Turned::default() };
     let mut piece = Vec::new();
     for start in 0..raw.faces.len() {
         if turned[start].is_some() {
             continue;
         }
-        result.pieces += 1;
         piece.clear();
         piece.push(start as u32);
         turned[start] = Some(false);
@@ -132,6 +130,18 @@ pub(super) fn orient(raw: &mut Raw) -> Result<Turned, MeshError> {
     Ok(result)
 }
 
+/// Parts that hang together over edges.
+fn pieces(faces: usize, pairs: &[Pair]) -> usize {
+    let mut parent: Vec<u32> = (0..faces as u32).collect();
+    let mut count = faces;
+    for pair in pairs {
+        let [a, b] = pair.faces.map(|face| root(&mut parent, face));
+        parent[a.max(b) as usize] = a.min(b);
+        count -= usize::from(a != b);
+    }
+    count
+}
+
 /// Area by which a face (turned or not) looks away from the normals at its nodes; zero without normals.
 fn against_normals(raw: &Raw, face: u32, turned: Option<bool>) -> f64 {
     let cell = raw.faces[face as usize].cell;
@@ -145,7 +155,7 @@ fn against_normals(raw: &Raw, face: u32, turned: Option<bool>) -> f64 {
 }
 
 /// Every edge of every face, those of the same two nodes together.
-fn sides(faces: &[Face]) -> Vec<Side> {
+pub(super) fn sides(faces: &[Face]) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::new();
     for (face, cell) in faces.iter().map(|face| face.cell).enumerate() {
         let side =
@@ -159,32 +169,14 @@ fn sides(faces: &[Face]) -> Vec<Side> {
 /// For each face its neighbours, whether they run opposite ways along the common edge, and that edge.
 type Neighbours = Vec<Vec<(u32, bool, (u32, u32))>>;
 
-fn neighbours(raw: &Raw, sides: &[Side]) -> Result<Neighbours, MeshError> {
+fn neighbours(raw: &Raw, pairs: &[Pair]) -> Neighbours {
     let mut neighbours: Neighbours = vec![Vec::new(); raw.faces.len()];
-    for shared in sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high)) {
-        match shared {
-            [] | [_] => {}
-            [one, other] => {
-                let (edge, agrees) = ((one.low, one.high), one.forward != other.forward);
-                neighbours[one.face as usize].push((other.face, agrees, edge));
-                neighbours[other.face as usize].push((one.face, agrees, edge));
-            }
-            [first, ..] => {
-                let labels = shared.iter().map(|side| raw.faces[side.face as usize].label.to_string());
-                let what = format!(
-                    "the edge between {} and {} belongs to {} faces ({}); at most 2 are allowed",
-                    raw.name(first.low),
-                    raw.name(first.high),
-                    shared.len(),
-                    labels.take(5).collect::<Vec<_>>().join(", ")
-                );
-                let repair = "junctions are not modelled: keep two of the faces, or split the surface there";
-                let last = shared.iter().map(|side| raw.faces[side.face as usize].line).max();
-                return Err(MeshError::at(last.unwrap_or(0), what, repair));
-            }
-        }
+    for &Pair { faces: [one, other], edge, agree, .. } in pairs.iter().filter(|pair| pair.bond != Bond::Place)
+    {
+        neighbours[one as usize].push((other, agree, edge));
+        neighbours[other as usize].push((one, agree, edge));
     }
-    Ok(neighbours)
+    neighbours
 }
 
 fn one_sided(raw: &Raw, (a, b): (u32, u32)) -> MeshError {
@@ -198,7 +190,8 @@ fn one_sided(raw: &Raw, (a, b): (u32, u32)) -> MeshError {
 }
 
 /// Refuses nodes where faces meet that are joined by no edge there: two fans touching at a point.
-fn refuse_pinched(raw: &Raw, sides: &[Side]) -> Result<(), MeshError> {
+pub(super) fn refuse_pinched(raw: &Raw) -> Result<(), MeshError> {
+    let sides = sides(&raw.faces);
     // Corners of faces, joined over common edges; each node must have one group of them.
     let mut parent: Vec<u32> = (0..4 * raw.faces.len() as u32).collect();
     let corner = |face: u32, node: u32| {
@@ -230,7 +223,8 @@ fn refuse_pinched(raw: &Raw, sides: &[Side]) -> Result<(), MeshError> {
     Ok(())
 }
 
-fn root(parent: &mut [u32], mut entry: u32) -> u32 {
+/// The representative of an entry, and of all that were joined to it.
+pub(super) fn root(parent: &mut [u32], mut entry: u32) -> u32 {
     while parent[entry as usize] != entry {
         // Halving the path keeps it short.
         parent[entry as usize] = parent[parent[entry as usize] as usize];

@@ -50,6 +50,9 @@ pub fn report(surface: &Surface, doubts: impl Fn(&Cloud) -> Vec<String>) -> Resu
             0 => "all faces turned the same way".into(),
             turned => format!("{} turned round to agree with the others", counted(turned, "face")),
         };
+        if !surface.joined.is_empty() {
+            line("junctions", surface.tied());
+        }
         line("pieces", format!("{}; {turned}", surface.pieces));
     }
     let normals = if surface.normals.is_some() { "from the file" } else { "means over the faces, by area" };

@@ -38,6 +38,9 @@ pub struct Cloud {
     pub edge_lengths: Vec<f64>,
     /// Quadrangles and triangles between the particles.
     pub cells: Vec<Cell>,
+    /// Particles of different sheets that stand on one place and belong together, at junctions; each list ascending, none
+    /// shares a particle with another.
+    pub joined: Vec<Vec<u32>>,
     /// The four edges, if the cloud covers a patch.
     pub sides: Option<Sides>,
     /// The lattice behind the numbering, if there is one.
@@ -69,6 +72,17 @@ impl Cloud {
         normals: Option<Vec<Vec3>>,
         cells: Vec<Cell>,
     ) -> Result<Cloud, SpaceError> {
+        Self::from_sheets(positions, normals, cells, Vec::new())
+    }
+
+    /// The same of sheets that meet along lines: each sheet has particles of its own there, and `joined` lists those that stand on
+    /// one place. Areas, normals and edges are those of each sheet alone.
+    pub fn from_sheets(
+        positions: Vec<Vec3>,
+        normals: Option<Vec<Vec3>>,
+        cells: Vec<Cell>,
+        joined: Vec<Vec<u32>>,
+    ) -> Result<Cloud, SpaceError> {
         check_corners(&cells, positions.len())?;
         check_finite(&positions, "position")?;
         let mut areas = vec![0.0; positions.len()];
@@ -97,6 +111,7 @@ impl Cloud {
             edge_normals: edges.normals,
             edge_lengths: edges.lengths,
             cells,
+            joined,
             sides: None,
             lattice: None,
         };
@@ -108,8 +123,8 @@ impl Cloud {
     /// particles on top of each other, cells with sharp corners or against the normals of their particles, and particles in
     /// no cell (or, where there are no cells, far from all others).
     ///
-    /// The two lips of a slit may coincide, that is particles on the boundary that share no cell: cell stencils
-    /// keep the lips apart. Kernel and nodal stencils cannot, and refuse such clouds themselves.
+    /// The two lips of a slit may coincide, that is particles on the boundary that share no cell, and so may particles that are
+    /// joined: cell stencils keep the lips and the sheets apart. Kernel and nodal stencils cannot, and refuse such clouds themselves.
     pub fn check(&self) -> Result<(), SpaceError> {
         check_length("frames", self.frames.len(), self.len())?;
         check_length("areas", self.areas.len(), self.len())?;
@@ -125,9 +140,11 @@ impl Cloud {
         }
         check_corners(&self.cells, self.len())?;
         let used = self.cells_at_particles();
+        let place = self.places_joined()?;
         self.check_apart(|a, b| {
             let shared = used[a].iter().any(|c| used[b].contains(c));
-            !shared && self.edge_lengths[a] > 0.0 && self.edge_lengths[b] > 0.0
+            let one_place = place.get(a).is_some_and(|&own| own > 0 && own == place[b]);
+            !shared && (one_place || self.edge_lengths[a] > 0.0 && self.edge_lengths[b] > 0.0)
         })?;
         self.check_cells()?;
         let lonely = if self.cells.is_empty() {
@@ -164,6 +181,30 @@ impl Cloud {
         Ok(())
     }
 
+    /// For each particle the number of its joined list, one up, and zero for others; empty where nothing is joined.
+    fn places_joined(&self) -> Result<Vec<u32>, SpaceError> {
+        if self.joined.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut place = vec![0; self.len()];
+        let bound = COINCIDENT * self.spacing();
+        for (number, group) in (1..).zip(&self.joined) {
+            let first = group.first().map_or(0, |&a| a as usize);
+            for &a in group {
+                let second = a as usize;
+                match place.get_mut(second) {
+                    Some(own) if *own == 0 => *own = number,
+                    _ => return Err(SpaceError::BadJoint { particle: second, particles: self.len() }),
+                }
+                let distance = (self.positions[second] - self.positions[first]).norm();
+                if distance > bound {
+                    return Err(SpaceError::JoinedApart { first, second, distance, bound });
+                }
+            }
+        }
+        Ok(place)
+    }
+
     /// Refuses coincident particles, except pairs for which `allowed` is true.
     pub(crate) fn check_apart(&self, allowed: impl Fn(usize, usize) -> bool) -> Result<(), SpaceError> {
         let bound = COINCIDENT * self.spacing();
@@ -181,15 +222,19 @@ impl Cloud {
         Ok(())
     }
 
-    /// The particles of each sheet that hangs together through cells, ascending; the sheets in the order of their first
-    /// particles. One sheet if there are no cells.
+    /// The particles of each part that hangs together through cells and joined particles, ascending; the parts in the order of
+    /// their first particles. One part if there are no cells.
     ///
-    /// Sheets apart move apart: for a static answer each needs supports of its own.
+    /// Parts apart move apart: for a static answer each needs supports of its own.
     pub fn pieces(&self) -> Vec<Vec<u32>> {
         if self.cells.is_empty() {
             return vec![(0..self.len() as u32).collect()];
         }
         let used = self.cells_at_particles();
+        let mut joined = vec![&[] as &[u32]; self.len()];
+        for group in &self.joined {
+            group.iter().for_each(|&a| joined[a as usize] = group);
+        }
         let mut seen = vec![false; self.len()];
         let mut pieces = Vec::new();
         for start in 0..self.len() {
@@ -200,12 +245,11 @@ impl Cloud {
             let (mut piece, mut stack) = (Vec::new(), vec![start as u32]);
             while let Some(a) = stack.pop() {
                 piece.push(a);
-                for &c in &used[a as usize] {
-                    for &b in self.cells[c as usize].particles() {
-                        if !seen[b as usize] {
-                            seen[b as usize] = true;
-                            stack.push(b);
-                        }
+                let across = used[a as usize].iter().flat_map(|&c| self.cells[c as usize].particles());
+                for &b in across.chain(joined[a as usize]) {
+                    if !seen[b as usize] {
+                        seen[b as usize] = true;
+                        stack.push(b);
                     }
                 }
             }

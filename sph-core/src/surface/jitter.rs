@@ -64,6 +64,7 @@ pub fn jittered_lattice(
         edge_normals: edges.normals,
         edge_lengths: edges.lengths,
         cells,
+        joined: Vec::new(),
         sides: Some(lattice.sides()),
         lattice: Some(lattice),
     };

@@ -60,6 +60,7 @@ pub fn lattice(patch: &dyn Patch, counts: [usize; 2], weights: EndWeights) -> Re
         edge_normals: Vec::new(),
         edge_lengths: Vec::new(),
         cells: lattice.cells(),
+        joined: Vec::new(),
         sides: Some(lattice.sides()),
         lattice: Some(lattice),
     };

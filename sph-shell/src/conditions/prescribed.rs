@@ -47,6 +47,12 @@ impl Rotation {
         rest * cos + k.cross(rest) * sin + k * (k.dot(rest) * (1.0 - cos))
     }
 
+    /// Mean spin between two instants \[1/T\].
+    pub(crate) fn spin(&self, from: Instant, to: Instant) -> Vec3 {
+        let angle = |at: Instant| self.angle * at.level * self.amplitude.value(at.time);
+        self.axis * ((angle(to) - angle(from)) / (to.time - from.time))
+    }
+
     /// Rate that carries the director `d` along a great circle to where it stands at `to`, in the time from `from` \[1/T\].
     pub(crate) fn rate(&self, rest: &Vec3, d: &Vec3, from: Instant, to: Instant) -> [f64; 3] {
         let target = self.at(rest, to);

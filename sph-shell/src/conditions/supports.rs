@@ -189,11 +189,24 @@ pub(crate) fn constraints(
             list.push((support, holds));
         }
     }
+    let mut tied = vec![false; if cloud.joined.is_empty() { 0 } else { count }];
+    for group in &cloud.joined {
+        // What one particle of a group is asked all are, each support once.
+        let mut all: Vec<_> = group.iter().flat_map(|&a| std::mem::take(&mut asked[a as usize])).collect();
+        all.sort_by_key(|(support, _)| *support);
+        all.dedup_by_key(|(support, _)| *support);
+        for &a in group {
+            asked[a as usize].clone_from(&all);
+            tied[a as usize] = true;
+        }
+    }
+    let tied = |particle: usize| tied.get(particle).copied().unwrap_or_default();
     let mut number = vec![0; count];
     let mut constraints = Vec::new();
-    for (particle, list) in asked.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
+    for (particle, list) in asked.iter().enumerate().filter(|(a, list)| !list.is_empty() || tied(*a)) {
         let rest = (cloud.positions[particle], cloud.frames[particle].n);
-        constraints.push(Constraint::join(particle as u32, rest, list)?);
+        let joined = Constraint::join(particle as u32, rest, list)?;
+        constraints.push(Constraint { tied: tied(particle), ..joined });
         number[particle] = constraints.len() as u32;
     }
     Ok((number, constraints))
@@ -210,6 +223,8 @@ pub(crate) struct Constraint {
     rotation: Option<Rotation>,
     /// Position and director at rest.
     rest: (Vec3, Vec3),
+    /// Whether the particle belongs to a group, which then moves it.
+    pub(crate) tied: bool,
 }
 
 impl Constraint {
@@ -222,6 +237,7 @@ impl Constraint {
             motion: None,
             rotation: rotation(particle, asked)?,
             rest,
+            tied: false,
         };
         for (_, hold) in asked {
             for direction in &hold.translations {
@@ -291,6 +307,11 @@ impl Constraint {
         }
     }
 
+    /// Spin of the prescribed rotation over a step \[1/T\].
+    pub(crate) fn spin(&self, step: &Step) -> Option<Vec3> {
+        Some(self.rotation.as_ref()?.spin(step.from, step.to))
+    }
+
     /// Mean velocity of the prescribed motion over a step \[L/T\].
     pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
         Some(self.motion.as_ref()?.velocity(step.from, step.to))
@@ -341,12 +362,12 @@ fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
 }
 
 impl Constraint {
-    /// Degrees of freedom held, of three translations and two rotations.
+    /// Degrees of freedom held, of three translations and two rotations, of three and three of a group.
     pub(crate) fn held_freedoms(&self) -> usize {
         let rotations = match self.director {
             DirectorHold::Free => 0,
-            DirectorHold::InPlane(_) => 1,
-            DirectorHold::Fixed => 2,
+            DirectorHold::InPlane(_) => 1 + usize::from(self.tied),
+            DirectorHold::Fixed => 2 + usize::from(self.tied),
         };
         self.count + rotations
     }

@@ -4,6 +4,7 @@ use shell_kinematics::{LANES, Pack};
 use sph_core::Vec3;
 
 use crate::Shell;
+use crate::conditions::supports::Constraint;
 use crate::points::point::PointState;
 
 /// Strains and resultants of one sampling point.
@@ -32,7 +33,7 @@ pub struct PointResult {
 impl Shell {
     /// Whether a support holds any degree of freedom of a particle.
     pub fn is_held(&self, particle: usize) -> bool {
-        self.constraint(particle).is_some()
+        self.constraint(particle).is_some_and(Constraint::holds)
     }
 
     /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of

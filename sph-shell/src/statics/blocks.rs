@@ -55,6 +55,7 @@ impl BlockPattern {
                 row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
             }
         }
+        shell.junctions.add_pairs(&mut rows);
         let mut pattern = Self {
             offsets: vec![0],
             columns: Vec::new(),

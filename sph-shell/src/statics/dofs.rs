@@ -19,12 +19,12 @@ pub(crate) struct DofMap {
     translations: Vec<u8>,
 }
 
-/// The directions of one particle's unknowns in `[x, d]`, up to three translations and two turns.
+/// The directions of one particle's unknowns in `[x, d]`, up to three translations and two turns; three of a group.
 pub(crate) struct Basis {
-    /// Unit vectors; those from number `translations` on turn the director.
-    pub directions: [Vec3; 5],
+    /// Unit vectors; those from number `translations` on turn the director, or are axes about which a group turns.
+    pub directions: [Vec3; 6],
     /// What a unit of each unknown moves along its direction: 1 for translations, `1/arc` for turns.
-    pub rates: [f64; 5],
+    pub rates: [f64; 6],
     pub translations: usize,
     pub count: usize,
 }
@@ -61,8 +61,18 @@ impl DofMap {
 }
 
 impl Basis {
+    /// None yet, turns counted as arcs of a radius.
+    pub fn empty(arc: f64) -> Self {
+        Self { directions: [Vec3::zeros(); 6], rates: [1.0 / arc; 6], translations: 0, count: 0 }
+    }
+
+    pub fn push(&mut self, direction: Vec3) {
+        self.directions[self.count] = direction;
+        self.count += 1;
+    }
+
     /// The first unknowns are translations.
-    fn move_first(&mut self, translations: usize) {
+    pub fn move_first(&mut self, translations: usize) {
         self.translations = translations;
         self.rates[..translations].fill(1.0);
     }
@@ -82,7 +92,7 @@ impl Basis {
         }
     }
 
-    /// Displacement and turn of the director for components along the unknowns.
+    /// Displacement and turn of the director, or rotation of a group, for components along the unknowns.
     pub fn expand(&self, components: &[f64]) -> (Vec3, Vec3) {
         let (mut u, mut v) = (Vec3::zeros(), Vec3::zeros());
         for (i, &c) in components.iter().enumerate() {
@@ -96,32 +106,30 @@ impl Basis {
 impl Shell {
     /// Directions of a particle's unknowns at the present state, turns counted as arcs of a radius.
     pub(crate) fn basis(&self, particle: usize, arc: f64) -> Basis {
+        if let Some(group) = self.junctions.of(particle) {
+            return self.tied_basis(group, particle, arc);
+        }
         let d = self.director(particle);
         let frame = Frame::from_normal(d);
-        let mut basis =
-            Basis { directions: [Vec3::zeros(); 5], rates: [1.0 / arc; 5], translations: 0, count: 0 };
-        let mut push = |direction: Vec3| {
-            basis.directions[basis.count] = direction;
-            basis.count += 1;
-        };
+        let mut basis = Basis::empty(arc);
         let Some(constraint) = self.constraint(particle) else {
             for direction in [Vec3::x(), Vec3::y(), Vec3::z(), frame.t1, frame.t2] {
-                push(direction);
+                basis.push(direction);
             }
             basis.move_first(3);
             return basis;
         };
         for direction in constraint.free_directions() {
-            push(direction);
+            basis.push(direction);
         }
         let translations = 3 - constraint.held_translations();
         match constraint.director {
             DirectorHold::Free => {
-                push(frame.t1);
-                push(frame.t2);
+                basis.push(frame.t1);
+                basis.push(frame.t2);
             }
             // The director turns within the plane of its normal.
-            DirectorHold::InPlane(normal) => push(normal.cross(&d).normalize()),
+            DirectorHold::InPlane(normal) => basis.push(normal.cross(&d).normalize()),
             DirectorHold::Fixed => {}
         }
         basis.move_first(translations);

@@ -73,7 +73,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let share = direction.normalize() / particles.len() as f64;
         let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
         for &a in particles {
-            self.basis(a as usize).project(&row, &mut weights[self.dofs.of(a as usize)]);
+            let a = self.shell.junctions.first(a as usize);
+            let (mut part, own) = ([0.0; 6], self.dofs.of(a));
+            self.basis(a).project(&row, &mut part[..own.len()]);
+            weights[own].iter_mut().zip(part).for_each(|(weight, part)| *weight += part);
         }
         weights
     }
@@ -90,7 +93,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            self.basis(a).project(&row(a), &mut out[self.dofs.of(a)]);
+            self.basis(a).project(&self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
         }
     }
 
@@ -231,8 +234,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
-        let shell = &*self.shell;
-        self.project_blocks(&self.blocks, |a| shell.radial(a, shell.internal_force(a)), values);
+        self.assemble(None, values);
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
@@ -247,8 +249,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
         self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
         // Without stress here, the force along the director is that of the stresses alone up to their square.
-        let shell = &*self.shell;
-        self.project_blocks(&self.blocks, |a| shell.radial(a, internal[a]), values);
+        self.assemble(Some(&internal), values);
         true
     }
 
@@ -322,10 +323,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let turning = self.shell.thickness().powi(2) / 12.0 / self.dofs.arc.powi(2);
         (0..self.unknowns())
             .map(|unknown| {
-                let (particle, _, moves) = self.dofs.find(unknown);
-                let reference = &self.shell.reference;
-                let mass = reference.masses[particle];
-                if moves { mass } else { mass * turning }
+                let (particle, place, moves) = self.dofs.find(unknown);
+                if moves {
+                    return self.shell.moving_mass(particle);
+                }
+                self.shell.turning_mass(particle, || self.basis(particle).directions[place]) * turning
             })
             .collect()
     }
@@ -334,7 +336,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
         let x = self.shell.reference.cloud.positions[particle];
-        let what = if moves { "moving" } else { "its director turning" };
+        let what = match (moves, self.shell.junctions.of(particle)) {
+            (true, _) => "moving",
+            (false, None) => "its director turning",
+            (false, Some(_)) => "its junction turning",
+        };
         format!(
             "particle {particle} at ({:.4}, {:.4}, {:.4}), {what} along ({:.2}, {:.2}, {:.2})",
             x.x, x.y, x.z, direction.x, direction.y, direction.z
@@ -351,6 +357,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Moves a particle by components along its unknowns; gives the turn of its director, carried along.
     fn move_particle(&mut self, a: usize, components: &[f64]) -> Vec3 {
         let (u, v) = self.basis(a).expand(components);
+        if self.shell.junctions.of(a).is_some() {
+            self.shell.move_tied(a, &u, &v);
+            return v; // a rotation leaves its own axis
+        }
         let row = &mut self.shell.state[a];
         let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
         *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
@@ -363,6 +373,27 @@ impl Shell {
     fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
         let (e, row) = (self.external_force(a), &self.state[a]);
         (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Entries between the unknowns from the blocks; with internal forces other than those last evaluated, if they are given.
+    fn assemble(&mut self, internal: Option<&[Row]>, values: &mut [f64]) {
+        let Self { shell, pattern, blocks, .. } = self;
+        let shell = &**shell;
+        let force = |a: usize| internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]);
+        let lack = |a: usize| {
+            let (f, e) = (force(a), shell.external_force(a));
+            std::array::from_fn(|k| f[k] - e[k])
+        };
+        shell.junctions.tie(&shell.state, pattern, blocks, 1.0);
+        shell.junctions.add_rotation_blocks(&shell.state, pattern, blocks, lack);
+        // A director that turns keeps its length: its force along itself stiffens or softens every turn.
+        let shell = &*self.shell;
+        let own = |a: usize| internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]);
+        let tied = |a: usize| shell.junctions.of(a).is_some();
+        let radial = |a: usize| if tied(a) { 0.0 } else { shell.radial(a, own(a)) };
+        self.project_blocks(&self.blocks, radial, values);
     }
 }
 

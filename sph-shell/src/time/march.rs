@@ -54,6 +54,7 @@ impl Shell {
 
     /// Kicks all particles, and moves them with `DRIFT`, from the slots that the sweep over all points filled.
     fn update<const DRIFT: bool>(&mut self, step: &Step) -> Work {
+        let of_groups = self.kick_groups(step, DRIFT);
         let mut next = std::mem::take(&mut self.next);
         let mut rates = std::mem::take(&mut self.rates);
         let mut chunk_work = std::mem::take(&mut self.chunk_work);
@@ -80,7 +81,8 @@ impl Shell {
         if DRIFT {
             std::mem::swap(&mut self.state, &mut self.next);
         }
-        self.total_work(step)
+        self.drift_groups(if DRIFT { step.drift() } else { 0.0 });
+        self.total_work(step, of_groups)
     }
 
     /// A step by the plan; external forces are already evaluated.
@@ -93,12 +95,12 @@ impl Shell {
         fused.advance(&self.sweep(false), &self.update_parts(step, &[]), rows, &mut work);
         (self.next, self.rates, self.chunk_work, self.fused) = (next, rates, work, Some(fused));
         std::mem::swap(&mut self.state, &mut self.next);
-        self.total_work(step)
+        self.total_work(step, Work::default())
     }
 
-    /// Adds the work of all chunks, in their order whatever the threads.
-    fn total_work(&self, step: &Step) -> Work {
-        let sum = self.chunk_work.iter().fold(Work::default(), |sum, part| Work {
+    /// Adds the work of all chunks, in their order whatever the threads, to what is there already.
+    fn total_work(&self, step: &Step, first: Work) -> Work {
+        let sum = self.chunk_work.iter().fold(first, |sum, part| Work {
             kinetic: sum.kinetic + part.kinetic,
             external: sum.external + part.external,
             dissipated: 0.0,
@@ -119,13 +121,16 @@ impl Dynamics for Shell {
     }
 
     fn drift(&mut self, step: &Step) {
+        self.set_groups_aside();
         for (row, rate) in self.state.iter_mut().zip(&mut self.rates) {
             (*row, *rate) = drifted(row, rate, step.drift());
         }
+        self.drift_groups(step.drift());
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        if self.fused.is_some() {
+        // Groups gather forces that the fused step does not keep.
+        if self.fused.is_some() && self.junctions.is_empty() {
             self.evaluate_external(step.from);
             return self.fused_step(step);
         }

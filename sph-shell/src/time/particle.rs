@@ -70,6 +70,11 @@ impl Decay {
         let half = 0.5 * step.damping * step.kick;
         Self { before: 1.0 - half, after: 1.0 / (1.0 + half) }
     }
+
+    /// A velocity after the kick `push = κ f/m`.
+    pub fn kicked(self, old: f64, push: f64) -> f64 {
+        (old * self.before + push) * self.after
+    }
 }
 
 impl Update<'_> {
@@ -261,6 +266,9 @@ impl Update<'_> {
 
     /// Takes out what a support holds and puts in what it prescribes; true if it prescribes anything.
     fn hold(&self, constraint: &Constraint, row: Row, new: Row) -> (Row, bool) {
+        if constraint.tied {
+            return ([0.0; 6], false); // its group moves it
+        }
         let mut v = constraint.free_translation([new[0], new[1], new[2]]);
         let motion = constraint.velocity(self.step);
         if let Some(motion) = motion {

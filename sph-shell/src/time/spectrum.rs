@@ -47,12 +47,9 @@ impl LinearisedDynamics for Shell {
         }
         self.state = home;
         let [plus, minus] = forces;
-        for a in 0..self.len() {
-            let mut f = [0.0; 6];
-            for k in 0..6 {
-                f[k] = (plus[a][k] - minus[a][k]) / (2.0 * eps);
-            }
-            out[6 * a..6 * a + 6].copy_from_slice(&self.free_part(a, f));
+        let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
+        for (a, out) in out.chunks_exact_mut(6).enumerate() {
+            out.copy_from_slice(&self.free_part(a, change));
         }
     }
 }
@@ -60,13 +57,20 @@ impl LinearisedDynamics for Shell {
 impl MassScaled for Shell {
     fn out_of_balance(&self, out: &mut [f64]) {
         for (a, out) in out.chunks_exact_mut(6).enumerate() {
-            let (internal, external) = (self.internal_force(a), self.external_force(a));
-            out.copy_from_slice(&self.free_part(a, std::array::from_fn(|k| external[k] - internal[k])));
+            let lack = |a: usize| {
+                let (internal, external) = (self.internal_force(a), self.external_force(a));
+                std::array::from_fn(|k| external[k] - internal[k])
+            };
+            out.copy_from_slice(&self.free_part(a, lack));
         }
     }
 
     fn rates(&self, out: &mut [f64]) {
         for (a, (rate, out)) in self.rates.iter().zip(out.chunks_exact_mut(6)).enumerate() {
+            if let Some(group) = self.junctions.of(a) {
+                out.copy_from_slice(&self.scaled_rates_tied(group, a));
+                continue;
+            }
             let [x, d] = self.mass_scale(a);
             for (k, value) in out.iter_mut().enumerate() {
                 *value = rate[k] / if k < 3 { x } else { d };
@@ -91,11 +95,18 @@ impl Shell {
 
     /// `M^{-½} v` of particle `a`, without what supports and the unit length of the director forbid.
     fn unscaled(&self, a: usize, v: &[f64]) -> Row {
-        let row: Row = std::array::from_fn(|k| v[6 * a + k]);
-        self.free_part(a, row)
+        if let Some(group) = self.junctions.of(a) {
+            return self.unscaled_tied(group, a, v);
+        }
+        self.free_part(a, |a| std::array::from_fn(|k| v[6 * a + k]))
     }
 
-    fn free_part(&self, a: usize, mut f: Row) -> Row {
+    /// `M^{-½}` times the row of particle `a` among rows of particles, without what is held.
+    fn free_part(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
+        if let Some(group) = self.junctions.of(a) {
+            return self.free_part_tied(group, a, row);
+        }
+        let mut f = row(a);
         let row = &self.state[a];
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         for k in 3..6 {

@@ -7,9 +7,10 @@ use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
 use sph_core::{
-    Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice, poisson_cloud,
+    Cell, CellList, Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice,
+    poisson_cloud,
 };
-use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Supported};
+use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Support, Supported};
 
 pub const YOUNG: f64 = 1200.0;
 pub const POISSON: f64 = 0.3;
@@ -136,4 +137,86 @@ pub fn shake(shell: &mut Shell, size: f64, seed: u64) {
 pub fn energy(shell: &mut Shell) -> f64 {
     shell.evaluate_internal(true);
     shell.stored_energy()
+}
+
+/// Flat sheets of rectangular cells that meet along lines of common places.
+#[derive(Default)]
+pub struct Sheets {
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    cells: Vec<Cell>,
+}
+
+impl Sheets {
+    /// Adds the sheet `origin + s u + t v`, s and t in [0, 1], of so many cells along u and v; its normal is along u × v.
+    pub fn add(mut self, origin: Vec3, [u, v]: [Vec3; 2], [nu, nv]: [usize; 2]) -> Self {
+        let first = self.positions.len() as u32;
+        let at = |i: usize, j: usize| first + (i * (nv + 1) + j) as u32;
+        for i in 0..=nu {
+            for j in 0..=nv {
+                let place = origin + u * (i as f64 / nu as f64) + v * (j as f64 / nv as f64);
+                self.positions.push(place);
+                self.normals.push(u.cross(&v).normalize());
+            }
+        }
+        for i in 0..nu {
+            for j in 0..nv {
+                self.cells.push(Cell::quadrangle([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+            }
+        }
+        self
+    }
+
+    /// The cloud, particles on one place joined.
+    pub fn cloud(self) -> Cloud {
+        let Self { positions, normals, cells } = self;
+        let list = CellList::new(&positions, 0.1);
+        let (mut near, mut joined) = (Vec::new(), Vec::new());
+        for (a, x) in positions.iter().enumerate() {
+            list.within(x, 1e-9, &mut near);
+            near.sort_unstable();
+            if near.len() > 1 && near[0] as usize == a {
+                joined.push(near.clone());
+            }
+        }
+        Cloud::from_sheets(positions, Some(normals), cells, joined).unwrap()
+    }
+}
+
+/// Particles of a cloud at which `on` holds.
+pub fn at(cloud: &Cloud, on: impl Fn(&Vec3) -> bool) -> Vec<u32> {
+    (0..cloud.len() as u32).filter(|&a| on(&cloud.positions[a as usize])).collect()
+}
+
+pub const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
+pub const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+pub const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
+
+/// Two legs of length one that meet at an angle between their normals [rad], so many cells each; wide along y.
+pub fn folded(fold: f64, n: usize, wide: f64, across: usize) -> Cloud {
+    let (sin, cos) = fold.sin_cos();
+    Sheets::default()
+        .add(Vec3::zeros(), [X, Y * wide], [n, across])
+        .add(X, [X * cos + Z * sin, Y * wide], [n, across])
+        .cloud()
+}
+
+/// A bar of length two with a stem of length one up from its middle.
+pub fn tee(n: usize, wide: f64, across: usize) -> Cloud {
+    Sheets::default()
+        .add(-X, [X * 2.0, Y * wide], [2 * n, across])
+        .add(Vec3::zeros(), [Z, Y * wide], [n, across])
+        .cloud()
+}
+
+/// Shares of particles by their boundary length along y.
+pub fn line(cloud: &Cloud, particles: &[u32]) -> Vec<(u32, f64)> {
+    let y = |a: &u32| cloud.positions[*a as usize].y;
+    let most = particles.iter().map(y).fold(0.0, f64::max);
+    particles.iter().map(|a| (*a, if y(a) < 1e-9 || y(a) > most - 1e-9 { 0.5 } else { 1.0 })).collect()
+}
+
+/// A support on particles.
+pub fn supported(particles: Vec<u32>, support: impl Support + 'static) -> Supported {
+    Supported { particles, support: Box::new(support) }
 }

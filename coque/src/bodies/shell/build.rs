@@ -84,7 +84,7 @@ impl Scene {
         let sets = Sets::find(self, &flat, brought)?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
-        let probes = builder.probes(&sets)?;
+        let probes = builder.probes(&sets, &cloud)?;
         let driver = builder.driver(&sets)?;
         let supports = builder.supports(&sets, driver)?;
         let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
@@ -145,9 +145,10 @@ pub(crate) struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    fn probes(&self, sets: &Sets) -> Result<Vec<Probe>, SceneError> {
+    fn probes(&self, sets: &Sets, cloud: &Cloud) -> Result<Vec<Probe>, SceneError> {
         let probe = |(i, column): (usize, &scene::Probe)| {
-            let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?.to_vec();
+            let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?;
+            let particles = sets::places(cloud, particles).collect();
             // The checks leave no column of a shell without a direction.
             let direction = self.turned(column.direction.unwrap_or_default()).normalize();
             let probe = Probe::new(&column.name, column.of, particles, direction);
@@ -247,7 +248,7 @@ impl Builder<'_> {
                 None => sets::edge(&load.on, particles, cloud, weights),
                 Some(imported) => imported.edge(self.scene, &path, load, particles)?,
             };
-            let shares = edge.unwrap_or_else(|| particles.iter().map(|&a| (a, 1.0)).collect());
+            let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
                 loads.extend(self.load(kind, shares.clone()).map(|load| AppliedLoad { load, amplitude }));
@@ -292,11 +293,13 @@ impl Builder<'_> {
             ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
             ShellError::Space(_)
             | ShellError::Area { .. }
+            | ShellError::ParallelDirectors { .. }
             | ShellError::WetSpacing(_)
             | ShellError::NoRows
             | ShellError::NotAStrip { .. } => {
                 of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
             }
+            ShellError::JunctionOfWideStencils => of_body("formulation"),
             ShellError::Density(_) => {
                 of_body(&format!("material.{}.density", self.scene.shell().material.word()))
             }

@@ -7,7 +7,7 @@ use sph_core::{Cloud, Vec3};
 
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
-use crate::scene::{Formulation, Load, Mesh, Scene, Section};
+use crate::scene::{Formulation, Load, Mesh, Reach, Scene, Section};
 use mesh_io::surface::{Cells, MeshError, Surface, boundary_edges, chains, read};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
@@ -47,6 +47,8 @@ impl Imported {
         let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;
+        let surface =
+            if of_cells(scene) { surface } else { surface.undivided().map_err(|error| refuse(&error))? };
         let (cloud, cells) = surface.cloud(surface.node_normals()).map_err(|error| refuse(&error))?;
         let edges = boundary_edges(&surface.faces);
         Ok(Some(Self { surface, cloud, cells, edges }))
@@ -118,8 +120,8 @@ impl Imported {
                 normals[a as usize] = inside.normalize();
             }
         }
-        let Cloud { positions, cells, .. } = self.cloud.clone();
-        let cloud = Cloud::from_cells(positions, Some(normals), cells);
+        let Cloud { positions, cells, joined, .. } = self.cloud.clone();
+        let cloud = Cloud::from_sheets(positions, Some(normals), cells, joined);
         cloud.map_err(|error| refuse(scene, &self.surface.refusal(&error)))
     }
 
@@ -127,9 +129,17 @@ impl Imported {
     pub(crate) fn provenance(&self) -> Provenance {
         let Surface { file, checksum, normals, .. } = &self.surface;
         let from = if normals.is_some() { "the file" } else { "the faces" };
-        let line = format!("surface from {file}: {}, normals from {from}", self.cells);
+        let mut line = format!("surface from {file}: {}, normals from {from}", self.cells);
+        if !self.surface.joined.is_empty() {
+            line.push_str(&format!("; {}", self.surface.tied()));
+        }
         Provenance { file: file.clone(), checksum: *checksum, line }
     }
+}
+
+/// Whether strains are sampled at cells, which keep the sheets of a junction apart.
+fn of_cells(scene: &Scene) -> bool {
+    matches!(&scene.shell().formulation, Formulation::StressPoint(f) if f.support == Reach::Cell)
 }
 
 /// A refusal of the file, shown at its name in the scene.

@@ -6,6 +6,7 @@ mod clamped_cap;
 mod external_pressure;
 pub mod hemisphere;
 pub mod hemisphere_large;
+mod junctions;
 pub mod open_cylinder;
 pub mod panel;
 mod panel_laminated;
@@ -39,6 +40,7 @@ pub fn all() -> Vec<Case> {
         "Linear shells",
         [scordelis_lo::case(), pinched_cylinder::case(), hemisphere::case(), twisted_beam::case()],
     ));
+    cases.extend(family("Frames and sections", [junctions::case()]));
     cases.extend(family("Plates", [plate::case(), plate_frequencies::case()]));
     cases.extend(family(
         "Stability of shells",

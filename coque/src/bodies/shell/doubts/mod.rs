@@ -11,6 +11,7 @@ mod look;
 mod method;
 mod senseless;
 mod sheet;
+mod tied;
 
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud};
@@ -29,7 +30,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 15] = [
+const RULES: [Rule; 17] = [
     Rule { doubt: Doubt::NoWork, of: senseless::no_work },
     Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
     Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
@@ -40,6 +41,8 @@ const RULES: [Rule; 15] = [
     Rule { doubt: Doubt::WideThin, of: method::wide },
     Rule { doubt: Doubt::UnevenCells, of: method::uneven },
     Rule { doubt: Doubt::SharpFold, of: coarse::fold },
+    Rule { doubt: Doubt::TiedBothSides, of: tied::both_sides },
+    Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
     Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
     Rule { doubt: Doubt::CoarseBending, of: coarse::bending },
     Rule { doubt: Doubt::FewParticles, of: coarse::few },
@@ -61,11 +64,13 @@ fn found(look: &Look<'_>) -> Vec<Warning> {
     RULES.iter().filter_map(|rule| Some(Warning::new(rule.doubt, (rule.of)(look)?))).collect()
 }
 
-/// What is doubtful about a cloud by itself: folds and cells that lie on each other.
+/// What is doubtful about a cloud by itself: folds, cells that lie on each other, narrow sheets at junctions.
 pub(crate) fn doubts_of_cloud(cloud: &Cloud) -> Vec<String> {
-    let sheet = Sheet::of(cloud);
+    let across = sheet::neighbours(&cloud.cells, cloud.len());
+    let sheet = Sheet::at(&cloud.positions, &cloud.cells, &across);
     let overlaps = folded::overlaps(&sheet, &cloud.positions, 0.0);
-    [coarse::fold_of(&sheet), senseless::overlap_of(&overlaps)].into_iter().flatten().collect()
+    let narrow = [tied::both_sides_of(cloud, &across), tied::shallow_of(cloud, &across)];
+    [coarse::fold_of(&sheet), senseless::overlap_of(&overlaps)].into_iter().chain(narrow).flatten().collect()
 }
 
 /// What is doubtful about the shapes that a shell of some area \[L²\] at rest took: cells that turn too far from one to the next,

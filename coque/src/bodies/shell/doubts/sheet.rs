@@ -1,7 +1,7 @@
 //! Cells of a surface in any state: their normals, and the turn from each to its neighbours.
 
 use libm::atan2;
-use sph_core::{Cell, Cloud, Vec3};
+use sph_core::{Cell, Vec3};
 
 /// Cells, and the angles between neighbouring ones.
 pub(crate) struct Sheet<'a> {
@@ -47,11 +47,6 @@ pub(crate) fn neighbours(cells: &[Cell], particles: usize) -> Vec<[u32; 4]> {
 }
 
 impl<'a> Sheet<'a> {
-    /// The cells of a cloud at rest.
-    pub(crate) fn of(cloud: &'a Cloud) -> Self {
-        Self::at(&cloud.positions, &cloud.cells, &neighbours(&cloud.cells, cloud.len()))
-    }
-
     /// Cells at some positions \[L\], with their neighbours from [`neighbours`].
     pub(crate) fn at(positions: &[Vec3], cells: &'a [Cell], across: &[[u32; 4]]) -> Self {
         let (mut centres, mut normals, mut areas) = (Vec::new(), Vec::new(), Vec::new());

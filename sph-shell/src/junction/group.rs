@@ -1,0 +1,234 @@
+//! Groups of particles that move as one: which they are, their triad, and how fast it turns.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+use sph_core::Vec3;
+
+use crate::Shell;
+use crate::conditions::supports::{Constraint, DirectorHold};
+use crate::error::ShellError;
+use crate::packs::Row;
+use crate::reference::Reference;
+
+/// Least sine of the angle between two directors of a group: about a line along all of them nothing resists.
+const LEAST_ANGLE: f64 = 0.01;
+
+/// Particles on one place that turn as one body.
+#[derive(Clone, Debug)]
+pub(crate) struct Group {
+    /// The particles, ascending; the first stands for all of them.
+    pub particles: Vec<u32>,
+    /// Places in `particles` of the two directors that are farthest from parallel: they make the triad.
+    pair: [usize; 2],
+    /// Principal axes of the rotary inertia in the triad, as columns.
+    axes: Matrix3<f64>,
+    /// `Σ m_k` \[M\].
+    pub mass: f64,
+    /// `Σ I_k` of marching \[M L²\].
+    pub inertia: f64,
+}
+
+/// All groups of a shell.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Junctions {
+    pub groups: Vec<Group>,
+    /// Number of each particle's group, one up; zero for others. Empty without groups.
+    group_of: Vec<u32>,
+    /// Velocity and spin of each group while a step is under way \[L/T, 1/T\].
+    pub motions: Vec<Row>,
+}
+
+impl Junctions {
+    /// The groups of a cloud.
+    ///
+    /// # Errors
+    /// [`ShellError::ParallelDirectors`] for a group whose directors all run along one line.
+    pub fn new(reference: &Reference) -> Result<Self, ShellError> {
+        let joined = &reference.cloud.joined;
+        if joined.is_empty() {
+            return Ok(Self::default());
+        }
+        let mut group_of = vec![0; reference.cloud.len()];
+        for (number, particles) in (1..).zip(joined) {
+            particles.iter().for_each(|&a| group_of[a as usize] = number);
+        }
+        let groups = joined.iter().map(|particles| Group::new(particles, reference));
+        let groups = groups.collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { motions: vec![[0.0; 6]; groups.len()], groups, group_of })
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.groups.is_empty()
+    }
+
+    /// The group of a particle, if it belongs to one.
+    pub fn of(&self, particle: usize) -> Option<&Group> {
+        let number = *self.group_of.get(particle)? as usize;
+        number.checked_sub(1).map(|i| &self.groups[i])
+    }
+
+    /// The particle that bears the unknowns of a particle: the first of its group, or itself.
+    pub fn first(&self, particle: usize) -> usize {
+        self.of(particle).map_or(particle, Group::first)
+    }
+}
+
+impl Group {
+    fn new(particles: &[u32], reference: &Reference) -> Result<Self, ShellError> {
+        let director = |k: usize| reference.cloud.frames[particles[k] as usize].n;
+        let mut best = ([0, 0], 0.0);
+        for i in 0..particles.len() {
+            for j in 0..i {
+                let sine = director(i).cross(&director(j)).norm();
+                if sine > best.1 {
+                    best = ([j, i], sine);
+                }
+            }
+        }
+        let (pair, sine) = best;
+        if sine < LEAST_ANGLE {
+            let particle = particles.first().copied().unwrap_or_default();
+            return Err(ShellError::ParallelDirectors { particle, sine, bound: LEAST_ANGLE });
+        }
+        let sum = |of: &[f64]| particles.iter().map(|&a| of[a as usize]).sum();
+        let tensor: Matrix3<f64> = (0..particles.len())
+            .map(|k| across(&director(k)) * reference.masses[particles[k] as usize])
+            .sum();
+        let principal = SymmetricEigen::new(tensor).eigenvectors;
+        let triad = triad(&director(pair[0]), &director(pair[1]));
+        Ok(Self {
+            particles: particles.to_vec(),
+            pair,
+            axes: triad.transpose() * principal,
+            mass: sum(&reference.masses),
+            inertia: sum(&reference.inertias),
+        })
+    }
+
+    /// The particle that stands for all.
+    pub fn first(&self) -> usize {
+        self.particles[0] as usize
+    }
+
+    /// Present principal axes of the rotary inertia of modes: they turn with the group.
+    pub fn principal_axes(&self, state: &[Row]) -> Matrix3<f64> {
+        let [d, e] = self.pair.map(|k| director(&state[self.particles[k] as usize]));
+        triad(&d, &e) * self.axes
+    }
+
+    /// `Σ m_k (1 − (d_k·e)²)`, over t²/12 the rotary inertia of modes about an axis \[M\].
+    pub fn mass_about(&self, axis: &Vec3, state: &[Row], masses: &[f64]) -> f64 {
+        let part = |&a: &u32| masses[a as usize] * (1.0 - director(&state[a as usize]).dot(axis).powi(2));
+        self.particles.iter().map(part).sum()
+    }
+
+    /// Sum of rows `[f, n]` of the particles as force and torque, `[Σ f_k, Σ d_k × n_k]`.
+    pub fn gather(&self, state: &[Row], row: impl Fn(usize) -> Row) -> Row {
+        let mut sum = [0.0; 6];
+        for &a in &self.particles {
+            let own = row(a as usize);
+            let torque = director(&state[a as usize]).cross(&director(&own));
+            for k in 0..3 {
+                sum[k] += own[k];
+                sum[3 + k] += torque[k];
+            }
+        }
+        sum
+    }
+
+    /// Velocity and spin `[v, ω]` from the rates of the particles.
+    ///
+    /// With `c = d₁ × d₂` the components along d₁, d₂, c follow from `w_k = ω × d_k`:
+    /// `ω = [(w₂·c) d₁ − (w₁·c) d₂ + (w₁·d₂) c]/|c|²`.
+    pub fn motion(&self, state: &[Row], rates: &[Row]) -> Row {
+        let [a, b] = self.pair.map(|k| self.particles[k] as usize);
+        let [d1, d2] = [a, b].map(|a| director(&state[a]));
+        let [w1, w2] = [a, b].map(|a| director(&rates[a]));
+        let c = d1.cross(&d2);
+        let spin = (d1 * w2.dot(&c) - d2 * w1.dot(&c) + c * w1.dot(&d2)) / c.norm_squared();
+        let v = rates[self.first()];
+        [v[0], v[1], v[2], spin.x, spin.y, spin.z]
+    }
+
+    /// Moves all particles by u and turns them by the rotation vector θ.
+    pub fn turn(&self, state: &mut [Row], u: &Vec3, theta: &Vec3) {
+        for &a in &self.particles {
+            let row = &mut state[a as usize];
+            let d = rotated(&director(row), theta).normalize();
+            *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d.x, d.y, d.z];
+        }
+    }
+
+    /// Gives all particles the rates of a motion `[v, ω]`: v and `ω × d_k`.
+    pub fn set_rates(&self, state: &[Row], rates: &mut [Row], motion: &Row) {
+        let spin = director(motion);
+        for &a in &self.particles {
+            let w = spin.cross(&director(&state[a as usize]));
+            rates[a as usize] = [motion[0], motion[1], motion[2], w.x, w.y, w.z];
+        }
+    }
+}
+
+impl Constraint {
+    /// What supports leave of the spin of a group: nothing of a fixed one, the part along the normal where directors stay in a
+    /// plane.
+    pub(crate) fn free_spin(&self, spin: Vec3) -> Vec3 {
+        match self.director {
+            DirectorHold::Free => spin,
+            DirectorHold::Fixed => Vec3::zeros(),
+            DirectorHold::InPlane(n) => n * n.dot(&spin),
+        }
+    }
+
+    /// Whether anything is held or prescribed.
+    pub(crate) fn holds(&self) -> bool {
+        !self.tied || self.held_freedoms() > 0
+    }
+}
+
+impl Shell {
+    /// Particles that junctions tie, and the groups they form; both zero without junctions.
+    pub fn tied(&self) -> (usize, usize) {
+        let groups = &self.junctions.groups;
+        (groups.iter().map(|group| group.particles.len()).sum(), groups.len())
+    }
+
+    /// A row `[f, n]` as the force on the unknowns of a particle: its own, or force and torque of the group it stands for, which
+    /// leaves the others of the group nothing.
+    pub(crate) fn gathered(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
+        match self.junctions.of(a) {
+            None => row(a),
+            Some(group) if group.first() == a => group.gather(&self.state, row),
+            Some(_) => [0.0; 6],
+        }
+    }
+}
+
+/// The second half of a row, of a director or what is conjugate to it.
+pub(crate) fn director(row: &Row) -> Vec3 {
+    Vec3::new(row[3], row[4], row[5])
+}
+
+/// `1 − d dᵀ`.
+fn across(d: &Vec3) -> Matrix3<f64> {
+    Matrix3::identity() - d * d.transpose()
+}
+
+/// Right-handed unit vectors, the first along d, the second in the plane of d and e.
+fn triad(d: &Vec3, e: &Vec3) -> Matrix3<f64> {
+    let third = d.cross(e).normalize();
+    Matrix3::from_columns(&[*d, third.cross(d), third])
+}
+
+/// `exp(θ) d` by Rodrigues' formula.
+fn rotated(d: &Vec3, theta: &Vec3) -> Vec3 {
+    let square = theta.norm_squared();
+    if square == 0.0 {
+        return *d;
+    }
+    let angle = square.sqrt();
+    let (sin, _) = libm::sincos(angle);
+    // 1 − cos without cancellation.
+    let half = libm::sin(0.5 * angle);
+    let turn = theta.cross(d);
+    d + turn * (sin / angle) + theta.cross(&turn) * (2.0 * half * half / square)
+}

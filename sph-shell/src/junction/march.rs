@@ -1,0 +1,103 @@
+//! Groups in the march: their kick and their drift, beside the sweep over the particles.
+//!
+//! The sweep finds the particles of a group without rates and leaves them where they are (`Constraint::tied`); what they do is
+//! told here, before and after it.
+
+use explicit_dynamics::{Step, Work};
+use sph_core::Vec3;
+
+use crate::Shell;
+use crate::conditions::supports::Constraint;
+use crate::junction::group::director;
+use crate::packs::Row;
+use crate::time::particle::Decay;
+
+impl Shell {
+    /// Kicks all groups with the forces last evaluated and takes their rates out of the sweep; their work. Where a drift follows at
+    /// once, the motion is the one that it would find in the rates: the same bits as in two parts.
+    pub(crate) fn kick_groups(&mut self, step: &Step, drifts: bool) -> Work {
+        let mut junctions = std::mem::take(&mut self.junctions);
+        let mut work = Work::default();
+        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
+            let old = group.motion(&self.state, &self.rates);
+            let internal = group.gather(&self.state, |a| self.internal_force(a));
+            let external = group.gather(&self.state, |a| self.external_force(a));
+            let f = std::array::from_fn(|k| external[k] - internal[k]);
+            let kick = Kick { masses: [group.mass, group.inertia], f, external, old, step };
+            *motion = kick.new_motion(self.constraint(group.first()), &mut work);
+            if drifts {
+                group.set_rates(&self.state, &mut self.rates, motion);
+                *motion = group.motion(&self.state, &self.rates);
+            }
+            group.particles.iter().for_each(|&a| self.rates[a as usize] = [0.0; 6]);
+        }
+        self.junctions = junctions;
+        work
+    }
+
+    /// Gives the particles of groups the rates that the kick found, after a way of `dt` along them \[T\].
+    pub(crate) fn drift_groups(&mut self, dt: f64) {
+        let Self { junctions, state, rates, .. } = self;
+        for (group, motion) in junctions.groups.iter().zip(&junctions.motions) {
+            if dt != 0.0 {
+                let u = Vec3::new(motion[0], motion[1], motion[2]) * dt;
+                group.turn(state, &u, &(director(motion) * dt));
+            }
+            group.set_rates(state, rates, motion);
+        }
+    }
+
+    /// Takes the rates of groups out of a drift over the particles.
+    pub(crate) fn set_groups_aside(&mut self) {
+        let Self { junctions, state, rates, .. } = self;
+        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
+            *motion = group.motion(state, rates);
+            group.particles.iter().for_each(|&a| rates[a as usize] = [0.0; 6]);
+        }
+    }
+}
+
+/// The kick of one group: force and torque `f`, of which `external` by loads, on the motion `[v, ω]` it has.
+struct Kick<'a> {
+    masses: [f64; 2],
+    f: Row,
+    external: Row,
+    old: Row,
+    step: &'a Step,
+}
+
+impl Kick<'_> {
+    /// `[v, ω]` after the kick, by the rule of every particle; kinetic energy and external work are added to `work`.
+    fn new_motion(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
+        let Self { masses, f, external, old, step } = self;
+        let (kick, decay) = (step.kick, Decay::of(step));
+        let mass = |k: usize| masses[k / 3];
+        let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], kick / mass(k) * f[k]));
+        let mut told = [false; 2];
+        if let Some(constraint) = constraint {
+            (new, told) = held(constraint, new, step);
+        }
+        let mean: Row = std::array::from_fn(|k| 0.5 * (old[k] + new[k]));
+        for k in 0..6 {
+            work.kinetic += 0.5 * mass(k) * mean[k] * mean[k];
+            work.external += kick * external[k] * mean[k];
+            if told[k / 3] && kick > 0.0 {
+                let lack = mass(k) * (new[k] - old[k]) / kick - f[k] + mass(k) * step.damping * mean[k];
+                work.external += kick * lack * mean[k];
+            }
+        }
+        new
+    }
+}
+
+/// A motion without what supports hold and with what they prescribe; whether they prescribe velocity and spin.
+fn held(constraint: &Constraint, new: Row, step: &Step) -> (Row, [bool; 2]) {
+    let mut v = constraint.free_translation([new[0], new[1], new[2]]);
+    let moved = constraint.velocity(step);
+    if let Some(moved) = moved {
+        (0..3).for_each(|k| v[k] += moved[k]);
+    }
+    let turned = constraint.spin(step);
+    let w = turned.unwrap_or_else(|| constraint.free_spin(director(&new)));
+    ([v[0], v[1], v[2], w.x, w.y, w.z], [moved.is_some(), turned.is_some()])
+}

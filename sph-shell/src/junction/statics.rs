@@ -1,0 +1,150 @@
+//! Groups without time: six unknowns each, their place among the blocks of the tangent, and their motion.
+
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+use crate::Shell;
+use crate::conditions::loads::Block;
+use crate::conditions::supports::DirectorHold;
+use crate::junction::group::{Group, Junctions, director};
+use crate::packs::Row;
+use crate::statics::blocks::BlockPattern;
+use crate::statics::dofs::Basis;
+
+impl Junctions {
+    /// Adds the pairs of first particles to the pairs of particles that share a block, row by row.
+    pub fn add_pairs(&self, rows: &mut [Vec<u32>]) {
+        if self.is_empty() {
+            return;
+        }
+        for a in 0..rows.len() {
+            for number in 0..rows[a].len() {
+                let (row, column) = (self.first(a) as u32, self.first(rows[a][number] as usize) as u32);
+                rows[row.max(column) as usize].push(row.min(column));
+            }
+        }
+    }
+
+    /// Turns blocks between particles into blocks between unknowns, `Σ_kl T_kᵀ H_kl T_l`, with the first particles of groups in the
+    /// place of all. The lower triangle is that of a symmetric matrix, or of a skew one with sign −1.
+    pub fn tie(&self, state: &[Row], pattern: &BlockPattern, blocks: &mut [Block], sign: f64) {
+        if self.is_empty() {
+            return;
+        }
+        let pairs = || {
+            (0..state.len()).flat_map(|a| {
+                let row = pattern.offsets[a] as usize..pattern.offsets[a + 1] as usize;
+                row.map(move |number| (a, pattern.columns[number] as usize, number))
+            })
+        };
+        for (a, b, number) in pairs() {
+            let block = &mut blocks[number];
+            if self.of(a).is_some() {
+                let d = director(&state[a]);
+                for column in 0..6 {
+                    let torque = d.cross(&Vec3::new(block[3][column], block[4][column], block[5][column]));
+                    (0..3).for_each(|i| block[3 + i][column] = torque[i]);
+                }
+            }
+            if self.of(b).is_some() {
+                let d = director(&state[b]);
+                for row in block.iter_mut() {
+                    let turned = d.cross(&director(row));
+                    row[3..].copy_from_slice(turned.as_slice());
+                }
+            }
+        }
+        for (a, b, number) in pairs() {
+            let (row, column) = (self.first(a), self.first(b));
+            if (row, column) == (a, b) {
+                continue;
+            }
+            let Some(target) = pattern.find(row.max(column) as u32, row.min(column) as u32) else { continue };
+            let block = blocks[number];
+            let plain = if row >= column { 1.0 } else { 0.0 };
+            // A pair within one group comes once and stands for both orders.
+            let transposed = if row < column || (row == column && a != b) { sign } else { 0.0 };
+            for i in 0..6 {
+                for j in 0..6 {
+                    blocks[target][i][j] += plain * block[i][j] + transposed * block[j][i];
+                }
+            }
+        }
+    }
+
+    /// Adds the second variation along the rotations to the blocks of the first particles, `p` being the rows `[·, n − e]`.
+    pub fn add_rotation_blocks(
+        &self,
+        state: &[Row],
+        pattern: &BlockPattern,
+        blocks: &mut [Block],
+        p: impl Fn(usize) -> Row,
+    ) {
+        for group in &self.groups {
+            let first = group.first() as u32;
+            let Some(target) = pattern.find(first, first) else { continue };
+            let block = group.rotation_block(state, &p);
+            for i in 0..3 {
+                for j in 0..3 {
+                    blocks[target][3 + i][3 + j] += block[(i, j)];
+                }
+            }
+        }
+    }
+}
+
+impl Group {
+    /// `Σ_k [½(p_k d_kᵀ + d_k p_kᵀ) − (p_k·d_k) 1]`.
+    fn rotation_block(&self, state: &[Row], p: impl Fn(usize) -> Row) -> Matrix3<f64> {
+        let part = |&a: &u32| {
+            let (p, d) = (director(&p(a as usize)), director(&state[a as usize]));
+            let outer = p * d.transpose();
+            (outer + outer.transpose()) * 0.5 - Matrix3::identity() * p.dot(&d)
+        };
+        self.particles.iter().map(part).sum()
+    }
+}
+
+impl Shell {
+    /// Directions of the unknowns of a particle that a junction ties: the first has up to three translations and three rotations,
+    /// the others have none.
+    pub(crate) fn tied_basis(&self, group: &Group, particle: usize, arc: f64) -> Basis {
+        let mut basis = Basis::empty(arc);
+        let Some(constraint) = self.constraint(particle).filter(|_| group.first() == particle) else {
+            return basis;
+        };
+        for direction in constraint.free_directions() {
+            basis.push(direction);
+        }
+        basis.move_first(basis.count);
+        match constraint.director {
+            DirectorHold::Free => {
+                let axes = group.principal_axes(&self.state);
+                (0..3).for_each(|i| basis.push(axes.column(i).into()));
+            }
+            DirectorHold::InPlane(normal) => basis.push(normal),
+            DirectorHold::Fixed => {}
+        }
+        basis
+    }
+
+    /// Moves a group as its first particle's unknowns say; the others of a group go with it.
+    pub(crate) fn move_tied(&mut self, particle: usize, u: &Vec3, theta: &Vec3) {
+        let Self { junctions, state, .. } = self;
+        if let Some(group) = junctions.of(particle).filter(|group| group.first() == particle) {
+            group.turn(state, u, theta);
+        }
+    }
+
+    /// Rotary inertia of modes about an axis of a group over t²/12, the mass of any other particle \[M\].
+    pub(crate) fn turning_mass(&self, particle: usize, axis: impl Fn() -> Vec3) -> f64 {
+        let masses = &self.reference.masses;
+        let group = self.junctions.of(particle);
+        group.map_or(masses[particle], |group| group.mass_about(&axis(), &self.state, masses))
+    }
+
+    /// Mass of a particle or of the group it stands for \[M\].
+    pub(crate) fn moving_mass(&self, particle: usize) -> f64 {
+        self.junctions.of(particle).map_or(self.reference.masses[particle], |group| group.mass)
+    }
+}
