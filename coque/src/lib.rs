@@ -146,8 +146,9 @@ mod warning;
 pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::doubts::doubts;
 pub use bodies::{
-    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, Marched, Memory, Mismatch,
-    Model, Part, PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
+    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, LoadResultants, Marched,
+    Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, Shown, State, StateArray,
+    TangentCost, Task,
 };
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
 pub use mesh_io::{

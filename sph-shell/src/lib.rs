@@ -235,6 +235,7 @@ mod formulation;
 mod packs;
 mod points;
 mod reference;
+mod regions;
 mod shell;
 mod state;
 mod statics;
@@ -247,14 +248,17 @@ use shell_kinematics::{Section, StrainMeasure};
 use conditions::supports::Constraint;
 use packs::Row;
 use points::scheme::Points;
+use regions::Regions;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use conditions::prescribed::{Motion, Rotation};
-pub use conditions::pressure::Pressure;
+pub use conditions::pressure::{Pressure, PressurePatch};
+pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
+pub use conditions::spread::spread;
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
@@ -263,6 +267,7 @@ pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
 pub use points::results::PointResult;
 pub use reference::Reference;
+pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use wetted::wetting::{Sides, Wetting};
@@ -270,7 +275,9 @@ pub use wetted::wetting::{Sides, Wetting};
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {
     reference: Reference,
+    /// The section, of several that of the cells in no region.
     section: Box<dyn Section>,
+    regions: Regions,
     strain: &'static dyn StrainMeasure,
     formulation: Formulation,
     points: Points,

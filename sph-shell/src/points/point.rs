@@ -3,7 +3,7 @@
 //! Forces, results, tangent and strong form share this pipeline; every correction of a strain stands here beside its transpose.
 
 use shell_kinematics::{
-    LANES, Measures, Pack, Pack3, Placement, PlacementForces, Section, StrainMeasure, Strains,
+    LANES, Measures, Pack, Pack3, Placement, PlacementForces, Section, SectionPack, StrainMeasure, Strains,
 };
 
 use crate::control::arcs::ArcPack;
@@ -35,6 +35,8 @@ pub(crate) struct Point<'a> {
     pub shear: Option<&'a ShearPack>,
     pub arcs: Option<&'a ArcPack>,
     pub cell: Option<&'a CellPack>,
+    /// Their sections, where not all points have the same.
+    pub section: Option<&'a SectionPack>,
 }
 
 /// Four points in a state: from their vectors to their strains.
@@ -76,7 +78,7 @@ impl<'a> Point<'a> {
     pub fn new(packs: &'a Packs, index: usize) -> Self {
         let pack = &packs.points[index];
         let entries = &packs.entries[pack.first as usize..][..pack.width as usize];
-        Self { pack, entries, shear: None, arcs: None, cell: None }
+        Self { pack, entries, shear: None, arcs: None, cell: None, section: None }
     }
 
     /// The five vectors, and with `CELL` the raw hourglass sums.

@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::SectionScales;
+use shell_kinematics::SectionPack;
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -12,6 +12,7 @@ use crate::packs::{Packs, Row};
 use crate::points::point::Point;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
+use crate::regions::Scales;
 
 /// All sampling points.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub(crate) struct Points {
     /// Shear on uneven stencils; empty on lattices of developable surfaces.
     pub shear: Vec<ShearPack>,
     pub scheme: Scheme,
+    /// Sections of each pack; empty if all points have the same.
+    pub sections: Vec<SectionPack>,
 }
 
 /// What a formulation does beside the strains of its points.
@@ -45,7 +48,7 @@ impl Points {
     pub fn new(
         reference: &Reference,
         formulation: &Formulation,
-        section: &SectionScales,
+        section: &Scales,
         density: f64,
     ) -> Result<(Self, ChordLoss), ShellError> {
         let (operator, positions) = (&reference.operator, &reference.cloud.positions);
@@ -56,7 +59,7 @@ impl Points {
             Formulation::StressPoint(Reach::Cell) => operator.uneven_third_moments(positions),
             _ => Vec::new(),
         };
-        let shear = ShearPack::all(operator, &packs.order, &second, &third, section.thickness);
+        let shear = ShearPack::all(operator, &packs.order, &second, &third, section);
         let forces = || vec![[0.0; 6]; positions.len()];
         let mut scheme = match *formulation {
             Formulation::StressPoint(Reach::Cell) => {
@@ -68,10 +71,10 @@ impl Points {
                 }
             }
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
-                Scheme::Wide { control: PairControl::new(reference, section)?, forces: forces() }
+                Scheme::Wide { control: PairControl::new(reference, &section.uniform)?, forces: forces() }
             }
             Formulation::StrongForm { viscosity, .. } => {
-                let equations = StrongForm::new(reference, viscosity, section.thickness * density);
+                let equations = StrongForm::new(reference, viscosity, section.uniform.thickness * density);
                 Scheme::StrongForm { equations, forces: forces() }
             }
         };
@@ -86,9 +89,9 @@ impl Points {
         }
         let mut loss = ChordLoss::default();
         if let Scheme::Cells { arcs, .. } = &mut scheme {
-            (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section.thickness);
+            (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section);
         }
-        Ok((Self { packs, shear, scheme }, loss))
+        Ok((Self { packs, shear, scheme, sections: Vec::new() }, loss))
     }
 
     /// The points of a pack, with what corrects their strains.
@@ -98,7 +101,13 @@ impl Points {
             Scheme::Cells { control, arcs } => (control.get(index), arcs.get(index)),
             _ => (None, None),
         };
-        Point { shear: self.shear.get(index), arcs, cell, ..Point::new(&self.packs, index) }
+        Point {
+            shear: self.shear.get(index),
+            arcs,
+            cell,
+            section: self.sections.get(index),
+            ..Point::new(&self.packs, index)
+        }
     }
 
     /// Number of slots that the sweep fills, one a (point, particle) pair; the strong form has none.
@@ -121,7 +130,8 @@ impl Points {
             + size_of_val(&entries[..])
             + size_of_val(&slots[..])
             + size_of_val(&offsets[..])
-            + size_of_val(&self.shear[..]);
+            + size_of_val(&self.shear[..])
+            + size_of_val(&self.sections[..]);
         let scheme = match &self.scheme {
             Scheme::Cells { control, arcs } => size_of_val(&control[..]) + size_of_val(&arcs[..]),
             Scheme::Wide { control, .. } => control.bytes(),

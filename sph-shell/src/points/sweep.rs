@@ -3,7 +3,9 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{IsotropicSection, LANES, Pack, Pack3, Section, StrainMeasure, StretchCorrected};
+use shell_kinematics::{
+    IsotropicSection, LANES, Pack, Pack3, Section, SectionPack, StrainMeasure, StretchCorrected,
+};
 
 use crate::packs::Row;
 use crate::points::dispatch::widest;
@@ -22,7 +24,7 @@ pub(crate) struct Sweep<'a> {
     pub energy: bool,
 }
 
-impl Sweep<'_> {
+impl<'a> Sweep<'a> {
     /// Packs from number `first` on, as many as there are energies; halves go to two threads.
     pub fn run(&self, first: usize, slots: &mut [Row], energies: &mut [f64], split: bool) {
         let count = energies.len();
@@ -44,16 +46,17 @@ impl Sweep<'_> {
     /// Sweeps some packs of cells into a ring of slots; the mask is the ring's length less one.
     #[inline(always)]
     pub fn block(&self, packs: Range<usize>, ring: &mut [Row], mask: usize) {
-        match self.default_pair() {
-            Some(law) => self.ring(law, packs, ring, mask),
-            None => self.ring(self.law, packs, ring, mask),
+        match (self.default_pair(), self.default_strain()) {
+            (Some(law), _) => self.ring(|_| law, packs, ring, mask),
+            (None, Some(strain)) => self.ring(|index| self.own(strain, index), packs, ring, mask),
+            (None, None) => self.ring(|index| self.any(index), packs, ring, mask),
         }
     }
 
     #[inline(always)]
-    fn ring<M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn ring<M: StrainMeasure + ?Sized + 'a, S: Section + ?Sized + 'a>(
         &self,
-        law: PointLaw<'_, M, S>,
+        law: impl Fn(usize) -> PointLaw<'a, M, S>,
         packs: Range<usize>,
         ring: &mut [Row],
         mask: usize,
@@ -62,22 +65,49 @@ impl Sweep<'_> {
             let point = self.points.point(index);
             let first = point.pack.first_slot(index) & mask;
             let own = &mut ring[first..first + point.pack.slot_count()];
-            sweep_pack::<true, false, M, S>(&point, law, self.state, own);
+            sweep_pack::<true, false, M, S>(&point, law(index), self.state, own);
         }
     }
 
     /// The strain measure and section of most scenes, for which the sweep is compiled in.
     #[inline(always)]
-    fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
+    fn default_pair(&self) -> Option<PointLaw<'a, StretchCorrected, IsotropicSection>> {
+        if !self.points.sections.is_empty() {
+            return None;
+        }
         let strain = (self.law.strain as &dyn Any).downcast_ref()?;
         let section = (self.law.section as &dyn Any).downcast_ref()?;
         Some(PointLaw { strain, section })
     }
 
+    /// The strain measure of most scenes, where points have sections of their own.
     #[inline(always)]
-    fn range<const CELL: bool, const ENERGY: bool, M: StrainMeasure + ?Sized, S: Section + ?Sized>(
+    fn default_strain(&self) -> Option<&'a StretchCorrected> {
+        (self.law.strain as &dyn Any).downcast_ref().filter(|_| !self.points.sections.is_empty())
+    }
+
+    /// That measure with the sections of a pack.
+    #[inline(always)]
+    fn own(&self, strain: &'a StretchCorrected, index: usize) -> PointLaw<'a, StretchCorrected, SectionPack> {
+        PointLaw { strain, section: &self.points.sections[index] }
+    }
+
+    /// Any measure with any section of a pack.
+    #[inline(always)]
+    fn any(&self, index: usize) -> PointLaw<'a> {
+        let section = self.points.sections.get(index).map_or(self.law.section, |own| own);
+        PointLaw { section, ..self.law }
+    }
+
+    #[inline(always)]
+    fn range<
+        const CELL: bool,
+        const ENERGY: bool,
+        M: StrainMeasure + ?Sized + 'a,
+        S: Section + ?Sized + 'a,
+    >(
         &self,
-        law: PointLaw<'_, M, S>,
+        law: impl Fn(usize) -> PointLaw<'a, M, S>,
         first: usize,
         mut slots: &mut [Row],
         energies: &mut [f64],
@@ -85,7 +115,7 @@ impl Sweep<'_> {
         for (i, energy) in energies.iter_mut().enumerate() {
             let point = self.points.point(first + i);
             let (own, rest) = slots.split_at_mut(point.pack.slot_count());
-            let found = sweep_pack::<CELL, ENERGY, M, S>(&point, law, self.state, own);
+            let found = sweep_pack::<CELL, ENERGY, M, S>(&point, law(first + i), self.state, own);
             if ENERGY {
                 *energy = found;
             }
@@ -109,12 +139,13 @@ impl pulp::NullaryFnOnce for Leaf<'_, '_> {
     fn call(self) {
         let Self { sweep, first, slots, energies } = self;
         let cells = matches!(sweep.points.scheme, Scheme::Cells { .. });
+        let any = |index: usize| sweep.any(index);
         match (sweep.default_pair(), cells, sweep.energy) {
-            (Some(law), true, false) => sweep.range::<true, false, _, _>(law, first, slots, energies),
-            (_, true, false) => sweep.range::<true, false, _, _>(sweep.law, first, slots, energies),
-            (_, true, true) => sweep.range::<true, true, _, _>(sweep.law, first, slots, energies),
-            (_, false, false) => sweep.range::<false, false, _, _>(sweep.law, first, slots, energies),
-            (_, false, true) => sweep.range::<false, true, _, _>(sweep.law, first, slots, energies),
+            (Some(law), true, false) => sweep.range::<true, false, _, _>(|_| law, first, slots, energies),
+            (_, true, false) => sweep.range::<true, false, _, _>(any, first, slots, energies),
+            (_, true, true) => sweep.range::<true, true, _, _>(any, first, slots, energies),
+            (_, false, false) => sweep.range::<false, false, _, _>(any, first, slots, energies),
+            (_, false, true) => sweep.range::<false, true, _, _>(any, first, slots, energies),
         }
     }
 }
@@ -177,6 +208,7 @@ mod tests {
     use super::*;
     use crate::formulation::{Formulation, Reach};
     use crate::reference::Reference;
+    use crate::regions::Scales;
 
     /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
     #[test]
@@ -186,6 +218,7 @@ mod tests {
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
         let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
         let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
+        let scales = Scales { uniform: scales, own: Vec::new() };
         let (points, _) = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
         let mut state = reference.rest();
         for (i, row) in state.iter_mut().enumerate() {
@@ -205,8 +238,8 @@ mod tests {
         let here = run(&|slots, energies| sweep.run(0, slots, energies, false));
         let static_law = PointLaw { strain: &StretchCorrected, section: &section };
         let baseline =
-            run(&|slots, energies| sweep.range::<true, false, _, _>(static_law, 0, slots, energies));
-        let any = run(&|slots, energies| sweep.range::<true, false, _, _>(law, 0, slots, energies));
+            run(&|slots, energies| sweep.range::<true, false, _, _>(|_| static_law, 0, slots, energies));
+        let any = run(&|slots, energies| sweep.range::<true, false, _, _>(|_| law, 0, slots, energies));
         assert!(here == baseline && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
     }

@@ -306,7 +306,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
                 let (particle, _, moves) = self.dofs.find(unknown);
                 let reference = &self.shell.reference;
                 let mass = reference.masses[particle];
-                if moves { mass } else { mass * turning }
+                match reference.rotary.get(particle) {
+                    _ if moves => mass,
+                    None => mass * turning,
+                    Some(rotary) => rotary / self.dofs.arc.powi(2),
+                }
             })
             .collect()
     }

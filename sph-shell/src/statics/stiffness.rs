@@ -102,10 +102,11 @@ impl Shell {
         let pack = point.pack;
         let PointState { placement: p, measures: now, strains, mut control } =
             point.strained::<true, _>(self.strain, &self.state);
-        let mut stress = self.section.resultants(&strains);
+        let section = self.section_of(point);
+        let mut stress = section.resultants(&strains);
         if let Some(state) = stressed {
             let there = point.strained::<true, _>(self.strain, state);
-            stress = self.section.resultants(&there.strains);
+            stress = section.resultants(&there.strains);
             if let (Some((_, here)), Some((_, there))) = (&mut control, &there.control) {
                 here.pull_as(there);
             }
@@ -114,7 +115,7 @@ impl Shell {
         if let Some(shear) = point.shear {
             shear.adjust_gradient(&mut gradient);
         }
-        let mut over = congruence(&gradient, &self.section.tangent(&strains));
+        let mut over = congruence(&gradient, &section.tangent(&strains));
         if let Some(shear) = point.shear {
             shear.transpose(&mut stress);
         }

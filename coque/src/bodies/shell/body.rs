@@ -9,7 +9,7 @@ use sph_shell::{Formulation, Shell, StaticShell};
 use super::fields::fields;
 use super::linear_forces::LinearForces;
 use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
-use crate::bodies::{Evaluated, Shown};
+use crate::bodies::{Evaluated, Resultant, Shown};
 use crate::scene::Measured;
 
 impl Body for Shell {
@@ -33,6 +33,11 @@ impl Body for Shell {
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self, shown)
+    }
+
+    fn support_resultant(&self) -> Option<Resultant> {
+        let found = Shell::support_resultant(self, self.centroid());
+        Some(Resultant { force: found.force.into(), moment: found.moment.into() })
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -69,6 +74,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self.shell(), shown)
+    }
+
+    fn support_resultant(&self) -> Option<Resultant> {
+        Body::support_resultant(self.shell())
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

@@ -4,6 +4,7 @@ use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
+use super::cells::CellSets;
 use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::edges::free_edges;
@@ -87,7 +88,8 @@ impl Scene {
         let probes = builder.probes(&sets)?;
         let driver = builder.driver(&sets)?;
         let supports = builder.supports(&sets, driver)?;
-        let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
+        let cells = CellSets::new(self, &flat, &sets, imported.as_ref());
+        let mut loads = builder.loads(&sets, &cells, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, driver, &supports)?;
         if let Some(PrescribedPoint { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
@@ -235,6 +237,7 @@ impl Builder<'_> {
     fn loads(
         &self,
         sets: &Sets,
+        cells: &CellSets<'_>,
         cloud: &Cloud,
         weights: EndWeights,
         imported: Option<&Imported>,
@@ -242,6 +245,10 @@ impl Builder<'_> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
             let path = format!("loads[{i}].on");
+            if load.acts_on_cells() {
+                loads.extend(self.load_on_cells(load, cells.at(&path, &load.on)?, cloud));
+                continue;
+            }
             let particles = sets.at(self.scene, &path, &load.on)?;
             let edge = match imported {
                 None => sets::edge(&load.on, particles, cloud, weights),
@@ -271,9 +278,44 @@ impl Builder<'_> {
             LoadKind::Gravity(g) => {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
-            // The checks refuse it on a shell.
+            // It acts on cells.
             LoadKind::Traction(_) => return None,
         })
+    }
+
+    /// What acts on some cells.
+    fn load_on_cells(&self, load: &scene::Load, cells: Vec<u32>, cloud: &Cloud) -> Vec<AppliedLoad> {
+        let areas = |by: f64| sph_shell::spread(cloud, &cells, |_| by);
+        let sum = |shares: &[(u32, f64)]| shares.iter().map(|(_, share)| share).sum::<f64>();
+        let dead = |shares: Vec<(u32, f64)>, total: Vec3| Box::new(sph_shell::Force { shares, total });
+        let of = |(_, kind): (&str, LoadKind)| -> Option<Box<dyn sph_shell::Load>> {
+            Some(match kind {
+                LoadKind::Force(force) => dead(areas(1.0), self.turned(force.total)),
+                LoadKind::Traction(traction) => {
+                    let shares = areas(1.0);
+                    let total = self.turned(traction.value) * sum(&shares);
+                    dead(shares, total)
+                }
+                LoadKind::Gravity(gravity) => {
+                    let masses = areas(self.area_density());
+                    let total = self.turned(gravity.acceleration) * sum(&masses);
+                    dead(masses, total)
+                }
+                LoadKind::Pressure(p) => Box::new(sph_shell::PressurePatch {
+                    pressure: sph_shell::Pressure { value: p.value, follower: p.follower },
+                    cells: cells.clone(),
+                }),
+                LoadKind::Couple(_) => return None,
+            })
+        };
+        let amplitude = || amplitude(load.amplitude.as_ref());
+        let loads = load.kinds().into_iter().filter_map(of);
+        loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
+    }
+
+    /// Mass by area \[M/L²\].
+    fn area_density(&self) -> f64 {
+        self.scene.shell().material.density() * self.scene.shell().section.thickness()
     }
 
     /// Puts a refusal of the shell where the scene causes it.
@@ -311,9 +353,12 @@ impl Builder<'_> {
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
                 format!("supports[{number}]")
             }
-            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
-                "loads".into()
-            }
+            ShellError::TwoRegions { .. } => of_body("parts"),
+            ShellError::RegionsWithoutCells => of_body("formulation"),
+            ShellError::NoSuchParticle { .. }
+            | ShellError::NoSuchCell { .. }
+            | ShellError::EmptySet(_)
+            | ShellError::NotAnEdge(_) => "loads".into(),
         };
         self.scene.model_error(&path, &error.to_string())
     }

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use mesh_io::surface::side;
 use sph_shell::Shell;
 
 use super::imported::Provenance;
-use crate::bodies::{Description, TangentCost};
+use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Scene, Section};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
@@ -28,6 +29,7 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
         bodies: BTreeMap::new(),
         modelled,
         left_out,
+        resultants: (!scene.loads.is_empty()).then(|| resultants(scene, shell)),
         tangent: match &scene.shell().formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {
@@ -36,6 +38,23 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
             // Tangents of wide stencils are dearer.
             _ => TangentCost::Dear,
         },
+    }
+}
+
+/// What each load of the scene amounts to.
+fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
+    let about = shell.centroid();
+    let named = scene.loads.iter().flat_map(|load| {
+        load.kinds()
+            .into_iter()
+            .map(move |(word, kind)| format!("{} on {}", describe_load(word, &kind), load.on))
+    });
+    let reduced = shell.load_resultants(about).into_iter();
+    let loads = reduced.map(|found| Resultant { force: found.force.into(), moment: found.moment.into() });
+    LoadResultants {
+        about: about.into(),
+        normals: side(&shell.reference().cloud),
+        loads: named.zip(loads).collect(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A surface from a file as the particles of a scene: cloud, sets, edges, refusals.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
 use sph_core::{Cloud, Vec3};
@@ -36,6 +36,16 @@ pub(crate) struct Imported {
     cells: Cells,
     /// End of the boundary edge that begins at a particle.
     edges: HashMap<u32, u32>,
+    kept: Kept,
+}
+
+/// Groups of faces that stay groups of cells.
+#[derive(Clone, Debug, Default)]
+struct Kept {
+    /// Kind of each cell: its faces lie in the same groups.
+    kinds: Vec<u32>,
+    /// Kinds that make up each group.
+    groups: BTreeMap<String, BTreeSet<u32>>,
 }
 
 impl Imported {
@@ -47,9 +57,18 @@ impl Imported {
         let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;
-        let (cloud, cells) = surface.cloud(surface.node_normals()).map_err(|error| refuse(&error))?;
+        let (of_faces, groups) = kinds(&surface, &groups_used(scene, &surface));
+        let made = surface.cloud_of_kinds(surface.node_normals(), &of_faces);
+        let (cloud, cells, kinds) = made.map_err(|error| refuse(&error))?;
         let edges = boundary_edges(&surface.faces);
-        Ok(Some(Self { surface, cloud, cells, edges }))
+        Ok(Some(Self { surface, cloud, cells, edges, kept: Kept { kinds, groups } }))
+    }
+
+    /// Cells of a group of faces; none if the file has no such group.
+    pub(crate) fn cells_of(&self, name: &str) -> Option<Vec<u32>> {
+        let own = self.kept.groups.get(name)?;
+        let cells = (0..).zip(&self.kept.kinds).filter(|(_, kind)| own.contains(kind));
+        Some(cells.map(|(cell, _)| cell).collect())
     }
 
     /// The sets that the file brings: all particles, its groups, its boundary loops.
@@ -130,6 +149,34 @@ impl Imported {
         let line = format!("surface from {file}: {}, normals from {from}", self.cells);
         Provenance { file: file.clone(), checksum: *checksum, line }
     }
+}
+
+/// Groups of faces that the scene uses as cells.
+fn groups_used(scene: &Scene, surface: &Surface) -> BTreeSet<String> {
+    let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| &load.on);
+    loads.filter(|name| surface.face_sets.contains_key(*name)).cloned().collect()
+}
+
+/// A number for each face, the same for faces that lie in the same groups, and the numbers of each group.
+fn kinds(surface: &Surface, groups: &BTreeSet<String>) -> (Vec<u32>, BTreeMap<String, BTreeSet<u32>>) {
+    let mut within: Vec<Vec<u32>> = vec![Vec::new(); surface.faces.len()];
+    for (number, group) in (0..).zip(groups) {
+        surface.face_sets[group].iter().for_each(|&face| within[face as usize].push(number));
+    }
+    let mut numbers = BTreeMap::new();
+    let kinds: Vec<u32> = within
+        .iter()
+        .map(|own| {
+            let next = numbers.len() as u32;
+            *numbers.entry(own).or_insert(next)
+        })
+        .collect();
+    let of_group = |(number, group): (u32, &String)| {
+        let own = numbers.iter().filter(|(within, _)| within.contains(&number)).map(|(_, kind)| *kind);
+        (group.clone(), own.collect())
+    };
+    let groups = (0..).zip(groups).map(of_group).collect();
+    (kinds, groups)
 }
 
 /// A refusal of the file, shown at its name in the scene.

@@ -2,6 +2,7 @@
 
 mod body;
 pub(crate) mod build;
+mod cells;
 mod describe;
 pub(crate) mod doubts;
 mod edges;
