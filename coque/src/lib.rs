@@ -131,7 +131,7 @@
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
-//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/shell/stress.rs) |
+//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/sampled.rs) |
 
 mod analyses;
 mod bodies;

@@ -132,6 +132,11 @@ impl Shell {
         mean.unwrap_or_else(|| self.section.scales().thickness)
     }
 
+    /// Whether some cells have sections of their own.
+    pub fn has_regions(&self) -> bool {
+        !self.points.sections.is_empty()
+    }
+
     /// What is read of the section at a sampling point.
     pub fn section_at(&self, point: usize) -> PointSection {
         self.regions.read(&*self.section, point)

@@ -10,6 +10,7 @@ use sph_core::{Cell, Vec3};
 
 use super::figures::FluidFigures;
 use super::resultants::{LoadResultants, Resultant};
+use super::sampled::POINT_NUMBERS;
 use super::shown::{Evaluated, Shown};
 use crate::Warning;
 use crate::scene::Measured;
@@ -26,6 +27,12 @@ pub trait Body: Send {
     ///
     /// Forces are those of the last evaluation.
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64;
+
+    /// Strains and resultants at some of the points where a shell samples them, each `e κ γ N M Q` in the frame of the point;
+    /// none of another body.
+    fn point_numbers(&self, _points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        Vec::new()
+    }
 
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a>;

@@ -24,6 +24,7 @@ pub(crate) mod model;
 pub(crate) mod probe;
 mod resultants;
 mod rigid;
+mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;
 mod shown;

@@ -11,13 +11,14 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 17] = [
+const WORDS: [&str; 18] = [
     "title",
     "units",
     "geometry",
     "orientation",
     "material",
     "section",
+    "parts",
     "formulation",
     "velocity",
     "placed",

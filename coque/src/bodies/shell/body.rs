@@ -4,11 +4,12 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
-use sph_shell::{Formulation, Shell, StaticShell};
+use sph_shell::{Formulation, PointResult, Shell, StaticShell};
 
 use super::fields::fields;
-use super::linear_forces::LinearForces;
+use super::linear_forces::{LinearForces, numbers};
 use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
+use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{Evaluated, Resultant, Shown};
 use crate::scene::Measured;
 
@@ -25,10 +26,19 @@ impl Body for Shell {
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
+            Measured::ReactionMoment => {
+                (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
+            }
             Measured::Velocity => self.velocity(a).dot(along),
             // The checks leave a shell no other column.
             _ => 0.0,
         }
+    }
+
+    fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        let mut all = vec![PointResult::default(); self.reference().operator.points.len()];
+        self.point_results(&mut all);
+        points.iter().map(|&p| numbers(&mut all[p as usize])).collect()
     }
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
@@ -70,6 +80,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         self.shell().read(of, particle, along)
+    }
+
+    fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        self.shell().point_numbers(points)
     }
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {

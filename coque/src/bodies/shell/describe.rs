@@ -15,8 +15,13 @@ use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Scene, Sect
 const STEPS: [f64; 2] = [60.0, 0.5];
 
 /// What the shell of a scene is.
-pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance>) -> Description {
-    let (modelled, left_out) = lists(scene, surface);
+pub(crate) fn describe(
+    scene: &Scene,
+    shell: &Shell,
+    surface: Option<&Provenance>,
+    parts: Vec<String>,
+) -> Description {
+    let (modelled, left_out) = lists(scene, surface, parts);
     let dof = shell.freedoms();
     Description {
         kind: "shell",
@@ -59,7 +64,7 @@ fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
 }
 
 /// Lines of what is modelled, and of what is not.
-fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<String>) {
+fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
         format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
         format!(
@@ -75,12 +80,14 @@ fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<Strin
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
         }),
+        Section::File(_) => modelled.push("isotropic elasticity, sections of the file in closed form".into()),
         Section::Layered(section) => {
             modelled.push(describe_plies(section));
             let missing = ["delamination", "change of transverse shear strain from ply to ply"];
             left_out.extend(missing.map(String::from));
         }
     }
+    modelled.extend(parts);
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
     }

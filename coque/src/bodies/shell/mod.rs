@@ -3,6 +3,7 @@
 mod body;
 pub(crate) mod build;
 mod cells;
+mod columns;
 mod describe;
 pub(crate) mod doubts;
 mod edges;
@@ -10,7 +11,7 @@ mod fields;
 pub(crate) mod imported;
 mod linear_forces;
 mod material;
+mod parts;
 mod places;
 mod rigid;
-mod stress;
 mod velocity;
