@@ -161,6 +161,12 @@
 //! Π is subtracted as a pressure, where the paper adds it. There is no energy behind it, its stiffness is not
 //! symmetric, momentum is not kept; the tests measure that, and validation what it costs in accuracy.
 //!
+//! # Several sections
+//!
+//! [`Shell::with_regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
+//! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
+//! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
+//!
 //! # Supports and loads
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
@@ -169,7 +175,7 @@
 //! amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
 //! where it must be at the end of the step, and the work of its support is booked. A
-//! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower) and [`EdgeCouple`],
+//! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
 //! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
 //!
 //! Loads that follow the shell have a stiffness, [`Load::stiffness`]; the tangent of statics is `∂²U/∂q² − sym ∂f/∂q`. With
@@ -220,6 +226,8 @@
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
+//! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
+//! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
 //! | in two clocks: the same bits for any threads and after a pause, no allocation, the static answer at rest | tests/coupled.rs |

@@ -15,7 +15,7 @@ pub struct Load {
     pub on: String,
     /// Dead force, shared by the set.
     pub force: Option<Force>,
-    /// Couple on an edge, about a fixed axis or about the moving edge.
+    /// Couple on directors, about a fixed axis or about the moving edge.
     pub couple: Option<Couple>,
     /// Pressure along the normal of a shell or of some of its cells, dead or following it; on faces of a Galerkin solid against
     /// their normal, following them.
@@ -40,11 +40,11 @@ pub struct Force {
     pub by_area: bool,
 }
 
-/// Couple on an edge.
+/// Couple on the directors of a set, by tributary length on an edge, else equally; what would turn them about themselves is lost.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Couple {
-    /// Moment of the whole edge \[F L\].
+    /// Moment of the whole set \[F L\].
     pub moment: f64,
     /// Axis about which it turns.
     pub axis: Axis,

@@ -58,12 +58,12 @@ impl<'a> CellSets<'a> {
             ("but points without faces have no cells", "bring a mesh with faces")
         } else if self.scene.sets.contains_key(name) {
             (
-                "but its region holds no centre of a cell: what acts by area acts on cells",
+                "but its region holds no centre of a cell: areas and strains are those of cells",
                 "widen the region until it holds whole cells",
             )
         } else {
             (
-                "but no cell lies between its particles: what acts by area acts on cells",
+                "but no cell lies between its particles: areas and strains are those of cells",
                 "name \"all\", a group of faces of the file, or a box round the cells",
             )
         };

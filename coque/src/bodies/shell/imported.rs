@@ -7,7 +7,7 @@ use sph_core::{Cloud, Vec3};
 
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
-use crate::scene::{Formulation, Load, Mesh, Scene, Section};
+use crate::scene::{Axis, Formulation, Load, Mesh, Scene, Section};
 use mesh_io::surface::{Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
@@ -104,7 +104,7 @@ impl Imported {
         Ok(known.chain([("all".to_string(), all)]).collect())
     }
 
-    /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple needs one line of it.
+    /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple about the edge needs one line of it.
     pub(crate) fn edge(
         &self,
         scene: &Scene,
@@ -114,12 +114,12 @@ impl Imported {
     ) -> Result<Option<Vec<(u32, f64)>>, SceneError> {
         let lines = chains(particles, &self.surface.positions, &self.edges);
         let count = lines.as_ref().map_or(0, Vec::len);
-        if load.couple.is_some() && count != 1 {
+        if load.couple.is_some_and(|couple| couple.axis == Axis::Edge) && count != 1 {
             let why = match count {
                 0 => "its particles do not follow the boundary".to_string(),
                 count => format!("its particles lie on {count} lines of the boundary"),
             };
-            let bound = format!("but a couple acts on one line along the boundary: {why}");
+            let bound = format!("but a couple about the edge acts on one line along the boundary: {why}");
             let repair = "use a boundary loop, or a box or plane that holds one edge alone";
             let fault = scene.source.fault(path, &format!("\"{}\"", load.on), &bound, repair);
             return Err(SceneError::Set(fault));

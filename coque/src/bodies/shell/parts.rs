@@ -16,6 +16,8 @@ use crate::scene::{Analysis, MaterialSection, ShellScene, Taper};
 
 /// Cells that are alike.
 struct Alike {
+    /// Group of the file whose section they have.
+    group: Option<String>,
     cells: Vec<u32>,
     stuff: Stuff,
     density: f64,
@@ -77,16 +79,15 @@ impl Builder<'_> {
         let mut said = Vec::new();
         for (i, part) in shell.parts.iter().enumerate() {
             let (at, cells) = (scope.below(&format!("parts[{i}]")), std::mem::take(&mut own[i + 1]));
-            let count = cells.len();
             let found = self.alike(&shell.in_part(i), &at, cells, cloud, imported)?;
-            said.push(described(&part.on, count, part.offset, &found));
+            said.extend(described(&part.on, part.offset, &found));
             all.extend(found.into_iter().map(|alike| Alike { height: alike.height + part.offset, ..alike }));
         }
         let rest = std::mem::take(&mut own[0]);
         if !rest.is_empty() {
-            let count = rest.len();
             let found = self.alike(&shell.in_part(usize::MAX), &scope, rest, cloud, imported)?;
-            said.insert(0, described("all others", count, 0.0, &found));
+            let lines = described(if shell.parts.is_empty() { "all" } else { "all others" }, 0.0, &found);
+            said.splice(0..0, lines);
             all.extend(found);
         }
         let mut areal = vec![0.0; cloud.cells.len()];
@@ -102,7 +103,7 @@ impl Builder<'_> {
         if let Some(most) = most {
             all.remove(most);
         }
-        let region = |Alike { cells, stuff, density, height, axis }: Alike| {
+        let region = |Alike { cells, stuff, density, height, axis, .. }: Alike| {
             Ok(Region { cells, section: self.section(&stuff, &scope)?, density, height, axis })
         };
         let regions = all.into_iter().map(region).collect::<Result<_, SceneError>>()?;
@@ -163,6 +164,7 @@ impl Builder<'_> {
                     let centre = cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
                     let stuff = stuff.with_thickness(thickness_at(section.thickness, taper, &centre));
                     Ok(Alike {
+                        group: None,
                         cells: vec![cell],
                         stuff: self.sound(stuff, at, &centre)?,
                         density,
@@ -172,7 +174,10 @@ impl Builder<'_> {
                 };
                 cells.into_iter().map(one).collect()
             }
-            _ => Ok(vec![Alike { cells, stuff: self.stuff(shell, at)?, density, height: 0.0, axis }]),
+            _ => {
+                let stuff = self.stuff(shell, at)?;
+                Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis }])
+            }
         }
     }
 
@@ -243,7 +248,8 @@ impl Builder<'_> {
             let gauss_points = section.and_then(|section| section.gauss_points);
             let stuff = Stuff::isotropic(moduli, thickness, gauss_points);
             let stuff = stuff.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
-            all.push(Alike { cells, stuff, density, height: given.offset * thickness, axis: None });
+            let (group, height) = (Some(given.group.clone()), given.offset * thickness);
+            all.push(Alike { group, cells, stuff, density, height, axis: None });
         }
         Ok(all)
     }
@@ -253,12 +259,23 @@ fn thickness_at(thickness: f64, taper: &Taper, place: &Vec3) -> f64 {
     thickness + Vec3::from(taper.gradient).dot(&(place - Vec3::from(taper.point)))
 }
 
-/// A part in a line.
-fn described(name: &str, count: usize, offset: f64, all: &[Alike]) -> String {
+/// A part in a line, or in one for each section that the file gives to it.
+fn described(name: &str, offset: f64, all: &[Alike]) -> Vec<String> {
+    if let Some(groups) = all.iter().map(|alike| alike.group.as_ref()).collect::<Option<Vec<_>>>() {
+        let of = |(group, alike): (&String, &Alike)| {
+            line(&format!("{name}, section {group} of the file"), offset, std::slice::from_ref(alike))
+        };
+        return groups.into_iter().zip(all).map(of).collect();
+    }
+    vec![line(name, offset, all)]
+}
+
+fn line(name: &str, offset: f64, all: &[Alike]) -> String {
+    let count: usize = all.iter().map(|alike| alike.cells.len()).sum();
     let cells = if count == 1 { "1 cell".to_string() } else { format!("{count} cells") };
     let thickness = all.iter().map(|alike| alike.stuff.thickness());
     let [least, most] = [thickness.clone().fold(f64::INFINITY, f64::min), thickness.fold(0.0, f64::max)];
-    let thickness = if least == most { format!("{least}") } else { format!("{least:.5} to {most:.5}") };
+    let thickness = if least == most { format!("{least}") } else { format!("{least:.4e} to {most:.4e}") };
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };
     format!("part {name}: {cells}, thickness {thickness}{offset}")
 }

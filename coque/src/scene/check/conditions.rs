@@ -143,7 +143,9 @@ impl Scene {
                     if let Axis::Fixed(axis) = couple.axis {
                         s.direction(&format!("{at}.couple.axis"), axis)?;
                     }
-                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                    if couple.axis == Axis::Edge {
+                        self.only_on(at, &load.on, "a couple about the edge acts on an edge", &EDGES)?;
+                    }
                 }
                 LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
                 LoadKind::Gravity(g) => {
