@@ -263,6 +263,8 @@ fn broken_parts() {
             "thickness = 0.4\nsection.homogeneous.taper = { point = [0, 0, 0], gradient = [0, 0, 0] }",
         ),
         ("misspelt key", "section.homogeneous.thickness = 0.4", "thickness = 0.4"),
+        ("no mass", "[[parts]]", "[[masses]]\non = \"root\"\nmass = 0.0\n[[parts]]"),
+        ("a mass nowhere", "[[parts]]", "[[masses]]\non = \"engine\"\nmass = 1.0\n[[parts]]"),
     ];
     insta::assert_snapshot!(refused(&text, &cases));
 }
@@ -419,4 +421,20 @@ fn a_couple_about_a_fixed_axis_acts_on_any_set() {
     let of_block = (100.0 - 0.25 + 100.0 - 0.0625 + 100.0) / 3.0 / (2.0 * stiffness);
     let found = on("block");
     assert!((found / of_block - 1.0).abs() < 1e-3, "{found} {of_block}");
+}
+
+#[test]
+fn lumped_masses_have_weight_and_inertia() {
+    let text = strip(
+        THIN,
+        "loads = [{ on = \"all\", gravity = { acceleration = [0.0, 0.0, -2.0] } }]\nmasses = [{ on = \"u1\", mass = 3.0 }]",
+    );
+    let outcome = run(&text);
+    let loads = outcome.summary.body.resultants.as_ref().unwrap();
+    // The strip has a mass of 4; the other 3 hang on its end.
+    assert!((loads.loads[0].1.force[2] + 2.0 * 7.0).abs() < 1e-10, "{loads:?}");
+    let stiffness = 1e6 * 0.2_f64.powi(3) / 12.0;
+    let exact = -(2.0 * 0.4 * 1e4 / 8.0 + 6.0 * 1e3 / 3.0) / stiffness;
+    assert!((last(&outcome) / exact - 1.0).abs() < 2e-3, "{} {exact}", last(&outcome));
+    assert!(outcome.summary.body.modelled.contains(&"mass of 3 on u1".to_string()));
 }

@@ -31,6 +31,14 @@ pub enum ShellError {
         /// Cells in the cloud.
         count: usize,
     },
+    /// A mass that is none.
+    #[error("the mass at particle {particle} is {mass}; it must be positive and finite")]
+    Mass {
+        /// The particle.
+        particle: u32,
+        /// The mass \[M\].
+        mass: f64,
+    },
     /// A cell in two regions.
     #[error("cell {cell} lies in two regions; take it out of one of them")]
     TwoRegions {

@@ -167,6 +167,8 @@
 //! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
 //! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
 //!
+//! [`Shell::lump`] adds masses to particles, which do not turn with the director.
+//!
 //! # Supports and loads
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
@@ -227,6 +229,7 @@
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
 //! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
+//! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |
 //! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
@@ -240,6 +243,7 @@ mod conditions;
 mod control;
 mod error;
 mod formulation;
+mod lumped;
 mod packs;
 mod points;
 mod reference;

@@ -20,8 +20,8 @@ pub struct Reference {
     pub masses: Vec<f64>,
     /// Rotary inertias of the directors in marching \[M L²\], see [`Reference::new`].
     pub inertias: Vec<f64>,
-    /// Rotary inertias of the shell itself \[M L²\] where it has several sections; empty for one, whose radius of gyration is
-    /// that of its thickness.
+    /// Rotary inertias of the shell itself \[M L²\] where it has several sections or bears masses; empty for one, whose
+    /// radius of gyration is that of its thickness.
     pub rotary: Vec<f64>,
     /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,

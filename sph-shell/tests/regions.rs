@@ -9,7 +9,7 @@ use common::{
     shake, unsymmetric,
 };
 use explicit_dynamics::{Amplitude, Clock, Dynamics};
-use implicit_statics::{Equilibrium, linear_response};
+use implicit_statics::{Equilibrium, linear_response, natural_modes, unwatched};
 use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{Isotropic, IsotropicSection, Section};
 use sph_core::{Cloud, Side, Vec3};
@@ -292,4 +292,29 @@ fn what_makes_no_sense_is_refused() {
     assert!(matches!(with(CELLS, vec![heavy]), Err(ShellError::Density(_))));
     let wide = common::energy_formulations()[1].1;
     assert!(matches!(with(wide, vec![region(vec![0])]), Err(ShellError::RegionsWithoutCells)));
+}
+
+#[test]
+fn a_mass_at_the_end_lowers_the_frequency() {
+    let strip = Strip::new([41, 3]);
+    let t = 0.1_f64;
+    let clamp = strip.cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
+    let parts = Parts {
+        section: isotropic(YOUNG, 0.0, t),
+        supports: vec![Supported { particles: clamp, support: Box::new(Clamped) }],
+        ..parts(strip.cloud.clone(), CELLS, t)
+    };
+    let mut shell = Shell::new(parts).unwrap();
+    let whole: f64 = shell.reference().masses.iter().sum();
+    // As much as the strip itself, shared by the end as its width is.
+    let masses: Vec<(u32, f64)> = strip.end.iter().map(|&(a, share)| (a, 0.5 * whole * share)).collect();
+    shell.lump(&masses).unwrap();
+    let mut system = StaticShell::new(shell);
+    let found =
+        natural_modes(&mut system, 0.0, 1, 0.0, &mut unwatched).unwrap().modes[0].circular_frequency();
+    // 1 + cos x cosh x + x (cos x sinh x − sin x cosh x) = 0 at x = 1.247917.
+    let exact = 1.247_917_f64.powi(2) * (YOUNG * t * t / 12.0 / DENSITY / 1e4).sqrt();
+    assert!((found / exact - 1.0).abs() < 3e-3, "{found} {exact}");
+    assert!(matches!(system.shell_mut().lump(&[(7, -1.0)]), Err(ShellError::Mass { particle: 7, .. })));
+    assert!(matches!(system.shell_mut().lump(&[(700, 1.0)]), Err(ShellError::NoSuchParticle { .. })));
 }

@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 18] = [
+const WORDS: [&str; 19] = [
     "title",
     "units",
     "geometry",
@@ -19,6 +19,7 @@ const WORDS: [&str; 18] = [
     "material",
     "section",
     "parts",
+    "masses",
     "formulation",
     "velocity",
     "placed",

@@ -114,6 +114,7 @@ impl Scene {
         };
         let shell = Shell::with_regions(parts, sections.regions);
         let mut shell = shell.map_err(|e| builder.refusal(&e))?;
+        shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&mut shell);
         self.refuse_freedoms(shell.freedoms())?;
@@ -153,6 +154,18 @@ pub(crate) struct Builder<'a> {
 }
 
 impl Builder<'_> {
+    /// Lumped masses, shared equally by the particles of their sets.
+    fn masses(&self, sets: &Sets) -> Result<Vec<(u32, f64)>, SceneError> {
+        let mut all = Vec::new();
+        for (i, lumped) in self.scene.shell().masses.iter().enumerate() {
+            let path = self.scene.body_scope().path(&format!("masses[{i}].on"));
+            let particles = sets.at(self.scene, &path, &lumped.on)?;
+            let share = lumped.mass / particles.len() as f64;
+            all.extend(particles.iter().map(|&a| (a, share)));
+        }
+        Ok(all)
+    }
+
     /// A place as the scene gives it.
     pub(crate) fn turn_back(&self, v: &Vec3) -> Vec3 {
         self.turn.inverse() * v
@@ -356,6 +369,7 @@ impl Builder<'_> {
                 format!("supports[{number}]")
             }
             ShellError::TwoRegions { .. } => of_body("parts"),
+            ShellError::Mass { .. } => of_body("masses"),
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::NoSuchParticle { .. }
             | ShellError::NoSuchCell { .. }

@@ -88,6 +88,9 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
         }
     }
     modelled.extend(parts);
+    modelled.extend(
+        scene.shell().masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)),
+    );
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
     }

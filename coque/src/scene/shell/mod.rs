@@ -12,7 +12,7 @@ use serde::Deserialize;
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
 use material::{Material, Section};
-use parts::ShellPart;
+use parts::{LumpedMass, ShellPart};
 
 use super::velocity::Velocity;
 
@@ -31,6 +31,9 @@ pub struct ShellScene {
     /// Cells with a material, section or height of their own.
     #[serde(default)]
     pub parts: Vec<ShellPart>,
+    /// Masses lumped at particles; they count in time, in modes and under gravity on all.
+    #[serde(default)]
+    pub masses: Vec<LumpedMass>,
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
@@ -56,6 +59,15 @@ pub enum WetFaces {
 
 impl ShellScene {
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 8] =
-        ["geometry", "orientation", "material", "section", "parts", "formulation", "placed", "velocity"];
+    pub(crate) const WORDS: [&'static str; 9] = [
+        "geometry",
+        "orientation",
+        "material",
+        "section",
+        "parts",
+        "masses",
+        "formulation",
+        "placed",
+        "velocity",
+    ];
 }

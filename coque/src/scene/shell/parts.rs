@@ -1,4 +1,4 @@
-//! Parts of a shell: cells with a material, section or height of their own.
+//! Parts of a shell: cells with a material, section or height of their own; masses lumped at particles.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -18,4 +18,14 @@ pub struct ShellPart {
     /// Height of the middle of its thickness over the particles, along their normals \[L\].
     #[serde(default)]
     pub offset: f64,
+}
+
+/// A mass lumped at the particles of a set, such as that of an engine on its feet.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LumpedMass {
+    /// Particle set, which shares it equally.
+    pub on: String,
+    /// The whole mass \[F T²/L\].
+    pub mass: f64,
 }

@@ -6,6 +6,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
+use crate::scene::shell::parts::LumpedMass;
 
 type Checked = Result<(), SceneError>;
 
@@ -45,8 +46,13 @@ impl ShellScene {
 }
 
 impl Scene {
-    /// Refuses parts without anything of their own, numbers out of bounds, and parts where there are no cells or a fluid.
+    /// Refuses masses that are none, parts without anything of their own, numbers out of bounds, and parts where there are no cells or a fluid.
     pub(in crate::scene::check) fn check_parts(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
+        for (i, LumpedMass { on, mass }) in shell.masses.iter().enumerate() {
+            let own = s.below(&format!("masses[{i}]"));
+            self.check_set_name(&own.path("on"), on)?;
+            own.positive("mass", *mass)?;
+        }
         if !shell.has_parts() {
             return Ok(());
         }
