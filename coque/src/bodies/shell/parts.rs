@@ -85,7 +85,7 @@ impl Builder<'_> {
         }
         let rest = std::mem::take(&mut own[0]);
         if !rest.is_empty() {
-            let found = self.alike(&shell.in_part(usize::MAX), &scope, rest, cloud, imported)?;
+            let found = self.alike(shell, &scope, rest, cloud, imported)?;
             let lines = described(if shell.parts.is_empty() { "all" } else { "all others" }, 0.0, &found);
             said.splice(0..0, lines);
             all.extend(found);
