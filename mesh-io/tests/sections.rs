@@ -20,7 +20,8 @@ fn groups_of_faces_stay_groups_of_cells() {
     }
     let surface = obj(&text);
     let faces: Vec<usize> = surface.face_sets.values().map(Vec::len).collect();
-    assert_eq!((surface.face_sets.keys().collect::<Vec<_>>(), faces), (vec!["left", "right"], vec![4, 4]));
+    let names: Vec<&str> = surface.face_sets.keys().map(String::as_str).collect();
+    assert_eq!((names, faces), (vec!["left", "right"], vec![4, 4]));
     let kinds: Vec<u32> = (0..8).map(|face| u32::from(surface.face_sets["right"].contains(&face))).collect();
     let (cloud, _, of_cells) = surface.cloud_of_kinds(surface.node_normals(), &kinds).unwrap();
     for (cell, kind) in cloud.cells.iter().zip(&of_cells) {

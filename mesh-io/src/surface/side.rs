@@ -21,6 +21,8 @@ pub fn side(cloud: &Cloud) -> String {
     if (0..cloud.len()).all(|a| height(a).abs() <= FLAT * extent) {
         return here;
     }
-    let outward = (0..cloud.len()).filter(|&a| height(a) > 0.0).map(|a| cloud.areas[a]).sum::<f64>() / area;
+    // A sum of nothing is −0.
+    let outward =
+        (0..cloud.len()).filter(|&a| height(a) > 0.0).fold(0.0, |sum, a| sum + cloud.areas[a]) / area;
     format!("away from the centroid on {:.0} % of the area, {here}", 100.0 * outward)
 }
