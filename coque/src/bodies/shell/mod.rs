@@ -14,4 +14,5 @@ mod material;
 mod parts;
 mod places;
 mod rigid;
+mod sections;
 mod velocity;

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use shell_kinematics::Section;
 use sph_core::{Cloud, Vec3};
 use sph_shell::Region;
 
@@ -10,6 +9,7 @@ use super::build::Builder;
 use super::cells::CellSets;
 use super::imported::Imported;
 use super::material::Stuff;
+use super::sections::Sections;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{Analysis, MaterialSection, ShellScene, Taper};
@@ -23,30 +23,6 @@ struct Alike {
     density: f64,
     height: f64,
     axis: Option<Vec3>,
-}
-
-/// The sections of a shell: the one of most cells on their particles, and those that differ.
-pub(super) struct Sections {
-    /// The section of all cells that no region names.
-    pub base: Box<dyn Section>,
-    /// Its density \[M/L³\].
-    pub density: f64,
-    /// Its first axis.
-    pub axis: Option<Vec3>,
-    /// The others.
-    pub regions: Vec<Region>,
-    /// Mass by area of each cell \[M/L²\]; none where all are alike.
-    areal: Vec<f64>,
-    /// What is modelled, a line a part.
-    pub said: Vec<String>,
-}
-
-impl Sections {
-    /// Mass by area of a cell \[M/L²\].
-    pub fn area_density(&self, cell: u32) -> f64 {
-        let alike = || self.density * self.base.scales().thickness;
-        self.areal.get(cell as usize).copied().unwrap_or_else(alike)
-    }
 }
 
 impl Builder<'_> {
