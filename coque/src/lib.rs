@@ -48,6 +48,7 @@
 //! |---|---|
 //! | `geometry` | a cloud of `sph-core`, or a mesh by [`mesh::Surface::cloud`] |
 //! | `material`, `section` | a section of `shell-kinematics`; of `layered` the plies with a material axis |
+//! | `parts` | regions of `sph-shell`: cells with a section and height of their own |
 //! | `formulation` | the position of the dial in `sph-shell`, with the strain measure |
 //! | `supports`, `loads` | supports and loads of `sph-shell` on named sets of particles |
 //! | `analysis` | see below |
@@ -85,6 +86,15 @@
 //! pressure        mean of p_a; on walls the mean of the fluid before the place, carried there by gravity, zero where dry
 //! density         mean of ρ_a             level      mean height of the surface over places of walls
 //! force           sum of a fluid's forces on walls or a structure, moment likewise; by depth in a plane
+//! reaction-moment sum of (x_a − p) × reaction_a + d_a × what supports exert on the director, along e
+//! ```
+//!
+//! Over the cells of a set, from strains and section forces at their middle, e in the surface at rest:
+//!
+//! ```text
+//! membrane-force, bending-moment   mean of e·N·e, e·M·e         shear-force   mean of Q·e
+//! stress                           mean of e·σ·e at a face      von-mises     largest at both faces, or at one
+//! energy                           sum of ½ w (N:e_m + M:κ + Q·γ)
 //! ```
 //!
 //! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
@@ -93,7 +103,7 @@
 //! v(0) + (4 s(ε) − s(2ε))/3,     s(ε) = (v(ε) − v(−ε))/2ε,     ε of a hundredth of a thickness
 //! ```
 //!
-//! Stresses at the faces of a homogeneous section, in the field files, are `σ = N/t ± 6M/t²`; von Mises is
+//! Stresses at the faces of a homogeneous section at the height e are `σ = N/t ± 6(M − eN)/t²`; von Mises is
 //! `√(σ11² + σ22² − σ11σ22 + 3σ12²)`, plane stress.
 //!
 //! # Surfaces from files
@@ -131,7 +141,8 @@
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
-//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/shell/stress.rs) |
+//! | loads on cells, parts and sections of files as closed forms have them; columns of strains are those of a beam | tests/parts.rs |
+//! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/sampled.rs) |
 
 mod analyses;
 mod bodies;
@@ -146,8 +157,9 @@ mod warning;
 pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::doubts::doubts;
 pub use bodies::{
-    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, Marched, Memory, Mismatch,
-    Model, Part, PrescribedPoint, Probe, Ready, Shape, Shown, State, StateArray, TangentCost, Task,
+    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, LoadResultants, Marched,
+    Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, Shown, State, StateArray,
+    TangentCost, Task,
 };
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
 pub use mesh_io::{

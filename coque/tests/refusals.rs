@@ -47,7 +47,11 @@ fn broken_scenes() {
         ("two conditions", "clamped = {}", "clamped = {}\nhinged = {}"),
         ("no condition", "clamped = {}\n", ""),
         ("zero direction", "normal = [0.0, 1.0, 0.0]", "normal = [0.0, 0.0, 0.0]"),
-        ("couple on a point", "on = \"u1\"\ncouple", "on = \"u1v1\"\ncouple"),
+        (
+            "couple about the edge on a point",
+            "on = \"u1\"\ncouple = { moment = 62.83185307179586, axis = [0.0, -1.0, 0.0] }",
+            "on = \"u1v1\"\ncouple = { moment = 62.83185307179586, axis = \"edge\" }",
+        ),
         ("levels out of order", "0.25, 0.375", "0.375, 0.25"),
         ("no levels", "levels = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0]", "levels = []"),
         (

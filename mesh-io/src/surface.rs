@@ -13,6 +13,8 @@ mod quality;
 mod raw;
 mod refusal;
 mod report;
+mod sections;
+mod side;
 mod undivided;
 
 use std::collections::BTreeMap;
@@ -31,6 +33,8 @@ pub use formats::{Format, parse, read};
 pub use junctions::Junctions;
 pub use quality::{Quality, quality};
 pub use report::report;
+pub use sections::{FileMaterial, FileSection};
+pub use side::side;
 
 /// The bound of every scene; ten million particles take about ten gigabytes.
 const MOST_NODES: usize = 10_000_000;
@@ -50,6 +54,12 @@ pub struct Surface {
     pub faces: Vec<Cell>,
     /// Groups of the file by name, ascending.
     pub sets: BTreeMap<String, Vec<u32>>,
+    /// Faces of the groups that the file gives as faces, by name, ascending; their nodes are in `sets`.
+    pub face_sets: BTreeMap<String, Vec<u32>>,
+    /// Sections of groups of faces, in the order of the file.
+    pub sections: Vec<FileSection>,
+    /// Materials that sections name, by name in small letters.
+    pub materials: BTreeMap<String, FileMaterial>,
     /// Normals from the file (any length), where it gives all of them.
     pub normals: Option<Vec<Vec3>>,
     /// Tributary areas of points `[L²]`; empty for faces.
@@ -145,6 +155,9 @@ impl Surface {
             positions: raw.positions,
             faces,
             sets: BTreeMap::new(),
+            face_sets: raw.face_sets,
+            sections: raw.sections,
+            materials: raw.materials,
             normals,
             areas: raw.areas,
             thicknesses: raw.thicknesses,
@@ -155,6 +168,10 @@ impl Surface {
             origins: raw.faces.iter().map(|face| (face.label, face.line)).collect(),
         };
         surface.name_sets(raw.sets)?;
+        for faces in surface.face_sets.values_mut() {
+            faces.sort_unstable();
+            faces.dedup();
+        }
         Ok(surface)
     }
 
@@ -207,6 +224,7 @@ impl Surface {
         self.areas.iter_mut().for_each(|area| *area *= factor * factor);
         self.thicknesses.iter_mut().for_each(|thickness| *thickness *= factor);
         self.loops.iter_mut().for_each(|found| found.length *= factor);
+        self.sections.iter_mut().for_each(|section| section.thickness *= factor);
         self
     }
 
@@ -216,6 +234,7 @@ impl Surface {
         self.normals.iter_mut().flatten().for_each(|normal| *normal = -*normal);
         // The surface stays on the left: loops run the other way.
         self.loops.iter_mut().for_each(|found| found.nodes[1..].reverse());
+        self.sections.iter_mut().for_each(|section| section.offset = -section.offset);
         self
     }
 
@@ -244,6 +263,20 @@ impl Surface {
     /// # Errors
     /// [`MeshError`] for what the cloud refuses, with the nodes named as in the file.
     pub fn cloud(&self, normals: Vec<Vec3>) -> Result<(Cloud, Cells), MeshError> {
+        let all_alike = vec![0; self.faces.len()];
+        self.cloud_of_kinds(normals, &all_alike).map(|(cloud, cells, _)| (cloud, cells))
+    }
+
+    /// The same with triangles joined only to those of their kind, so that groups of faces stay groups of cells; with the kind
+    /// of every cell. `kinds` has an entry a face.
+    ///
+    /// # Errors
+    /// As [`Surface::cloud`].
+    pub fn cloud_of_kinds(
+        &self,
+        normals: Vec<Vec3>,
+        kinds: &[u32],
+    ) -> Result<(Cloud, Cells, Vec<u32>), MeshError> {
         if self.faces.is_empty() {
             let frames = normals.into_iter().map(Frame::from_normal).collect();
             let cloud = Cloud {
@@ -258,25 +291,30 @@ impl Surface {
                 lattice: None,
             };
             cloud.check().map_err(|error| self.refusal(&error))?;
-            return Ok((cloud, Cells::default()));
+            return Ok((cloud, Cells::default(), Vec::new()));
         }
-        let (cells, counts) = self.cells();
+        let (cells, counts) = self.cells(kinds);
+        let (cells, kinds) = cells.into_iter().unzip();
         let cloud = Cloud::from_sheets(self.positions.clone(), Some(normals), cells, self.joined.clone());
-        cloud.map(|cloud| (cloud, counts)).map_err(|error| self.refusal(&error))
+        cloud.map(|cloud| (cloud, counts, kinds)).map_err(|error| self.refusal(&error))
     }
 
-    /// The cells of the cloud: quadrangles, and triangles joined in pairs.
-    fn cells(&self) -> (Vec<Cell>, Cells) {
-        let (triangles, mut cells): (Vec<Cell>, Vec<Cell>) =
-            self.faces.iter().partition(|face| face.count == 3);
-        let corners: Vec<[u32; 3]> =
-            triangles.iter().map(|t| [t.corners[0], t.corners[1], t.corners[2]]).collect();
-        let paired = pair_triangles(&self.positions, &corners);
-        let joined = triangles.len() - paired.len();
-        let counts = Cells { quadrangles: cells.len(), triangles: triangles.len(), joined };
-        cells.extend(paired);
+    /// The cells of the cloud, each with its kind: quadrangles, and triangles joined in pairs of one kind.
+    fn cells(&self, kinds: &[u32]) -> (Vec<(Cell, u32)>, Cells) {
+        let faces = self.faces.iter().copied().zip(kinds.iter().copied());
+        let (triangles, mut cells): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| face.count == 3);
+        let quadrangles = cells.len();
+        let mut of_kinds: BTreeMap<u32, Vec<[u32; 3]>> = BTreeMap::new();
+        for (Cell { corners: [a, b, c, _], .. }, kind) in &triangles {
+            of_kinds.entry(*kind).or_default().push([*a, *b, *c]);
+        }
+        for (kind, corners) in of_kinds {
+            cells.extend(pair_triangles(&self.positions, &corners).into_iter().map(|cell| (cell, kind)));
+        }
+        let joined = triangles.len() - (cells.len() - quadrangles);
+        let counts = Cells { quadrangles, triangles: triangles.len(), joined };
         // In the order of the particles: a step then sweeps both together.
-        cells.sort_by_key(|cell| cell.particles().iter().copied().min());
+        cells.sort_by_key(|(cell, _)| cell.particles().iter().copied().min());
         (cells, counts)
     }
 }

@@ -131,6 +131,7 @@
 //! | transport is the paper's update, the rate is carried | `parallel_transport_is_the_papers_update` |
 //! | isotropic, integrated and layered sections of one material agree | `sections_of_one_isotropic_material_agree`, `isotropic_plies_are_the_isotropic_section` (tests/layered.rs) |
 //! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
+//! | sections side by side are those alone, at any height | `sections_side_by_side_are_those_alone` (tests/layered.rs) |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -141,6 +142,7 @@ mod pack;
 mod placement;
 mod rotation;
 mod section;
+mod section_pack;
 mod strain;
 mod strains;
 mod tangent;
@@ -153,6 +155,7 @@ pub use rotation::parallel_transport;
 pub use section::{
     Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
 };
+pub use section_pack::SectionPack;
 pub use strain::{
     GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
 };

@@ -8,7 +8,8 @@ use nalgebra::{SMatrix, SymmetricEigen};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use shell_kinematics::{
-    Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply, Section, Strains,
+    Isotropic, IsotropicSection, LANES, LayeredSection, MaterialError, Orthotropic, Pack, Ply, Resultants,
+    Section, SectionPack, Strains, linear_tangent,
 };
 
 type Stiffness = SMatrix<f64, 8, 8>;
@@ -240,4 +241,38 @@ fn what_is_out_of_bounds_is_named() {
     assert_eq!(LayeredSection::new(&[]).unwrap_err(), MaterialError::NoPlies);
     let askew = Ply { material: roof(), thickness: 1.0, angle: f64::INFINITY };
     assert_eq!(LayeredSection::new(&[askew]).unwrap_err(), MaterialError::Angle(f64::INFINITY));
+}
+
+#[test]
+fn sections_side_by_side_are_those_alone() {
+    let isotropic = IsotropicSection::new(Isotropic::new(210.0, 0.3).unwrap(), 0.4).unwrap();
+    let plies = stack(&[(roof(), 0.1, 0.3), (roof(), 0.2, -1.1)]);
+    let heights = [0.0, 0.7, 0.0, -0.3];
+    let sections: [&dyn Section; LANES] = [&isotropic, &isotropic, &plies, &plies];
+    let pack = SectionPack::new(sections, heights);
+    let p: [Pack; 8] = std::array::from_fn(|i| Pack::splat(0.3 - 0.1 * i as f64));
+    let strains =
+        Strains { membrane: [p[0], p[1], p[2]], curvature: [p[3], p[4], p[5]], shear: [p[6], p[7]] };
+    let list = |r: &Resultants| [&r.membrane[..], &r.moment, &r.shear].concat();
+    let found = list(&pack.resultants(&strains));
+    for (lane, (section, height)) in sections.into_iter().zip(heights).enumerate() {
+        // Strained at its own middle, its membrane force on its arm.
+        let mut there = strains;
+        (0..3).for_each(|i| there.membrane[i] += there.curvature[i] * height);
+        let mut alone = section.resultants(&there);
+        (0..3).for_each(|i| alone.moment[i] += alone.membrane[i] * height);
+        for (a, b) in found.iter().zip(list(&alone)) {
+            let [a, b] = [a.lanes()[lane], b.lanes()[lane]];
+            assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()), "lane {lane}: {a} {b}");
+        }
+        let energy = [pack.energy(&strains), section.energy(&there)].map(|e| e.lanes()[lane]);
+        assert!((energy[0] / energy[1] - 1.0).abs() < 1e-12);
+    }
+    // The tangent is symmetric, and its columns are the answers to unit strains.
+    let (tangent, columns) = (pack.tangent(&strains), linear_tangent(&pack));
+    for (row, own) in tangent.iter().zip(&columns) {
+        for (a, b) in row.iter().zip(own) {
+            assert!((0..LANES).all(|lane| (a.lanes()[lane] - b.lanes()[lane]).abs() < 1e-12));
+        }
+    }
 }

@@ -38,8 +38,35 @@ pub enum ShellError {
         /// Particles in the cloud.
         count: usize,
     },
-    /// A load or support on no particles.
-    #[error("{0} acts on an empty set of particles; name a set that holds at least one")]
+    /// A cell number beyond the cloud.
+    #[error("{what} names cell {cell}, but the cloud has {count} cells (numbered from 0)")]
+    NoSuchCell {
+        /// Who named it.
+        what: &'static str,
+        /// The number.
+        cell: u32,
+        /// Cells in the cloud.
+        count: usize,
+    },
+    /// A mass that is none.
+    #[error("the mass at particle {particle} is {mass}; it must be positive and finite")]
+    Mass {
+        /// The particle.
+        particle: u32,
+        /// The mass \[M\].
+        mass: f64,
+    },
+    /// A cell in two regions.
+    #[error("cell {cell} lies in two regions; take it out of one of them")]
+    TwoRegions {
+        /// The cell.
+        cell: u32,
+    },
+    /// Regions where strains are not sampled in cells.
+    #[error("several sections want strains sampled in cells; use the formulation by cells")]
+    RegionsWithoutCells,
+    /// A load or support on nothing.
+    #[error("{0} acts on an empty set; name a set that holds at least one particle or cell")]
     EmptySet(&'static str),
     /// An edge load on particles that do not lie on an edge in a row.
     #[error("{0} needs at least two particles in a row along an edge of the shell")]

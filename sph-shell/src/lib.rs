@@ -164,6 +164,14 @@
 //! Π is subtracted as a pressure, where the paper adds it. There is no energy behind it, its stiffness is not
 //! symmetric, momentum is not kept; the tests measure that, and validation what it costs in accuracy.
 //!
+//! # Several sections
+//!
+//! [`Shell::with_regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
+//! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
+//! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
+//!
+//! [`Shell::lump`] adds masses to particles, which do not turn with the director.
+//!
 //! # Supports and loads
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
@@ -172,7 +180,7 @@
 //! amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
 //! where it must be at the end of the step, and the work of its support is booked. A
-//! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower) and [`EdgeCouple`],
+//! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
 //! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
 //!
 //! Loads that follow the shell have a stiffness, [`Load::stiffness`]; the tangent of statics is `∂²U/∂q² − sym ∂f/∂q`. With
@@ -224,6 +232,9 @@
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
+//! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
+//! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |
+//! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
 //! | in two clocks: the same bits for any threads and after a pause, no allocation, the static answer at rest | tests/coupled.rs |
@@ -239,9 +250,11 @@ mod error;
 mod formulation;
 mod gather;
 mod junction;
+mod lumped;
 mod packs;
 mod points;
 mod reference;
+mod regions;
 mod registers;
 mod shared;
 mod shell;
@@ -257,14 +270,17 @@ use conditions::supports::Constraint;
 use junction::group::Junctions;
 use packs::Row;
 use points::scheme::Points;
+use regions::Regions;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use conditions::prescribed::{Motion, Rotation};
-pub use conditions::pressure::Pressure;
+pub use conditions::pressure::{Pressure, PressurePatch};
+pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
+pub use conditions::spread::spread;
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
@@ -273,6 +289,7 @@ pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
 pub use points::results::PointResult;
 pub use reference::Reference;
+pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use wetted::wetting::{Sides, Wetting};
@@ -280,7 +297,9 @@ pub use wetted::wetting::{Sides, Wetting};
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {
     reference: Reference,
+    /// The section, of several that of the cells in no region.
     section: Box<dyn Section>,
+    regions: Regions,
     strain: &'static dyn StrainMeasure,
     formulation: Formulation,
     points: Points,

@@ -20,6 +20,9 @@ pub struct Reference {
     pub masses: Vec<f64>,
     /// Rotary inertias of the directors in marching \[M L²\], see [`Reference::new`].
     pub inertias: Vec<f64>,
+    /// Rotary inertias of the shell itself \[M L²\] where it has several sections or bears masses; empty for one, whose
+    /// radius of gyration is that of its thickness.
+    pub rotary: Vec<f64>,
     /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
 }
@@ -62,7 +65,7 @@ impl Reference {
         let inertias =
             masses.iter().zip(&cell_areas).map(|(m, cell)| m * (t * t).max(*cell) / 12.0).collect();
         let sound_speed = (section.membrane / (density * t)).sqrt();
-        Ok(Self { cloud, operator, masses, inertias, sound_speed })
+        Ok(Self { cloud, operator, masses, inertias, rotary: Vec::new(), sound_speed })
     }
 
     /// Rows `[x, d]` of all particles at rest.

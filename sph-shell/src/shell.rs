@@ -18,6 +18,7 @@ use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme};
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
+use crate::regions::{PointSection, Region, Regions};
 use crate::time::fused::Fused;
 
 /// What a shell is made of.
@@ -50,24 +51,40 @@ impl Shell {
     /// [`ShellError`]: unsound clouds, stencils too small for their order, empty or unknown sets,
     /// supports that contradict each other.
     pub fn new(parts: Parts) -> Result<Self, ShellError> {
+        Self::with_regions(parts, Vec::new())
+    }
+
+    /// The same with sections of their own on some cells; the section of the parts is that of all others.
+    ///
+    /// # Errors
+    /// As [`Shell::new`], for cells in two regions, and for regions where strains are not sampled in cells.
+    pub fn with_regions(parts: Parts, regions: Vec<Region>) -> Result<Self, ShellError> {
         let cells = matches!(parts.formulation, Formulation::StressPoint(Reach::Cell));
         if !cells && !parts.cloud.joined.is_empty() {
             return Err(ShellError::JunctionOfWideStencils);
         }
-        let scales = parts.section.scales();
-        let reference = Reference::new(
+        let base = &*parts.section;
+        let own_axes = !regions.is_empty();
+        let mut reference = Reference::new(
             parts.cloud,
             &parts.formulation,
-            &scales,
+            &base.scales(),
             parts.density,
-            parts.material_axis.as_ref(),
+            parts.material_axis.as_ref().filter(|_| !own_axes),
         )?;
+        let regions = Regions::new(regions, &reference, &parts.formulation)?;
+        if own_axes {
+            regions.align(parts.material_axis, &mut reference)?;
+            regions.weigh(base, parts.density, &mut reference);
+        }
         for load in &parts.loads {
             load.load.check(&reference)?;
         }
         let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
         let junctions = Junctions::new(&reference)?;
-        let (points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
+        let scales = regions.scales(base);
+        let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
+        points.sections = regions.packs(base, &points.packs.order);
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {
             Scheme::Cells { .. } => {
@@ -95,6 +112,7 @@ impl Shell {
             fused,
             threads,
             reference,
+            regions,
             section: parts.section,
             strain: parts.strain,
             formulation: parts.formulation,
@@ -116,14 +134,25 @@ impl Shell {
         self.strain
     }
 
-    /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
+    /// Whether stresses run linearly through the thickness everywhere, so that those at the faces follow from the resultants.
     pub fn homogeneous(&self) -> bool {
-        self.section.homogeneous()
+        self.regions.homogeneous(&*self.section)
     }
 
-    /// Thickness \[L\].
+    /// Thickness, of several sections the mean over the area \[L\].
     pub fn thickness(&self) -> f64 {
-        self.section.scales().thickness
+        let mean = self.regions.mean_thickness(&*self.section, &self.reference);
+        mean.unwrap_or_else(|| self.section.scales().thickness)
+    }
+
+    /// Whether some cells have sections of their own.
+    pub fn has_regions(&self) -> bool {
+        !self.points.sections.is_empty()
+    }
+
+    /// What is read of the section at a sampling point.
+    pub fn section_at(&self, point: usize) -> PointSection {
+        self.regions.read(&*self.section, point)
     }
 
     /// What chords of uneven curved cells do to the membrane; nothing on lattices of developable surfaces.
@@ -208,7 +237,7 @@ impl Shell {
             self.fused = Some(fused);
             return;
         }
-        let Points { packs, shear, scheme } = &mut self.points;
+        let Points { packs, shear, scheme, .. } = &mut self.points;
         if let Scheme::StrongForm { equations, forces } = scheme {
             let law = PointLaw { strain: self.strain, section: &*self.section };
             self.internal_energy = equations.evaluate(

@@ -11,8 +11,8 @@ use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, line
 use shell_kinematics::strain_measures;
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    Block, Body, Clamped, CoupleAxis, EdgeCouple, Force, Gravity, Load, Pressure, StaticShell, Supported,
-    SymmetryPlane,
+    Block, Body, Clamped, CoupleAxis, EdgeCouple, Force, Gravity, Load, Pressure, PressurePatch, StaticShell,
+    Supported, SymmetryPlane, spread,
 };
 
 /// Every kind of load, on the edge given, and whether it follows the shell.
@@ -24,6 +24,12 @@ fn loads(edge: &[(u32, f64)]) -> Vec<(&'static str, bool, Box<dyn Load>)> {
         ("gravity", false, Box::new(Gravity { acceleration: Vec3::new(0.0, 0.3, -9.8) })),
         ("dead pressure", false, Box::new(Pressure { value: 1.3, follower: false })),
         ("follower pressure", true, Box::new(Pressure { value: 1.3, follower: true })),
+        ("follower pressure on cells", true, {
+            Box::new(PressurePatch {
+                pressure: Pressure { value: 1.3, follower: true },
+                cells: vec![2, 3, 7],
+            })
+        }),
         ("couple about a fixed axis", true, couple(CoupleAxis::Fixed(Vec3::new(0.6, 0.0, 0.8)))),
         ("couple about the edge", true, couple(CoupleAxis::Edge)),
     ]
@@ -169,4 +175,63 @@ fn residuals_fall_quadratically_under_follower_pressure() {
         .fold(0.0, f64::max);
     assert!(oval > 0.2, "the tube is still round: {oval}");
     assert!(order > 1.8, "order {order} in {residuals:?}");
+}
+
+/// A shell of particles in disorder under one load on some cells.
+fn loaded(load: Box<dyn Load>) -> sph_shell::Shell {
+    let cloud = scattered_curved(0.5);
+    let clamp = Supported {
+        particles: cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(),
+        support: Box::new(Clamped),
+    };
+    shell(cloud, energy_formulations()[0].1, 0.2, strain_measures()[0], vec![clamp], vec![load])
+}
+
+#[test]
+fn patches_of_pressure_add_up_to_the_whole() {
+    let cells = scattered_curved(0.5).cells.len() as u32;
+    let half = cells / 2;
+    let of = |load: Box<dyn Load>| {
+        let mut body = loaded(load);
+        shake(&mut body, 0.1, 4);
+        body.load_resultants(body.centroid())[0]
+    };
+    for follower in [false, true] {
+        let pressure = Pressure { value: 1.3, follower };
+        let part =
+            |cells: std::ops::Range<u32>| of(Box::new(PressurePatch { pressure, cells: cells.collect() }));
+        let (whole, one, other) = (of(Box::new(pressure)), part(0..half), part(half..cells));
+        assert!((one.force + other.force - whole.force).norm() < 1e-13 * whole.force.norm());
+        assert!((one.moment + other.moment - whole.moment).norm() < 1e-13 * whole.force.norm());
+    }
+}
+
+#[test]
+fn areas_spread_over_cells_add_up_to_those_of_the_particles() {
+    for cloud in [flat([6, 5], [2.0, 1.5]), scattered_curved(0.5)] {
+        let cells: Vec<u32> = (0..cloud.cells.len() as u32).collect();
+        let mut sums = vec![0.0; cloud.len()];
+        for cells in cells.chunks(7) {
+            spread(&cloud, cells, |_| 1.0).into_iter().for_each(|(a, part)| sums[a as usize] += part);
+        }
+        for (sum, area) in sums.iter().zip(&cloud.areas) {
+            assert!((sum / area - 1.0).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn supports_bear_what_the_loads_are() {
+    let pressure = Pressure { value: 0.3, follower: true };
+    let mut system = StaticShell::new(loaded(Box::new(PressurePatch { pressure, cells: (3..9).collect() })));
+    let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false };
+    Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
+    system.evaluate(1.0);
+    let shell = system.shell();
+    // About any point, and in the deformed state.
+    for about in [shell.centroid(), Vec3::new(7.0, -2.0, 1.0)] {
+        let (load, borne) = (shell.load_resultants(about)[0], shell.support_resultant(about));
+        assert!((load.force + borne.force).norm() < 1e-9 * load.force.norm());
+        assert!((load.moment + borne.moment).norm() < 1e-9 * load.force.norm(), "{load:?} {borne:?}");
+    }
 }

@@ -5,7 +5,7 @@ use sph_core::Vec3;
 
 use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
-use crate::bodies::{Balanced, Probe};
+use crate::bodies::{Balanced, Probe, Resultant};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::Energies;
@@ -37,7 +37,7 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     let there = moved(system, &rest, &motion, loaded(run, 1.0));
     let largest = farthest(system, &there);
     let step = if largest > 0.0 { REACH * system.linear_reach() / largest } else { 1.0 };
-    let (columns, fields) = (run.probes.iter().map(Probe::part_count).sum(), run.frames.is_some());
+    let (columns, fields) = (run.probes.iter().map(Probe::part_count).sum::<usize>(), run.frames.is_some());
     // Rotations are counted on from the first reading, at rest.
     let mut readings: [Vec<f64>; 5] = Default::default();
     let mut energies = [0.0; 5];
@@ -49,6 +49,7 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
         system.update(&scaled(&motion, k * step));
         *energy = system.refresh(loaded(run, k * step));
         reading.extend(run.probes.iter_mut().flat_map(|probe| probe.parts(system)));
+        reading.extend(system.support_resultant().into_iter().flat_map(|r| [r.force, r.moment]).flatten());
         if fields {
             reading.extend(system.forces());
         }
@@ -75,13 +76,17 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
         let own: Vec<f64> = parts.by_ref().take(probe.part_count()).collect();
         probe.of_parts(&own)
     }));
+    let borne =
+        system.support_resultant().map(|_| -> [f64; 6] { std::array::from_fn(|k| linear(columns + k)) });
+    run.supports = borne.map(|[a, b, c, d, e, f]| Resultant { force: [a, b, c], moment: [d, e, f] });
     run.push(row);
     run.record.energies = Energies::at_rest(internal);
     run.record.newton_iterations = 1;
     keep_enlarged(system.configuration().rest, &there, 1.0, run);
     let level = loaded(run, 1.0);
     if let Some(frames) = &mut run.frames {
-        let forces: Vec<f64> = (columns..here.len()).map(linear).collect();
+        let after = columns + borne.map_or(0, |borne| borne.len());
+        let forces: Vec<f64> = (after..here.len()).map(linear).collect();
         moved(system, &rest, &motion, level);
         frames.offer_linear(system, &forces);
         system.restore(&rest);

@@ -14,7 +14,7 @@ use std::time::Instant;
 
 pub use estimate::Estimate;
 
-use crate::bodies::{Balanced, Description, Marched, Model, Ready, TangentCost};
+use crate::bodies::{Balanced, Description, Marched, Model, Ready, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
@@ -78,6 +78,7 @@ impl Model {
             probes: std::mem::take(&mut self.probes),
             driven: self.driven,
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
+            supports: None,
             frames: sink.map(|sink| Frames::new(sink, &self.task, driven)),
             progress,
             checkpoints,
@@ -114,7 +115,7 @@ impl Model {
                 ended = Ended::Diverged(Failure::Fields(failure));
             }
         }
-        let Run { curve, mut shapes, latest, mut record, .. } = run;
+        let Run { curve, mut shapes, latest, mut record, supports, .. } = run;
         let found = self.body.body().found();
         record.fluid = found.fluid;
         record.warnings.extend(found.warnings);
@@ -126,7 +127,7 @@ impl Model {
             record.warnings.extend(told);
         }
         record.wall_seconds += started.elapsed().as_secs_f64();
-        let summary = self.summary(record, &ended);
+        let summary = self.summary(record, supports, &ended);
         Outcome { curve, summary, ended, shapes, cells }
     }
 
@@ -139,7 +140,7 @@ impl Model {
         described
     }
 
-    fn summary(self, record: RunRecord, ended: &Ended) -> Summary {
+    fn summary(self, record: RunRecord, supports: Option<Resultant>, ended: &Ended) -> Summary {
         let mut description = self.describe();
         let Self { task, threads, .. } = self;
         if let Analysis::Explicit(explicit) = &task.analysis {
@@ -151,6 +152,7 @@ impl Model {
             title: task.title,
             replaced: Vec::new(),
             analysis: task.analysis.word().into(),
+            supports,
             threads,
             particle_steps_per_second: description.particles as f64 * marched as f64 / record.wall_seconds,
             ended: ended.to_string(),

@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
 use super::figures::FluidFigures;
+use super::resultants::{LoadResultants, Resultant};
+use super::sampled::POINT_NUMBERS;
 use super::shown::{Evaluated, Shown};
 use crate::Warning;
 use crate::scene::Measured;
@@ -26,6 +28,12 @@ pub trait Body: Send {
     /// Forces are those of the last evaluation.
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64;
 
+    /// Strains and resultants at some of the points where a shell samples them, each `e κ γ N M Q` in the frame of the point;
+    /// none of another body.
+    fn point_numbers(&self, _points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        Vec::new()
+    }
+
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a>;
 
@@ -42,6 +50,11 @@ pub trait Body: Send {
     /// What it found so far beside what is measured on it.
     fn found(&self) -> Found {
         Found::default()
+    }
+
+    /// What its supports exert on it, reduced to its centroid at rest, for the forces last evaluated; none if it cannot tell.
+    fn support_resultant(&self) -> Option<Resultant> {
+        None
     }
 
     /// All that changes while it moves, as named arrays: what a checkpoint keeps.
@@ -201,6 +214,9 @@ pub struct Description {
     pub modelled: Vec<String>,
     /// What is not, one line each.
     pub left_out: Vec<String>,
+    /// What its loads amount to; none of a body that cannot tell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub resultants: Option<LoadResultants>,
     /// Steps in time that a look at the tangent costs.
     #[serde(skip)]
     pub tangent: TangentCost,

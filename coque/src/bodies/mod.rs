@@ -7,6 +7,7 @@
 //! | columns of the curve | `probe.rs` |
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built, what all kinds refuse | `build.rs` |
+//! | what loads and supports amount to | `resultants.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
@@ -21,7 +22,9 @@ mod made;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
+mod resultants;
 mod rigid;
+mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;
 mod shown;
@@ -37,4 +40,5 @@ pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;
+pub use resultants::{LoadResultants, Resultant};
 pub use shown::{Evaluated, Part, Shown, State};

@@ -3,6 +3,8 @@
 use sph_core::Vec3;
 
 use super::body::Body;
+use super::sampled::POINT_NUMBERS;
+use super::sampled::Sampled;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
 use crate::scene::{Measured, Take};
@@ -14,7 +16,7 @@ pub struct Probe {
     pub name: String,
     /// What it measures.
     pub of: Measured,
-    /// Particles over which it is reduced.
+    /// Particles over which it is reduced; of what follows from strains the points at which these are sampled.
     pub particles: Vec<u32>,
     /// Unit vector along which it is measured; zero for numbers without components.
     pub direction: Vec3,
@@ -26,6 +28,8 @@ pub struct Probe {
     pub take: Take,
     /// Factor on the value.
     pub factor: f64,
+    /// Where strains are sampled, of what follows from them.
+    pub(crate) sampled: Option<Sampled>,
     /// For a rotation: last director and angle so far \[rad\] of each particle.
     pub(crate) turns: Vec<(Vec3, f64)>,
 }
@@ -35,7 +39,8 @@ impl Probe {
     pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
         let (take, quantity, about) = (Take::usual(of), usual(of), Vec3::zeros());
         let name = name.into();
-        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, turns: Vec::new() }
+        let (sampled, turns) = (None, Vec::new());
+        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, sampled, turns }
     }
 
     pub(crate) fn column(&self, units: &Units) -> Column {
@@ -52,6 +57,9 @@ impl Probe {
 
     /// Numbers that go linearly with a small motion: the value now, or, of a largest or least, the values of all particles.
     pub(crate) fn parts(&mut self, body: &dyn Body) -> Vec<f64> {
+        if self.sampled.is_some() {
+            return body.point_numbers(&self.particles).into_iter().flatten().collect();
+        }
         match self.take {
             Take::Mean | Take::Sum => vec![self.read(body)],
             Take::Max | Take::Min => self.values(body),
@@ -61,6 +69,7 @@ impl Probe {
     /// Number of [`Probe::parts`].
     pub(crate) fn part_count(&self) -> usize {
         match self.take {
+            _ if self.sampled.is_some() => self.particles.len() * POINT_NUMBERS,
             Take::Mean | Take::Sum => 1,
             Take::Max | Take::Min => self.particles.len(),
         }
@@ -68,6 +77,9 @@ impl Probe {
 
     /// The value of which these are the [`Probe::parts`].
     pub(crate) fn of_parts(&self, parts: &[f64]) -> f64 {
+        if let Some(sampled) = &self.sampled {
+            return self.taken(&sampled.values(parts.as_chunks().0));
+        }
         match self.take {
             Take::Mean | Take::Sum => parts.iter().sum(),
             Take::Max | Take::Min => self.taken(parts),
@@ -86,6 +98,9 @@ impl Probe {
 
     /// The value of each particle now.
     fn values(&mut self, body: &dyn Body) -> Vec<f64> {
+        if let Some(sampled) = &self.sampled {
+            return sampled.values(&body.point_numbers(&self.particles));
+        }
         if self.of == Measured::Rotation {
             self.count_on(body);
         }
@@ -93,7 +108,9 @@ impl Probe {
             let a = self.particles[i] as usize;
             match self.of {
                 Measured::Rotation => self.turns[i].1,
-                Measured::Moment => moment(body, a, &self.direction, &self.about),
+                Measured::Moment | Measured::ReactionMoment => {
+                    moment(body, (self.of, a), &self.direction, &self.about)
+                }
                 of => body.read(of, a, &self.direction),
             }
         };
@@ -123,17 +140,24 @@ fn usual(of: Measured) -> Quantity {
         Measured::Rotation => Quantity::Angle,
         Measured::Director | Measured::Damage => Quantity::Ratio,
         Measured::Velocity => Quantity::Speed,
-        Measured::FractureEnergy | Measured::Moment => Quantity::Energy,
-        Measured::StrainEnergy | Measured::Pressure => Quantity::Stress,
+        Measured::FractureEnergy | Measured::Moment | Measured::ReactionMoment | Measured::Energy => {
+            Quantity::Energy
+        }
+        Measured::StrainEnergy | Measured::Pressure | Measured::Stress | Measured::VonMises => {
+            Quantity::Stress
+        }
+        Measured::MembraneForce | Measured::ShearForce => Quantity::ForcePerLength,
+        Measured::BendingMoment => Quantity::MomentPerLength,
         Measured::Density => Quantity::Density,
         Measured::Flux => Quantity::Flux,
     }
 }
 
 /// Component of the moment about a point, `M·e − (p × F)·e`, from the moment about the origin.
-fn moment(body: &dyn Body, at: usize, along: &Vec3, about: &Vec3) -> f64 {
-    let force = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| body.read(Measured::Force, at, &axis));
-    body.read(Measured::Moment, at, along) - about.cross(&Vec3::from(force)).dot(along)
+fn moment(body: &dyn Body, (of, at): (Measured, usize), along: &Vec3, about: &Vec3) -> f64 {
+    let force = if of == Measured::Moment { Measured::Force } else { Measured::Reaction };
+    let force = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| body.read(force, at, &axis));
+    body.read(of, at, along) - about.cross(&Vec3::from(force)).dot(along)
 }
 
 /// Angle from `a` to `b` about `axis`, from −π to π \[rad\].

@@ -107,8 +107,8 @@ fn side(name: &str) -> Option<Side> {
     }
 }
 
-/// Particles in a region, `spacing` apart \[L\].
-pub(super) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u32> {
+/// Particles, or other places, in a region, `spacing` apart \[L\].
+pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u32> {
     let numbered = || positions.iter().enumerate().map(|(a, x)| (a as u32, x));
     if let Some(point) = region.nearest {
         let distance = |x: &Vec3| (x - Vec3::from(point)).norm_squared();

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use coque::{Estimate, Model, Quantity, Warning};
+use coque::{Estimate, LoadResultants, Model, Quantity, Units, Warning};
 
 use super::bar::clock;
 use super::say::{Refused, print};
@@ -36,6 +36,8 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
     let (scene, _) = read_scene(&check.scene, &check.replaced)?;
     let model = build(&scene, check.threads.into())?;
     let mut text = format!("{}\n{}", scene.title, described(&model));
+    let loads = model.description.resultants.as_ref();
+    text.push_str(&loads.map_or(String::new(), |loads| resultants(loads, &scene.units)));
     let particles = model.describe().particles;
     let memory = model.memory;
     let free =
@@ -58,6 +60,36 @@ fn described(model: &Model) -> String {
         lines.iter().for_each(|line| text.push_str(&format!("  {line}\n")));
     }
     text
+}
+
+/// What the loads amount to at level one, and the side of the normals.
+fn resultants(loads: &LoadResultants, units: &Units) -> String {
+    let vector = |v: [f64; 3]| format!("[{}]", v.map(number).join(", "));
+    let unit = |quantity| units.symbol(quantity);
+    let [length, force, moment] = [Quantity::Length, Quantity::Force, Quantity::Energy].map(unit);
+    let mut text = format!(
+        "\nloads at level one, moments about the centroid {} {length}\n  normals: {}\n",
+        vector(loads.about),
+        loads.normals
+    );
+    for (name, found) in &loads.loads {
+        let [f, m] = [found.force, found.moment].map(vector);
+        text.push_str(&format!("  {name}: force {f} {force}, moment {m} {moment}\n"));
+    }
+    text
+}
+
+/// A number to five digits; round-off of what cancels is told as it is.
+fn number(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".into(),
+        1e-3..1e6 => {
+            let digits = (4 - x.abs().log10().floor() as i32).max(0) as usize;
+            let text = format!("{x:.digits$}");
+            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+        }
+        _ => format!("{x:.4e}"),
+    }
 }
 
 /// What is doubtful, under a heading of its own; nothing if nothing is.

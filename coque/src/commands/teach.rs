@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 36] = [
+const TEMPLATES: [(&str, &str); 37] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -81,6 +81,7 @@ const TEMPLATES: [(&str, &str); 36] = [
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
     ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
+    ("stepped-plate", include_str!("../../../scenes/stepped-plate.toml")),
     ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
     ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::record::RunRecord;
-use crate::bodies::Description;
+use crate::bodies::{Description, Resultant};
 
 /// What a run was, what it found and what it cost.
 #[derive(Clone, Debug, Serialize)]
@@ -20,6 +20,9 @@ pub struct Summary {
     /// What was found.
     #[serde(flatten)]
     pub record: RunRecord,
+    /// What the supports exert, reduced to the centroid, at the last record; none where nothing was recorded or known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub supports: Option<Resultant>,
     /// Threads used.
     pub threads: usize,
     /// Particles times steps per second of the march \[1/s\]; zero without time.

@@ -10,7 +10,7 @@ use super::outcome::{Ended, Failure};
 use super::progress::{Progress, ProgressReport};
 use super::record::RunRecord;
 use crate::Doubt;
-use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Shape};
+use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Resultant, Shape};
 use crate::fields::Frames;
 use crate::results::curve::Curve;
 
@@ -30,6 +30,8 @@ pub(crate) struct Run<'a> {
     pub driven: Option<PrescribedPoint>,
     /// Unit of the force that is the level of paths, where a prescribed motion drives them.
     pub force_unit: Option<String>,
+    /// What the supports exerted at the last record.
+    pub supports: Option<Resultant>,
     /// Where frames of fields go, if anywhere.
     pub frames: Option<Frames<'a>>,
     pub progress: &'a mut dyn Progress,
@@ -43,8 +45,9 @@ impl Run<'_> {
         self.push(columns);
     }
 
-    /// Appends what the probes read now.
+    /// Appends what the probes read now, and notes what the supports exert.
     pub fn read_probes(&mut self, row: &mut Vec<f64>, body: &dyn Body) {
+        self.supports = body.support_resultant();
         row.extend(self.probes.iter_mut().map(|probe| probe.read(body)));
     }
 

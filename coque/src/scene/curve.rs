@@ -11,16 +11,19 @@ pub struct Probe {
     pub name: String,
     /// What it measures.
     pub of: Measured,
-    /// Particle set.
+    /// Particle set; of what strains make, such as stresses, a set of cells.
     pub on: String,
-    /// What is taken of the values of its particles; left out, the mean, for forces, moments, fluxes and
-    /// fracture energies the sum.
+    /// What is taken of the values of its particles; left out, the mean, for forces, moments, fluxes, energies of cells and
+    /// fracture energies the sum, of von Mises' stress the largest.
     pub take: Option<Take>,
-    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities, levels and fluxes, which
-    /// are numbers, none.
+    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities, levels, fluxes and von
+    /// Mises' stress, which are numbers, none. Stresses, membrane forces and bending moments are those along it, at rest, in the
+    /// surface.
     pub direction: Option<[f64; 3]>,
     /// Point about which a moment is taken \[L\]; left out, the origin.
     pub about: Option<[f64; 3]>,
+    /// Face of a shell at which a stress is taken; left out, of von Mises' stress the greater of both.
+    pub face: Option<ShellFace>,
     /// Point at which a pressure, over which a level is told \[L\]: on a fluid it stays, on walls it goes with them.
     pub at: Option<[f64; 3]>,
     /// Line of a plane, face in space, through which a flux is told.
@@ -42,6 +45,16 @@ pub struct Through {
     pub min: Option<[f64; 3]>,
     /// Greatest coordinates of that part \[L\]; left out, unbounded.
     pub max: Option<[f64; 3]>,
+}
+
+/// A face of a shell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShellFace {
+    /// The one to which the directors point.
+    Top,
+    /// The other.
+    Bottom,
 }
 
 /// What a column takes of the values of its particles.
@@ -66,14 +79,18 @@ impl Probe {
 }
 
 impl Take {
-    /// What is taken where nothing is said: the sum of forces, moments and fracture energies, else the mean.
+    /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of von Mises'
+    /// stress, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
             | Measured::FractureEnergy
             | Measured::Force
             | Measured::Moment
+            | Measured::ReactionMoment
+            | Measured::Energy
             | Measured::Flux => Self::Sum,
+            Measured::VonMises => Self::Max,
             _ => Self::Mean,
         }
     }
@@ -89,6 +106,8 @@ pub enum Measured {
     Position,
     /// Component of the force that the supports exert \[F\].
     Reaction,
+    /// Component of the moment that the supports of a shell exert about a point \[F L\].
+    ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
     Rotation,
     /// Component of the director \[–\].
@@ -101,6 +120,18 @@ pub enum Measured {
     FractureEnergy,
     /// Stored energy by volume at a node of a solid \[F/L²\].
     StrainEnergy,
+    /// Von Mises' stress at the faces of a homogeneous shell \[F/L²\].
+    VonMises,
+    /// Normal stress along a direction at a face of a homogeneous shell \[F/L²\].
+    Stress,
+    /// Membrane force of a shell along a direction, by length across it \[F/L\].
+    MembraneForce,
+    /// Bending moment of a shell along a direction, by length across it, about the particles \[F L/L\].
+    BendingMoment,
+    /// Transverse shear force of a shell across a direction, by length \[F/L\].
+    ShearForce,
+    /// Energy stored by the strains of cells of a shell \[F L\].
+    Energy,
     /// Pressure of a fluid: of its particles, before a wall, or at a point; zero where that is dry \[F/L²\].
     Pressure,
     /// Density of the particles of a fluid \[F T²/L⁴\].
@@ -122,6 +153,13 @@ impl Measured {
             Self::Displacement => "displacement",
             Self::Position => "position",
             Self::Reaction => "reaction",
+            Self::ReactionMoment => "reaction-moment",
+            Self::VonMises => "von-mises",
+            Self::Stress => "stress",
+            Self::MembraneForce => "membrane-force",
+            Self::BendingMoment => "bending-moment",
+            Self::ShearForce => "shear-force",
+            Self::Energy => "energy",
             Self::Rotation => "rotation",
             Self::Director => "director",
             Self::Velocity => "velocity",
@@ -144,10 +182,25 @@ impl Measured {
             Self::Damage
                 | Self::FractureEnergy
                 | Self::StrainEnergy
+                | Self::VonMises
+                | Self::Energy
                 | Self::Pressure
                 | Self::Density
                 | Self::Level
                 | Self::Flux
+        )
+    }
+
+    /// Whether it follows from the strains of a shell, where these are sampled.
+    pub fn is_of_strains(self) -> bool {
+        matches!(
+            self,
+            Self::VonMises
+                | Self::Stress
+                | Self::MembraneForce
+                | Self::BendingMoment
+                | Self::ShearForce
+                | Self::Energy
         )
     }
 

@@ -11,13 +11,15 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 17] = [
+const WORDS: [&str; 19] = [
     "title",
     "units",
     "geometry",
     "orientation",
     "material",
     "section",
+    "parts",
+    "masses",
     "formulation",
     "velocity",
     "placed",

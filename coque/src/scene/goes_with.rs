@@ -11,7 +11,7 @@ are those of the unloaded shell: its loads change nothing, prescribed motions st
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 22] = [
+const ROWS: [(&str, &str, &str); 24] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -39,6 +39,8 @@ const ROWS: [(&str, &str, &str); 22] = [
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
     ("`pressure`, follower", "loads", "on = 'all', pressure = { value = 1, follower = true }"),
     ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
+    ("`traction`, and `force` by area", "loads", "on = 'all', traction = { value = [0, 0, 1] }"),
+    ("`pressure` on cells, follower", "loads", "on = 'half', pressure = { value = 1, follower = true }"),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
@@ -128,11 +130,16 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     if !alone {
         loads.push(format!("{{ on = '{loaded}', force = {{ total = [0, 0, 1] }} }}"));
     }
+    let sets = match of_solid {
+        true => "",
+        false => "sets.half.box = { min = [0, 0, 0], max = [0.5, 1, 0] }",
+    };
     let text = format!(
         "title = ''
         units = {{ length = '-', force = '-', time = '-' }}
         {body}
         analysis.{} = {{ {options} }}
+        {sets}
         supports = [{}]
         loads = [{}]
         {velocity}",

@@ -15,31 +15,36 @@ pub struct Load {
     pub on: String,
     /// Dead force, shared by the set.
     pub force: Option<Force>,
-    /// Couple on an edge, about a fixed axis or about the moving edge.
+    /// Couple on directors, about a fixed axis or about the moving edge.
     pub couple: Option<Couple>,
-    /// Pressure along the normal of a shell, dead or following it; on faces of a Galerkin solid against their normal, following them.
+    /// Pressure along the normal of a shell or of some of its cells, dead or following it; on faces of a Galerkin solid against
+    /// their normal, following them.
     pub pressure: Option<Pressure>,
     /// Weight: an acceleration of the mass of the set.
     pub gravity: Option<Gravity>,
-    /// Dead force by area on a face of a solid.
+    /// Dead force by area on a face of a solid, or on cells of a shell.
     pub traction: Option<Traction>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
 }
 
-/// Dead force shared by the set: by tributary length on an edge, of a solid by volume, else equally.
+/// Dead force shared by the set: by tributary length on an edge, of a solid by volume, by area where that is asked for, else
+/// equally.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Force {
     /// Resultant \[F\].
     pub total: [f64; 3],
+    /// Whether it is spread by area over the cells of the set, of a shell.
+    #[serde(default)]
+    pub by_area: bool,
 }
 
-/// Couple on an edge.
+/// Couple on the directors of a set, by tributary length on an edge, else equally; what would turn them about themselves is lost.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Couple {
-    /// Moment of the whole edge \[F L\].
+    /// Moment of the whole set \[F L\].
     pub moment: f64,
     /// Axis about which it turns.
     pub axis: Axis,
@@ -73,7 +78,7 @@ pub struct Gravity {
     pub acceleration: [f64; 3],
 }
 
-/// Dead force by area of a face at rest.
+/// Dead force by area of a face, or of cells of a shell, at rest.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
@@ -102,6 +107,13 @@ pub enum LoadKind {
 impl Load {
     /// Keys of the kinds.
     pub const WORDS: [&'static str; 5] = ["force", "couple", "pressure", "gravity", "traction"];
+
+    /// Whether it acts on the cells of its set, of a shell: its particles do not say on which area. Pressure and gravity on all
+    /// of a shell ask for no set.
+    pub fn acts_on_cells(&self) -> bool {
+        let by_area = self.traction.is_some() || self.force.is_some_and(|force| force.by_area);
+        by_area || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
+    }
 
     /// Every kind that is given, with its key; a checked scene has exactly one.
     pub fn kinds(&self) -> Vec<(&'static str, LoadKind)> {

@@ -24,7 +24,7 @@ mod read;
 pub(crate) mod reference;
 pub(crate) mod render;
 pub(crate) mod schema;
-mod scope;
+pub(crate) mod scope;
 pub(crate) mod sets;
 mod shell;
 pub(crate) mod solid;
@@ -40,7 +40,7 @@ pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
 pub use coupling::{Coupling, CouplingOrder};
-pub use curve::{Measured, Probe, Take, Through};
+pub use curve::{Measured, Probe, ShellFace, Take, Through};
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
@@ -55,8 +55,11 @@ pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
 pub(crate) use shell::material::MaterialSection;
-pub use shell::material::{Elastic, Homogeneous, Layered, Material, Orthotropic, Ply, Section};
+pub use shell::material::{
+    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper,
+};
 pub use shell::mesh::Mesh;
+pub use shell::parts::{LumpedMass, ShellPart};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

@@ -28,6 +28,11 @@ impl Source {
 }
 
 impl Scope<'_> {
+    /// A part of this part.
+    pub(crate) fn below(&self, path: &str) -> Self {
+        Self { source: self.source, prefix: format!("{}{path}.", self.prefix) }
+    }
+
     /// A path from the top of the scene.
     pub(crate) fn path(&self, path: &str) -> String {
         format!("{}{path}", self.prefix)

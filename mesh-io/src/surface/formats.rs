@@ -6,6 +6,7 @@ mod csv;
 mod gmsh;
 mod keyword;
 mod obj;
+mod shell_sections;
 mod stl;
 mod vtu;
 mod words;

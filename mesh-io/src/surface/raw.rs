@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use sph_core::{Cell, Vec3};
 
 use super::MeshError;
+use super::sections::{FileMaterial, FileSection};
 
 /// Coordinates beyond this leave the range of `f64` in products.
 const GREATEST: f64 = 1e30;
@@ -39,6 +40,12 @@ pub(super) struct Raw {
     pub faces: Vec<Face>,
     /// Nodes of every set, in any order, possibly more than once.
     pub sets: BTreeMap<String, Vec<u32>>,
+    /// Faces of every set that the file gives as faces, by index, in any order, possibly more than once.
+    pub face_sets: BTreeMap<String, Vec<u32>>,
+    /// Sections of element sets, in the order of the file.
+    pub sections: Vec<FileSection>,
+    /// Materials by the name by which sections call them, in small letters.
+    pub materials: BTreeMap<String, FileMaterial>,
     /// Normals of the nodes where the file gives them (any length).
     pub normals: HashMap<u32, Vec3>,
     /// Tributary areas of points `[L²]`.
@@ -111,6 +118,20 @@ impl Raw {
             Some(set) => set.extend_from_slice(nodes),
             None => {
                 self.sets.insert(name.into(), nodes.to_vec());
+            }
+        }
+    }
+
+    /// Adds faces to a set of faces, and their nodes to the set of nodes of that name.
+    pub fn add_faces_to_set(&mut self, name: &str, faces: &[u32]) {
+        for &face in faces {
+            let cell = self.faces[face as usize].cell;
+            self.add_to_set(name, cell.particles());
+        }
+        match self.face_sets.get_mut(name) {
+            Some(set) => set.extend_from_slice(faces),
+            None => {
+                self.face_sets.insert(name.into(), faces.to_vec());
             }
         }
     }

@@ -65,8 +65,8 @@ impl Surface {
 
     /// Line and words for the face, or the two joined triangles, behind a cell of the cloud.
     fn face_of(&self, cell: usize) -> (usize, String) {
-        let (cells, _) = self.cells();
-        let Some(cell) = cells.get(cell) else { return (0, format!("cell {cell}")) };
+        let (cells, _) = self.cells(&vec![0; self.faces.len()]);
+        let Some((cell, _)) = cells.get(cell) else { return (0, format!("cell {cell}")) };
         let within = |face: &Cell| face.particles().iter().all(|node| cell.particles().contains(node));
         let found: Vec<(u64, usize)> = self
             .faces

@@ -6,7 +6,7 @@ use sph_core::Cloud;
 
 use super::error::{number, place};
 use super::raw::counted;
-use super::{MeshError, Quality, Surface, quality};
+use super::{MeshError, Quality, Surface, quality, side};
 
 /// Sets that are listed one by one.
 const LISTED: usize = 24;
@@ -57,6 +57,7 @@ pub fn report(surface: &Surface, doubts: impl Fn(&Cloud) -> Vec<String>) -> Resu
     }
     let normals = if surface.normals.is_some() { "from the file" } else { "means over the faces, by area" };
     line("normals", normals.into());
+    line("side", side(&cloud));
     if let (Some(least), Some(greatest)) = (
         surface.thicknesses.iter().copied().reduce(f64::min),
         surface.thicknesses.iter().copied().reduce(f64::max),
@@ -73,7 +74,26 @@ pub fn report(surface: &Surface, doubts: impl Fn(&Cloud) -> Vec<String>) -> Resu
         );
     }
     for (name, nodes) in surface.sets.iter().take(LISTED) {
-        line("set", format!("{name}: {}", counted(nodes.len(), "node")));
+        let faces = surface.face_sets.get(name);
+        let faces = faces.map(|faces| format!(", {}", counted(faces.len(), "face")));
+        line("set", format!("{name}: {}{}", counted(nodes.len(), "node"), faces.unwrap_or_default()));
+    }
+    for section in surface.sections.iter().take(LISTED) {
+        let material = surface.materials.get(&section.material.to_lowercase());
+        let elastic = material.and_then(|material| material.elastic);
+        let elastic =
+            elastic.map(|[young, poisson]| format!(" (E {}, ν {})", number(young), number(poisson)));
+        line(
+            "section",
+            format!(
+                "{}: {}, thickness {}, material {}{}",
+                section.group,
+                counted(section.faces.len(), "face"),
+                number(section.thickness),
+                section.material,
+                elastic.unwrap_or_default()
+            ),
+        );
     }
     let more = surface.loops.len().saturating_sub(LISTED) + surface.sets.len().saturating_sub(LISTED);
     if more > 0 {

@@ -93,8 +93,20 @@ impl SamplingOperator {
     /// [`SpaceError::AxisNormal`] where the unit vector along `axis` has a projection shorter than 1e-6 (round-off would
     /// decide its direction), or none because `axis` is zero or not finite.
     pub fn align(&mut self, axis: &Vec3) -> Result<(), SpaceError> {
+        self.align_at(0..self.points.len(), axis)
+    }
+
+    /// The same at some points.
+    ///
+    /// # Errors
+    /// As [`SamplingOperator::align`].
+    pub fn align_at(
+        &mut self,
+        points: impl IntoIterator<Item = usize>,
+        axis: &Vec3,
+    ) -> Result<(), SpaceError> {
         let axis = axis.normalize();
-        for p in 0..self.points.len() {
+        for p in points {
             let Frame { t1, t2, n } = self.points[p].frame;
             let [first, second] = [axis.dot(&t1), axis.dot(&t2)];
             let projection = first.hypot(second);

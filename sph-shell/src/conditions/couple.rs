@@ -1,4 +1,4 @@
-//! A couple on an edge: about an axis fixed in space, or about the edge as it moves.
+//! A couple on directors: about an axis fixed in space, or about the edge as it moves.
 
 use nalgebra::Matrix3;
 use sph_core::Vec3;
@@ -22,7 +22,7 @@ pub enum CoupleAxis {
 /// readings (fixed, material, conservative) agree.
 #[derive(Clone, Debug)]
 pub struct EdgeCouple {
-    /// Particles in a row along the edge, with their tributary lengths \[L\].
+    /// Particles with their tributary lengths \[L\] or other shares, about the edge in a row along it.
     pub edge: Vec<(u32, f64)>,
     /// The whole couple \[F L\].
     pub moment: f64,

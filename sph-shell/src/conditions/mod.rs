@@ -4,5 +4,7 @@ pub(crate) mod couple;
 pub(crate) mod loads;
 pub(crate) mod prescribed;
 pub(crate) mod pressure;
+pub(crate) mod resultants;
 pub(crate) mod shares;
+pub(crate) mod spread;
 pub(crate) mod supports;

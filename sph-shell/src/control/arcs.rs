@@ -30,6 +30,7 @@ use shell_kinematics::{LANES, Matrix8, MeasureForces, Measures, Number, Pack};
 use sph_core::SamplingOperator;
 
 use crate::packs::Packs;
+use crate::regions::Scales;
 use crate::registers::Registers;
 
 /// ε, bound of the softening of the membrane of a cell \[–\]; a shell softens by a twentieth of it.
@@ -56,13 +57,13 @@ impl ArcPack {
     /// One pack for each four points of `packs`, which hold K; none where nothing is lost.
     ///
     /// `second` are the moments E \[L\], `third` the uneven part of T \[L²\]; without it nothing is given back.
-    /// `thickness` is t \[L\]. With it goes what was lost and given back.
+    /// `scales` hold t \[L\]. With it goes what was lost and given back.
     pub fn all(
         operator: &SamplingOperator,
         packs: &Packs,
         second: &[[f64; 6]],
         third: &[[[f64; 4]; 2]],
-        thickness: f64,
+        scales: &Scales,
     ) -> (Vec<Self>, ChordLoss) {
         if third.is_empty() {
             return (Vec::new(), ChordLoss::default());
@@ -70,6 +71,7 @@ impl ArcPack {
         let (mut loss, mut area) = (ChordLoss::default(), 0.0);
         let mut row = |point: u32, weight: f64, k: [f64; 3]| {
             let (e, t) = (&second[point as usize], &third[point as usize]);
+            let thickness = scales.at(point as usize).thickness;
             let bent = (k[0] * k[0] + k[1] * k[1] + 0.5 * k[2] * k[2]).sqrt();
             let share = ((SOFTENING / 12.0).sqrt() * thickness / (size(e, t) * bent)).min(1.0);
             let whole = derivative(e, t, k);

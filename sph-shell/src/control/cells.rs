@@ -43,9 +43,10 @@
 //! of vectors that turn with the shell, and of second order about a flat cell: objective, patch tests unchanged.
 //! Measurements and the alternatives: docs/zero-energy-control.md.
 
-use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces, SectionScales};
+use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces};
 use sph_core::{SamplingOperator, Vec3};
 
+use crate::regions::Scales;
 use crate::registers::Registers;
 
 /// Share β_x of the full stiffness of the position hourglass, for shells thin and thick against the spacing \[–\].
@@ -123,7 +124,7 @@ impl CellPack {
         points: &[u32; LANES],
         weight: Pack,
         positions: &[Vec3],
-        section: &SectionScales,
+        scales: &Scales,
     ) -> Self {
         let mut pack = Self::default();
         for (lane, &p) in points.iter().enumerate() {
@@ -141,6 +142,7 @@ impl CellPack {
             let sum = |f: &dyn Fn(usize) -> f64| (0..4).map(f).sum::<f64>();
             let lever = [sum(&|b| 0.25 * pattern[b] * xi[b]), sum(&|b| 0.25 * pattern[b] * eta[b])];
             let gamma = |b: usize| 0.25 * pattern[b] - stencil.g1[b] * lever[0] - stencil.g2[b] * lever[1];
+            let section = scales.at(p as usize);
             let (t, w) = (section.thickness, point.weight);
             let thick = t * t / (t * t + w);
             let shear = section.shear * thick;

@@ -19,6 +19,7 @@
 use shell_kinematics::{LANES, Matrix8, Number, Pack, Resultants, Strains};
 use sph_core::SamplingOperator;
 
+use crate::regions::Scales;
 use crate::registers::Registers;
 
 /// α \[–\]: the least that keeps disordered plates of L/t = 10⁴ within .15 % of L/t = 10²; 0.4 softens the hemisphere by .8 %.
@@ -44,7 +45,7 @@ impl ShearPack {
         order: &[[u32; LANES]],
         second: &[[f64; 6]],
         third: &[[[f64; 4]; 2]],
-        thickness: f64,
+        scales: &Scales,
     ) -> Vec<Self> {
         let area = operator.points.iter().fold(0.0_f64, |most, p| most.max(p.weight));
         // Round-off of a spacing is no bending.
@@ -59,6 +60,7 @@ impl ShearPack {
             });
             let w = operator.points[p].weight;
             let relaxed = (RELAXATION * norm / w).min(MOST * w);
+            let thickness = scales.at(p).thickness;
             let squared = thickness * thickness;
             (squared / (squared + relaxed)).sqrt()
         };

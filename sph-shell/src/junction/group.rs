@@ -116,8 +116,8 @@ impl Group {
     }
 
     /// `Σ m_k (1 − (d_k·e)²)`, over t²/12 the rotary inertia of modes about an axis \[M\].
-    pub fn mass_about(&self, axis: &Vec3, state: &[Row], masses: &[f64]) -> f64 {
-        let part = |&a: &u32| masses[a as usize] * (1.0 - director(&state[a as usize]).dot(axis).powi(2));
+    pub fn mass_about(&self, axis: &Vec3, state: &[Row], mass: impl Fn(usize) -> f64) -> f64 {
+        let part = |&a: &u32| mass(a as usize) * (1.0 - director(&state[a as usize]).dot(axis).powi(2));
         self.particles.iter().map(part).sum()
     }
 

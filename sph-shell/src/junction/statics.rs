@@ -136,11 +136,12 @@ impl Shell {
         }
     }
 
-    /// Rotary inertia of modes about an axis of a group over t²/12, the mass of any other particle \[M\].
+    /// Rotary inertia of modes over t²/12, of a group about an axis; the mass of a particle of one section \[M\].
     pub(crate) fn turning_mass(&self, particle: usize, axis: impl Fn() -> Vec3) -> f64 {
-        let masses = &self.reference.masses;
+        let (reference, section) = (&self.reference, 12.0 / self.thickness().powi(2));
+        let own = |a: usize| reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section);
         let group = self.junctions.of(particle);
-        group.map_or(masses[particle], |group| group.mass_about(&axis(), &self.state, masses))
+        group.map_or_else(|| own(particle), |group| group.mass_about(&axis(), &self.state, own))
     }
 
     /// Mass of a particle or of the group it stands for \[M\].

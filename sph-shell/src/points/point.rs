@@ -6,7 +6,7 @@ use std::any::Any;
 
 use shell_kinematics::{
     IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
-    StrainMeasure, Strains, StrainsOf, StretchCorrected,
+    SectionPack, StrainMeasure, Strains, StrainsOf, StretchCorrected,
 };
 
 use crate::control::arcs::ArcPack;
@@ -52,6 +52,8 @@ pub(crate) struct Point<'a, R = Baseline> {
     pub shear: Option<&'a ShearPack>,
     pub arcs: Option<&'a ArcPack>,
     pub cell: Option<&'a CellPack>,
+    /// Their sections, where not all points have the same.
+    pub section: Option<&'a SectionPack>,
 }
 
 /// Four points in a state: from their vectors to their strains.
@@ -101,14 +103,15 @@ impl<'a> Point<'a> {
             shear: None,
             arcs: None,
             cell: None,
+            section: None,
         }
     }
 
     /// The same points in other registers.
     #[inline(always)]
     pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
-        let Self { place, pack, particles, entries, shear, arcs, cell, .. } = self;
-        Point { registers, place, pack, particles, entries, shear, arcs, cell }
+        let Self { place, pack, particles, entries, shear, arcs, cell, section, .. } = self;
+        Point { registers, place, pack, particles, entries, shear, arcs, cell, section }
     }
 }
 

@@ -1,16 +1,16 @@
 //! What can be read at the sampling points: strains, resultants, the directions they refer to.
 
-use shell_kinematics::{LANES, Pack};
+use shell_kinematics::{LANES, Pack, Section};
 use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::supports::Constraint;
-use crate::points::point::PointState;
+use crate::points::point::{Point, PointState};
 
 /// Strains and resultants of one sampling point.
 ///
 /// Components refer to the orthonormal frame of the point in the reference configuration; forces and moments are per
-/// reference length and conjugate to the strains: `N·e + M·κ + Q·γ` is the work per reference area, for a linear
+/// reference length, moments about the surface of the particles, and conjugate to the strains: `N·e + M·κ + Q·γ` is the work per reference area, for a linear
 /// section twice the stored energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointResult {
@@ -36,14 +36,20 @@ impl Shell {
         self.constraint(particle).is_some_and(Constraint::holds)
     }
 
+    /// The section of four points.
+    pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
+        point.section.map_or(&*self.section, |own| own)
+    }
+
     /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of
     /// the reference's `operator.points`: the cells of the cloud, or for nodal sampling and the strong form the
     /// particles. Surplus entries and surplus points are left alone. Nothing is allocated and no state is changed.
     pub fn point_results(&self, out: &mut [PointResult]) {
         for (index, points) in self.points.packs.order.iter().enumerate() {
+            let point = self.points.point(index);
             let PointState { placement: p, strains, .. } =
-                self.points.point(index).strained::<true, _>(self.strain, &self.state);
-            let stress = self.section.resultants(&strains);
+                point.strained::<true, _>(self.strain, &self.state);
+            let stress = self.section_of(&point).resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.
                 let Some(result) = out.get_mut(point as usize) else { continue };

@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{LANES, SectionScales};
+use shell_kinematics::{LANES, SectionPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -13,6 +13,7 @@ use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
+use crate::regions::Scales;
 use crate::shared::Shared;
 
 /// All sampling points.
@@ -22,6 +23,8 @@ pub(crate) struct Points {
     /// Shear on uneven stencils; empty on lattices of developable surfaces.
     pub shear: Vec<ShearPack>,
     pub scheme: Scheme,
+    /// Sections of each pack; empty if all points have the same.
+    pub sections: Vec<SectionPack>,
 }
 
 /// What a formulation does beside the strains of its points.
@@ -49,7 +52,7 @@ impl Points {
     pub fn new(
         reference: &Reference,
         formulation: &Formulation,
-        section: &SectionScales,
+        section: &Scales,
         density: f64,
     ) -> Result<(Self, ChordLoss), ShellError> {
         let (operator, positions) = (&reference.operator, &reference.cloud.positions);
@@ -60,7 +63,7 @@ impl Points {
             Formulation::StressPoint(Reach::Cell) => operator.uneven_third_moments(positions),
             _ => Vec::new(),
         };
-        let shear = ShearPack::all(operator, &packs.order, &second, &third, section.thickness);
+        let shear = ShearPack::all(operator, &packs.order, &second, &third, section);
         let forces = || vec![[0.0; 6]; positions.len()];
         let mut scheme = match *formulation {
             Formulation::StressPoint(Reach::Cell) => Scheme::Cells {
@@ -70,7 +73,7 @@ impl Points {
             },
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
                 let (control, places) =
-                    (PairControl::new(reference, section)?, Places::new(&packs, operator));
+                    (PairControl::new(reference, &section.uniform)?, Places::new(&packs, operator));
                 let slot = |(pack, entry, lane): Place| {
                     let first = packs.points[pack as usize].first_slot(pack as usize);
                     first + usize::from(entry) * LANES + usize::from(lane)
@@ -79,7 +82,7 @@ impl Points {
                 Scheme::Wide { control, forces: forces(), lists }
             }
             Formulation::StrongForm { viscosity, .. } => {
-                let equations = StrongForm::new(reference, viscosity, section.thickness * density);
+                let equations = StrongForm::new(reference, viscosity, section.uniform.thickness * density);
                 Scheme::StrongForm { equations, forces: forces() }
             }
         };
@@ -103,9 +106,9 @@ impl Points {
         }
         let mut loss = ChordLoss::default();
         if let Scheme::Cells { arcs, .. } = &mut scheme {
-            (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section.thickness);
+            (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section);
         }
-        Ok((Self { packs, shear, scheme }, loss))
+        Ok((Self { packs, shear, scheme, sections: Vec::new() }, loss))
     }
 
     /// The points of a pack, with what corrects their strains.
@@ -115,7 +118,13 @@ impl Points {
             Scheme::Cells { control, arcs, .. } => (Some(control.get(index)), arcs.get(index)),
             _ => (None, None),
         };
-        Point { shear: self.shear.get(index), arcs, cell, ..Point::new(&self.packs, index) }
+        Point {
+            shear: self.shear.get(index),
+            arcs,
+            cell,
+            section: self.sections.get(index),
+            ..Point::new(&self.packs, index)
+        }
     }
 
     /// The slots that a sweep over all of wide stencils fills, one a (point, particle) pair, and a slot of zeros behind.
@@ -145,7 +154,7 @@ impl Points {
 
     /// Bytes of all that a step touches.
     pub fn bytes(&self) -> usize {
-        let layout = self.packs.bytes() + size_of_val(&self.shear[..]);
+        let layout = self.packs.bytes() + size_of_val(&self.shear[..]) + size_of_val(&self.sections[..]);
         let scheme = match &self.scheme {
             Scheme::Cells { control, arcs, .. } => control.bytes() + size_of_val(&arcs[..]),
             Scheme::Wide { control, lists, .. } => control.bytes() + lists.bytes(),

@@ -1,8 +1,9 @@
 //! The sweep over all sampling points: forces into slots, halves for threads, one copy for the default strain and section.
 
+use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{LANES, Pack3, SectionOf, StrainsOf};
+use shell_kinematics::{LANES, Pack3, SectionOf, StrainsOf, StretchCorrected};
 
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
@@ -23,7 +24,7 @@ pub(crate) struct Sweep<'a> {
     pub energy: bool,
 }
 
-impl Sweep<'_> {
+impl<'a> Sweep<'a> {
     /// Packs from number `first` on, as many as there are energies; halves go to two threads.
     pub fn run(&self, first: usize, slots: &mut [Row], energies: &mut [f64], split: bool) {
         let count = energies.len();
@@ -51,10 +52,36 @@ impl Sweep<'_> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
+        if !self.points.sections.is_empty() {
+            return self.cells_of_sections(packs, ring, energies);
+        }
         match (self.law.default_pair(), self.energy) {
             (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
             (None, false) => self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies),
             (Some(law), false) => self.cells::<false, _, _, _>(registers, law, packs, ring, energies),
+        }
+    }
+
+    /// Packs with sections of their own, one after the other.
+    #[inline(always)]
+    fn cells_of_sections(&self, packs: Range<usize>, ring: &mut Ring, energies: &mut [f64]) {
+        let strain = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
+        for (index, energy) in packs.zip(energies) {
+            let (pack, section) = (index..index + 1, &self.points.sections[index]);
+            let energy = std::slice::from_mut(energy);
+            match (strain, self.energy) {
+                (Some(strain), false) => {
+                    self.cells::<false, _, _, _>(Baseline, PointLaw { strain, section }, pack, ring, energy);
+                }
+                (_, false) => {
+                    let law = PointLaw { strain: self.law.strain, section };
+                    self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
+                }
+                (_, true) => {
+                    let law = PointLaw { strain: self.law.strain, section };
+                    self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
+                }
+            }
         }
     }
 
@@ -240,6 +267,7 @@ mod tests {
     use super::*;
     use crate::formulation::{Formulation, Reach};
     use crate::reference::Reference;
+    use crate::regions::Scales;
 
     /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
     #[test]
@@ -249,6 +277,7 @@ mod tests {
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
         let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
         let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
+        let scales = Scales { uniform: scales, own: Vec::new() };
         let (points, _) = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
         let mut state = reference.rest();
         for (i, row) in state.iter_mut().enumerate() {

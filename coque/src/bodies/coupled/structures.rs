@@ -37,7 +37,9 @@ pub(super) fn wet(
                 plane: fluid.dimensions() == 2,
                 free_edges: Vec::new(),
             };
-            let area_density = shell.material.density() * shell.section.thickness();
+            // The checks leave a shell in a fluid no material or section of a file.
+            let area_density =
+                shell.material.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
             let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
             Ok(Some(Wet { made, area_density }))
         }

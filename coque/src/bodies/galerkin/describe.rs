@@ -32,6 +32,7 @@ pub(super) fn describe(
         bodies: BTreeMap::new(),
         modelled,
         left_out,
+        resultants: None,
         tangent: TangentCost::Dear,
     }
 }

@@ -4,12 +4,13 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
-use sph_shell::{Formulation, Shell, StaticShell};
+use sph_shell::{Formulation, PointResult, Shell, StaticShell};
 
 use super::fields::fields;
-use super::linear_forces::LinearForces;
+use super::linear_forces::{LinearForces, numbers};
 use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
-use crate::bodies::{Evaluated, Shown};
+use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::{Evaluated, Resultant, Shown};
 use crate::scene::Measured;
 
 impl Body for Shell {
@@ -25,14 +26,28 @@ impl Body for Shell {
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
+            Measured::ReactionMoment => {
+                (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
+            }
             Measured::Velocity => self.velocity(a).dot(along),
             // The checks leave a shell no other column.
             _ => 0.0,
         }
     }
 
+    fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        let mut all = vec![PointResult::default(); self.reference().operator.points.len()];
+        self.point_results(&mut all);
+        points.iter().map(|&p| numbers(&mut all[p as usize])).collect()
+    }
+
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self, shown)
+    }
+
+    fn support_resultant(&self) -> Option<Resultant> {
+        let found = Shell::support_resultant(self, self.centroid());
+        Some(Resultant { force: found.force.into(), moment: found.moment.into() })
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -67,8 +82,16 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
         self.shell().read(of, particle, along)
     }
 
+    fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        self.shell().point_numbers(points)
+    }
+
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self.shell(), shown)
+    }
+
+    fn support_resultant(&self) -> Option<Resultant> {
+        Body::support_resultant(self.shell())
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

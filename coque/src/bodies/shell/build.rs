@@ -4,11 +4,13 @@ use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
+use super::cells::CellSets;
 use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
+use super::sections::Sections;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
 use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
@@ -31,14 +33,14 @@ impl Scene {
         threads: usize,
         wetting: Option<Wetting>,
     ) -> Result<Made<Shell>, SceneError> {
-        let Built { mut shell, probes, driven, surface, turn, memory, free_edges } =
+        let Built { mut shell, probes, driven, surface, turn, memory, free_edges, said } =
             self.assemble(threads)?;
         if let Some(wetting) = wetting {
             let wetting = Wetting { free_edges, ..wetting };
             let builder = Builder { scene: self, turn };
             shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
         }
-        let description = describe(self, &shell, surface.as_ref());
+        let description = describe(self, &shell, surface.as_ref(), said);
         let warnings = doubts_of(self, turn, &shell);
         let cloud = &shell.reference().cloud;
         let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
@@ -84,10 +86,11 @@ impl Scene {
         let sets = Sets::find(self, &flat, brought)?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
         let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
-        let probes = builder.probes(&sets, &cloud)?;
         let driver = builder.driver(&sets)?;
         let supports = builder.supports(&sets, driver)?;
-        let mut loads = builder.loads(&sets, &cloud, weights, imported.as_ref())?;
+        let cells = CellSets::new(self, &flat, &sets, imported.as_ref());
+        let sections = builder.sections(&flat, &cells, imported.as_ref())?;
+        let mut loads = builder.loads(&sets, &cells, &sections, &cloud, weights, imported.as_ref())?;
         let driven = builder.driven(&sets, driver, &supports)?;
         if let Some(PrescribedPoint { particle, direction, .. }) = driven {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
@@ -100,20 +103,24 @@ impl Scene {
         let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
             cloud,
-            section: builder.section()?,
+            section: sections.base,
             strain: builder.strain()?,
-            material_axis: builder.material_axis(),
-            density: self.shell().material.density(),
+            material_axis: sections.axis,
+            density: sections.density,
             formulation: builder.formulation(),
             supports,
             loads,
             threads,
         };
-        let mut shell = Shell::new(parts).map_err(|e| builder.refusal(&e))?;
+        let shell = Shell::with_regions(parts, sections.regions);
+        let mut shell = shell.map_err(|e| builder.refusal(&e))?;
+        shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
+        let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&mut shell);
         self.refuse_freedoms(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
-        Ok(Built { shell, probes, driven, surface, turn: builder.turn, memory, free_edges })
+        let (turn, said) = (builder.turn, sections.said);
+        Ok(Built { shell, probes, driven, surface, turn, memory, free_edges, said })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -137,6 +144,8 @@ struct Built {
     memory: Memory,
     /// Particles of the edges that no support holds.
     free_edges: Vec<u32>,
+    /// Its parts, a line each.
+    said: Vec<String>,
 }
 
 pub(crate) struct Builder<'a> {
@@ -145,16 +154,21 @@ pub(crate) struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    fn probes(&self, sets: &Sets, cloud: &Cloud) -> Result<Vec<Probe>, SceneError> {
-        let probe = |(i, column): (usize, &scene::Probe)| {
-            let particles = sets.at(self.scene, &format!("curve[{i}].on"), &column.on)?;
-            let particles = sets::places(cloud, particles).collect();
-            // The checks leave no column of a shell without a direction.
-            let direction = self.turned(column.direction.unwrap_or_default()).normalize();
-            let probe = Probe::new(&column.name, column.of, particles, direction);
-            Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
-        };
-        self.scene.curve.iter().enumerate().map(probe).collect()
+    /// Lumped masses, shared equally by the particles of their sets.
+    fn masses(&self, sets: &Sets) -> Result<Vec<(u32, f64)>, SceneError> {
+        let mut all = Vec::new();
+        for (i, lumped) in self.scene.shell().masses.iter().enumerate() {
+            let path = self.scene.body_scope().path(&format!("masses[{i}].on"));
+            let particles = sets.at(self.scene, &path, &lumped.on)?;
+            let share = lumped.mass / particles.len() as f64;
+            all.extend(particles.iter().map(|&a| (a, share)));
+        }
+        Ok(all)
+    }
+
+    /// A place as the scene gives it.
+    pub(crate) fn turn_back(&self, v: &Vec3) -> Vec3 {
+        self.turn.inverse() * v
     }
 
     pub(crate) fn turned(&self, v: [f64; 3]) -> Vec3 {
@@ -236,6 +250,8 @@ impl Builder<'_> {
     fn loads(
         &self,
         sets: &Sets,
+        cells: &CellSets<'_>,
+        sections: &Sections,
         cloud: &Cloud,
         weights: EndWeights,
         imported: Option<&Imported>,
@@ -243,6 +259,10 @@ impl Builder<'_> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
             let path = format!("loads[{i}].on");
+            if load.acts_on_cells() {
+                loads.extend(self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud));
+                continue;
+            }
             let particles = sets.at(self.scene, &path, &load.on)?;
             let edge = match imported {
                 None => sets::edge(&load.on, particles, cloud, weights),
@@ -272,9 +292,45 @@ impl Builder<'_> {
             LoadKind::Gravity(g) => {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
-            // The checks refuse it on a shell.
+            // It acts on cells.
             LoadKind::Traction(_) => return None,
         })
+    }
+
+    /// What acts on some cells.
+    fn load_on_cells(
+        &self,
+        load: &scene::Load,
+        cells: Vec<u32>,
+        sections: &Sections,
+        cloud: &Cloud,
+    ) -> Vec<AppliedLoad> {
+        let areas = || sph_shell::spread(cloud, &cells, |_| 1.0);
+        let sum = |shares: &[(u32, f64)]| shares.iter().map(|(_, share)| share).sum::<f64>();
+        let dead = |shares: Vec<(u32, f64)>, total: Vec3| Box::new(sph_shell::Force { shares, total });
+        let of = |(_, kind): (&str, LoadKind)| -> Option<Box<dyn sph_shell::Load>> {
+            Some(match kind {
+                LoadKind::Force(force) => dead(areas(), self.turned(force.total)),
+                LoadKind::Traction(traction) => {
+                    let shares = areas();
+                    let total = self.turned(traction.value) * sum(&shares);
+                    dead(shares, total)
+                }
+                LoadKind::Gravity(gravity) => {
+                    let masses = sph_shell::spread(cloud, &cells, |cell| sections.area_density(cell));
+                    let total = self.turned(gravity.acceleration) * sum(&masses);
+                    dead(masses, total)
+                }
+                LoadKind::Pressure(p) => Box::new(sph_shell::PressurePatch {
+                    pressure: sph_shell::Pressure { value: p.value, follower: p.follower },
+                    cells: cells.clone(),
+                }),
+                LoadKind::Couple(_) => return None,
+            })
+        };
+        let amplitude = || amplitude(load.amplitude.as_ref());
+        let loads = load.kinds().into_iter().filter_map(of);
+        loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
     }
 
     /// Puts a refusal of the shell where the scene causes it.
@@ -314,9 +370,13 @@ impl Builder<'_> {
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
                 format!("supports[{number}]")
             }
-            ShellError::NoSuchParticle { .. } | ShellError::EmptySet(_) | ShellError::NotAnEdge(_) => {
-                "loads".into()
-            }
+            ShellError::TwoRegions { .. } => of_body("parts"),
+            ShellError::Mass { .. } => of_body("masses"),
+            ShellError::RegionsWithoutCells => of_body("formulation"),
+            ShellError::NoSuchParticle { .. }
+            | ShellError::NoSuchCell { .. }
+            | ShellError::EmptySet(_)
+            | ShellError::NotAnEdge(_) => "loads".into(),
         };
         self.scene.model_error(&path, &error.to_string())
     }

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use mesh_io::surface::side;
 use sph_shell::Shell;
 
 use super::imported::Provenance;
-use crate::bodies::{Description, TangentCost};
+use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Scene, Section};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
@@ -14,8 +15,13 @@ use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Scene, Sect
 const STEPS: [f64; 2] = [60.0, 0.5];
 
 /// What the shell of a scene is.
-pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance>) -> Description {
-    let (modelled, left_out) = lists(scene, surface);
+pub(crate) fn describe(
+    scene: &Scene,
+    shell: &Shell,
+    surface: Option<&Provenance>,
+    parts: Vec<String>,
+) -> Description {
+    let (modelled, left_out) = lists(scene, surface, parts);
     let dof = shell.freedoms();
     Description {
         kind: "shell",
@@ -28,6 +34,7 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
         bodies: BTreeMap::new(),
         modelled,
         left_out,
+        resultants: (!scene.loads.is_empty()).then(|| resultants(scene, shell)),
         tangent: match &scene.shell().formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {
@@ -39,8 +46,25 @@ pub(crate) fn describe(scene: &Scene, shell: &Shell, surface: Option<&Provenance
     }
 }
 
+/// What each load of the scene amounts to.
+fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
+    let about = shell.centroid();
+    let named = scene.loads.iter().flat_map(|load| {
+        load.kinds()
+            .into_iter()
+            .map(move |(word, kind)| format!("{} on {}", describe_load(word, &kind), load.on))
+    });
+    let reduced = shell.load_resultants(about).into_iter();
+    let loads = reduced.map(|found| Resultant { force: found.force.into(), moment: found.moment.into() });
+    LoadResultants {
+        about: about.into(),
+        normals: side(&shell.reference().cloud),
+        loads: named.zip(loads).collect(),
+    }
+}
+
 /// Lines of what is modelled, and of what is not.
-fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<String>) {
+fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
         format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
         format!(
@@ -56,12 +80,17 @@ fn lists(scene: &Scene, surface: Option<&Provenance>) -> (Vec<String>, Vec<Strin
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
         }),
+        Section::File(_) => modelled.push("isotropic elasticity, sections of the file in closed form".into()),
         Section::Layered(section) => {
             modelled.push(describe_plies(section));
             let missing = ["delamination", "change of transverse shear strain from ply to ply"];
             left_out.extend(missing.map(String::from));
         }
     }
+    modelled.extend(parts);
+    modelled.extend(
+        scene.shell().masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)),
+    );
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
     }

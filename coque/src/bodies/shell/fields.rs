@@ -9,8 +9,9 @@ use sph_core::{Cell, Vec3};
 use sph_shell::{Formulation, PointResult, Shell};
 
 use super::linear_forces::LinearForces;
-use super::stress::{face, von_mises};
+use crate::bodies::sampled::{face_stress, von_mises};
 use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
 
 const XYZ: &[&str] = &[];
@@ -86,7 +87,7 @@ impl Content<'_> {
     fn extruded(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
         let shell = self.shell;
         let count = shell.len();
-        let half = 0.5 * shell.thickness();
+        let sections = self.of_particles();
         // The lower face looks at the upper one: bodies of positive volume, as VTK measures wedges too.
         let cell = |number: usize| {
             let cell = self.cell(number);
@@ -102,7 +103,11 @@ impl Content<'_> {
             (kind, corners)
         };
         // The lower face first, then the upper one.
-        let at = |i: usize| if i < count { (i, -half) } else { (i - count, half) };
+        let at = |i: usize| {
+            let (a, side) = if i < count { (i, -0.5) } else { (i - count, 0.5) };
+            let [thickness, height] = sections[a];
+            (a, height + side * thickness)
+        };
         let place = |(a, height): (usize, f64)| shell.position(a) + shell.director(a) * height;
         let points = rows(2 * count, |i| xyz(place(at(i))));
         to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
@@ -115,6 +120,23 @@ impl Content<'_> {
             At::Points => self.faces(to, 2 * count, |i| at(i).0),
             _ => self.faces(to, self.cells(), |i| i),
         }
+    }
+
+    /// Thickness and height over the particle at each particle, means over its cells \[L, L\].
+    fn of_particles(&self) -> Vec<[f64; 2]> {
+        let shell = self.shell;
+        if !shell.has_regions() {
+            return vec![[shell.thickness(), 0.0]; shell.len()];
+        }
+        let mut sums = vec![[0.0; 3]; shell.len()];
+        for (c, cell) in shell.reference().cloud.cells.iter().enumerate() {
+            let section = shell.section_at(c);
+            for &a in cell.particles() {
+                let own = &mut sums[a as usize];
+                *own = [own[0] + section.thickness, own[1] + section.height, own[2] + 1.0];
+            }
+        }
+        sums.into_iter().map(|[thickness, height, cells]| [thickness / cells, height / cells]).collect()
     }
 
     /// Number of cells; where the cloud has none each particle is one, with itself as its only corner.
@@ -148,7 +170,8 @@ impl Content<'_> {
             let force = |a: usize| linear.map_or_else(|| shell.reaction(a), |reactions| reactions[a]);
             put("reaction", Quantity::Force, &|a| if bears(a) { force(a) } else { Vec3::zeros() })?;
         }
-        let thickness = rows(shell.len(), |_| [shell.thickness()]);
+        let sections = self.of_particles();
+        let thickness = rows(shell.len(), |a| [sections[a][0]]);
         self.put(to, At::Points, "thickness", Quantity::Length, &[], Values::Double(&thickness))
     }
 
@@ -187,12 +210,20 @@ impl Content<'_> {
         self.derived(to, "moment", Quantity::MomentPerLength, PLANE, |r| r.moment)?;
         self.derived(to, "shear_force", Quantity::ForcePerLength, ACROSS, |r| r.shear_force)?;
         if self.shell.homogeneous() {
-            let thickness = self.shell.thickness();
-            for (name, side) in [("stress_top", 1.0), ("stress_bottom", -1.0)] {
-                self.derived(to, name, Quantity::Stress, PLANE, |r| face(r, thickness, side))?;
+            let Some(results) = &self.results else { return Ok(()) };
+            for (name, side) in [("stress_top", ShellFace::Top), ("stress_bottom", ShellFace::Bottom)] {
+                let all = rows(results.len(), |i| self.at_face(results, i, side).map(|value| value as f32));
+                self.put(to, self.place(), name, Quantity::Stress, PLANE, Values::Single(&all))?;
             }
         }
         self.faces(to, count, |i| i)
+    }
+
+    /// Stresses of a sampling point at a face.
+    fn at_face(&self, results: &[PointResult], point: usize, face: ShellFace) -> [f64; 3] {
+        let PointResult { force, moment, .. } = results[point];
+        let section = self.shell.section_at(point);
+        face_stress([force, moment], [section.thickness, section.height], face)
     }
 
     /// A row for each sampling point, in single precision: what is derived from the motion is looked at, not computed
@@ -214,9 +245,8 @@ impl Content<'_> {
     /// gives for its number.
     fn faces(&self, to: &mut dyn FieldWriter, count: usize, of: impl Fn(usize) -> usize) -> io::Result<()> {
         let Some(results) = self.results.as_ref().filter(|_| self.shell.homogeneous()) else { return Ok(()) };
-        let thickness = self.shell.thickness();
-        for (name, side) in [("von_mises_top", 1.0), ("von_mises_bottom", -1.0)] {
-            let all = rows(count, |i| [von_mises(face(&results[of(i)], thickness, side)) as f32]);
+        for (name, side) in [("von_mises_top", ShellFace::Top), ("von_mises_bottom", ShellFace::Bottom)] {
+            let all = rows(count, |i| [von_mises(self.at_face(results, of(i), side)) as f32]);
             self.put(to, self.place(), name, Quantity::Stress, &[], Values::Single(&all))?;
         }
         Ok(())

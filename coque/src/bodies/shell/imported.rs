@@ -1,14 +1,14 @@
 //! A surface from a file as the particles of a scene: cloud, sets, edges, refusals.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
 use sph_core::{Cloud, Vec3};
 
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
-use crate::scene::{Formulation, Load, Mesh, Reach, Scene, Section};
-use mesh_io::surface::{Cells, MeshError, Surface, boundary_edges, chains, read};
+use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Scene, Section};
+use mesh_io::surface::{Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;
@@ -36,6 +36,18 @@ pub(crate) struct Imported {
     cells: Cells,
     /// End of the boundary edge that begins at a particle.
     edges: HashMap<u32, u32>,
+    kept: Kept,
+}
+
+/// Groups of faces that stay groups of cells.
+#[derive(Clone, Debug, Default)]
+struct Kept {
+    /// Kind of each cell: its faces lie in the same groups.
+    kinds: Vec<u32>,
+    /// Kinds that make up each group.
+    groups: BTreeMap<String, BTreeSet<u32>>,
+    /// Kinds that make up each section of the file, where the scene asks for them.
+    sections: Vec<BTreeSet<u32>>,
 }
 
 impl Imported {
@@ -49,9 +61,32 @@ impl Imported {
         refuse_points(scene, &surface)?;
         let surface =
             if of_cells(scene) { surface } else { surface.undivided().map_err(|error| refuse(&error))? };
-        let (cloud, cells) = surface.cloud(surface.node_normals()).map_err(|error| refuse(&error))?;
+        let names = groups_used(scene, &surface);
+        let sections = sections_used(scene, &surface)?;
+        let mut lists: Vec<&[u32]> = names.iter().map(|name| &surface.face_sets[name][..]).collect();
+        lists.extend(sections.iter().map(|section| &section.faces[..]));
+        let (of_faces, mut of_lists) = kinds(surface.faces.len(), &lists);
+        let of_sections = of_lists.split_off(names.len());
+        let made = surface.cloud_of_kinds(surface.node_normals(), &of_faces);
+        let (cloud, cells, kinds) = made.map_err(|error| refuse(&error))?;
         let edges = boundary_edges(&surface.faces);
-        Ok(Some(Self { surface, cloud, cells, edges }))
+        let kept = Kept { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
+        Ok(Some(Self { surface, cloud, cells, edges, kept }))
+    }
+
+    /// Cells of a group of faces; none if the file has no such group.
+    pub(crate) fn cells_of(&self, name: &str) -> Option<Vec<u32>> {
+        let own = self.kept.groups.get(name)?;
+        let cells = (0..).zip(&self.kept.kinds).filter(|(_, kind)| own.contains(kind));
+        Some(cells.map(|(cell, _)| cell).collect())
+    }
+
+    /// The section that the file gives to a cell, and its material.
+    pub(crate) fn section_of(&self, cell: u32) -> Option<(usize, &FileSection, &FileMaterial)> {
+        let kind = self.kept.kinds.get(cell as usize)?;
+        let number = self.kept.sections.iter().position(|kinds| kinds.contains(kind))?;
+        let section = &self.surface.sections[number];
+        Some((number, section, self.surface.materials.get(&section.material.to_lowercase())?))
     }
 
     /// The sets that the file brings: all particles, its groups, its boundary loops.
@@ -71,7 +106,7 @@ impl Imported {
         Ok(known.chain([("all".to_string(), all)]).collect())
     }
 
-    /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple needs one line of it.
+    /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple about the edge needs one line of it.
     pub(crate) fn edge(
         &self,
         scene: &Scene,
@@ -81,12 +116,12 @@ impl Imported {
     ) -> Result<Option<Vec<(u32, f64)>>, SceneError> {
         let lines = chains(particles, &self.surface.positions, &self.edges);
         let count = lines.as_ref().map_or(0, Vec::len);
-        if load.couple.is_some() && count != 1 {
+        if load.couple.is_some_and(|couple| couple.axis == Axis::Edge) && count != 1 {
             let why = match count {
                 0 => "its particles do not follow the boundary".to_string(),
                 count => format!("its particles lie on {count} lines of the boundary"),
             };
-            let bound = format!("but a couple acts on one line along the boundary: {why}");
+            let bound = format!("but a couple about the edge acts on one line along the boundary: {why}");
             let repair = "use a boundary loop, or a box or plane that holds one edge alone";
             let fault = scene.source.fault(path, &format!("\"{}\"", load.on), &bound, repair);
             return Err(SceneError::Set(fault));
@@ -142,6 +177,102 @@ fn of_cells(scene: &Scene) -> bool {
     matches!(&scene.shell().formulation, Formulation::StressPoint(f) if f.support == Reach::Cell)
 }
 
+/// Groups of faces that the scene uses as cells.
+fn groups_used(scene: &Scene, surface: &Surface) -> BTreeSet<String> {
+    let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| &load.on);
+    let parts = scene.shell().parts.iter().map(|part| &part.on);
+    loads.chain(parts).filter(|name| surface.face_sets.contains_key(*name)).cloned().collect()
+}
+
+/// The sections of the file, if the scene asks for them: every face in one, each with a material that the file has.
+fn sections_used<'a>(scene: &Scene, surface: &'a Surface) -> Result<&'a [FileSection], SceneError> {
+    let shell = scene.shell();
+    let in_parts = (0..shell.parts.len()).map(|i| (format!("parts[{i}]."), shell.in_part(i)));
+    let mut all = in_parts.chain([(String::new(), shell.clone())]);
+    let Some((at, asking)) = all.find(|(_, shell)| shell.takes_from_file()) else { return Ok(&[]) };
+    let key = if asking.section.thickness().is_none() { "section.file" } else { "material.file" };
+    let path = format!("{at}{key}");
+    let (file, sections) = (&surface.file, &surface.sections);
+    let refuse = |value: String, bound: &str, repair: &str| {
+        Err(SceneError::Mesh(scene.body_scope().fault(&path, &value, bound, repair)))
+    };
+    if sections.is_empty() {
+        let repair =
+            "give [section.homogeneous] and [material.elastic], and [[parts]] for groups that differ";
+        let value = format!("{file} gives no section to any group of faces");
+        return refuse(value, "a homogeneous *Shell Section in an Abaqus file", repair);
+    }
+    if shell.geometry.mesh().is_some_and(|mesh| mesh.scale != 1.0) && asking.material.density().is_none() {
+        let value = format!("the moduli of {file} are in units of its own, and its lengths are scaled");
+        return refuse(value, "moduli in the units of the scene", "write the scene in the units of the file");
+    }
+    if surface.turned > 0 && sections.iter().any(|section| section.offset != 0.0) {
+        let value = format!(
+            "{file} gives sections with an offset, and {} of its faces were turned round: offsets go along normals",
+            surface.turned
+        );
+        return refuse(value, "faces that agree", "turn the faces in the file, or give offsets in [[parts]]");
+    }
+    let name = |face: usize| format!("face {} (line {})", surface.origins[face].0, surface.origins[face].1);
+    let mut of_face: Vec<Option<&FileSection>> = vec![None; surface.faces.len()];
+    for section in sections {
+        if !surface.materials.contains_key(&section.material.to_lowercase()) {
+            let value = format!(
+                "the section at line {} of {file} is of a material \"{}\", which the file does not have",
+                section.line, section.material
+            );
+            return refuse(value, "a *Material of that name", "add it to the file");
+        }
+        for &face in &section.faces {
+            if let Some(other) = of_face[face as usize].replace(section) {
+                let value = format!(
+                    "{} of {file} lies in the sections at lines {} and {}",
+                    name(face as usize),
+                    other.line,
+                    section.line
+                );
+                return refuse(value, "one section a face", "take it out of one of the two groups");
+            }
+        }
+    }
+    // Faces that parts of the scene name need none of the file.
+    let named: BTreeSet<u32> = (shell.parts.iter())
+        .filter(|part| part.section.is_some() && part.material.is_some())
+        .filter_map(|part| surface.face_sets.get(&part.on))
+        .flatten()
+        .copied()
+        .collect();
+    let bare = |face: &usize| of_face[*face].is_none() && !named.contains(&(*face as u32));
+    if let Some(face) = (0..surface.faces.len()).find(bare) {
+        let value = format!("{} of {file} lies in no section", name(face));
+        return refuse(
+            value,
+            "a section for every face",
+            "add its group to a *Shell Section, or to a part of the scene",
+        );
+    }
+    Ok(sections)
+}
+
+/// A number for each of so many faces, the same for faces that lie in the same lists, and the numbers of each list.
+fn kinds(faces: usize, lists: &[&[u32]]) -> (Vec<u32>, Vec<BTreeSet<u32>>) {
+    let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces];
+    for (number, list) in lists.iter().enumerate() {
+        list.iter().for_each(|&face| within[face as usize].push(number));
+    }
+    let mut numbers = BTreeMap::new();
+    let number = |own: &Vec<usize>| {
+        let next = numbers.len() as u32;
+        *numbers.entry(own.clone()).or_insert(next)
+    };
+    let kinds: Vec<u32> = within.iter().map(number).collect();
+    let of_list = |list: usize| {
+        numbers.iter().filter(|(within, _)| within.contains(&list)).map(|(_, kind)| *kind).collect()
+    };
+    let of_lists = (0..lists.len()).map(of_list).collect();
+    (kinds, of_lists)
+}
+
 /// A refusal of the file, shown at its name in the scene.
 fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
     let mut said = error.clone();
@@ -173,15 +304,16 @@ fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
         );
         return Err(SceneError::Set(fault));
     }
-    let own = scene.shell().section.thickness();
+    // Without a thickness of its own the scene has been refused: the file gives no section.
+    let own = scene.shell().section.thickness().unwrap_or_default();
     let other = |t: &&f64| (**t / own - 1.0).abs() > SAME_THICKNESS;
     if let Some(thickness) = surface.thicknesses.iter().find(other) {
         let bound =
             format!("{thickness} as in {}: one thickness for the whole shell is modelled", surface.file);
         let repair = "make them equal, or take the column out of the file";
         let path = match &scene.shell().section {
-            Section::Homogeneous(_) => "section.homogeneous.thickness",
             Section::Layered(_) => "section.layered.plies",
+            _ => "section.homogeneous.thickness",
         };
         return Err(scene.body_scope().value(path, own, &bound, repair));
     }

@@ -3,6 +3,8 @@
 use sph_core::Vec3;
 use sph_shell::{PointResult, Shell};
 
+use crate::bodies::sampled::POINT_NUMBERS;
+
 /// The forces of a linear answer: all of them grow with the load, none is that of the moved shell.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LinearForces {
@@ -11,9 +13,6 @@ pub(crate) struct LinearForces {
     /// Reactions of all particles \[F\].
     pub reactions: Vec<Vec3>,
 }
-
-/// Numbers of a sampling point, its direction apart.
-const NUMBERS: usize = 16;
 
 impl LinearForces {
     /// Those of the present state.
@@ -36,7 +35,7 @@ impl LinearForces {
     /// Those of a row, in the directions at the points that stand here; none if the row has another length.
     pub fn with_numbers(mut self, row: &[f64]) -> Option<Self> {
         let (reactions, numbers) = row.split_at_checked(3 * self.reactions.len())?;
-        if numbers.len() != NUMBERS * self.points.len() {
+        if numbers.len() != POINT_NUMBERS * self.points.len() {
             return None;
         }
         for (slot, number) in self.points.iter_mut().flat_map(slots).zip(numbers) {
@@ -47,8 +46,13 @@ impl LinearForces {
     }
 }
 
+/// The same as numbers.
+pub(crate) fn numbers(point: &mut PointResult) -> [f64; POINT_NUMBERS] {
+    slots(point).map(|slot| *slot)
+}
+
 /// Every number of a point that grows with the load, in one order for writing and reading.
-fn slots(point: &mut PointResult) -> [&mut f64; NUMBERS] {
+fn slots(point: &mut PointResult) -> [&mut f64; POINT_NUMBERS] {
     let PointResult { membrane, curvature, shear, force, moment, shear_force, t1: _ } = point;
     let ([a, b, c], [d, e, f], [g, h], [i, j, k], [l, m, n], [o, p]) =
         (membrane, curvature, shear, force, moment, shear_force);

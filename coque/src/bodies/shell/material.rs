@@ -1,29 +1,82 @@
 //! From a scene to what the particles are made of and how they are sampled: section, axes, strain measure, formulation.
 
 use shell_kinematics::{
-    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply,
+    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply, Section,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
 
 use crate::bodies::shell::build::Builder;
 use crate::scene::error::SceneError;
+use crate::scene::scope::Scope;
 use crate::scene::{self, MaterialSection};
 
+/// What a section is made of.
+#[derive(Clone)]
+pub(super) enum Stuff {
+    /// One isotropic material through a thickness \[L\], in closed form or by Gauss points.
+    Isotropic(Isotropic, f64, Option<usize>),
+    /// Plies.
+    Layered(Vec<Ply>),
+}
+
+impl Stuff {
+    /// Isotropic, with Young's modulus and Poisson's ratio.
+    ///
+    /// # Errors
+    /// [`MaterialError`] for numbers out of bounds.
+    pub fn isotropic(
+        [young, poisson]: [f64; 2],
+        thickness: f64,
+        gauss_points: Option<usize>,
+    ) -> Result<Self, MaterialError> {
+        Ok(Self::Isotropic(Isotropic::new(young, poisson)?, thickness, gauss_points))
+    }
+
+    /// Thickness \[L\].
+    pub fn thickness(&self) -> f64 {
+        match self {
+            Self::Isotropic(_, thickness, _) => *thickness,
+            Self::Layered(plies) => plies.iter().map(|ply| ply.thickness).sum(),
+        }
+    }
+
+    /// The same isotropic material through another thickness; plies keep theirs.
+    pub fn with_thickness(&self, thickness: f64) -> Self {
+        match self {
+            Self::Isotropic(material, _, points) => Self::Isotropic(*material, thickness, *points),
+            Self::Layered(_) => self.clone(),
+        }
+    }
+
+    /// The section, of numbers that have been checked.
+    ///
+    /// # Errors
+    /// [`MaterialError`] for those that have not.
+    pub fn try_section(&self) -> Result<Box<dyn Section>, MaterialError> {
+        Ok(match self {
+            Self::Isotropic(material, thickness, None) => {
+                Box::new(IsotropicSection::new(*material, *thickness)?)
+            }
+            Self::Isotropic(material, thickness, Some(points)) => {
+                Box::new(IntegratedSection::new(*material, *thickness, *points)?)
+            }
+            Self::Layered(plies) => Box::new(LayeredSection::new(plies)?),
+        })
+    }
+}
+
 impl Builder<'_> {
-    pub(crate) fn section(&self) -> Result<Box<dyn shell_kinematics::Section>, SceneError> {
-        let refuse = |path: &'static str| move |e: MaterialError| self.scene.body_error(path, &e.to_string());
-        Ok(match self.scene.shell().material_section(&self.scene.body_scope())? {
+    /// What a shell without parts is made of, or one of its parts, whose keys stand below `s`.
+    pub(super) fn stuff(&self, shell: &scene::ShellScene, s: &Scope<'_>) -> Result<Stuff, SceneError> {
+        let refuse = |path: &'static str| {
+            move |e: MaterialError| self.scene.model_error(&s.path(path), &e.to_string())
+        };
+        match shell.material_section(s)? {
             MaterialSection::Homogeneous(elastic, section) => {
-                let material =
-                    Isotropic::new(elastic.young, elastic.poisson).map_err(refuse("material.elastic"))?;
-                let refuse = refuse("section.homogeneous");
-                match section.gauss_points {
-                    None => Box::new(IsotropicSection::new(material, section.thickness).map_err(refuse)?),
-                    Some(points) => {
-                        Box::new(IntegratedSection::new(material, section.thickness, points).map_err(refuse)?)
-                    }
-                }
+                let moduli = [elastic.young, elastic.poisson];
+                Stuff::isotropic(moduli, section.thickness, section.gauss_points)
+                    .map_err(refuse("material.elastic"))
             }
             MaterialSection::Layered(m, section) => {
                 let across = m.shear_across.unwrap_or(m.shear);
@@ -34,15 +87,27 @@ impl Builder<'_> {
                     thickness: ply.thickness,
                     angle: ply.angle.to_radians(),
                 };
-                let plies: Vec<Ply> = section.plies.iter().map(ply).collect();
-                Box::new(LayeredSection::new(&plies).map_err(refuse("section.layered"))?)
+                Ok(Stuff::Layered(section.plies.iter().map(ply).collect()))
             }
-        })
+            MaterialSection::OfFile(..) => {
+                Err(self.scene.model_error(&s.path("section"), "a file gives its sections to cells"))
+            }
+        }
     }
 
-    pub(crate) fn material_axis(&self) -> Option<Vec3> {
-        match &self.scene.shell().section {
-            scene::Section::Homogeneous(_) => None,
+    /// The section made of it.
+    pub(super) fn section(&self, stuff: &Stuff, s: &Scope<'_>) -> Result<Box<dyn Section>, SceneError> {
+        let path = match stuff {
+            Stuff::Isotropic(..) => "section.homogeneous",
+            Stuff::Layered(_) => "section.layered",
+        };
+        stuff.try_section().map_err(|e| self.scene.model_error(&s.path(path), &e.to_string()))
+    }
+
+    /// Direction of angle zero of plies.
+    pub(crate) fn material_axis(&self, section: &scene::Section) -> Option<Vec3> {
+        match section {
+            scene::Section::Homogeneous(_) | scene::Section::File(_) => None,
             scene::Section::Layered(section) => Some(self.turned(section.axis)),
         }
     }

@@ -2,6 +2,8 @@
 
 mod body;
 pub(crate) mod build;
+mod cells;
+mod columns;
 mod describe;
 pub(crate) mod doubts;
 mod edges;
@@ -9,7 +11,8 @@ mod fields;
 pub(crate) mod imported;
 mod linear_forces;
 mod material;
+mod parts;
 mod places;
 mod rigid;
-mod stress;
+mod sections;
 mod velocity;

@@ -22,6 +22,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
         bodies: BTreeMap::new(),
         modelled,
         left_out,
+        resultants: None,
         tangent: TangentCost::Dear,
     }
 }

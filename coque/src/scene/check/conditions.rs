@@ -128,13 +128,24 @@ impl Scene {
         }
         for (word, kind) in kinds {
             match kind {
-                LoadKind::Force(force) => s.sized_all(&format!("{at}.force.total"), &force.total)?,
+                LoadKind::Force(force) => {
+                    s.sized_all(&format!("{at}.force.total"), &force.total)?;
+                    if force.by_area && self.as_shell().is_none() {
+                        let bound = "none but on the cells of a shell";
+                        let repair =
+                            "remove it: a solid shares a force by volume, and takes a traction on faces";
+                        let path = format!("{at}.force.by_area");
+                        return Err(SceneError::Choice(s.fault(&path, "a share by area", bound, repair)));
+                    }
+                }
                 LoadKind::Couple(couple) => {
                     s.sized(&format!("{at}.couple.moment"), couple.moment)?;
                     if let Axis::Fixed(axis) = couple.axis {
                         s.direction(&format!("{at}.couple.axis"), axis)?;
                     }
-                    self.only_on(at, &load.on, "a couple acts on an edge", &EDGES)?;
+                    if couple.axis == Axis::Edge {
+                        self.only_on(at, &load.on, "a couple about the edge acts on an edge", &EDGES)?;
+                    }
                 }
                 LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
                 LoadKind::Gravity(g) => {
@@ -144,7 +155,9 @@ impl Scene {
             }
             if matches!(kind, LoadKind::Pressure(_)) && self.as_solid().is_some() {
                 self.check_face(at, load, word)?;
-            } else if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_)) {
+            } else if matches!(kind, LoadKind::Pressure(_) | LoadKind::Gravity(_))
+                && self.as_shell().is_none()
+            {
                 let body = self.body().word();
                 self.only_on(at, &load.on, &format!("{word} acts on the whole {body}"), &["all"])?;
             }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::shell::ShellScene;
 use crate::scene::solid::SolidScene;
 
 type Checked = Result<(), SceneError>;
@@ -54,7 +55,34 @@ impl Scene {
             let bound = format!("no velocity in {}", self.analysis.kind().name);
             return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
         }
+        self.check_face_of_stress(at, probe)?;
         self.check_measured_alike(at, probe)
+    }
+
+    /// Stresses are those of a face, of a section whose stresses run linearly.
+    fn check_face_of_stress(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
+        let (s, word) = (&self.scope(), probe.of.word());
+        let stress = matches!(probe.of, Measured::Stress | Measured::VonMises);
+        if probe.face.is_some() && !stress {
+            let bound = format!("none: {word} is of no face");
+            return Err(SceneError::Choice(s.fault(&at("face"), "a face", &bound, "remove `face`")));
+        }
+        if probe.of == Measured::Stress && probe.face.is_none() {
+            let repair = "add face = \"top\", to which the directors point, or face = \"bottom\"";
+            let fault = s.fault(&at("face"), "nothing", "given: it has no default", repair);
+            return Err(SceneError::Missing(fault));
+        }
+        let layered = |shell: &ShellScene| !shell.section.homogeneous();
+        let of_shell = |shell: &ShellScene| {
+            layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
+        };
+        if stress && self.as_shell().is_some_and(of_shell) {
+            let bound = "`membrane-force`, `bending-moment` or `shear-force` on plies";
+            let repair = "measure section forces: stresses differ from ply to ply";
+            let value = format!("\"{word}\"");
+            return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
+        }
+        Ok(())
     }
 
     /// Refuses a direction where there is nothing to take a component of, points and sections of what has none.
@@ -65,7 +93,7 @@ impl Scene {
             Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
         };
         if let Some(about) = &probe.about {
-            if probe.of != Measured::Moment {
+            if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment) {
                 let bound = format!("none: {word} is about no point");
                 return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
             }
@@ -91,8 +119,9 @@ impl Scene {
     /// What can be measured on the body.
     fn measured(&self) -> Vec<Measured> {
         use Measured::{
-            Damage, Density, Director, Displacement, Flux, Force, FractureEnergy, Level, Moment, Position,
-            Pressure, Reaction, Rotation, StrainEnergy, Velocity,
+            BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy,
+            Level, MembraneForce, Moment, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce,
+            StrainEnergy, Stress, Velocity, VonMises,
         };
         match self.body() {
             BodyScene::Fluid(_) => {
@@ -111,6 +140,16 @@ impl Scene {
         }
         if solid.is_some() {
             known.extend([Damage, FractureEnergy, StrainEnergy]);
+        } else if !self.source.is_part() {
+            known.extend([
+                ReactionMoment,
+                VonMises,
+                Stress,
+                MembraneForce,
+                BendingMoment,
+                ShearForce,
+                Energy,
+            ]);
         }
         known
     }

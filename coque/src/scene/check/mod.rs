@@ -79,6 +79,7 @@ impl Scene {
         match body {
             BodyScene::Shell(shell) => {
                 shell.check(s)?;
+                self.check_parts(shell, s)?;
                 self.check_wetting(shell, s)?;
             }
             BodyScene::Solid(solid) => solid.check(s)?,

@@ -11,7 +11,14 @@ pub enum Material {
     Elastic(Elastic),
     /// Orthotropic linear elasticity of plies, in plane stress.
     Orthotropic(Orthotropic),
+    /// The materials that the file of the mesh gives with its sections.
+    File(OfFile),
 }
+
+/// What stands in the file of the mesh: `{}`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OfFile {}
 
 impl Material {
     /// Word of the scene.
@@ -19,14 +26,16 @@ impl Material {
         match self {
             Self::Elastic(_) => "elastic",
             Self::Orthotropic(_) => "orthotropic",
+            Self::File(_) => "file",
         }
     }
 
-    /// Mass per volume \[F T²/L⁴\].
-    pub fn density(&self) -> f64 {
+    /// Mass per volume \[F T²/L⁴\], where the scene gives it.
+    pub fn density(&self) -> Option<f64> {
         match self {
-            Self::Elastic(material) => material.density,
-            Self::Orthotropic(material) => material.density,
+            Self::Elastic(material) => Some(material.density),
+            Self::Orthotropic(material) => Some(material.density),
+            Self::File(_) => None,
         }
     }
 }
@@ -69,20 +78,23 @@ pub enum Section {
     Homogeneous(Homogeneous),
     /// Plies of an orthotropic material on one another.
     Layered(Layered),
+    /// The homogeneous sections that the file of the mesh gives to groups of its faces.
+    File(OfFile),
 }
 
 impl Section {
-    /// Thickness of the whole section \[L\].
-    pub fn thickness(&self) -> f64 {
+    /// Thickness of the whole section \[L\], where the scene gives it.
+    pub fn thickness(&self) -> Option<f64> {
         match self {
-            Self::Homogeneous(section) => section.thickness,
-            Self::Layered(section) => section.plies.iter().map(|ply| ply.thickness).sum(),
+            Self::Homogeneous(section) => Some(section.thickness),
+            Self::Layered(section) => Some(section.plies.iter().map(|ply| ply.thickness).sum()),
+            Self::File(_) => None,
         }
     }
 
     /// Whether one law holds through the thickness, so that stresses run linearly.
     pub(crate) fn homogeneous(&self) -> bool {
-        matches!(self, Self::Homogeneous(_))
+        matches!(self, Self::Homogeneous(_) | Self::File(_))
     }
 }
 
@@ -94,6 +106,18 @@ pub struct Homogeneous {
     pub thickness: f64,
     /// Gauss points through the thickness; closed form without.
     pub gauss_points: Option<usize>,
+    /// How the thickness goes with the place; the same everywhere without.
+    pub taper: Option<Taper>,
+}
+
+/// A thickness that is linear in space, in each cell that at its centre.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Taper {
+    /// Place at which the thickness is that of the section, in the un-turned frame \[L\].
+    pub point: [f64; 3],
+    /// Change of the thickness by length along each axis \[–\].
+    pub gradient: [f64; 3],
 }
 
 /// Plies of an orthotropic material on one another, their middle on the mid-surface.
@@ -120,4 +144,6 @@ pub struct Ply {
 pub(crate) enum MaterialSection<'a> {
     Homogeneous(&'a Elastic, &'a Homogeneous),
     Layered(&'a Orthotropic, &'a Layered),
+    /// One of the two, or both, as the file gives them.
+    OfFile(Option<&'a Elastic>, Option<&'a Homogeneous>),
 }

@@ -4,6 +4,7 @@ pub(crate) mod formulation;
 pub(crate) mod geometry;
 pub(crate) mod material;
 pub(crate) mod mesh;
+pub(crate) mod parts;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -11,6 +12,7 @@ use serde::Deserialize;
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
 use material::{Material, Section};
+use parts::{LumpedMass, ShellPart};
 
 use super::velocity::Velocity;
 
@@ -26,6 +28,12 @@ pub struct ShellScene {
     pub material: Material,
     /// How the material fills the thickness.
     pub section: Section,
+    /// Cells with a material, section or height of their own.
+    #[serde(default)]
+    pub parts: Vec<ShellPart>,
+    /// Masses lumped at particles; they count in time, in modes and under gravity on all.
+    #[serde(default)]
+    pub masses: Vec<LumpedMass>,
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
@@ -51,6 +59,15 @@ pub enum WetFaces {
 
 impl ShellScene {
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 7] =
-        ["geometry", "orientation", "material", "section", "formulation", "placed", "velocity"];
+    pub(crate) const WORDS: [&'static str; 9] = [
+        "geometry",
+        "orientation",
+        "material",
+        "section",
+        "parts",
+        "masses",
+        "formulation",
+        "placed",
+        "velocity",
+    ];
 }

@@ -1,8 +1,10 @@
-//! Abaqus `.inp`: nodes, triangles and quadrangles, node and element sets; flat, or one part with one instance.
+//! Abaqus `.inp`: nodes, triangles and quadrangles, node and element sets, sections with their materials; flat, or one part
+//! with one instance.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::keyword::{Keyword, corners, generated, unknown};
+use super::shell_sections::ShellSections;
 use super::words::{count, float};
 use crate::input::shortened;
 use crate::surface::MeshError;
@@ -29,12 +31,13 @@ const SILENT: [&str; 9] = [
 #[derive(Default)]
 struct Found {
     raw: Raw,
-    /// Nodes of every element, by its number.
-    elements: HashMap<u64, [u32; 4]>,
+    /// Nodes of every element and its face, by its number.
+    elements: HashMap<u64, ([u32; 4], u32)>,
     /// Node sets: name as first written, node indices.
     node_sets: BTreeMap<String, (String, Vec<u32>)>,
     /// Element sets: name as first written, element numbers.
     element_sets: BTreeMap<String, (String, Vec<u64>)>,
+    sections: ShellSections,
     parts: usize,
     instances: usize,
     /// Inside *assembly but outside *instance: nodes and elements there are none of the surface.
@@ -130,6 +133,7 @@ impl Found {
                 format!("*{name} makes nodes or elements in a way that is not read"),
                 "write nodes and elements out: an input file written by Abaqus/CAE has them so",
             ),
+            _ if self.sections.begin(keyword) => Ok(()),
             name => {
                 if !SILENT.contains(&name) {
                     self.ignored.insert(format!("*{}", shortened(name)));
@@ -153,7 +157,7 @@ impl Found {
         let Some((_, labels)) = self.element_sets.get(&elements.to_lowercase()) else {
             return Err(unknown(line, &format!("the set {name}"), elements));
         };
-        let found = labels.iter().filter_map(|label| self.elements.get(label)).flatten();
+        let found = labels.iter().filter_map(|label| self.elements.get(label)).flat_map(|(nodes, _)| nodes);
         let nodes: Vec<u32> = found.copied().filter(|&node| node != u32::MAX).collect();
         self.raw.make_room(line, nodes.len())?;
         self.nodes_of(name).extend(nodes);
@@ -178,7 +182,10 @@ impl Found {
                 let what = "the *instance is moved or turned";
                 Err(MeshError::at(line, what, "move the part itself, or use `orientation` in the scene"))
             }
-            _ => Ok(()),
+            _ => {
+                self.sections.data(keyword, &fields);
+                Ok(())
+            }
         }
     }
 
@@ -230,7 +237,8 @@ impl Found {
             *node = self.raw.find(line, &user, label)?;
         }
         self.open.clear();
-        if self.elements.insert(label, nodes).is_some() {
+        let face = self.raw.faces.len() as u32;
+        if self.elements.insert(label, (nodes, face)).is_some() {
             let what = format!("{user} is given twice");
             return Err(MeshError::at(line, what, "number every element once"));
         }
@@ -330,12 +338,16 @@ impl Found {
             self.raw.add_to_set(name, nodes);
         }
         for (name, labels) in self.element_sets.values() {
-            for label in labels {
-                let nodes = self.elements.get(label).into_iter().flatten();
-                let nodes: Vec<u32> = nodes.copied().filter(|&node| node != u32::MAX).collect();
-                self.raw.add_to_set(name, &nodes);
-            }
+            let faces: Vec<u32> =
+                labels.iter().filter_map(|label| Some(self.elements.get(label)?.1)).collect();
+            self.raw.add_faces_to_set(name, &faces);
         }
+        let (sections, materials, left) = self.sections.finish(|set| {
+            let (_, labels) = self.element_sets.get(&set.to_lowercase())?;
+            Some(labels.iter().filter_map(|label| Some(self.elements.get(label)?.1)).collect())
+        });
+        (self.raw.sections, self.raw.materials) = (sections, materials);
+        self.ignored.extend(left);
         if !self.ignored.is_empty() {
             let list = Vec::from_iter(self.ignored).join(", ");
             self.raw.notes.push(format!("passed over: {list}"));

@@ -20,7 +20,7 @@ struct Found {
     names: BTreeMap<Key, String>,
     /// Physical groups of the geometrical entities (4.1).
     groups: BTreeMap<Key, Vec<i64>>,
-    /// Nodes of the physical groups.
+    /// Nodes of the physical groups; of groups of surfaces their faces.
     members: BTreeMap<Key, Vec<u32>>,
     /// Elements that belong to no physical group and are no face.
     loose: usize,
@@ -233,16 +233,19 @@ impl Found {
             *corner = self.raw.find(words.line, &user, node)?;
         }
         let corners = &corners[..count];
+        let face = [self.raw.faces.len() as u32];
+        let mut members = corners;
         if dimension == 2 {
             self.raw.face(words.line, label, corners)?;
+            members = &face;
         } else if groups.is_empty() {
             self.loose += 1;
         }
         self.raw.make_room(words.line, groups.len() * count)?;
         for group in groups {
             // A negative number says that the group turns the element round.
-            let members = self.members.entry((dimension, group.saturating_abs())).or_default();
-            members.extend_from_slice(corners);
+            let group = self.members.entry((dimension, group.saturating_abs())).or_default();
+            group.extend_from_slice(members);
         }
         Ok(())
     }
@@ -289,10 +292,15 @@ impl Found {
     }
 
     fn finish(mut self) -> Raw {
-        for ((dimension, tag), nodes) in self.members {
+        for ((dimension, tag), members) in self.members {
             let kind = ["point", "line", "surface"][dimension.min(2) as usize];
             let name = self.names.get(&(dimension, tag)).filter(|name| !name.is_empty());
-            self.raw.add_to_set(name.unwrap_or(&format!("{kind}{tag}")), &nodes);
+            let own = format!("{kind}{tag}");
+            let name = name.unwrap_or(&own);
+            match dimension {
+                2 => self.raw.add_faces_to_set(name, &members),
+                _ => self.raw.add_to_set(name, &members),
+            }
         }
         if self.loose > 0 {
             let note = format!("points and lines in no physical group, left out: {}", self.loose);

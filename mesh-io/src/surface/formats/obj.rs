@@ -53,8 +53,9 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
                 }
                 raw.face(line, label, &corners)?;
                 raw.make_room(line, groups.len() * corners.len())?;
+                let face = raw.faces.len() as u32 - 1;
                 for group in &groups {
-                    raw.add_to_set(group, &corners);
+                    raw.add_faces_to_set(group, &[face]);
                 }
             }
             "g" | "o" => groups = rest.iter().map(|name| name.to_string()).collect(),

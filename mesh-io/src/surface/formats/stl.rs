@@ -151,7 +151,7 @@ fn merged(triangles: &[Loose], names: &[String]) -> Result<Raw, MeshError> {
         raw.face(triangle.line, number, &[a, b, c])?;
         // A single solid is the whole surface, not a part of it.
         if let Some(name) = names.get(triangle.solid).filter(|name| names.len() > 1 && !name.is_empty()) {
-            raw.add_to_set(name, &[a, b, c]);
+            raw.add_faces_to_set(name, &[raw.faces.len() as u32 - 1]);
         }
     }
     let vertices = 3 * triangles.len();

@@ -21,6 +21,7 @@ mod ring;
 mod ring_green_lagrange;
 mod scordelis_lo;
 mod shortened;
+mod stepped_plate;
 mod thin_ring;
 mod turned;
 mod twisted_beam;
@@ -41,7 +42,7 @@ pub fn all() -> Vec<Case> {
         [scordelis_lo::case(), pinched_cylinder::case(), hemisphere::case(), twisted_beam::case()],
     ));
     cases.extend(family("Frames and sections", [junctions::case()]));
-    cases.extend(family("Plates", [plate::case(), plate_frequencies::case()]));
+    cases.extend(family("Plates", [plate::case(), plate_frequencies::case(), stepped_plate::case()]));
     cases.extend(family(
         "Stability of shells",
         [buckling::case(), shortened::case(), clamped_cap::case(), external_pressure::case()],

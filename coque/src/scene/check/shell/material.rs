@@ -13,9 +13,20 @@ impl ShellScene {
         match &self.material {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
             Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
+            Material::File(_) => self.check_of_file("material.file", s)?,
         }
         self.check_section(s)?;
         self.material_section(s).map(drop)
+    }
+
+    /// What stands in a file wants one.
+    fn check_of_file(&self, path: &str, s: &Scope<'_>) -> Checked {
+        if self.geometry.mesh().is_some() {
+            return Ok(());
+        }
+        let bound = "none without [geometry.mesh]";
+        let repair = "give [material.elastic] and [section.homogeneous], or bring a mesh that has them";
+        Err(SceneError::Choice(s.fault(path, "that of a file", bound, repair)))
     }
 
     fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Checked {
@@ -44,7 +55,7 @@ impl ShellScene {
     }
 
     fn check_section(&self, s: &Scope<'_>) -> Checked {
-        let total = self.section.thickness();
+        let total = self.section.thickness().unwrap_or_default();
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
                 s.positive("section.homogeneous.thickness", section.thickness)?;
@@ -52,8 +63,13 @@ impl ShellScene {
                     let repair = "one point carries no bending; leave it out for the closed form";
                     s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
                 }
+                if let Some(taper) = &section.taper {
+                    s.sized_all("section.homogeneous.taper.point", &taper.point)?;
+                    s.direction("section.homogeneous.taper.gradient", taper.gradient)?;
+                }
                 ("section.homogeneous.thickness", total.to_string())
             }
+            Section::File(_) => return self.check_of_file("section.file", s),
             Section::Layered(section) => {
                 self.check_layered(section, s)?;
                 ("section.layered.plies", format!("{total} thick altogether"))
@@ -93,9 +109,9 @@ impl ShellScene {
     /// has none to turn.
     ///
     /// # Errors
-    /// [`SceneError::Choice`] for an orthotropic homogeneous section and an isotropic layered one.
+    /// [`SceneError::Choice`] for an orthotropic homogeneous section and an isotropic layered one, of the scene or of a file.
     pub(crate) fn material_section(&self, s: &Scope<'_>) -> Result<MaterialSection<'_>, SceneError> {
-        let thickness = self.section.thickness();
+        let thickness = self.section.thickness().unwrap_or_default();
         let (path, value, bound, repair) = match (&self.material, &self.section) {
             (Material::Elastic(material), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::Homogeneous(material, section));
@@ -103,6 +119,25 @@ impl ShellScene {
             (Material::Orthotropic(material), Section::Layered(section)) => {
                 return Ok(MaterialSection::Layered(material, section));
             }
+            (Material::File(_), Section::File(_)) => return Ok(MaterialSection::OfFile(None, None)),
+            (Material::Elastic(material), Section::File(_)) => {
+                return Ok(MaterialSection::OfFile(Some(material), None));
+            }
+            (Material::File(_), Section::Homogeneous(section)) => {
+                return Ok(MaterialSection::OfFile(None, Some(section)));
+            }
+            (Material::Orthotropic(_), Section::File(_)) => (
+                "section.file",
+                "no direction to the fibre of [material.orthotropic]",
+                "one",
+                "use [section.layered] for plies, or [material.elastic] or [material.file] beside it".into(),
+            ),
+            (Material::File(_), Section::Layered(_)) => (
+                "section.layered",
+                "angles to [material.file], whose materials are the same in all directions",
+                "the thickness alone",
+                "use [section.homogeneous] or [section.file], or [material.orthotropic] for plies".into(),
+            ),
             (Material::Orthotropic(_), Section::Homogeneous(_)) => (
                 "section.homogeneous",
                 "no direction to the fibre of [material.orthotropic]",

@@ -3,6 +3,7 @@
 mod formulation;
 mod geometry;
 mod material;
+mod parts;
 mod placed;
 
 use crate::scene::error::SceneError;

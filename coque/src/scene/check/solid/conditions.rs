@@ -99,17 +99,19 @@ impl Scene {
         Ok(())
     }
 
-    /// A traction acts on a face of a block.
+    /// A traction acts on a face of a block, or on cells of a shell.
     pub(in crate::scene::check) fn check_traction(&self, at: &str, load: &Load) -> Checked {
         let s = &self.scope();
         let Some(traction) = load.traction else { return Ok(()) };
-        let Some(solid) = self.as_solid() else {
-            let repair = "use `force` on an edge, or `pressure` on all";
-            let bound = "`force`, `couple`, `pressure` or `gravity` on a shell";
-            let fault = s.fault(&format!("{at}.traction"), "`traction`", bound, repair);
-            return Err(SceneError::Choice(fault));
-        };
         s.sized_all(&format!("{at}.traction.value"), &traction.value)?;
+        let Some(solid) = self.as_solid() else {
+            if traction.depth.is_none() {
+                return Ok(());
+            }
+            let (path, repair) =
+                (format!("{at}.traction.depth"), "remove it: a shell has one layer of particles");
+            return Err(SceneError::Choice(s.fault(&path, "a depth", "none on a shell", repair)));
+        };
         if let Some(depth) = traction.depth {
             s.positive(&format!("{at}.traction.depth"), depth)?;
             if solid.galerkin().is_some() {

@@ -1,0 +1,94 @@
+//! What follows from the strains of a shell at some of its points: stresses, section forces, energy.
+
+use crate::scene::{Measured, ShellFace};
+
+/// Numbers of a point that grow with a small motion: strains `e11 e22 2e12 κ11 κ22 2κ12 γ1 γ2`, then the resultants
+/// `N11 N22 N12 M11 M22 M12 Q1 Q2`.
+pub const POINT_NUMBERS: usize = 16;
+
+/// What is known of a point at rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PointAtRest {
+    /// The direction of the column in the frame of the point, a unit vector where it has one.
+    pub along: [f64; 2],
+    /// Thickness, and height of its middle over the particles \[L\].
+    pub section: [f64; 2],
+    /// Area \[L²\].
+    pub area: f64,
+}
+
+/// Points at which a column is measured.
+#[derive(Clone, Debug)]
+pub(crate) struct Sampled {
+    pub of: Measured,
+    pub face: Option<ShellFace>,
+    pub points: Vec<PointAtRest>,
+}
+
+impl Sampled {
+    /// The value at each point.
+    pub fn values(&self, numbers: &[[f64; POINT_NUMBERS]]) -> Vec<f64> {
+        self.points.iter().zip(numbers).map(|(point, numbers)| self.value(point, numbers)).collect()
+    }
+
+    fn value(&self, point: &PointAtRest, numbers: &[f64; POINT_NUMBERS]) -> f64 {
+        let PointAtRest { along: [a, b], section, area } = *point;
+        let three = |first: usize| [numbers[first], numbers[first + 1], numbers[first + 2]];
+        let (force, moment) = (three(8), three(11));
+        let along = |[t11, t22, t12]: [f64; 3]| a * a * t11 + b * b * t22 + 2.0 * a * b * t12;
+        let stress = |face: ShellFace| face_stress([force, moment], section, face);
+        let von_mises = |face: ShellFace| von_mises(stress(face));
+        match (self.of, self.face) {
+            (Measured::VonMises, Some(face)) => von_mises(face),
+            (Measured::VonMises, None) => von_mises(ShellFace::Top).max(von_mises(ShellFace::Bottom)),
+            (Measured::Stress, face) => along(stress(face.unwrap_or(ShellFace::Top))),
+            (Measured::MembraneForce, _) => along(force),
+            (Measured::BendingMoment, _) => along(moment),
+            (Measured::ShearForce, _) => a * numbers[14] + b * numbers[15],
+            _ => 0.5 * area * (0..8).map(|i| numbers[i] * numbers[8 + i]).sum::<f64>(),
+        }
+    }
+}
+
+/// `σ11, σ22, σ12` \[F/L²\] at a face, from membrane forces and moments: `σ = N/t ± 6(M − eN)/t²`, the linear course of a
+/// homogeneous elastic section of the thickness t whose middle lies at the height e over the particles.
+///
+/// Components along the frame of the point, per reference area; membrane strains are assumed small.
+pub(crate) fn face_stress(
+    [force, moment]: [[f64; 3]; 2],
+    [thickness, height]: [f64; 2],
+    face: ShellFace,
+) -> [f64; 3] {
+    let side = if face == ShellFace::Top { 1.0 } else { -1.0 };
+    let bending = side * 6.0 / (thickness * thickness);
+    std::array::from_fn(|i| force[i] / thickness + bending * (moment[i] - height * force[i]))
+}
+
+/// `√(σ11² + σ22² − σ11 σ22 + 3 σ12²)`, plane stress \[F/L²\].
+pub(crate) fn von_mises([s11, s22, s12]: [f64; 3]) -> f64 {
+    (s11 * s11 + s22 * s22 - s11 * s22 + 3.0 * s12 * s12).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_integrate_back_to_the_resultants() {
+        let (n, m, t, e) = ([3.0, -1.0, 0.5], [0.2, 0.4, -0.1], 0.3, 0.7);
+        let [top, bottom] = [ShellFace::Top, ShellFace::Bottom].map(|face| face_stress([n, m], [t, e], face));
+        for i in 0..3 {
+            // N = t (σ_top + σ_bottom)/2 and M = t² (σ_top − σ_bottom)/12 + e N for a linear course.
+            assert!((t * (top[i] + bottom[i]) / 2.0 - n[i]).abs() < 1e-14);
+            assert!((t * t * (top[i] - bottom[i]) / 12.0 + e * n[i] - m[i]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn von_mises_of_tension_and_of_shear() {
+        assert!((von_mises([-2.0, 0.0, 0.0]) - 2.0).abs() < 1e-15);
+        // Pure shear τ, as itself and as ±τ at 45°: √3 τ.
+        assert!((von_mises([0.0, 0.0, 1.0]) - 3.0_f64.sqrt()).abs() < 1e-15);
+        assert!((von_mises([1.0, -1.0, 0.0]) - 3.0_f64.sqrt()).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,257 @@
+//! From the parts of a scene to sections of cells: which cell is whose, what it is made of, how high it lies.
+
+use std::collections::BTreeMap;
+
+use sph_core::{Cloud, Vec3};
+use sph_shell::Region;
+
+use super::build::Builder;
+use super::cells::CellSets;
+use super::imported::Imported;
+use super::material::Stuff;
+use super::sections::Sections;
+use crate::scene::error::SceneError;
+use crate::scene::scope::Scope;
+use crate::scene::{Analysis, MaterialSection, ShellScene, Taper};
+
+/// Cells that are alike.
+struct Alike {
+    /// Group of the file whose section they have.
+    group: Option<String>,
+    cells: Vec<u32>,
+    stuff: Stuff,
+    density: f64,
+    height: f64,
+    axis: Option<Vec3>,
+}
+
+impl Builder<'_> {
+    /// The sections of all cells of a cloud that is not turned yet.
+    ///
+    /// # Errors
+    /// [`SceneError`] for parts without cells, cells in two parts, thicknesses that are not positive, what a file lacks.
+    pub(super) fn sections(
+        &self,
+        cloud: &Cloud,
+        sets: &CellSets<'_>,
+        imported: Option<&Imported>,
+    ) -> Result<Sections, SceneError> {
+        let (shell, scope) = (self.scene.shell(), self.scene.body_scope());
+        if !shell.has_parts() {
+            let base = self.section(&self.stuff(shell, &scope)?, &scope)?;
+            let (density, axis) =
+                (shell.material.density().unwrap_or_default(), self.material_axis(&shell.section));
+            return Ok(Sections {
+                base,
+                density,
+                axis,
+                regions: Vec::new(),
+                areal: Vec::new(),
+                said: Vec::new(),
+            });
+        }
+        let mut own: Vec<Vec<u32>> = self.owned(cloud, sets, &scope)?;
+        let mut all = Vec::new();
+        let mut said = Vec::new();
+        for (i, part) in shell.parts.iter().enumerate() {
+            let (at, cells) = (scope.below(&format!("parts[{i}]")), std::mem::take(&mut own[i + 1]));
+            let found = self.alike(&shell.in_part(i), &at, cells, cloud, imported)?;
+            said.extend(described(&part.on, part.offset, &found));
+            all.extend(found.into_iter().map(|alike| Alike { height: alike.height + part.offset, ..alike }));
+        }
+        let rest = std::mem::take(&mut own[0]);
+        if !rest.is_empty() {
+            let found = self.alike(shell, &scope, rest, cloud, imported)?;
+            let lines = described(if shell.parts.is_empty() { "all" } else { "all others" }, 0.0, &found);
+            said.splice(0..0, lines);
+            all.extend(found);
+        }
+        let mut areal = vec![0.0; cloud.cells.len()];
+        for alike in &all {
+            let by_area = alike.density * alike.stuff.thickness();
+            alike.cells.iter().for_each(|&cell| areal[cell as usize] = by_area);
+        }
+        // What most cells on their particles have is the section of the shell; alone, it is the only one.
+        let on_particles = all.iter().enumerate().filter(|(_, alike)| alike.height == 0.0);
+        let most = on_particles.max_by_key(|(i, alike)| (alike.cells.len(), usize::MAX - i)).map(|(i, _)| i);
+        let first = &all[most.unwrap_or_default()];
+        let (base, density, axis) = (self.section(&first.stuff, &scope)?, first.density, first.axis);
+        if let Some(most) = most {
+            all.remove(most);
+        }
+        let region = |Alike { cells, stuff, density, height, axis, .. }: Alike| {
+            Ok(Region { cells, section: self.section(&stuff, &scope)?, density, height, axis })
+        };
+        let regions = all.into_iter().map(region).collect::<Result<_, SceneError>>()?;
+        Ok(Sections { base, density, axis, regions, areal, said })
+    }
+
+    /// Cells of no part, then those of each part.
+    fn owned(
+        &self,
+        cloud: &Cloud,
+        sets: &CellSets<'_>,
+        scope: &Scope<'_>,
+    ) -> Result<Vec<Vec<u32>>, SceneError> {
+        let parts = &self.scene.shell().parts;
+        let mut of_cell = vec![0; cloud.cells.len()];
+        for (i, part) in parts.iter().enumerate() {
+            let path = scope.path(&format!("parts[{i}].on"));
+            for cell in sets.at(&path, &part.on)? {
+                let before = std::mem::replace(&mut of_cell[cell as usize], i + 1);
+                if before > 0 {
+                    let centre = cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
+                    let bound = format!(
+                        "but the cell at [{:.4}, {:.4}, {:.4}] lies in parts[{}] on \"{}\" too",
+                        centre.x,
+                        centre.y,
+                        centre.z,
+                        before - 1,
+                        parts[before - 1].on
+                    );
+                    let value = format!("\"{}\"", part.on);
+                    let repair = "let each cell lie in one part: name sets that do not overlap";
+                    return Err(SceneError::Set(self.scene.source.fault(&path, &value, &bound, repair)));
+                }
+            }
+        }
+        let mut own = vec![Vec::new(); parts.len() + 1];
+        (0..).zip(of_cell).for_each(|(cell, part): (u32, usize)| own[part].push(cell));
+        Ok(own)
+    }
+
+    /// The cells of a part, those that are alike together.
+    fn alike(
+        &self,
+        shell: &ShellScene,
+        at: &Scope<'_>,
+        cells: Vec<u32>,
+        cloud: &Cloud,
+        imported: Option<&Imported>,
+    ) -> Result<Vec<Alike>, SceneError> {
+        let density = shell.material.density().unwrap_or_default();
+        let axis = self.material_axis(&shell.section);
+        match shell.material_section(at)? {
+            MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
+            MaterialSection::Homogeneous(_, section) if section.taper.is_some() => {
+                let stuff = self.stuff(shell, at)?;
+                let Some(taper) = &section.taper else { return Ok(Vec::new()) };
+                let one = |cell: u32| {
+                    let centre = cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
+                    let stuff = stuff.with_thickness(thickness_at(section.thickness, taper, &centre));
+                    Ok(Alike {
+                        group: None,
+                        cells: vec![cell],
+                        stuff: self.sound(stuff, at, &centre)?,
+                        density,
+                        height: 0.0,
+                        axis,
+                    })
+                };
+                cells.into_iter().map(one).collect()
+            }
+            _ => {
+                let stuff = self.stuff(shell, at)?;
+                Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis }])
+            }
+        }
+    }
+
+    /// Refuses a thickness that is not positive somewhere.
+    fn sound(&self, stuff: Stuff, at: &Scope<'_>, centre: &Vec3) -> Result<Stuff, SceneError> {
+        match stuff.thickness() {
+            t if t > 0.0 => Ok(stuff),
+            t => {
+                let value =
+                    format!("a thickness of {t:.4e} at [{:.4}, {:.4}, {:.4}]", centre.x, centre.y, centre.z);
+                let repair = "let the thickness grow slower, or take its point elsewhere";
+                Err(at.value("section.homogeneous.taper", value, "positive in every cell", repair))
+            }
+        }
+    }
+
+    /// The same with what the file says of each cell.
+    fn alike_in_file(
+        &self,
+        shell: &ShellScene,
+        at: &Scope<'_>,
+        cells: &[u32],
+        imported: Option<&Imported>,
+    ) -> Result<Vec<Alike>, SceneError> {
+        let key = if shell.material.density().is_none() { "material.file" } else { "section.file" };
+        let refuse = |value: &str, bound: &str, repair: &str| {
+            Err(SceneError::Mesh(at.fault(key, value, bound, repair)))
+        };
+        let MaterialSection::OfFile(elastic, section) = shell.material_section(at)? else {
+            return Ok(Vec::new());
+        };
+        let mut of_sections: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
+        let found = |cell: u32| imported.and_then(|imported| imported.section_of(cell));
+        for &cell in cells {
+            match found(cell) {
+                Some((number, ..)) => of_sections.entry(number).or_default().push(cell),
+                None => {
+                    return refuse(
+                        "a cell in no section",
+                        "a section for every cell",
+                        "name its faces in the file",
+                    );
+                }
+            }
+        }
+        let mut all = Vec::new();
+        for cells in of_sections.into_values() {
+            let Some((_, given, material)) = found(cells[0]) else { continue };
+            let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
+            let needed = weighs || matches!(self.scene.analysis, Analysis::Explicit(_) | Analysis::Modal(_));
+            let (moduli, density) = match (elastic, material.elastic) {
+                (Some(own), _) => ([own.young, own.poisson], own.density),
+                (None, None) => {
+                    let value = format!("material \"{}\" has no isotropic *Elastic", given.material);
+                    return refuse(&value, "Young's modulus and Poisson's ratio", "add them to the file");
+                }
+                // Where nothing has a mass any density will do.
+                (None, Some(moduli)) => match material.density {
+                    None if !needed => (moduli, 1.0),
+                    Some(density) if density > 0.0 => (moduli, density),
+                    _ => {
+                        let value = format!("material \"{}\" has no positive *Density", given.material);
+                        return refuse(&value, "one where masses count", "add it to the file");
+                    }
+                },
+            };
+            let thickness = section.map_or(given.thickness, |section| section.thickness);
+            let gauss_points = section.and_then(|section| section.gauss_points);
+            let stuff = Stuff::isotropic(moduli, thickness, gauss_points);
+            let stuff = stuff.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
+            let (group, height) = (Some(given.group.clone()), given.offset * thickness);
+            all.push(Alike { group, cells, stuff, density, height, axis: None });
+        }
+        Ok(all)
+    }
+}
+
+fn thickness_at(thickness: f64, taper: &Taper, place: &Vec3) -> f64 {
+    thickness + Vec3::from(taper.gradient).dot(&(place - Vec3::from(taper.point)))
+}
+
+/// A part in a line, or in one for each section that the file gives to it.
+fn described(name: &str, offset: f64, all: &[Alike]) -> Vec<String> {
+    if let Some(groups) = all.iter().map(|alike| alike.group.as_ref()).collect::<Option<Vec<_>>>() {
+        let of = |(group, alike): (&String, &Alike)| {
+            line(&format!("{name}, section {group} of the file"), offset, std::slice::from_ref(alike))
+        };
+        return groups.into_iter().zip(all).map(of).collect();
+    }
+    vec![line(name, offset, all)]
+}
+
+fn line(name: &str, offset: f64, all: &[Alike]) -> String {
+    let count: usize = all.iter().map(|alike| alike.cells.len()).sum();
+    let cells = if count == 1 { "1 cell".to_string() } else { format!("{count} cells") };
+    let thickness = all.iter().map(|alike| alike.stuff.thickness());
+    let [least, most] = [thickness.clone().fold(f64::INFINITY, f64::min), thickness.fold(0.0, f64::max)];
+    let thickness = if least == most { format!("{least}") } else { format!("{least:.4e} to {most:.4e}") };
+    let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };
+    format!("part {name}: {cells}, thickness {thickness}{offset}")
+}

@@ -1,0 +1,83 @@
+//! Checks of parts: what each has of its own, and whether strains are sampled in cells.
+
+use crate::scene::error::SceneError;
+use crate::scene::problem::Scene;
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+use crate::scene::shell::formulation::{Formulation, Reach};
+use crate::scene::shell::material::Section;
+use crate::scene::shell::parts::LumpedMass;
+
+type Checked = Result<(), SceneError>;
+
+impl ShellScene {
+    /// Whether sections may differ from cell to cell.
+    pub(crate) fn has_parts(&self) -> bool {
+        let tapered = matches!(&self.section, Section::Homogeneous(section) if section.taper.is_some());
+        tapered || !self.parts.is_empty() || self.takes_from_file()
+    }
+
+    /// Whether material or section stand in the file of the mesh.
+    pub(crate) fn takes_from_file(&self) -> bool {
+        self.material.density().is_none() || self.section.thickness().is_none()
+    }
+
+    /// Key of what makes sections differ, of the first.
+    fn key_of_parts(&self) -> &'static str {
+        if !self.parts.is_empty() {
+            "parts[0]"
+        } else if self.takes_from_file() {
+            if self.section.thickness().is_none() { "section.file" } else { "material.file" }
+        } else {
+            "section.homogeneous.taper"
+        }
+    }
+
+    /// The shell as it is in one of its parts.
+    pub(crate) fn in_part(&self, number: usize) -> Self {
+        let mut own = self.clone();
+        if let Some(part) = self.parts.get(number) {
+            own.material = part.material.clone().unwrap_or(own.material);
+            own.section = part.section.clone().unwrap_or(own.section);
+        }
+        own.parts = Vec::new();
+        own
+    }
+}
+
+impl Scene {
+    /// Refuses masses that are none, parts without anything of their own, numbers out of bounds, and parts where there are no cells or a fluid.
+    pub(in crate::scene::check) fn check_parts(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
+        for (i, LumpedMass { on, mass }) in shell.masses.iter().enumerate() {
+            let own = s.below(&format!("masses[{i}]"));
+            self.check_set_name(&own.path("on"), on)?;
+            own.positive("mass", *mass)?;
+        }
+        if !shell.has_parts() {
+            return Ok(());
+        }
+        let refuse = |found: &str, bound: &str, repair: &str| {
+            Err(SceneError::Choice(s.fault(shell.key_of_parts(), found, bound, repair)))
+        };
+        let several = "sections of their own in cells";
+        if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
+            let bound = "none but where strains are sampled in cells";
+            return refuse(several, bound, "use [formulation.stress-point] without `support`, the default");
+        }
+        if self.source.is_part() {
+            return refuse(several, "none in a fluid", "give the shell one material and one thickness");
+        }
+        for (i, part) in shell.parts.iter().enumerate() {
+            let own = s.below(&format!("parts[{i}]"));
+            self.check_set_name(&own.path("on"), &part.on)?;
+            if part.material.is_none() && part.section.is_none() && part.offset == 0.0 {
+                let repair = "give the part a material, a section or an offset, or remove it";
+                let (path, bound) = (format!("parts[{i}]"), "`material`, `section` or `offset`");
+                return Err(SceneError::Choice(s.fault(&path, "nothing of its own", bound, repair)));
+            }
+            own.sized("offset", part.offset)?;
+            shell.in_part(i).check_material(&own)?;
+        }
+        Ok(())
+    }
+}
