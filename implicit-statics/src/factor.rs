@@ -6,7 +6,7 @@
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{SymbolicCholesky, SymbolicCholeskyRaw};
 
-use crate::Inertia;
+use crate::inertia::Inertia;
 
 /// Values of a factor, for one symbolic analysis.
 pub(crate) struct Factor {

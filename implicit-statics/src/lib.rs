@@ -60,7 +60,7 @@
 //!
 //! | [`Control`] | further equation | source |
 //! |---|---|---|
-//! | `Load` | `λ` given; steps that overshoot are shortened by a line search on `δ·r`; predicted by `K⁻¹p δλ` where held values move | \[matthies1979\], \[crisfield1991\] |
+//! | `Load` | `λ` given; steps that overshoot are shortened by a line search on `δ·r`; predicted by `K⁻¹p δλ` where held values move or the bend is known | \[matthies1979\], \[crisfield1991\] |
 //! | `Displacement` | `c·Δq = target` | \[batoz1979\] |
 //! | `ArcLength` | `Σ w_i Δq_i² + ψ² Δλ² = R²`, linearised consistently | \[crisfield1981\], \[schweizerhof1986\] |
 //!
@@ -68,6 +68,15 @@
 //! directors may turn on their spheres. Weights w_i of the arc are the masses over their sum, R is the
 //! arc length of a step, `ψ²` is `load_share` times the square of the linear answer to a unit of level at the start. An
 //! arc-length step starts along the last step \[feng1996\].
+//!
+//! Where the system tells the motion to a saved state ([`Equilibrium::motion_to`]), steps of load and displacement start on the
+//! parabola through the last two points that has the tangent at the second: with a step t along it, the last step l and the
+//! ratio c of their sizes, at `t + c t − c² l`, as long as the bend is no more than half of t. Where it keeps factors
+//! ([`Equilibrium::keeps_factor`]), such a step and every iterate whose residual has fallen below [`NewtonOptions::keep`] of the one
+//! before go on with the factor at hand; what makes the residual grow is taken back; what balances by another factor must meet
+//! a tenth of the bound. Arcs have a factor for every iterate: their points depend on how fast steps converge. Paths in parts go on from one solver
+//! ([`Newton::follow`]): a state that balances is not corrected again, and its factor serves on. A [`Start`] holds all that
+//! this takes, so that a path begun anew there has the same bits.
 //!
 //! Converged means `|r| ≤ 1e-9` of the largest of `|external|`, `|p Δλ|` and the internal forces so far; where rounding
 //! of forces exceeds that, a residual that no longer falls while corrections are below 1e-8 of the way. Steps grow and
@@ -97,9 +106,11 @@
 //!
 //! # Inertia, critical points, branches
 //!
-//! `K = L B Lᵀ` with 1×1 and 2×2 pivots \[bunch1977\] after scaling to a unit diagonal by powers of two. By Sylvester's
+//! `K = L D Lᵀ` after scaling to a unit diagonal by powers of two; where that has negative pivots and the diagonal of `|L||D||L|ᵀ` exceeds a hundred
+//! times that of K, `K = L B Lᵀ` with 1×1 and 2×2 pivots \[bunch1977\]. By Sylvester's
 //! law the signs of the pivots are those of the eigenvalues, [`Inertia`]: where the number of negative ones changes
-//! along a path, the tangent was singular. That place is found by bisection of the step; the mode φ is the weakest
+//! along a path, the tangent was singular. That place is bracketed by trial steps, beside the zero of the line through the weakest
+//! eigenvalues of the last two, else in the middle; the mode φ is the weakest
 //! direction of K at the near end, and
 //!
 //! ```text
@@ -185,6 +196,7 @@ mod error;
 mod factor;
 mod follow;
 mod geometric;
+mod inertia;
 mod modal;
 mod newton;
 mod options;
@@ -205,9 +217,10 @@ pub use equilibrium::{Equilibrium, row_sums};
 pub use error::EquilibriumError;
 pub use follow::follow;
 pub use geometric::Prebuckling;
+pub use inertia::Inertia;
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
 pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use relaxation::{Relaxed, Relaxing, relax};
-pub use solver::{Inertia, SymmetricSolver};
+pub use solver::SymmetricSolver;

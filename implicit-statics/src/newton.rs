@@ -1,14 +1,13 @@
 //! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
 
+mod parts;
+mod search;
+
 use crate::error::require;
 use crate::options::NewtonOptions;
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError, Inertia, SymmetricSolver};
 
-/// A line search sets in when `|δ·r|` along the step `δ` does not fall to this share \[matthies1979, crisfield1991\].
-const SLACK: f64 = 0.8;
-/// Trials of one line search.
-const TRIALS: usize = 6;
 /// A residual above this share of the one before no longer converges …
 const STALLED: f64 = 0.25;
 /// … and is rounding of the forces when the correction is below this share of the way: one more would square it.
@@ -110,51 +109,6 @@ impl Newton {
             answer: None,
             left: Vec::new(),
         })
-    }
-
-    /// Begins a path: the sense of scale is that of its start; a factor of the same state by the same stiffnesses serves on.
-    pub(crate) fn begin<E: Equilibrium + ?Sized>(
-        &mut self,
-        system: &E,
-        stiffness: Option<&[f64]>,
-    ) -> Result<(), EquilibriumError> {
-        let n = self.residual.len();
-        let zeros = vec![0.0; n];
-        let stiffness = stiffness.unwrap_or(&zeros);
-        if stiffness.len() != n {
-            let name = "stiffness at the start";
-            return Err(EquilibriumError::Length { name, length: stiffness.len(), expected: n });
-        }
-        if self.solver.first_stiffness() != stiffness || system.save() != self.left {
-            self.factored = None;
-        }
-        self.solver.refer_to(stiffness);
-        self.step = 0;
-        (self.force_scale, self.first_way) = (0.0, 0.0);
-        self.travelled.fill(0.0);
-        Ok(())
-    }
-
-    /// Ends a path in the present state.
-    pub(crate) fn leave<E: Equilibrium + ?Sized>(&mut self, system: &E) {
-        self.left = system.save();
-    }
-
-    /// Takes the present state over if it balances a level, else corrects it.
-    pub(crate) fn settle<E: Equilibrium + ?Sized>(
-        &mut self,
-        system: &mut E,
-        level: f64,
-    ) -> Result<Converged, EquilibriumError> {
-        let size = self.residual(system, level)?;
-        let bound = self.options.tolerance * norm(&self.external).max(self.force_scale);
-        if size > bound || system.within_bounds().is_err() {
-            return self.at_level(system, level);
-        }
-        let inertia = self.tangent(system, level)?;
-        self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
-        system.accept();
-        Ok(Converged { level, iterations: 0, residuals: vec![size], bound, inertia })
     }
 
     /// Finds equilibrium at a load level from the present state. After a failure the state is as before.
@@ -404,36 +358,6 @@ impl Newton {
             *motion += change * response;
         }
         Ok(Increment { motion, level: change })
-    }
-
-    /// Moves along `motion` by the whole of it, or by the share where `|motion·r|` has fallen enough.
-    ///
-    /// Only an overshoot (change of sign of `motion·r`, the slope of the potential) is shortened.
-    fn search<E: Equilibrium + ?Sized>(
-        &mut self,
-        system: &mut E,
-        level: f64,
-        motion: &[f64],
-    ) -> Result<f64, EquilibriumError> {
-        let start = dot(motion, &self.residual);
-        let saved = system.save();
-        let mut share = 1.0;
-        let mut scaled = motion.to_vec();
-        for _ in 0..TRIALS {
-            self.advance(system, &scaled);
-            let slope = self.residual(system, level).map_or(f64::NAN, |_| dot(motion, &self.residual));
-            if slope.abs() <= SLACK * start.abs() || slope * start > 0.0 {
-                return Ok(share);
-            }
-            let crossing = start / (start - slope); // of the straight line between the slopes at 0 and here
-            share *= if crossing.is_finite() { crossing.clamp(0.1, 0.9) } else { 0.5 };
-            self.go_back(system, &saved);
-            for (scaled, motion) in scaled.iter_mut().zip(motion) {
-                *scaled = share * motion;
-            }
-        }
-        self.advance(system, &scaled);
-        Ok(share)
     }
 
     /// Norm of `external − internal` at the present state \[F\].

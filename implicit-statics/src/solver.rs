@@ -7,6 +7,7 @@ use faer::{Mat, Par, Side};
 
 use crate::EquilibriumError;
 use crate::factor::Factor;
+use crate::inertia::Inertia;
 use crate::pattern::columns;
 use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
@@ -28,17 +29,6 @@ const GUARD: f64 = 1e-8;
 const GUARD_ROUNDINGS: f64 = 256.0;
 /// Inverse iterations from a vector without structure to the null direction.
 const NULL_ITERATIONS: usize = 4;
-
-/// Signs of the eigenvalues of a symmetric matrix (Sylvester's law: of the pivots of any factor).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Inertia {
-    /// Eigenvalues above zero.
-    pub positive: usize,
-    /// Eigenvalues below zero.
-    pub negative: usize,
-    /// Eigenvalues that vanish within rounding of the scaled matrix.
-    pub zero: usize,
-}
 
 /// `K = L D Lᵀ`, and where that is not stable `K = L B Lᵀ` with Bunch–Kaufman pivots \[bunch1977\] inside supernodes, for one
 /// fixed sparsity.
