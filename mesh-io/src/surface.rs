@@ -13,6 +13,7 @@ mod quality;
 mod raw;
 mod refusal;
 mod report;
+mod sides;
 mod undivided;
 
 use std::collections::BTreeMap;

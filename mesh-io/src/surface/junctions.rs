@@ -6,8 +6,8 @@ use libm::atan2;
 use sph_core::Vec3;
 
 use super::MeshError;
-use super::orient::{Side, root, sides};
 use super::raw::Raw;
+use super::sides::{Side, root, sides};
 
 /// Turn of an edge of two faces beyond which it may be a fold \[rad\], and within which two faces at an edge of more are one
 /// sheet: 30°. A fold of 30° with one normal costs a frame .2 % of its answer, one of 90° 4 %; a smooth surface taken for facets is
