@@ -15,6 +15,7 @@ mod refusal;
 mod report;
 mod sections;
 mod side;
+mod sides;
 mod undivided;
 
 use std::collections::BTreeMap;

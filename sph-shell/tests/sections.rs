@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Sheets, at, parts};
+use common::{Sheets, X, Y, Z, at, parts};
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use shell_kinematics::{Isotropic, IsotropicSection};
@@ -14,9 +14,6 @@ use sph_shell::{
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
-const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
-const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
-const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
 /// The linear answer: `f·u`, and the displacements of all particles.
 fn linear(
@@ -74,13 +71,9 @@ fn a_box_twists_as_st_venant_says() {
     for n in [2, 4, 8] {
         let cloud = tube(n);
         // A quarter of the torque in each wall, half a width off the axis; the foot is held in its plane alone.
-        let walls: [(fn(&Vec3) -> bool, Vec3); 4] = [
-            (|x| x.z > 0.5 - 1e-9, X),
-            (|x| x.x > 0.5 - 1e-9, -Z),
-            (|x| x.z < -0.5 + 1e-9, -X),
-            (|x| x.x < -0.5 + 1e-9, Z),
-        ];
-        let loads = walls.map(|(wall, direction)| along_edge(&cloud, wall, n, direction * 0.5));
+        let walls = [(Z, X), (X, -Z), (-Z, -X), (-X, Z)];
+        let loads = walls
+            .map(|(out, direction)| along_edge(&cloud, |x| x.dot(&out) > 0.5 - 1e-9, n, direction * 0.5));
         let foot = at(&cloud, |x| x.y < 1e-9);
         // Three corners keep the foot in its plane; a square box does not warp.
         let corners =

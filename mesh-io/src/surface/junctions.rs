@@ -6,8 +6,8 @@ use libm::atan2;
 use sph_core::Vec3;
 
 use super::MeshError;
-use super::orient::{Side, root, sides};
 use super::raw::Raw;
+use super::sides::{Side, root, sides};
 
 /// Turn of an edge of two faces beyond which it may be a fold \[rad\], and within which two faces at an edge of more are one
 /// sheet: 30°. A fold of 30° with one normal costs a frame .2 % of its answer, one of 90° 4 %; a smooth surface taken for facets is
@@ -202,7 +202,8 @@ pub(super) fn cut(raw: &mut Raw, pairs: &[Pair]) -> Result<Found, MeshError> {
     let mut all: Vec<(u32, u32)> = corners.iter().flatten().copied().collect();
     all.sort_unstable();
     all.dedup();
-    for at_node in all.chunk_by(|a, b| a.0 == b.0).filter(|sheets| sheets.len() > MOST_SHEETS) {
+    let crowd = all.chunk_by(|a, b| a.0 == b.0).find(|sheets| sheets.len() > MOST_SHEETS);
+    if let Some(at_node) = crowd {
         let (node, count) = (at_node[0].0, at_node.len());
         let what = format!("{count} sheets meet at {}; at most {MOST_SHEETS} can", raw.name(node));
         return Err(MeshError::at(raw.line_at(node), what, MERGED));

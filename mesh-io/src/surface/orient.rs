@@ -7,20 +7,11 @@ use sph_core::{Cell, Vec3};
 use super::MeshError;
 use super::boundary::refuse_hanging;
 use super::junctions::{Bond, Pair};
-use super::raw::{Face, Raw};
+use super::raw::Raw;
+use super::sides::{root, sides};
 
 /// Area below which a face has none, in units of its longest edge squared; the bound of the cloud.
 const FLAT: f64 = 1e-6;
-
-/// An edge as one face has it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Side {
-    pub low: u32,
-    pub high: u32,
-    pub face: u32,
-    /// Whether the face goes from the lower to the higher node.
-    pub forward: bool,
-}
 
 /// What was done to turn all faces the same way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -154,18 +145,6 @@ fn against_normals(raw: &Raw, face: u32, turned: Option<bool>) -> f64 {
     if turned == Some(true) { along } else { -along }
 }
 
-/// Every edge of every face, those of the same two nodes together.
-pub(super) fn sides(faces: &[Face]) -> Vec<Side> {
-    let mut sides: Vec<Side> = Vec::new();
-    for (face, cell) in faces.iter().map(|face| face.cell).enumerate() {
-        let side =
-            |(a, b): (u32, u32)| Side { low: a.min(b), high: a.max(b), face: face as u32, forward: a < b };
-        sides.extend(cell.edges().map(side));
-    }
-    sides.sort_unstable();
-    sides
-}
-
 /// For each face its neighbours, whether they run opposite ways along the common edge, and that edge.
 type Neighbours = Vec<Vec<(u32, bool, (u32, u32))>>;
 
@@ -221,14 +200,4 @@ pub(super) fn refuse_pinched(raw: &Raw) -> Result<(), MeshError> {
         }
     }
     Ok(())
-}
-
-/// The representative of an entry, and of all that were joined to it.
-pub(super) fn root(parent: &mut [u32], mut entry: u32) -> u32 {
-    while parent[entry as usize] != entry {
-        // Halving the path keeps it short.
-        parent[entry as usize] = parent[parent[entry as usize] as usize];
-        entry = parent[entry as usize];
-    }
-    entry
 }
