@@ -9,12 +9,12 @@ mod formats;
 mod junctions;
 mod order;
 mod orient;
+mod outward;
 mod quality;
 mod raw;
 mod refusal;
 mod report;
 mod sections;
-mod side;
 mod sides;
 mod undivided;
 
@@ -32,10 +32,10 @@ pub use boundary::{Loop, boundary_edges, chains};
 pub use error::MeshError;
 pub use formats::{Format, parse, read};
 pub use junctions::Junctions;
+pub use outward::side;
 pub use quality::{Quality, quality};
 pub use report::report;
 pub use sections::{FileMaterial, FileSection};
-pub use side::side;
 
 /// The bound of every scene; ten million particles take about ten gigabytes.
 const MOST_NODES: usize = 10_000_000;
