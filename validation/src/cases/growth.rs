@@ -236,7 +236,7 @@ fn has_bytes(run: &Run) -> bool {
 /// Memory of a particle over that at 10⁴, which may not grow.
 fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
     let mut booked = Vec::new();
-    for growing in &MODELS {
+    for growing in MODELS.iter().filter(|growing| growing.edges.contains(&100)) {
         let Some(usual) = runs.get(growing.model, "edge 100")?.filter(|run| has_bytes(run)) else { continue };
         let Some(usual) = usual.last(BYTES)? else { continue };
         for edge in growing.edges.iter().filter(|&&edge| edge > 100) {
