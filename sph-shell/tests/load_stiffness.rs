@@ -224,7 +224,7 @@ fn areas_spread_over_cells_add_up_to_those_of_the_particles() {
 fn supports_bear_what_the_loads_are() {
     let pressure = Pressure { value: 0.3, follower: true };
     let mut system = StaticShell::new(loaded(Box::new(PressurePatch { pressure, cells: (3..9).collect() })));
-    let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false };
+    let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false, keep: 0.0 };
     Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
     system.evaluate(1.0);
     let shell = system.shell();

@@ -366,33 +366,22 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
         w.into()
     }
-}
 
-impl Shell {
-    /// `d·(f − τ)` of a particle, f the internal force `∂U/∂(x, d)`.
-    fn radial(&self, a: usize, f: [f64; 6]) -> f64 {
-        let (e, row) = (self.external_force(a), &self.state[a]);
-        (3..6).map(|k| (f[k] - e[k]) * row[k]).sum()
-    }
-}
-
-impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Entries between the unknowns from the blocks; with internal forces other than those last evaluated, if they are given.
     fn assemble(&mut self, internal: Option<&[Row]>, values: &mut [f64]) {
-        let Self { shell, pattern, blocks, .. } = self;
-        let shell = &**shell;
-        let force = |a: usize| internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]);
-        let lack = |a: usize| {
-            let (f, e) = (force(a), shell.external_force(a));
+        let shell = &*self.shell;
+        let lack = |a: usize| -> Row {
+            let (f, e) =
+                (internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]), shell.external_force(a));
             std::array::from_fn(|k| f[k] - e[k])
         };
-        shell.junctions.tie(&shell.state, pattern, blocks, 1.0);
-        shell.junctions.add_rotation_blocks(&shell.state, pattern, blocks, lack);
+        shell.junctions.tie(&shell.state, &self.pattern, &mut self.blocks, 1.0);
+        shell.junctions.add_rotation_blocks(&shell.state, &self.pattern, &mut self.blocks, lack);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-        let shell = &*self.shell;
-        let own = |a: usize| internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]);
-        let tied = |a: usize| shell.junctions.of(a).is_some();
-        let radial = |a: usize| if tied(a) { 0.0 } else { shell.radial(a, own(a)) };
+        let radial = |a: usize| match shell.junctions.of(a) {
+            Some(_) => 0.0,
+            None => lack(a).iter().zip(&shell.state[a]).skip(3).map(|(lack, d)| lack * d).sum(),
+        };
         self.project_blocks(&self.blocks, radial, values);
     }
 }
