@@ -263,7 +263,7 @@ fn residuals(cloud: Cloud, end: Vec<u32>) -> (Vec<Vec<f64>>, StaticShell) {
     let clamp = supported(at(&cloud, |x| x.x < 1e-9), Clamped);
     let body = shell(cloud, CELL, 0.05, &StretchCorrected, vec![clamp], vec![Box::new(force)]);
     let mut system = StaticShell::new(body);
-    let options = NewtonOptions { tolerance: 1e-11, line_search: false, ..Default::default() };
+    let options = NewtonOptions { tolerance: 1e-11, line_search: false, keep: 0.0, ..Default::default() };
     let mut newton = Newton::new(&system, &options).unwrap();
     let levels = [0.25, 0.5, 0.75, 1.0, 1.2].into_iter();
     let found = levels.map(|level| newton.at_level(&mut system, level).unwrap().residuals).collect();

@@ -159,17 +159,15 @@ fn one_solve_a_step_as_in_the_source() {
     }
 }
 
-/// A slender body in large steps: the symmetric tangent of the rate equation does not converge at the first.
+/// A very slender body in one large step: the symmetric tangent of the rate equation does not converge.
 #[test]
 fn a_step_that_fails_is_made_again_with_the_consistent_tangent() {
-    let mut body = body(cantilever(21, 40.0, On::Volume));
+    let mut body = body(cantilever(21, 80.0, On::Volume));
     let mut newton = newton(&body);
     let mut steps = Vec::new();
-    for k in [2.0, 4.0] {
-        lead(&mut body, &mut newton, (k - 2.0, k), |step, _| steps.push(step.clone())).unwrap();
-    }
+    lead(&mut body, &mut newton, (0.0, 4.0), |step, _| steps.push(step.clone())).unwrap();
     let tries: Vec<_> = steps.iter().map(|step| (step.failures, step.insisted)).collect();
-    assert_eq!(tries, [(1, true), (0, false)]);
-    // steps of two lower the deflection: measured 1.7 %, that of 21 columns .9 %
-    assert!((tip(&body) / HOLDEN[2] - 1.0).abs() < 0.03, "{}", tip(&body));
+    assert_eq!(tries, [(1, true)]);
+    // one step to K = 4 lowers the deflection: measured 5 %, that of 21 columns .9 %
+    assert!((tip(&body) / HOLDEN[2] - 1.0).abs() < 0.08, "{}", tip(&body));
 }

@@ -110,6 +110,8 @@ fn solve_path(
     let mut rows = Vec::new();
     let mut options = options.clone();
     options.newton.line_search = false;
+    // Iterates by a factor that is kept are cheap and more; steps are to keep their size, which goes by the number of iterates.
+    options.newton.keep = 0.0;
     let mut model = model.predict_resultants();
     let path = follow(&mut model, &Start::default(), &options, |point, model| {
         rows.push(read(point.level(), model));
