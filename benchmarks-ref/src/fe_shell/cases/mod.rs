@@ -110,8 +110,6 @@ fn solve_path(
     let mut rows = Vec::new();
     let mut options = options.clone();
     options.newton.line_search = false;
-    // Iterates by a factor that is kept are cheap and more; steps are to keep their size, which goes by the number of iterates.
-    options.newton.keep = 0.0;
     let mut model = model.predict_resultants();
     let path = follow(&mut model, &Start::default(), &options, |point, model| {
         rows.push(read(point.level(), model));
@@ -131,16 +129,17 @@ fn solve_path(
 
 /// Load steps of constant size up to level one.
 fn load_steps(steps: usize) -> PathOptions {
-    let mut options = PathOptions::new(Control::Load { step: 1.0 / steps as f64, until: 1.0 });
-    options.largest = 1.0;
-    options
+    constant(PathOptions::new(Control::Load { step: 1.0 / steps as f64, until: 1.0 }))
 }
 
 /// Steps of constant size of one displacement.
 fn displacement_steps(unknown: usize, until: f64, steps: usize) -> PathOptions {
     let functional = vec![(unknown, until.signum())];
     let step = until.abs() / steps as f64;
-    let mut options = PathOptions::new(Control::Displacement { functional, step, until: until.abs() });
-    options.largest = 1.0;
-    options
+    constant(PathOptions::new(Control::Displacement { functional, step, until: until.abs() }))
+}
+
+/// Steps that neither grow nor shrink with the number of iterations; one that fails is still cut.
+fn constant(options: PathOptions) -> PathOptions {
+    PathOptions { largest: 1.0, target_iterations: options.newton.iterations, ..options }
 }
