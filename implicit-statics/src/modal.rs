@@ -47,8 +47,9 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
-    modes_of((&pattern, system.places().as_deref()), &values, &system.masses(), count, shift, watch)
-        .map_err(|error| error.named(system, 0, level))
+    let masses = system.masses();
+    let solver = CountingSolver::new(masses.len(), &pattern, system.places().as_deref(), watch)?;
+    modes_of(solver, &pattern, &values, &masses, count, shift).map_err(|error| error.named(system, 0, level))
 }
 
 /// Eigenpairs of `K φ = ω² M φ` with diagonal M nearest to a shift; K by its lower triangle.
@@ -63,17 +64,18 @@ pub fn lowest_modes<'a>(
     shift: f64,
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
-    modes_of((pattern, None), stiffness, masses, count, shift, watch)
+    let solver = CountingSolver::new(masses.len(), pattern, None, watch)?;
+    modes_of(solver, pattern, stiffness, masses, count, shift)
 }
 
-/// The same, the places of the unknowns with the pattern.
-fn modes_of<'a>(
-    (pattern, places): (&[(usize, usize)], Option<&[[f64; 3]]>),
+/// The same by a solver for the pattern.
+fn modes_of(
+    solver: CountingSolver<'_>,
+    pattern: &[(usize, usize)],
     stiffness: &[f64],
     masses: &[f64],
     count: usize,
     shift: f64,
-    watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
     let n = masses.len();
     let carrying = masses.iter().filter(|&&m| m > 0.0).count();
@@ -83,7 +85,6 @@ fn modes_of<'a>(
         count as f64,
         "between 1 and the number of unknowns with mass",
     )?;
-    let solver = CountingSolver::new(n, pattern, places, watch)?;
     let mut vibration = Vibration { solver, pattern, stiffness, masses };
     let below = vibration.below(shift)?.0;
     let mut krylov = Krylov::new(&mut vibration, n, &[])?;
@@ -110,14 +111,14 @@ fn modes_of<'a>(
     Err(EquilibriumError::Modes { found: count, wanted, residual: 0.0, bound: crate::eigen::TOLERANCE })
 }
 
-struct Vibration<'a> {
-    solver: CountingSolver<'a>,
+struct Vibration<'a, 'w> {
+    solver: CountingSolver<'w>,
     pattern: &'a [(usize, usize)],
     stiffness: &'a [f64],
     masses: &'a [f64],
 }
 
-impl Vibration<'_> {
+impl Vibration<'_, '_> {
     /// Factorises K − σM; eigenvalues below σ, and those within rounding of it.
     fn below(&mut self, shift: f64) -> Result<(usize, usize), EquilibriumError> {
         let mut values = self.stiffness.to_vec();
@@ -173,7 +174,7 @@ impl Vibration<'_> {
     }
 }
 
-impl Operator for Vibration<'_> {
+impl Operator for Vibration<'_, '_> {
     fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
         self.weigh(v, out);
         self.solver.solve(out)

@@ -107,7 +107,7 @@ fn flexibilities() -> [f64; 3] {
 fn shares(cloud: &Cloud, line: Vec<u32>) -> Vec<(u32, f64)> {
     let end = |a: u32| {
         let y = cloud.positions[a as usize].y;
-        y < 1e-9 || y > WIDE - 1e-9
+        !(1e-9..=WIDE - 1e-9).contains(&y)
     };
     line.into_iter().map(|a| (a, if end(a) { 0.5 } else { 1.0 })).collect()
 }
