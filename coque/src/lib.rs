@@ -37,6 +37,7 @@
 //! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
 //! | the run, its figures, what it goes on from | `run/under_way.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
+//! | which lattice reaches an accuracy | [`accuracy`] |
 //! | what is known to make a number wrong | `bodies/shell/doubts/`, `bodies/solid/doubts.rs`; the words: `warning.rs` |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
@@ -144,6 +145,7 @@
 //! | loads on cells, parts and sections of files as closed forms have them; columns of strains are those of a beam | tests/parts.rs |
 //! | surface stresses integrate to the resultants | `faces_integrate_back_to_the_resultants` (src/bodies/sampled.rs) |
 
+pub mod accuracy;
 mod analyses;
 mod bodies;
 mod fields;

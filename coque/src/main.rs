@@ -4,6 +4,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod commands {
+    pub mod accuracy;
     pub mod bar;
     pub mod check;
     pub mod mesh;

@@ -109,7 +109,7 @@ impl Scene {
     }
 
     /// Greatest memory of such a run \[bytes\].
-    fn memory(&self, particles: f64) -> f64 {
+    pub(crate) fn memory(&self, particles: f64) -> f64 {
         let (each, factor) = match self.body() {
             BodyScene::Shell(shell) => memory_of_shell(shell),
             BodyScene::Solid(solid) => memory_of_solid(solid),

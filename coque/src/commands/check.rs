@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use coque::{Estimate, LoadResultants, Model, Quantity, Units, Warning};
 
+use super::accuracy;
 use super::bar::clock;
 use super::say::{Refused, print};
 use crate::{build, read_scene, replacement};
@@ -19,15 +20,27 @@ pub struct Check {
     /// Replace a value of the scene; may be given several times.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
     replaced: Vec<(String, String)>,
+    /// Predict which particles, method and analysis reach this accuracy, such as 0.5%, from runs on coarse lattices.
+    #[arg(long, value_name = "SHARE", value_parser = accuracy::share)]
+    accuracy: Option<f64>,
+    /// Time for those runs of each method, in seconds.
+    #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = accuracy::seconds, requires = "accuracy")]
+    within: f64,
 }
 
 pub const HELP: &str = "\
 Reads and builds a scene as `coque run` would, times a few steps, and prints what is modelled, what is left out, and
 what a run will cost; numbers that are known to come out wrong are warned of, with the reason. How long levels hold is not known beforehand: the shortest and the longest are told.
 
+With --accuracy the scene is run on lattices from coarse to fine until its own answers differ by less than that, or the
+time given is over; order and error of the answers then tell the lattice that is needed, and its time and memory. Errors
+are shares of the greatest value of a column. What a shell leaves out of a solid does not show in them.
+
 Examples:
   coque check scenes/ring.toml
   coque check scenes/panel.toml --set 'geometry.cylinder.particles=[101, 101]' --threads 2
+  coque check scenes/scordelis-lo.toml --accuracy 0.5%
+  coque check scenes/panel.toml --accuracy 1% --within 60
 
 Exit codes: 0 sound, 2 refused.";
 
@@ -46,7 +59,11 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
     text.push_str(&warned(model.warnings()));
     text.push_str(&cost(&model.estimate(), particles, &time));
     text.push_str(&format!("  {:<24} about {:.0} MB{free}\n", "memory of a run", 1e-6 * memory.needed));
-    print(&text)
+    print(&text)?;
+    match check.accuracy {
+        Some(wanted) => accuracy::carry_out(&scene, wanted, check.within, check.threads.into()),
+        None => Ok(()),
+    }
 }
 
 fn described(model: &Model) -> String {

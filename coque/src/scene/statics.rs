@@ -138,6 +138,13 @@ pub enum Prebuckling {
     Stress,
 }
 
+impl Static {
+    /// Equilibria at these levels, all else as it usually is.
+    pub fn at(levels: Levels) -> Self {
+        Self { levels, tolerance: usual_tolerance(), iterations: usual_iterations() }
+    }
+}
+
 /// As Newton's method has it.
 fn usual_tolerance() -> f64 {
     implicit_statics::NewtonOptions::default().tolerance

@@ -4,6 +4,7 @@ pub mod option_cost;
 
 mod coupled;
 mod fluid;
+mod forecast;
 mod galerkin;
 mod growth;
 mod hard;
@@ -19,7 +20,7 @@ pub fn usual() -> Vec<Case> {
     cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));
     cases.extend(family("Fluids and structures", coupled::all()));
-    cases.extend(family("Cost", [growth::case(), option_cost::case()]));
+    cases.extend(family("Cost", [forecast::case(), growth::case(), option_cost::case()]));
     cases
 }
 

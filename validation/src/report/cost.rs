@@ -100,6 +100,7 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
     if methods.iter().map(|(_, own)| own.len()).sum::<usize>() < 3 {
         return None;
     }
+    let ahead = most_often_best(&methods, &bests);
     let mut series: Vec<Series> = Vec::new();
     for (number, best) in bests.into_iter().enumerate() {
         let label = if number == 0 { "best of a case in error and cost" } else { "" };
@@ -113,9 +114,36 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
     }
     Some(Chart {
         title: family.to_owned(),
-        caption: format!("Left and down is better. A mark is a run of {}.", names.join(", ")),
+        caption: format!(
+            "Left and down is better. A mark is a run of {}. Of the runs that none of their case beats in both, {ahead}.",
+            names.join(", ")
+        ),
         x: Axis::log("wall time of a point of the curve, one thread [s]"),
         y: Axis::log("error [%]"),
         series,
     })
+}
+
+/// Which methods the best runs are of, most first, in words.
+fn most_often_best(methods: &[(&str, Vec<(f64, f64)>)], bests: &[Vec<(f64, f64)>]) -> String {
+    let best: Vec<(f64, f64)> = bests.iter().flatten().copied().collect();
+    let count = |own: &[(f64, f64)]| best.iter().filter(|point| own.contains(point)).count();
+    let mut counts: Vec<(&str, usize)> = methods.iter().map(|(name, own)| (*name, count(own))).collect();
+    counts.retain(|&(_, count)| count > 0);
+    counts.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
+    let words: Vec<String> = counts.iter().map(|(name, count)| format!("{count} are of {name}")).collect();
+    words.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_are_named_by_how_often_none_beats_them() {
+        let methods =
+            [("slow", vec![(9.0, 1.0)]), ("fast", vec![(1.0, 9.0), (2.0, 3.0)]), ("poor", vec![(9.0, 9.0)])];
+        let bests = [vec![(1.0, 9.0), (2.0, 3.0)], vec![(9.0, 1.0)]];
+        assert_eq!(most_often_best(&methods, &bests), "2 are of fast, 1 are of slow");
+    }
 }

@@ -6,6 +6,7 @@ pub mod fluids;
 pub mod linear;
 pub mod marched;
 pub mod meshes;
+pub mod misses;
 pub mod path;
 pub mod scenes;
 pub mod sheets;

@@ -175,6 +175,17 @@ impl Geometry {
         }
     }
 
+    /// Where its lattice and its scattered particles stand, to change them; none of a surface from a file.
+    pub(crate) fn placing_mut(&mut self) -> Option<(&mut Option<[usize; 2]>, &mut Option<Scattered>)> {
+        match self {
+            Self::Plate(Plate { particles, scattered, .. })
+            | Self::Cylinder(Cylinder { particles, scattered, .. })
+            | Self::Sphere(Sphere { particles, scattered, .. })
+            | Self::Twisted(Twisted { particles, scattered, .. }) => Some((particles, scattered)),
+            Self::Mesh(_) => None,
+        }
+    }
+
     /// Particles along u and v; none where they are scattered or from a file.
     pub fn particles(&self) -> Option<[usize; 2]> {
         self.placing().particles

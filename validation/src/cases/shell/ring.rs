@@ -106,9 +106,16 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 fn known_failure(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "known failure of the published pair sums: their linearised operator is not symmetric and energy is not kept; \
                   what it flutters about moves by a few percent with the step";
+    let last = run.column("level")?.last().copied();
+    if run.is(STRONG_12) {
+        let turned = Metric::compared("last level before a corner turned inside out", last, "-", 0.0);
+        let early = "known failure of the published pair sums: at h = 1.2 Δx a particle in a corner turns inside out below .05, \
+                     and the run is stopped there; .05 is one level";
+        return Ok(vec![turned.within(0.05, early)]);
+    }
     let (at_quarter, known) = (errors(run)?[0], MEASURED.of(run)?);
     let error = |name| Metric::compared(name, at_quarter, strip::UNIT, known).within(0.1 * known, reason);
-    let last = Metric::error("last level before it diverged", run.column("level")?.last().copied(), "-");
+    let last = Metric::error("last level before it diverged", last, "-");
     Ok(vec![
         error(QUARTERS[0].1),
         // At ¼, the one level of the four that it reaches.
@@ -143,7 +150,6 @@ const MEASURED: Measured = Measured(&[
     (NODAL_1, &[("25×3", 8.3), ("50×5", 2.0)]),
     (NODAL_2, &[("25×3", 3.1), ("50×5", 0.59)]),
     (NODAL_3, &[("25×3", 1.4), ("50×5", 0.075)]),
-    (STRONG_12, &[("50×5", 25.0)]),
     (STRONG_085, &[("50×5", 34.0)]),
 ]);
 

@@ -8,9 +8,9 @@ use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{Correction, Elastic, Influence, Law, Space};
 use sph_core::Vec3;
 
-use super::measure::{Miss, between};
 use crate::judge::{Case, Headline, Outcome, Run, Variant};
 use crate::methods::{PAIRWISE, STATE};
+use crate::support::misses::{Miss, between};
 use crate::support::solids::{formulation, found, held, lattice, nodes, parts, pulled, system};
 use crate::{JudgeError, Metric};
 

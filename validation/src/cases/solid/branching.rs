@@ -10,11 +10,12 @@ use peridynamics::{AppliedLoad, Correction, Crack, Criterion, Elastic, Formulati
 use peridynamics::{Solid, Space};
 use sph_core::Vec3;
 
-use super::measure::{Miss, bands, between, greatest_speed, length, mean_speed, speeds, tip};
+use super::measure::{bands, greatest_speed, length, mean_speed, speeds, tip};
 use crate::figures::{Axis, Chart, Colour, Figure, GREY, Line, SKY, Series, VERMILION};
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::support::marched::{Balanced, fracture_energy, in_time, march, marched, method};
+use crate::support::misses::{Miss, between};
 use crate::support::solids::{formulation, lattice, nodes, parts};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};

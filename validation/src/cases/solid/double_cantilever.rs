@@ -12,9 +12,9 @@ use implicit_statics::{Newton, NewtonOptions, linear_response};
 use peridynamics::{Correction, Crack, Criterion, Elastic, Fracture, Law, Parts, Solid, Space, StaticSolid};
 use sph_core::{Block, Vec3};
 
-use super::measure::{Miss, between};
 use crate::judge::{Case, Headline, Outcome, Run, Variant};
 use crate::methods::{PAIRWISE, STATE};
+use crate::support::misses::{Miss, between};
 use crate::support::solids::{formulation, found, held, lattice, moved, nodes, parts, pulled, system};
 use crate::{JudgeError, Metric};
 

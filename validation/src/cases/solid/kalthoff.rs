@@ -9,11 +9,12 @@ use peridynamics::{Correction, Crack, Criterion, Elastic, Formulation, Fracture,
 use peridynamics::{Space, Support, Supported};
 use sph_core::Vec3;
 
-use super::measure::{between, direction};
+use super::measure::direction;
 use crate::figures::{Axis, Chart, Figure, GREY, Line, Mark, SKY, Series, VERMILION};
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::support::marched::{Balanced, fracture_energy, march, marched, method};
+use crate::support::misses::between;
 use crate::support::solids::{formulation, lattice, nodes, parts};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};

@@ -8,11 +8,11 @@ use std::time::Instant;
 use peridynamics::{Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space};
 use sph_core::Vec3;
 
-use super::measure::{Miss, between};
 use crate::figures::{Axis, Chart, Figure, Line, SKY, Series, VERMILION};
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::support::marched::{Balanced, in_time, march, marched, method};
+use crate::support::misses::{Miss, between};
 use crate::support::solids::{formulation, held, lattice, nodes, parts};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};

@@ -1,0 +1,122 @@
+//! Which particles, method and analysis reach an accuracy: runs of the scene on ever finer lattices tell how its own answers
+//! converge.
+//!
+//! No table of other problems is asked: the scene runs on lattices from coarse to fine, as far as the time given allows, and
+//! the differences of its own answers give order and error (`convergence.rs`). Where the accuracy lies beyond what was run,
+//! the order tells the lattice, the growth of the run times the time. What converges is the answer of the model: what a
+//! shell leaves out of a solid does not show.
+
+mod answers;
+mod convergence;
+mod ladder;
+mod methods;
+mod refined;
+
+use std::time::Duration;
+
+pub use convergence::Convergence;
+pub use ladder::{ClimbError, Ladder, Rung};
+pub use refined::Refined;
+
+use crate::scene::Scene;
+
+/// Particles beyond which nothing is predicted, as no scene may have more.
+const MOST_PARTICLES: f64 = 1e7;
+
+/// What is asked of a forecast.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// Greatest error allowed, as a share of the greatest value of each column \[–\].
+    pub accuracy: f64,
+    /// Time for the runs of each method.
+    pub within: Duration,
+    /// Most lattices that each method is run on.
+    pub lattices: usize,
+    /// Threads of a run.
+    pub threads: usize,
+}
+
+/// What one method and analysis will take for the accuracy asked.
+#[derive(Clone, Debug)]
+pub struct Forecast {
+    /// Method and analysis in words.
+    pub method: String,
+    /// The runs that were made.
+    pub ladder: Ladder,
+    /// What reaches the accuracy; none where it cannot be told.
+    pub needed: Option<Needed>,
+}
+
+/// A lattice that reaches the accuracy, and its cost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Needed {
+    /// The lattice in words.
+    pub lattice: String,
+    /// Spacing over that of the scene as it was given \[–\].
+    pub spacing: f64,
+    /// Particles or nodes.
+    pub particles: f64,
+    /// Estimated error, as a share of the answer \[–\].
+    pub error: f64,
+    /// Wall time \[s\].
+    pub seconds: f64,
+    /// Memory \[bytes\].
+    pub memory: f64,
+    /// Whether it was run; else it is predicted.
+    pub ran: bool,
+}
+
+impl Scene {
+    /// What its own method and others with the same answer will take for an accuracy; `tell` hears of every run.
+    ///
+    /// # Errors
+    /// [`ClimbError`] if the scene itself is refused or measures nothing; other methods that fail are left out.
+    pub fn forecast(
+        &self,
+        asked: &Asked,
+        tell: &mut dyn FnMut(&str, &Rung),
+    ) -> Result<Vec<Forecast>, ClimbError> {
+        let mut forecasts = Vec::new();
+        for (method, scene) in self.methods() {
+            match Ladder::climb(&scene, asked, &mut |rung| tell(&method, rung)) {
+                Ok(ladder) => {
+                    let needed = needed(&scene, &ladder, asked.accuracy);
+                    forecasts.push(Forecast { method, ladder, needed });
+                }
+                Err(error) if forecasts.is_empty() => return Err(error),
+                Err(_) => {}
+            }
+        }
+        Ok(forecasts)
+    }
+}
+
+/// The coarsest lattice from which on all reach the accuracy; else the one on which the order of convergence has it.
+fn needed(scene: &Scene, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
+    let reaches = |rung: &&Rung| rung.error.is_some_and(|error| error <= accuracy);
+    if let Some(rung) = ladder.rungs.iter().rev().take_while(reaches).last() {
+        return Some(Needed {
+            lattice: rung.lattice.clone(),
+            spacing: rung.spacing,
+            particles: rung.particles as f64,
+            error: rung.error?,
+            seconds: rung.seconds,
+            memory: rung.memory,
+            ran: true,
+        });
+    }
+    let (found, _) = ladder.finest.as_ref()?;
+    let last = ladder.rungs.last()?;
+    let refined = scene.refined(1.0 / (last.spacing * found.spacing_for(accuracy))).ok()?;
+    let finer = last.spacing / refined.spacing;
+    let particles = last.particles as f64 * finer.powf(scene.dimensions());
+    (particles <= MOST_PARTICLES).then(|| Needed {
+        lattice: refined.lattice,
+        spacing: refined.spacing,
+        particles,
+        error: found.error * finer.powf(-found.order),
+        seconds: ladder.seconds_at(finer),
+        memory: scene.memory(particles),
+        ran: false,
+    })
+}

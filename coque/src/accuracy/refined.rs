@@ -1,0 +1,128 @@
+//! The same scene on a coarser or finer lattice.
+
+use crate::scene::error::SceneError;
+use crate::scene::{BodyScene, Geometry, PerAxis, Scene, SolidGeometry};
+
+/// Fewest cells along the direction that has most, and along the one that has fewest, of a coarse lattice.
+const LEAST: [f64; 2] = [8.0, 2.0];
+/// The same for layers of nodes joined by bonds.
+const LEAST_LAYERS: [f64; 2] = [8.0, 3.0];
+
+/// A scene on another lattice than its own.
+#[derive(Clone, Debug)]
+pub struct Refined {
+    /// The scene.
+    pub scene: Scene,
+    /// Spacing over that of the scene as it was given \[–\].
+    pub spacing: f64,
+    /// The lattice in words, such as `21×21`.
+    pub lattice: String,
+}
+
+impl Scene {
+    /// The scene with its spacing divided by `fineness`, as nearly as whole numbers of cells allow; even numbers stay even,
+    /// so that a particle in the middle stays there.
+    ///
+    /// # Errors
+    /// [`SceneError::Choice`] for what has no lattice to refine: a surface from a file, a fluid, several bodies.
+    pub fn refined(&self, fineness: f64) -> Result<Refined, SceneError> {
+        let mut scene = self.clone();
+        let repair =
+            "compare runs of your own with `coque sweep`, or give meshes of several spacings in turn";
+        let refused = |path: &str, value: &str| {
+            let bound = "one shell on a lattice or one solid, whose spacing can be changed";
+            Err(SceneError::Choice(self.source.fault(path, value, bound, repair)))
+        };
+        if scene.bodies.len() > 1 {
+            return refused("bodies", "several bodies");
+        }
+        let refined = match scene.bodies.values_mut().next() {
+            Some(BodyScene::Shell(shell)) => refine_shell(&mut shell.geometry, fineness),
+            Some(BodyScene::Solid(solid)) => Some(refine_solid(&mut solid.geometry, fineness)),
+            _ => return refused("bodies", "a fluid"),
+        };
+        match refined {
+            Some((spacing, lattice)) => Ok(Refined { scene, spacing, lattice }),
+            None => Err(SceneError::Choice(self.body_scope().fault(
+                "geometry.mesh",
+                "a surface from a file",
+                "one shell on a lattice or one solid, whose spacing can be changed",
+                repair,
+            ))),
+        }
+    }
+
+    /// Fineness of the coarsest lattice on which answers are worth comparing, at most one.
+    pub(super) fn coarsest(&self) -> f64 {
+        let (cells, [most, fewest]) = match self.body() {
+            BodyScene::Shell(shell) => match shell.geometry.particles() {
+                Some(particles) => (particles.map(|n| (n - 1) as f64).to_vec(), LEAST),
+                // Scattered particles: the checks have kept the spacing well below the extent.
+                None => return 0.5,
+            },
+            BodyScene::Solid(solid) => {
+                let least = if solid.galerkin().is_some() { LEAST } else { LEAST_LAYERS };
+                (cells_of(&solid.geometry), least)
+            }
+            _ => return 1.0,
+        };
+        let greatest = cells.iter().copied().fold(1.0, f64::max);
+        let least = cells.iter().copied().fold(f64::INFINITY, f64::min).max(1.0);
+        (most / greatest).max(fewest / least).min(1.0)
+    }
+
+    /// Dimensions in which a lattice grows as it is refined.
+    pub(super) fn dimensions(&self) -> f64 {
+        self.as_solid().map_or(2.0, |solid| solid.dimensions() as f64)
+    }
+}
+
+/// Cells along each axis.
+fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
+    match (&geometry.block, &geometry.arc) {
+        (Some(block), _) => {
+            let cells = |(axis, length): (usize, &f64)| (length / block.spacing.along(axis)).round().max(1.0);
+            block.lengths.iter().enumerate().map(cells).collect()
+        }
+        (None, Some(arc)) => arc.cells.map(|n| n as f64).to_vec(),
+        (None, None) => vec![1.0],
+    }
+}
+
+/// So many cells for `cells`; even for even, at least one, for even at least two.
+fn whole(cells: usize, fineness: f64) -> usize {
+    let step = if cells % 2 == 0 { 2 } else { 1 };
+    let wanted = cells as f64 * fineness / step as f64;
+    step * (wanted.round() as usize).max(1)
+}
+
+/// Changes the lattice; tells the spacing over the former one, along the direction of most cells, and what it is in words.
+fn refine_shell(geometry: &mut Geometry, fineness: f64) -> Option<(f64, String)> {
+    let (particles, scattered) = geometry.placing_mut()?;
+    if let Some(scattered) = scattered {
+        scattered.spacing /= fineness;
+        return Some((1.0 / fineness, format!("scattered at {:.4}", scattered.spacing)));
+    }
+    let particles = particles.as_mut()?;
+    let before = particles.map(|n| n - 1);
+    let after = before.map(|cells| whole(cells, fineness));
+    *particles = after.map(|cells| cells + 1);
+    let along = if before[0] >= before[1] { 0 } else { 1 };
+    let [n1, n2] = *particles;
+    Some((before[along] as f64 / after[along] as f64, format!("{n1}×{n2}")))
+}
+
+fn refine_solid(geometry: &mut SolidGeometry, fineness: f64) -> (f64, String) {
+    let before: Vec<usize> = cells_of(geometry).into_iter().map(|cells| cells as usize).collect();
+    let after: Vec<usize> = before.iter().map(|&cells| whole(cells, fineness)).collect();
+    if let Some(arc) = &mut geometry.arc {
+        arc.cells.copy_from_slice(&after);
+    }
+    if let Some(block) = &mut geometry.block {
+        let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length / cells as f64);
+        block.spacing = PerAxis::Each(spacing.collect());
+    }
+    let most = (0..before.len()).max_by_key(|&axis| before[axis]).unwrap_or(0);
+    let cells: Vec<String> = after.iter().map(ToString::to_string).collect();
+    (before[most] as f64 / after[most] as f64, format!("{} cells", cells.join("×")))
+}
