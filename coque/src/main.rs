@@ -97,6 +97,7 @@ Start here:
   coque plot out/ring               the deformed shape, if the scene has [output.fields]
   coque new plate                   a commented scene to start from: plate.toml
   coque check plate.toml            what it models, what it leaves out, what a run will cost
+  coque check plate.toml --accuracy 0.5%    which lattice and analysis that takes
   coque list                        what a scene may name
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
