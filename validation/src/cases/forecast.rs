@@ -30,7 +30,7 @@ struct Problem {
 }
 
 #[rustfmt::skip] // a line a problem
-static PROBLEMS: [Problem; 9] = [
+static PROBLEMS: [Problem; 8] = [
     Problem { name: "Scordelis–Lo roof", text: include_str!("../../../scenes/scordelis-lo.toml"), set: &[], quick: true },
     Problem { name: "pinched cylinder", text: include_str!("../../../scenes/pinched-cylinder.toml"), set: &[], quick: true },
     Problem { name: "twisted beam", text: include_str!("../../../scenes/twisted-beam.toml"), set: &[], quick: true },
@@ -39,7 +39,6 @@ static PROBLEMS: [Problem; 9] = [
     Problem { name: "column, buckling", text: include_str!("../../../scenes/column-buckling.toml"), set: &[], quick: false },
     Problem { name: "ring, static", text: scenes::RING, set: &[("analysis.static.levels", "4")], quick: true },
     Problem { name: "hemisphere to .8 R", text: scenes::HEMISPHERE, set: &[("analysis.static.levels", "8")], quick: false },
-    Problem { name: "Galerkin cantilever", text: include_str!("../../../scenes/cantilever-solid.toml"), set: &[], quick: false },
 ];
 
 /// The problems at two accuracies.
