@@ -176,7 +176,7 @@ pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};
 pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 pub use linearised::{LinearisedDynamics, MassScaled};
-pub use march_state::{Dwell, MarchState, Stage};
+pub use march_state::{Dwell, LevelUnderWay, MarchState, Stage};
 pub use observer::Observer;
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};

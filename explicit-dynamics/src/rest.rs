@@ -80,6 +80,19 @@ pub struct LevelReached {
     pub missing: Missing,
     /// Steps spent on the level.
     pub steps: u64,
+    /// Evaluations of the forces: steps, and what checks took beside them.
+    pub evaluations: u64,
+    /// The period by which the level went, the one given or the one found \[T\].
+    pub period: f64,
+}
+
+/// The period of the mode of which the present motion holds most: that of Rayleigh's quotient of the velocities \[T\]. None of a
+/// body that does not move, or that a motion along its velocities would not bring back.
+pub(crate) fn period_of_motion(system: &mut dyn MassScaled) -> Option<f64> {
+    let mut velocity = vec![0.0; system.unknowns()];
+    system.rates(&mut velocity);
+    let square = quotient(system, &velocity);
+    (square > 0.0 && square.is_finite()).then(|| std::f64::consts::TAU / square.sqrt())
 }
 
 /// `x·K̂x/x·x`: the square of a circular frequency; infinite along nothing.

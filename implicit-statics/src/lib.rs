@@ -222,5 +222,5 @@ pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
 pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
-pub use relaxation::{Relaxed, Relaxing, relax};
+pub use relaxation::{Relaxation, Relaxed, Relaxing, relax};
 pub use solver::SymmetricSolver;

@@ -56,8 +56,8 @@ fn of_march(explicit: &Explicit, body: &mut dyn Marched, threads: usize, bytes: 
         _ => time_steps(body, dt),
     };
     let steps = steps(explicit, dt);
-    let seconds = Some(steps.map(|count| count * seconds_a_step));
-    Estimate { stable_step, steps: Some(steps), seconds_a_step, seconds, bytes, ..Estimate::default() }
+    let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
+    Estimate { stable_step, steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
 }
 
 fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estimate {
@@ -138,14 +138,15 @@ impl Work {
     }
 }
 
-/// Steps of a run: every hold at its shortest, every hold at its longest.
-fn steps(explicit: &Explicit, dt: f64) -> [f64; 2] {
+/// Steps of a run: every hold at its shortest, every hold at its longest; unknown where the period is to be found.
+fn steps(explicit: &Explicit, dt: f64) -> Option<[f64; 2]> {
     if let Some(path) = &explicit.quasi_static {
         let levels = path.levels.list().len() as f64;
-        return [SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * path.period / dt);
+        let period = path.period?;
+        return Some([SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * period / dt));
     }
     let duration = explicit.transient.map_or(0.0, |run| run.duration);
-    [duration / dt; 2]
+    Some([duration / dt; 2])
 }
 
 /// Seconds a step, without load: nothing moves and the work is the same.
