@@ -9,7 +9,7 @@ use crate::dynamics::Dynamics;
 use crate::error::{MarchError, positive};
 use crate::march_state::{Dwell, LevelUnderWay, MarchState, Stage};
 use crate::observer::Observer;
-use crate::rest::{LevelReached, Missing, Sizes, period_of_motion};
+use crate::rest::{LevelReached, Missing, Sizes, period_of_motion, period_of_step};
 
 /// Ramp and dwell. Loads are read after a dwell: damping drags the reaction while a ramp runs.
 #[derive(Clone, Debug)]
@@ -41,6 +41,9 @@ const SETTLED_CHECKS: usize = 2;
 const FIRST_PERIOD: f64 = 100.0;
 const CHECKED_STEPS: f64 = 20.0;
 const PERIOD_CHANGE: f64 = 2.0;
+/// Kinetic over internal energy below which a motion is too faint to tell its period: rounding of the forces outweighs what a
+/// step changes of them.
+const FAINT: f64 = 1e-9;
 /// Evaluations of the forces that Rayleigh's quotient takes.
 const QUOTIENT: u64 = 2;
 /// Steps a period beyond which the period is taken for a mistake: a run would never end.
@@ -161,7 +164,9 @@ impl QuasiStatic {
             at.clock.step(system, left, level)?;
             // Later ramps go by what their predecessors have found: the way along the path tells less than a motion left to itself.
             if self.period.is_none() && way.level == 0 && at.clock.now.time >= way.next_check {
-                self.find_period(&mut way, &mut at.clock, system)?;
+                let found = period_of_motion(system.linearised().ok_or(MarchError::NotLinearised)?);
+                way.checked += QUOTIENT;
+                self.take_over(found, &mut way, &mut at.clock);
                 way.next_check = at.clock.now.time + self.to_next_check(&at.clock, way.period);
             }
             at.stage = Stage::QuasiStatic(way);
@@ -170,21 +175,13 @@ impl QuasiStatic {
 
     /// Takes the period of the present motion over, at most so much longer or shorter than the one before. A ramp keeps the part of
     /// it that is done.
-    fn find_period<S: Dynamics + ?Sized>(
-        &self,
-        way: &mut LevelUnderWay,
-        clock: &mut Clock,
-        system: &mut S,
-    ) -> Result<(), MarchError> {
-        let found = period_of_motion(system.linearised().ok_or(MarchError::NotLinearised)?);
-        way.checked += QUOTIENT;
+    fn take_over(&self, found: Option<f64>, way: &mut LevelUnderWay, clock: &mut Clock) {
         if let Some(found) = found {
             let change = (found / way.period).clamp(1.0 / PERIOD_CHANGE, PERIOD_CHANGE);
             way.period *= change;
             way.start = clock.now.time - change * (clock.now.time - way.start);
             clock.damping = self.damping.coefficient(way.period);
         }
-        Ok(())
     }
 
     /// From one check to the next \[T\].
@@ -215,11 +212,7 @@ impl QuasiStatic {
             }
             let (clock, to) = (&mut at.clock, self.levels[way.level]);
             if clock.now.time < way.next_check {
-                clock.step(system, f64::INFINITY, |_| to)?;
-                if self.damping == Damping::Kinetic && dwell.peaks.peaked(clock.kinetic) {
-                    system.stop();
-                    clock.book_stop();
-                }
+                self.dwelling_step(clock, &mut dwell, system, to)?;
             }
             if clock.now.time >= way.next_check {
                 clock.evaluate(system);
@@ -236,8 +229,18 @@ impl QuasiStatic {
                     let system = system.linearised().ok_or(MarchError::NotLinearised)?;
                     missing = Missing::find(system, clock.internal, way.period, &mut reached);
                     way.checked += 2 * QUOTIENT;
-                } else if self.period.is_none() {
-                    self.find_period(&mut way, clock, system)?;
+                } else if self.period.is_none() && ratio > FAINT {
+                    let mut before = Vec::new();
+                    if let Some(system) = system.linearised() {
+                        before.resize(system.unknowns(), 0.0);
+                        system.out_of_balance(&mut before);
+                    }
+                    self.dwelling_step(clock, &mut dwell, system, to)?;
+                    clock.evaluate(system);
+                    way.checked += 1;
+                    let system = system.linearised().ok_or(MarchError::NotLinearised)?;
+                    let found = period_of_step(system, &before, clock.dt);
+                    self.take_over(found, &mut way, clock);
                 }
                 let at_rest = slow && missing.within(self.accuracy);
                 dwell.settled_checks = if at_rest { dwell.settled_checks + 1 } else { 0 };
@@ -261,6 +264,22 @@ impl QuasiStatic {
             way.dwell = Some(dwell);
             at.stage = Stage::QuasiStatic(way);
         }
+    }
+
+    /// A step at a level that stays.
+    fn dwelling_step<S: Dynamics + ?Sized>(
+        &self,
+        clock: &mut Clock,
+        dwell: &mut Dwell,
+        system: &mut S,
+        level: f64,
+    ) -> Result<(), MarchError> {
+        clock.step(system, f64::INFINITY, |_| level)?;
+        if self.damping == Damping::Kinetic && dwell.peaks.peaked(clock.kinetic) {
+            system.stop();
+            clock.book_stop();
+        }
+        Ok(())
     }
 
     /// Part of the way that is done, from the part of a level.

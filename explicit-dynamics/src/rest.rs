@@ -91,7 +91,22 @@ pub struct LevelReached {
 pub(crate) fn period_of_motion(system: &mut dyn MassScaled) -> Option<f64> {
     let mut velocity = vec![0.0; system.unknowns()];
     system.rates(&mut velocity);
-    let square = quotient(system, &velocity);
+    period(quotient(system, &velocity))
+}
+
+/// The same of the last step, by what it changed of the force out of balance, which was `before`: with loads and supports that
+/// stand still this holds the stiffness of loads that follow the body, and of directors under stress, as well.
+pub(crate) fn period_of_step(system: &mut dyn MassScaled, before: &[f64], dt: f64) -> Option<f64> {
+    let mut velocity = vec![0.0; before.len()];
+    let mut after = vec![0.0; before.len()];
+    system.rates(&mut velocity);
+    system.out_of_balance(&mut after);
+    let change: f64 = (0..before.len()).map(|i| velocity[i] * (before[i] - after[i])).sum();
+    period(change / (dt * square(&velocity)))
+}
+
+/// The period of the square of a circular frequency, if it is one.
+fn period(square: f64) -> Option<f64> {
     (square > 0.0 && square.is_finite()).then(|| std::f64::consts::TAU / square.sqrt())
 }
 

@@ -89,10 +89,6 @@ pub trait Equilibrium {
         false
     }
 
-    /// Carries motions from the tangent space of a saved state into that of the present one, turned with the body. The default
-    /// suits bodies that do not turn far from level to level.
-    fn turn(&mut self, _saved: &[f64], _motions: &mut [Vec<f64>]) {}
-
     /// A copy of the state with its history, to come back to.
     fn save(&self) -> Vec<f64>;
 

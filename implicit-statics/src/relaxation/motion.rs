@@ -76,9 +76,7 @@ impl<'a> Motion<'a> {
             motion.counts.evaluations += 1;
         }
         if let Some(way) = motion.memory.past.predict(system, levels.1) {
-            let before = system.save();
             system.update(&way);
-            system.turn(&before, motion.memory.slow.motions());
             (motion.way, motion.ramp) = (way, 0);
         }
         motion
@@ -106,7 +104,8 @@ impl<'a> Motion<'a> {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
             let bound = self.memory.options.tolerance * if scale > 0.0 { scale } else { first };
-            let arrived = iterations > self.ramp || (self.ramp == 0 && residual == 0.0);
+            let at_start = residual == 0.0 || self.memory.past.points_on();
+            let arrived = iterations > self.ramp || (self.ramp == 0 && at_start);
             let found = residual <= bound && arrived;
             let ends = iterations == allowed;
             if found || ends || iterations.is_multiple_of(REPORT) {

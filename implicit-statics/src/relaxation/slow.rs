@@ -45,11 +45,6 @@ impl SlowModes {
         self.span.push(motion.to_vec());
     }
 
-    /// All that it holds, to be turned with the body.
-    pub fn motions(&mut self) -> &mut [Vec<f64>] {
-        &mut self.span
-    }
-
     /// `out += (M̃⁻¹ − M⁻¹) force`, for a velocity that becomes `keeps v + takes out`.
     pub fn hasten(&mut self, force: &[f64], out: &mut [f64], (keeps, takes): (f64, f64)) {
         for ((mode, share), impulse) in self.span.iter().zip(&self.shares).zip(&mut self.impulses) {
@@ -128,4 +123,47 @@ fn orthonormal(vectors: Vec<Vec<f64>>, masses: &[f64]) -> Vec<Vec<f64>> {
         }
     }
     basis
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Springs of stiffness one between nine masses of two, held at both ends: ω² = 2 sin²(kπ/20).
+    fn chain(v: &[f64], out: &mut [f64]) {
+        for i in 0..v.len() {
+            let at = |j: Option<usize>| j.and_then(|j| v.get(j)).copied().unwrap_or(0.0);
+            out[i] = 2.0 * v[i] - at(i.checked_sub(1)) - at(Some(i + 1));
+        }
+    }
+
+    fn wave(number: usize) -> Vec<f64> {
+        (1..=9).map(|i| libm::sin(std::f64::consts::PI * (number * i) as f64 / 10.0)).collect()
+    }
+
+    #[test]
+    fn modes_in_the_span_are_found_and_swing_alike() {
+        let (masses, mut slow) = ([2.0; 9], SlowModes::default());
+        let sum = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + 0.3 * b).collect() };
+        slow.sample(&sum(&wave(1), &wave(2)));
+        slow.sample(&sum(&wave(2), &wave(1)));
+        slow.sample(&sum(&wave(1), &wave(2)));
+        slow.renew(&masses, chain);
+        let square = |number: f64| 2.0 * libm::sin(number * std::f64::consts::PI / 20.0).powi(2);
+        assert_eq!(slow.shares.len(), 2);
+        assert!((slow.shares[0] - (square(2.0) / square(1.0) - 1.0)).abs() < 1e-12 && slow.shares[1].abs() < 1e-12);
+        // K φ as a force: both modes answer by ω_c² φ, the third as it would anyway.
+        for (number, expected) in [(1, square(2.0)), (2, square(2.0)), (3, square(3.0))] {
+            let (mut force, mode) = ([0.0; 9], wave(number));
+            chain(&mode, &mut force);
+            let mut out = force.map(|force| force / 2.0);
+            slow.hasten(&force, &mut out, (0.0, 1.0));
+            for (out, x) in out.iter().zip(&mode) {
+                assert!((out - expected * x).abs() < 1e-12, "{number}: {out} {x}");
+            }
+            // v·M̃v of the velocity `out`, by M̃v = force.
+            let [heavy, light] = [out.iter().map(|v| 2.0 * v * v).sum::<f64>(), dot(&out, &force)];
+            assert!((heavy - slow.lightness() - light).abs() < 1e-12);
+        }
+    }
 }

@@ -4,7 +4,6 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
-use nalgebra::Rotation3;
 use shell_kinematics::parallel_transport;
 use sph_core::Vec3;
 
@@ -300,29 +299,6 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             basis.turns(&turn, own);
         }
         true
-    }
-
-    /// Every particle's part turns as its director has turned; those of groups stay.
-    fn turn(&mut self, saved: &[f64], motions: &mut [Vec<f64>]) {
-        let here = self.save();
-        self.restore(saved);
-        let before: Vec<_> = (0..self.shell.len()).map(|a| (self.basis(a), self.shell.director(a))).collect();
-        self.restore(&here);
-        for motion in motions {
-            for (a, (basis, director)) in before.iter().enumerate() {
-                let own = &mut motion[self.dofs.of(a)];
-                if self.shell.junctions.of(a).is_some() {
-                    continue;
-                }
-                let (u, v) = basis.expand(own);
-                let rotation = Rotation3::rotation_between(director, &self.shell.director(a));
-                let rotation = rotation.unwrap_or_else(Rotation3::identity);
-                let basis = self.basis(a);
-                let moved = rotation * u;
-                own.iter_mut().zip(&basis.directions).for_each(|(value, direction)| *value = direction.dot(&moved));
-                basis.turns(&(rotation * v), own);
-            }
-        }
     }
 
     fn save(&self) -> Vec<f64> {
