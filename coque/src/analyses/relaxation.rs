@@ -45,7 +45,7 @@ pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &m
             }
             Err(cause) => return run.unbalanced(run.record.levels.len() as u64, before, cause),
         };
-        run.record.steps += relaxed.iterations as u64;
+        run.record.steps += relaxed.evaluations as u64;
         let reached = LevelSummary {
             out_of_balance: wanted.tolerance * relaxed.residuals.last().copied().unwrap_or(0.0)
                 / relaxed.bound,

@@ -9,7 +9,7 @@ use crate::{Doubt, Warning};
 /// What a run has found so far, its rows and shapes apart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunRecord {
-    /// Time steps; without time the converged points of the path, or the modes.
+    /// Time steps; without time the converged points of the path, the evaluations of a relaxation, or the modes.
     pub steps: u64,
     /// Newton iterations; zero for analyses in time.
     pub newton_iterations: u64,
