@@ -143,7 +143,7 @@ fn a_period_that_is_not_given_is_found() {
         let given = run(&text, &path(&format!(", period = {period}")));
         let outcome = run(&text, &path(""));
         let [reached, known] = [&outcome, &given].map(|outcome| outcome.summary.record.levels[0]);
-        let modes = run(&text, &set(&[grid, ("analysis.modal.modes", "1")]));
+        let modes = run(&text, &set(&[grid, ("analysis.modal.modes", "1"), ("output", "{}")]));
         let lowest = 1.0 / last(&modes, "frequency");
         let (found, error) = (reached.period.unwrap(), last(&outcome, column) / exact - 1.0);
         println!(

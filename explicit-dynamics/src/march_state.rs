@@ -66,7 +66,9 @@ impl MarchState {
     /// Refuses the place of another march.
     pub(crate) fn other(&self) -> MarchError {
         MarchError::OtherMarch(match self.stage {
-            Stage::QuasiStatic(LevelUnderWay { level, .. }) => format!("level number {level} of a quasi-static march"),
+            Stage::QuasiStatic(LevelUnderWay { level, .. }) => {
+                format!("level number {level} of a quasi-static march")
+            }
             Stage::Transient { record, .. } => format!("record number {record} of a transient march"),
         })
     }

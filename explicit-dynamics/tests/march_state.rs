@@ -143,7 +143,9 @@ fn goes_on(
 #[test]
 fn quasi_static_marches_go_on_to_the_same_bits() {
     let given = [Some(3.1), None];
-    for (damping, period) in [Damping::Ratio(0.5), Damping::Kinetic].into_iter().flat_map(|d| given.map(|p| (d, p))) {
+    for (damping, period) in
+        [Damping::Ratio(0.5), Damping::Kinetic].into_iter().flat_map(|d| given.map(|p| (d, p)))
+    {
         let run = quasi_static(damping, period);
         goes_on(
             |system, notes| run.march(system, notes).map(drop),
@@ -166,7 +168,8 @@ fn transient_marches_go_on_to_the_same_bits() {
 fn an_observer_ends_a_march_between_steps() {
     for stop_at in [1, 7, 20] {
         let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
-        let clock = quasi_static(Damping::Ratio(0.5), Some(3.1)).march(&mut Oscillator::new(), &mut notes).unwrap();
+        let clock =
+            quasi_static(Damping::Ratio(0.5), Some(3.1)).march(&mut Oscillator::new(), &mut notes).unwrap();
         assert_eq!(notes.places.len(), stop_at);
         // One step with the first record, one more between each two places of the first level.
         assert_eq!(clock.steps as usize, stop_at);

@@ -188,7 +188,16 @@ fn settling(damping: Damping, period: f64, dwell: f64, tolerance: f64) -> (f64, 
     let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
     let accuracy = 5e-3;
     let levels = vec![1.0];
-    let path = QuasiStatic { levels, period: Some(period), ramp: 1.0, dwell, damping, tolerance, accuracy, safety: 0.01 };
+    let path = QuasiStatic {
+        levels,
+        period: Some(period),
+        ramp: 1.0,
+        dwell,
+        damping,
+        tolerance,
+        accuracy,
+        safety: 0.01,
+    };
     path.march(&mut body, &mut notes).unwrap();
     (notes.records.last().unwrap().0 / 2.0 - 1.0, notes.levels[0])
 }
@@ -267,7 +276,10 @@ fn a_period_that_is_not_given_is_found() {
             path.march(&mut body, &mut notes).unwrap();
             assert!((body.x - 2.0).abs() < 0.01, "{damping:?}: {}", body.x);
             for level in &notes.levels {
-                assert!(level.settled && (level.period / PERIOD - 1.0).abs() < 1e-3, "{damping:?}: {level:?}");
+                assert!(
+                    level.settled && (level.period / PERIOD - 1.0).abs() < 1e-3,
+                    "{damping:?}: {level:?}"
+                );
                 assert!(level.evaluations > level.steps);
             }
         }

@@ -10,8 +10,8 @@ use common::bars::Bars;
 use common::pendulum::Pendulum;
 use common::{Arch, ArchWithSpring, Flat, Hencky, Potential, Softening};
 use implicit_statics::{
-    Damping, Equilibrium, EquilibriumError, Newton, NewtonOptions, OutOfBounds, Relaxation, RelaxationOptions,
-    Relaxed, relax,
+    Damping, Equilibrium, EquilibriumError, Newton, NewtonOptions, OutOfBounds, Relaxation,
+    RelaxationOptions, Relaxed, relax,
 };
 
 fn relaxed<E: Equilibrium + ?Sized>(
@@ -183,8 +183,7 @@ fn evaluations(springs: usize, levels: &[f64], damping: Damping, tells_motions: 
     let mut before = 0.0;
     let mut spent = Vec::new();
     for &level in levels {
-        let found =
-            relaxation.to_level(&mut chain, (before, level), |_| ControlFlow::Continue(())).unwrap();
+        let found = relaxation.to_level(&mut chain, (before, level), |_| ControlFlow::Continue(())).unwrap();
         // What is left of the force is 1e-5 of the load, and moves the softest mode by (2n/π)² times as much.
         let softest = (2.0 / std::f64::consts::PI * (springs + 1) as f64).powi(2);
         for (j, q) in chain.q.iter().enumerate() {

@@ -7,6 +7,7 @@ pub mod linear;
 pub mod marched;
 pub mod meshes;
 pub mod path;
+pub mod relaxed;
 pub mod scenes;
 pub mod sheets;
 pub mod solids;
