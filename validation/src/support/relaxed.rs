@@ -14,5 +14,8 @@ pub fn thrift(runs: &Runs, grid: &str) -> Result<Vec<Booked>, JudgeError> {
     };
     let ratio = a_level(&runs.chosen[at])? / a_level(marched)?;
     let found = Metric::error("evaluations a level, of a march's", Some(ratio), "-");
-    Ok(vec![(at, found.within(0.1, "asked: a tenth of the force evaluations of ramp and hold at the same error"))])
+    Ok(vec![(
+        at,
+        found.within(0.1, "asked: a tenth of the force evaluations of ramp and hold at the same error"),
+    )])
 }
