@@ -4,7 +4,6 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
-use shell_kinematics::parallel_transport;
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -283,7 +282,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.carried.clear();
         for a in 0..self.shell.len() {
             let (u, v) = self.basis(a).expand(&increment[self.dofs.of(a)]);
-            self.move_particle(a, u, v);
+            self.shell.move_particle(a, u, v);
         }
     }
 
@@ -294,7 +293,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         for a in 0..self.shell.len() {
             let own = &mut motion[self.dofs.of(a)];
             let (u, v) = self.carried[a].expand(own);
-            let turn = self.move_particle(a, u, v);
+            let turn = self.shell.move_particle(a, u, v);
             self.carried[a] = self.basis(a);
             self.carried[a].turns(&turn, own);
         }
@@ -372,18 +371,6 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// Displaces a particle and turns its director; gives the turn, carried along.
-    fn move_particle(&mut self, a: usize, u: Vec3, v: Vec3) -> Vec3 {
-        if self.shell.junctions.of(a).is_some() {
-            self.shell.move_tied(a, &u, &v);
-            return v; // a rotation leaves its own axis
-        }
-        let row = &mut self.shell.state[a];
-        let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
-        *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
-        w.into()
-    }
-
     /// Entries between the unknowns from the blocks; with internal forces other than those last evaluated, if they are given.
     fn assemble(&mut self, internal: Option<&[Row]>, values: &mut [f64]) {
         let shell = &*self.shell;
