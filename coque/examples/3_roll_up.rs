@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut shell, tip) = strip()?;
     let path = QuasiStatic {
         levels: (1..=8).map(|i| f64::from(i) / 8.0).collect(),
-        period: PERIOD,
+        period: Some(PERIOD),
         ramp: 1.0,
         dwell: 30.0,
         damping: Damping::Ratio(0.7),

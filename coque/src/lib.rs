@@ -56,12 +56,12 @@
 //!
 //! | `analysis.` | solves | by |
 //! |---|---|---|
-//! | `explicit.quasi-static` | equilibria along load levels, by damped marching | `explicit_dynamics::QuasiStatic` |
+//! | `explicit.quasi-static` | equilibria along load levels, by damped marching of true masses | `explicit_dynamics::QuasiStatic` |
 //! | `explicit.transient` | `M q̈ + cM q̇ + ∂U/∂q = f(t)` | `explicit_dynamics::Transient` |
 //! | `linear` | `K u = p` at the unloaded shell | `implicit_statics::linear_response` |
 //! | `static` | `∂U/∂q = λ p` at given levels λ | `implicit_statics::follow`, load control; displacement control for the motion of one particle |
 //! | `arc-length` | the same along a path past limit and turning points | `implicit_statics::follow`, arc length |
-//! | `relaxation` | the same at given levels, by a fictitious motion | `implicit_statics::relax` |
+//! | `relaxation` | the same at given levels, by a fictitious motion | `implicit_statics::Relaxation` |
 //! | `modal` | `K φ = ω² M φ` | `implicit_statics::natural_modes` |
 //! | `buckling` | `(K + μ K_g) φ = 0` | `implicit_statics::linear_buckling` |
 //!

@@ -68,6 +68,33 @@ fn time_changes_no_equilibrium() {
 }
 
 #[test]
+fn a_relaxation_takes_a_tenth_of_the_evaluations_of_a_march() {
+    let coarse = ("geometry.plate.particles", "[25, 3]");
+    let relaxed = |threads: usize| {
+        let scene = scene("ring.toml", &[coarse, ("analysis.relaxation.levels", "8")]).unwrap();
+        scene.build(threads).unwrap().run(&mut coque::Silent)
+    };
+    let (one, two) = (relaxed(1), relaxed(2));
+    assert_eq!(one.curve.rows, two.curve.rows, "bits change with the threads");
+    let evaluations = |outcome: &Outcome| -> u64 {
+        outcome.summary.record.levels.iter().filter_map(|level| level.evaluations).sum()
+    };
+    let marched = run("ring.toml", &[coarse]);
+    let (few, many) = (evaluations(&one), evaluations(&marched));
+    println!("{few} evaluations against {many}");
+    assert!(10 * few < many && one.summary.record.steps == few, "{few} against {many}");
+    let exact = run("ring.toml", &[coarse, ("analysis.static.levels", "8")]);
+    for name in ["minus_U_tip", "W_tip"] {
+        let off = |outcome: &Outcome| -> f64 {
+            let pairs = column(outcome, name).into_iter().zip(column(&exact, name));
+            pairs.fold(0.0, |most, (found, exact)| most.max((found - exact).abs() / LENGTH))
+        };
+        println!("{name}: {:.1e} of L off, marched {:.1e}", off(&one), off(&marched));
+        assert!(off(&one) < off(&marched).max(1e-6), "{name}");
+    }
+}
+
+#[test]
 fn the_crown_of_the_panel_is_pushed_to_its_levels() {
     // 2, 6 and 11 mm of 30; the loads of the explicit ramp and hold \[N\].
     let levels = ("analysis.static.levels", "[0.06666666666666667, 0.2, 0.36666666666666664]");

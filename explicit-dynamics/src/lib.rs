@@ -97,6 +97,11 @@
 //! Damping::Kinetic   v ← 0            whenever the kinetic energy has passed a peak
 //! ```
 //!
+//! T₁ may be given. If not it is that of Rayleigh's quotient of the motion: on the first ramp, begun with a guess of a hundred steps, by the
+//! tangent, `v·K̂v/v·v`; at checks of a dwell by what one step changes of the force out of balance, `−v·Δa/(Δt v·v)`, with loads that
+//! follow and directors under stress in it. It changes by a factor of two at most from check to check, and no longer once the motion is too faint to tell
+//! it from rounding. Later ramps go by the period of the dwell before them.
+//!
 //! Loads are read after the dwell: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
 //! motion had died, and what was missing. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
 //!
@@ -138,6 +143,7 @@
 //! | both dampings end at the static answer | `ramp_and_dwell_ends_at_the_static_answer` |
 //! | a dwell without rest says so | `a_dwell_that_never_rests_says_so` |
 //! | a level settles at its equilibrium or says that it did not, for any damping and any period | `what_settles_is_near_its_equilibrium` |
+//! | a period that is not given is found | `a_period_that_is_not_given_is_found` |
 //! | the way left is the error, at every phase of a swing | `the_way_left_is_the_error` |
 //! | beyond the stable step a run diverges and hands back its last good record | `beyond_the_limit_it_diverges_with_the_last_good_record` |
 //! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
@@ -176,7 +182,7 @@ pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};
 pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 pub use linearised::{LinearisedDynamics, MassScaled};
-pub use march_state::{Dwell, MarchState, Stage};
+pub use march_state::{Dwell, LevelUnderWay, MarchState, Stage};
 pub use observer::Observer;
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};

@@ -20,18 +20,7 @@ pub struct MarchState {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Stage {
     /// [`crate::QuasiStatic`].
-    QuasiStatic {
-        /// Number of the level it goes to, or dwells at, from 0.
-        level: usize,
-        /// When the ramp to it began \[T\].
-        start: f64,
-        /// Steps done when the ramp began.
-        first_step: u64,
-        /// Sizes of the answers so far.
-        sizes: Sizes,
-        /// The dwell, once the ramp is over.
-        dwell: Option<Dwell>,
-    },
+    QuasiStatic(LevelUnderWay),
     /// [`crate::Transient`].
     Transient {
         /// Number of the last record, from 0.
@@ -41,13 +30,32 @@ pub enum Stage {
     },
 }
 
+/// A load level under way: its ramp, then its dwell.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LevelUnderWay {
+    /// Number of the level it goes to, or dwells at, from 0.
+    pub level: usize,
+    /// When the ramp to it began \[T\].
+    pub start: f64,
+    /// Steps done when the ramp began.
+    pub first_step: u64,
+    /// Sizes of the answers so far.
+    pub sizes: Sizes,
+    /// The period it goes by: the one given, or the last one found \[T\].
+    pub period: f64,
+    /// When the motion is checked next, for its period or for rest \[T\].
+    pub next_check: f64,
+    /// Forces evaluated by checks since the ramp began.
+    pub checked: u64,
+    /// The dwell, once the ramp is over.
+    pub dwell: Option<Dwell>,
+}
+
 /// A dwell under way: the load stays until the motion has died.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Dwell {
-    /// When it ends at the latest \[T\].
-    pub end: f64,
-    /// When the motion is checked next \[T\].
-    pub next_check: f64,
+    /// When it began \[T\].
+    pub start: f64,
     /// Checks in a row that found the motion dead.
     pub settled_checks: usize,
     /// Peaks of the kinetic energy.
@@ -58,7 +66,9 @@ impl MarchState {
     /// Refuses the place of another march.
     pub(crate) fn other(&self) -> MarchError {
         MarchError::OtherMarch(match self.stage {
-            Stage::QuasiStatic { level, .. } => format!("level number {level} of a quasi-static march"),
+            Stage::QuasiStatic(LevelUnderWay { level, .. }) => {
+                format!("level number {level} of a quasi-static march")
+            }
             Stage::Transient { record, .. } => format!("record number {record} of a transient march"),
         })
     }

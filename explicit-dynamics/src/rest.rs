@@ -80,6 +80,34 @@ pub struct LevelReached {
     pub missing: Missing,
     /// Steps spent on the level.
     pub steps: u64,
+    /// Evaluations of the forces: steps, and what checks took beside them.
+    pub evaluations: u64,
+    /// The period by which the level went, the one given or the one found \[T\].
+    pub period: f64,
+}
+
+/// The period of the mode of which the present motion holds most: that of Rayleigh's quotient of the velocities \[T\]. None of a
+/// body that does not move, or that a motion along its velocities would not bring back.
+pub(crate) fn period_of_motion(system: &mut dyn MassScaled) -> Option<f64> {
+    let mut velocity = vec![0.0; system.unknowns()];
+    system.rates(&mut velocity);
+    period(quotient(system, &velocity))
+}
+
+/// The same of the last step, by what it changed of the force out of balance, which was `before`: with loads and supports that
+/// stand still this holds the stiffness of loads that follow the body, and of directors under stress, as well.
+pub(crate) fn period_of_step(system: &mut dyn MassScaled, before: &[f64], dt: f64) -> Option<f64> {
+    let mut velocity = vec![0.0; before.len()];
+    let mut after = vec![0.0; before.len()];
+    system.rates(&mut velocity);
+    system.out_of_balance(&mut after);
+    let change: f64 = (0..before.len()).map(|i| velocity[i] * (before[i] - after[i])).sum();
+    period(change / (dt * square(&velocity)))
+}
+
+/// The period of the square of a circular frequency, if it is one.
+fn period(square: f64) -> Option<f64> {
+    (square > 0.0 && square.is_finite()).then(|| std::f64::consts::TAU / square.sqrt())
 }
 
 /// `x·K̂x/x·x`: the square of a circular frequency; infinite along nothing.

@@ -98,7 +98,7 @@ impl<S: ?Sized> Observer<S> for Records {
 fn quasi_static() -> QuasiStatic {
     QuasiStatic {
         levels: vec![0.5, 1.0],
-        period: 3.0,
+        period: Some(3.0),
         ramp: 1.0,
         dwell: 20.0,
         damping: Damping::Ratio(0.7),

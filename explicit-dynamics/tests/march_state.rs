@@ -109,11 +109,11 @@ impl Observer<Oscillator> for Notes {
     }
 }
 
-fn quasi_static(damping: Damping) -> QuasiStatic {
+fn quasi_static(damping: Damping, period: Option<f64>) -> QuasiStatic {
     let levels = vec![0.25, 0.6, 1.0];
     QuasiStatic {
         levels,
-        period: 3.1,
+        period,
         ramp: 0.7,
         dwell: 4.0,
         damping,
@@ -142,8 +142,11 @@ fn goes_on(
 
 #[test]
 fn quasi_static_marches_go_on_to_the_same_bits() {
-    for damping in [Damping::Ratio(0.5), Damping::Kinetic] {
-        let run = quasi_static(damping);
+    let given = [Some(3.1), None];
+    for (damping, period) in
+        [Damping::Ratio(0.5), Damping::Kinetic].into_iter().flat_map(|d| given.map(|p| (d, p)))
+    {
+        let run = quasi_static(damping, period);
         goes_on(
             |system, notes| run.march(system, notes).map(drop),
             |at, system, notes| run.go_on(at, system, notes).map(drop),
@@ -165,7 +168,8 @@ fn transient_marches_go_on_to_the_same_bits() {
 fn an_observer_ends_a_march_between_steps() {
     for stop_at in [1, 7, 20] {
         let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
-        let clock = quasi_static(Damping::Ratio(0.5)).march(&mut Oscillator::new(), &mut notes).unwrap();
+        let clock =
+            quasi_static(Damping::Ratio(0.5), Some(3.1)).march(&mut Oscillator::new(), &mut notes).unwrap();
         assert_eq!(notes.places.len(), stop_at);
         // One step with the first record, one more between each two places of the first level.
         assert_eq!(clock.steps as usize, stop_at);
@@ -175,7 +179,7 @@ fn an_observer_ends_a_march_between_steps() {
 #[test]
 fn the_place_of_another_march_is_refused() {
     let mut notes = Notes { stop_at: Some(5), ..Notes::default() };
-    let run = quasi_static(Damping::Ratio(0.5));
+    let run = quasi_static(Damping::Ratio(0.5), Some(3.1));
     run.march(&mut Oscillator::new(), &mut notes).unwrap();
     let at = notes.places.pop().unwrap().1;
     let transient = Transient { duration: 7.0, record_every: 1.0, damping: 0.0, safety: 0.1 };

@@ -146,7 +146,7 @@ fn quasi_static_load_and_reaction_balance() {
     let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, supports, loads);
     let path = QuasiStatic {
         levels: vec![1.0],
-        period: 5.0,
+        period: Some(5.0),
         ramp: 2.0,
         dwell: 20.0,
         damping: Damping::Ratio(1.0),
@@ -183,7 +183,7 @@ fn kinetic_damping_finds_the_same_rest() {
         let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, supports, Vec::new());
         let path = QuasiStatic {
             levels: vec![0.5, 1.0],
-            period: 2.0,
+            period: Some(2.0),
             ramp: 2.0,
             dwell: 40.0,
             damping,

@@ -222,7 +222,7 @@ fn a_march_with_a_turned_end_finds_the_same() {
     let period = TAU / 3.516 * LENGTH * LENGTH * (common::DENSITY * THICK / EI).sqrt();
     let run = QuasiStatic {
         levels: vec![1.0],
-        period,
+        period: Some(period),
         ramp: 2.0,
         dwell: 20.0,
         damping: Damping::Ratio(1.0),

@@ -55,9 +55,9 @@ fn of_march(explicit: &Explicit, body: &mut dyn Marched, threads: usize, bytes: 
         Ok(pool) if threads > 1 => pool.install(|| time_steps(body, dt)),
         _ => time_steps(body, dt),
     };
-    let steps = steps(explicit, dt);
-    let seconds = Some(steps.map(|count| count * seconds_a_step));
-    Estimate { stable_step, steps: Some(steps), seconds_a_step, seconds, bytes, ..Estimate::default() }
+    let steps = steps(explicit, body, dt);
+    let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
+    Estimate { stable_step, steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
 }
 
 fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estimate {
@@ -138,14 +138,26 @@ impl Work {
     }
 }
 
-/// Steps of a run: every hold at its shortest, every hold at its longest.
-fn steps(explicit: &Explicit, dt: f64) -> [f64; 2] {
+/// Steps of a run: every hold at its shortest, every hold at its longest; unknown where nothing tells the period.
+fn steps(explicit: &Explicit, body: &mut dyn Marched, dt: f64) -> Option<[f64; 2]> {
     if let Some(path) = &explicit.quasi_static {
         let levels = path.levels.list().len() as f64;
-        return [SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * path.period / dt);
+        let period = path.period.or_else(|| period_of_deflection(body))?;
+        return Some([SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * period / dt));
     }
     let duration = explicit.transient.map_or(0.0, |run| run.duration);
-    [duration / dt; 2]
+    Some([duration / dt; 2])
+}
+
+/// Rayleigh's period of the linear answer u to the loads: `ω² = u·p / u·Mu`; none without a tangent or a load.
+fn period_of_deflection(body: &mut dyn Marched) -> Option<f64> {
+    let mut system = body.at_rest()?;
+    let answer = linear_response(&mut *system, 0.0).ok()?;
+    let mut load = vec![0.0; answer.len()];
+    system.load_rate(0.0, &mut load);
+    let work: f64 = answer.iter().zip(&load).map(|(u, p)| u * p).sum();
+    let inertia: f64 = answer.iter().zip(system.masses()).map(|(u, mass)| mass * u * u).sum();
+    (work > 0.0).then(|| std::f64::consts::TAU * (inertia / work).sqrt())
 }
 
 /// Seconds a step, without load: nothing moves and the work is the same.

@@ -160,12 +160,17 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
     }
 
     fn level(&mut self, reached: &LevelReached) {
-        let LevelReached { level, settled, kinetic_over_internal, missing, steps } = *reached;
+        let LevelReached { level, settled, kinetic_over_internal, missing, steps, evaluations, period } =
+            *reached;
         let Missing { out_of_balance, way_left } = missing;
         if !settled {
             let message = format!(
                 "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}, out of balance \
-                 {out_of_balance:.1e}, way left {way_left:.1e}); lengthen `hold`, or see whether `damping` and `period` fit"
+                 {out_of_balance:.1e}, way left {way_left:.1e}); lengthen `hold`, or {}",
+                match self.path.and_then(|path| path.period) {
+                    Some(_) => "see whether `damping` fits, and leave `period` out",
+                    None => "see whether `damping` fits",
+                }
             );
             self.run.record.warn(Doubt::NotSettled, message);
         }
@@ -177,6 +182,8 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
             way_left,
             negative_pivots: None,
             steps,
+            evaluations: Some(evaluations),
+            period: Some(period),
         });
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use implicit_statics::{Damping, EquilibriumError, RelaxationOptions, relax};
+use implicit_statics::{Damping, EquilibriumError, RelaxationOptions};
 
 use crate::bodies::Balanced;
 use crate::run::Run;
@@ -26,13 +26,17 @@ pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &m
     if record(run, system, 0.0, 0).is_break() {
         return Ended::Done;
     }
+    let mut relaxation = match implicit_statics::Relaxation::new(&options) {
+        Ok(relaxation) => relaxation,
+        Err(cause) => return run.unbalanced(0, 0.0, cause),
+    };
     let mut before = 0.0;
     for level in list {
         let steps = run.record.steps;
         let tell = |done: f64, iterations: usize, run: &mut Run<'_>| {
             run.tell(done / last, steps + iterations as u64, before, run.record.energies.internal)
         };
-        let relaxed = relax(system, &options, (before, level), |at| tell(before, at.iterations, run));
+        let relaxed = relaxation.to_level(system, (before, level), |at| tell(before, at.iterations, run));
         let relaxed = match relaxed {
             Ok(relaxed) => relaxed,
             Err(EquilibriumError::Ended { iterations, .. }) => {
@@ -41,11 +45,12 @@ pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &m
             }
             Err(cause) => return run.unbalanced(run.record.levels.len() as u64, before, cause),
         };
-        run.record.steps += relaxed.iterations as u64;
+        run.record.steps += relaxed.evaluations as u64;
         let reached = LevelSummary {
             out_of_balance: wanted.tolerance * relaxed.residuals.last().copied().unwrap_or(0.0)
                 / relaxed.bound,
-            ..LevelSummary::balanced(level, None, relaxed.evaluations as u64)
+            evaluations: Some(relaxed.evaluations as u64),
+            ..LevelSummary::balanced(level, None, relaxed.iterations as u64)
         };
         run.record.levels.push(reached);
         if record(run, system, level, relaxed.iterations).is_break() {

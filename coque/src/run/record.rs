@@ -9,7 +9,7 @@ use crate::{Doubt, Warning};
 /// What a run has found so far, its rows and shapes apart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunRecord {
-    /// Time steps; without time the converged points of the path, or the modes.
+    /// Time steps; without time the converged points of the path, the evaluations of a relaxation, or the modes.
     pub steps: u64,
     /// Newton iterations; zero for analyses in time.
     pub newton_iterations: u64,
@@ -84,8 +84,12 @@ pub struct LevelSummary {
     pub way_left: f64,
     /// Negative pivots of the tangent: the directions in which the state is unstable; absent where it was not looked at.
     pub negative_pivots: Option<usize>,
-    /// Steps spent on the level.
+    /// Steps spent on the level; iterations of a relaxation, points of a path.
     pub steps: u64,
+    /// Evaluations of the forces that the level took; absent where they were not counted.
+    pub evaluations: Option<u64>,
+    /// Period by which a march went at the end of the level, the one given or the one found \[T\]; absent without time.
+    pub period: Option<f64>,
 }
 
 impl LevelSummary {
@@ -99,6 +103,8 @@ impl LevelSummary {
             way_left: 0.0,
             negative_pivots: inertia.map(|inertia| inertia.negative),
             steps,
+            evaluations: None,
+            period: None,
         }
     }
 }

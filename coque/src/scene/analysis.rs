@@ -45,8 +45,8 @@ pub struct Explicit {
 pub struct QuasiStatic {
     /// Load levels to stop at.
     pub levels: Levels,
-    /// Period of the lowest mode \[T\].
-    pub period: f64,
+    /// Period of the lowest mode that the loads excite \[T\]; left out, it is found on the way.
+    pub period: Option<f64>,
     /// Ramp to each level, in periods.
     #[serde(default = "usual_ramp")]
     pub ramp: f64,

@@ -34,12 +34,14 @@ pub struct Flat<P> {
     pub masses: Vec<f64>,
     /// Levels at which there is no load to be had.
     pub forceless: Option<Range<f64>>,
+    /// Whether it tells the motion to a saved state.
+    pub tells_motions: bool,
 }
 
 impl<P: Potential> Flat<P> {
     pub fn new(potential: P) -> Self {
         let n = potential.unknowns();
-        Self { potential, q: vec![0.0; n], masses: vec![1.0; n], forceless: None }
+        Self { potential, q: vec![0.0; n], masses: vec![1.0; n], forceless: None, tells_motions: false }
     }
 }
 
@@ -76,6 +78,11 @@ impl<P: Potential> Equilibrium for Flat<P> {
 
     fn update(&mut self, increment: &[f64]) {
         self.q.iter_mut().zip(increment).for_each(|(q, d)| *q += d);
+    }
+
+    fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
+        out.iter_mut().zip(saved).zip(&self.q).for_each(|((out, to), from)| *out = to - from);
+        self.tells_motions
     }
 
     fn save(&self) -> Vec<f64> {

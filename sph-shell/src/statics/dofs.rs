@@ -3,6 +3,7 @@
 //! A turn counts as the length of its arc at a fixed radius, a power of two near the spacing: all unknowns are lengths and
 //! all their forces are forces, so that no norm and no pivot depends on the units of a scene.
 
+use shell_kinematics::parallel_transport;
 use sph_core::{Frame, Vec3};
 
 use crate::Shell;
@@ -134,5 +135,17 @@ impl Shell {
         }
         basis.move_first(translations);
         basis
+    }
+
+    /// Displaces a particle and turns its director; gives the turn, carried along.
+    pub(crate) fn move_particle(&mut self, a: usize, u: Vec3, v: Vec3) -> Vec3 {
+        if self.junctions.of(a).is_some() {
+            self.move_tied(a, &u, &v);
+            return v; // a rotation leaves its own axis
+        }
+        let row = &mut self.state[a];
+        let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
+        *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
+        w.into()
     }
 }

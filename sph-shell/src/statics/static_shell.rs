@@ -4,7 +4,6 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
-use shell_kinematics::parallel_transport;
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -28,6 +27,8 @@ pub struct StaticShell<S = Box<Shell>> {
     entries: Vec<usize>,
     /// Particles with a prescribed displacement or rotation.
     moved: Vec<u32>,
+    /// Directions of the unknowns of all particles in the present state, after it was carried there; else none.
+    carried: Vec<Basis>,
 }
 
 impl StaticShell {
@@ -46,7 +47,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
         let entries = entries(&dofs, &pattern);
-        Self { shell, dofs, pattern, blocks, entries, moved: Vec::new() }
+        Self { shell, dofs, pattern, blocks, entries, moved: Vec::new(), carried: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -56,6 +57,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// The same, to put it into another state; whatever is evaluated is that of the state before.
     pub fn shell_mut(&mut self) -> &mut Shell {
+        self.carried.clear();
         &mut self.shell
     }
 
@@ -93,7 +95,11 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            self.basis(a).project(&self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            let (row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            match self.carried.get(a) {
+                Some(basis) => basis.project(&row, out),
+                None => self.basis(a).project(&row, out),
+            }
         }
     }
 
@@ -119,6 +125,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             let number = shell.constraint_of[a as usize] as usize - 1;
             if let Some(told) = shell.constraints[number].told() {
                 told.put(level, &mut shell.state[a as usize]);
+            }
+            if let Some(basis) = self.carried.get_mut(a as usize) {
+                *basis = shell.basis(a as usize, self.dofs.arc);
             }
         }
     }
@@ -270,16 +279,23 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn update(&mut self, increment: &[f64]) {
+        self.carried.clear();
         for a in 0..self.shell.len() {
-            self.move_particle(a, &increment[self.dofs.of(a)]);
+            let (u, v) = self.basis(a).expand(&increment[self.dofs.of(a)]);
+            self.shell.move_particle(a, u, v);
         }
     }
 
     fn carry(&mut self, motion: &mut [f64]) {
+        if self.carried.is_empty() {
+            self.carried = (0..self.shell.len()).map(|a| self.basis(a)).collect();
+        }
         for a in 0..self.shell.len() {
             let own = &mut motion[self.dofs.of(a)];
-            let turn = self.move_particle(a, own);
-            self.basis(a).turns(&turn, own);
+            let (u, v) = self.carried[a].expand(own);
+            let turn = self.shell.move_particle(a, u, v);
+            self.carried[a] = self.basis(a);
+            self.carried[a].turns(&turn, own);
         }
     }
 
@@ -306,6 +322,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn restore(&mut self, saved: &[f64]) {
+        self.carried.clear();
         for (row, from) in self.shell.state.iter_mut().zip(saved.chunks_exact(6)) {
             row.copy_from_slice(from);
         }
@@ -354,19 +371,6 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// Moves a particle by components along its unknowns; gives the turn of its director, carried along.
-    fn move_particle(&mut self, a: usize, components: &[f64]) -> Vec3 {
-        let (u, v) = self.basis(a).expand(components);
-        if self.shell.junctions.of(a).is_some() {
-            self.shell.move_tied(a, &u, &v);
-            return v; // a rotation leaves its own axis
-        }
-        let row = &mut self.shell.state[a];
-        let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
-        *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
-        w.into()
-    }
-
     /// Entries between the unknowns from the blocks; with internal forces other than those last evaluated, if they are given.
     fn assemble(&mut self, internal: Option<&[Row]>, values: &mut [f64]) {
         let shell = &*self.shell;

@@ -131,7 +131,7 @@ pub fn side_by_side(result: &CaseResult) -> Result<Option<Numbers>, JudgeError> 
         caption: format!(
             "Error: {}. Particles in time, the same particles and energy without time and relaxed, an independent \
              finite-element shell, and published results. The static error is that of the discretisation; what an explicit run adds is \
-             the dynamics. Steps are those of time, points of a path, iterations of relaxation and of elements. A point is one equilibrium of the curve. ● marks what none beats in both error and cost.",
+             the dynamics. Steps are those of time, points of a path, evaluations of relaxation, iterations of elements. A point is one equilibrium of the curve. ● marks what none beats in both error and cost.",
             headline.metric
         ),
         head: head.into(),

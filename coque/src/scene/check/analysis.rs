@@ -70,7 +70,9 @@ impl Scene {
         if let Some(path) = &explicit.quasi_static {
             let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
             self.check_levels(&at("levels"), &path.levels)?;
-            s.positive(&at("period"), path.period)?;
+            if let Some(period) = path.period {
+                s.positive(&at("period"), period)?;
+            }
             s.positive(&at("ramp"), path.ramp)?;
             s.positive(&at("hold"), path.hold)?;
             s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;

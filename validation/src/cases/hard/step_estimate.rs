@@ -49,7 +49,7 @@ fn run(mut shell: Shell, level: f64, period: f64) -> Result<Outcome, String> {
     let first = step(&mut shell)?;
     let path = QuasiStatic {
         levels: vec![level],
-        period,
+        period: Some(period),
         ramp: 4.0,
         dwell: 1.0,
         damping: Damping::Ratio(1.0),

@@ -210,7 +210,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     // What scenes do if they say nothing; the period is the time sound takes round the sphere, 2πR/c.
     let run = QuasiStatic {
         levels: vec![0.5, 1.0],
-        period: 0.006,
+        period: Some(0.006),
         ramp: 1.0,
         dwell: 8.0,
         damping: Damping::Ratio(1.0),

@@ -1,92 +1,38 @@
-//! Adaptive dynamic relaxation: equilibrium by a fictitious motion, without a factor of the tangent.
-//!
-//! The unknowns move with a fictitious step of one and masses that keep it stable. By Gerschgorin `ω² ≤ max Σⱼ|K_ij|/M_i`, and
-//! central differences are stable for ω < 2, hence `M_i = Λ/4 Σⱼ|K_ij|` with Λ a little above one \[underwood1983\].
+//! The fictitious motion to one level.
 
 use std::ops::ControlFlow;
 
-use crate::error::require;
-use crate::options::{Damping, RelaxationOptions};
+use super::{Relaxation, Relaxed, Relaxing};
+use crate::options::Damping;
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError};
 
 /// Iterations between two looks at the bounds of the model, and two reports.
 const REPORT: usize = 100;
+/// Iterations between two searches for the slow modes, and between two moves that are taken for them.
+const SEARCH: usize = 100;
+const SAMPLE: usize = 25;
+/// Perturbation of a difference of forces, as a part of the way between two levels.
+const PERTURBATION: f64 = 1e-4;
 /// Damping below which a step stays an oscillation: critical damping of a frequency of two would stop it.
 const MOST_DAMPING: f64 = 1.9;
 
-/// How an equilibrium was relaxed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Relaxed {
-    /// Load level \[–\].
-    pub level: f64,
-    /// Iterations: moves of the unknowns.
-    pub iterations: usize,
-    /// Evaluations of the forces.
-    pub evaluations: usize,
-    /// Row sums taken.
-    pub row_sums: usize,
-    /// Times the motion began again from rest.
-    pub rests: usize,
-    /// ‖external − internal‖ of the first state and of those told to the observer, the last included \[F\].
-    pub residuals: Vec<f64>,
-    /// Bound that the last one met \[F\].
-    pub bound: f64,
-}
-
-/// Where a relaxation stands, told every hundred iterations.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Relaxing {
-    /// Load level that is sought \[–\].
-    pub level: f64,
-    /// Iterations so far.
-    pub iterations: usize,
-    /// ‖external − internal‖ \[F\].
-    pub residual: f64,
-    /// What it must fall to \[F\].
-    pub bound: f64,
-}
-
-/// Finds the equilibrium at level `to` from the present state, which balances level `from`.
-///
-/// Held values that move go from level to level within the first iterations. After an error the state is as before.
-///
-/// # Errors
-/// [`EquilibriumError::NotRelaxed`] where the iterations do not suffice, [`EquilibriumError::Strayed`] where the motion leaves
-/// the bounds of the model, [`EquilibriumError::Ended`] where the observer breaks off, [`EquilibriumError::Force`].
-pub fn relax<E: Equilibrium + ?Sized>(
-    system: &mut E,
-    options: &RelaxationOptions,
-    (from, to): (f64, f64),
-    observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
-) -> Result<Relaxed, EquilibriumError> {
-    require(options.tolerance > 0.0, "relaxation tolerance", options.tolerance, "positive")?;
-    require(options.iterations > 0, "relaxation iterations", options.iterations as f64, "one at least")?;
-    require(options.safety >= 1.0, "relaxation safety", options.safety, "one at least")?;
-    let saved = system.save();
-    let outcome = Motion::new(system, options, (from, to)).settle(system, observer);
-    match &outcome {
-        Ok(_) => system.accept(),
-        Err(_) => system.restore(&saved),
-    }
-    outcome
-}
-
-/// The fictitious motion.
-struct Motion<'a> {
-    options: &'a RelaxationOptions,
+pub(super) struct Motion<'a> {
+    memory: &'a mut Relaxation,
     levels: (f64, f64),
     /// Iterations within which held values go from level to level.
     ramp: usize,
-    /// M \[F/L, times the square of a step\].
-    masses: Vec<f64>,
     /// The last move \[L\].
     velocity: Vec<f64>,
     /// external − internal \[F\].
     force: Vec<f64>,
+    /// M̃⁻¹ times it \[L\].
+    acceleration: Vec<f64>,
     /// Work of the force on the move that follows, before that \[F L\].
     power: f64,
     internal: Vec<f64>,
+    /// Sum of the moves \[L\].
+    way: Vec<f64>,
     /// Whether the motion begins from rest.
     rests: bool,
     /// The force that brought prescribed values about at the start \[F\].
@@ -102,30 +48,36 @@ struct Counts {
 }
 
 impl<'a> Motion<'a> {
-    fn new<E: Equilibrium + ?Sized>(
+    /// Puts the system where the levels before point.
+    pub fn new<E: Equilibrium + ?Sized>(
+        memory: &'a mut Relaxation,
         system: &mut E,
-        options: &'a RelaxationOptions,
         levels: (f64, f64),
     ) -> Self {
         let zero = || vec![0.0; system.unknowns()];
         let mut motion = Self {
-            options,
+            memory,
             levels,
             ramp: 0,
-            masses: zero(),
             velocity: zero(),
             force: zero(),
+            acceleration: zero(),
             power: 0.0,
             internal: zero(),
+            way: zero(),
             rests: true,
             driving: 0.0,
             counts: Counts::default(),
         };
         if system.held_values_move() {
-            motion.ramp = options.ramp;
+            motion.ramp = motion.memory.options.ramp;
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
             motion.counts.evaluations += 1;
+        }
+        if let Some(way) = motion.memory.past.predict(system, levels.1) {
+            system.update(&way);
+            (motion.way, motion.ramp) = (way, 0);
         }
         motion
     }
@@ -136,22 +88,26 @@ impl<'a> Motion<'a> {
         if iteration < self.ramp { from + (to - from) * iteration as f64 / self.ramp as f64 } else { to }
     }
 
-    fn settle<E: Equilibrium + ?Sized>(
+    pub fn settle<E: Equilibrium + ?Sized>(
         mut self,
         system: &mut E,
-        mut observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
+        observer: &mut impl FnMut(&Relaxing) -> ControlFlow<()>,
     ) -> Result<Relaxed, EquilibriumError> {
-        let level = self.levels.1;
+        let (level, allowed) = (self.levels.1, self.memory.options.iterations);
         let mut residuals = Vec::new();
-        self.weigh(system, self.level(0));
+        if self.memory.masses.is_empty() {
+            self.memory.masses = vec![0.0; self.velocity.len()];
+            self.weigh(system, self.level(0));
+        }
         let mut last = f64::INFINITY;
         for iterations in 0.. {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
-            let bound = self.options.tolerance * if scale > 0.0 { scale } else { first };
-            let arrived = iterations > self.ramp || (self.ramp == 0 && residual == 0.0);
+            let bound = self.memory.options.tolerance * if scale > 0.0 { scale } else { first };
+            let at_start = residual == 0.0 || self.memory.past.points_on();
+            let arrived = iterations > self.ramp || (self.ramp == 0 && at_start);
             let found = residual <= bound && arrived;
-            let ends = iterations == self.options.iterations;
+            let ends = iterations == allowed;
             if found || ends || iterations.is_multiple_of(REPORT) {
                 residuals.push(residual);
                 if let Err(found) = system.within_bounds() {
@@ -175,11 +131,13 @@ impl<'a> Motion<'a> {
                 self.rests = true;
             }
             last = residual;
-            match self.options.damping {
+            self.learn(system, iterations);
+            match self.memory.options.damping {
                 Damping::Kinetic => self.push(),
                 Damping::Rayleigh => self.kick((2.0 * stiffness.max(0.0).sqrt()).min(MOST_DAMPING)),
             }
             self.power = dot(&self.velocity, &self.force);
+            self.way.iter_mut().zip(&self.velocity).for_each(|(way, v)| *way += v);
             system.carry(&mut self.velocity);
         }
         unreachable!("the loop ends by its bound")
@@ -207,25 +165,60 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Takes masses from the present stiffness, never less than they were.
+    /// Takes masses from the present stiffness, never less than they were; slow modes were those of other masses.
     fn weigh<E: Equilibrium + ?Sized>(&mut self, system: &mut E, level: f64) {
-        let mut sums = vec![0.0; self.masses.len()];
+        let mut sums = vec![0.0; self.memory.masses.len()];
         system.row_sums(level, &mut sums);
         self.counts.row_sums += 1;
         let largest = sums.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        for (mass, sum) in self.masses.iter_mut().zip(sums) {
+        for (mass, sum) in self.memory.masses.iter_mut().zip(sums) {
             // an unknown without stiffness has no frequency: any mass will do
             let sum = if sum > 0.0 { sum } else { largest };
-            *mass = mass.max(0.25 * self.options.safety * sum);
+            *mass = mass.max(0.25 * self.memory.options.safety * sum);
+        }
+        self.memory.slow = Default::default();
+    }
+
+    /// Takes moves to find slow modes in, and looks for them: at once where some are known, then every so many iterations.
+    fn learn<E: Equilibrium + ?Sized>(&mut self, system: &mut E, iterations: usize) {
+        let Some(since) = iterations.checked_sub(self.ramp) else { return };
+        if since > 0 && since.is_multiple_of(SAMPLE) {
+            self.memory.slow.sample(&self.velocity);
+        }
+        if since.is_multiple_of(SEARCH) && (since > 0 || self.memory.slow.known()) {
+            self.search(system, self.level(iterations));
+            self.rests = true;
         }
     }
 
-    /// `v·Kv / v·Mv` along the last move, by the change of force: Rayleigh's quotient ω², at most 4/Λ while the masses suit.
+    /// Finds the slow modes in the present state, whose force is known: a difference of forces for each.
+    fn search<E: Equilibrium + ?Sized>(&mut self, system: &mut E, level: f64) {
+        let largest = |v: &[f64]| v.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let Self { memory, force, acceleration: displaced, velocity: step, internal, way, counts, .. } = self;
+        memory.reach = memory.reach.max(largest(way));
+        let (reach, here) = (PERTURBATION * memory.reach, system.save());
+        memory.slow.renew(&memory.masses, |motion, image| {
+            let size = reach / largest(motion);
+            step.iter_mut().zip(motion).for_each(|(step, motion)| *step = size * motion);
+            system.update(step);
+            system.internal(level, internal);
+            system.external(level, displaced);
+            system.restore(&here);
+            counts.evaluations += 1;
+            for (i, image) in image.iter_mut().enumerate() {
+                *image = (force[i] - (displaced[i] - internal[i])) / size;
+            }
+        });
+    }
+
+    /// `v·Kv / v·M̃v` along the last move, by the change of force: Rayleigh's quotient ω², at most 4 while the masses suit.
     fn stiffness(&self) -> f64 {
         if self.rests {
             return 0.0;
         }
-        let mass: f64 = self.velocity.iter().zip(&self.masses).map(|(v, mass)| mass * v * v).sum();
+        let masses = &self.memory.masses;
+        let heavy: f64 = self.velocity.iter().zip(masses).map(|(v, mass)| mass * v * v).sum();
+        let mass = heavy - self.memory.slow.lightness();
         if mass > 0.0 { (self.power - dot(&self.velocity, &self.force)) / mass } else { 0.0 }
     }
 
@@ -245,12 +238,16 @@ impl<'a> Motion<'a> {
         self.counts.rests += 1;
     }
 
-    /// `v ← [(1 − ½c) v + M⁻¹F]/(1 + ½c)`; from rest half a kick without damping.
+    /// `v ← [(1 − ½c) v + M̃⁻¹F]/(1 + ½c)`; from rest half a kick without damping.
     fn kick(&mut self, damping: f64) {
-        let (half, share) = if self.rests { (0.0, 0.5) } else { (0.5 * damping, 1.0) };
-        for (i, v) in self.velocity.iter_mut().enumerate() {
-            let old = if self.rests { 0.0 } else { *v };
-            *v = ((1.0 - half) * old + share * self.force[i] / self.masses[i]) / (1.0 + half);
+        let half = 0.5 * damping;
+        let (keeps, takes) =
+            if self.rests { (0.0, 0.5) } else { ((1.0 - half) / (1.0 + half), 1.0 / (1.0 + half)) };
+        let pairs = self.force.iter().zip(&self.memory.masses);
+        self.acceleration.iter_mut().zip(pairs).for_each(|(a, (force, mass))| *a = force / mass);
+        self.memory.slow.hasten(&self.force, &mut self.acceleration, (keeps, takes));
+        for (v, a) in self.velocity.iter_mut().zip(&self.acceleration) {
+            *v = keeps * *v + takes * a;
         }
         self.rests = false;
     }

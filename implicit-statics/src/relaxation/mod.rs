@@ -1,0 +1,126 @@
+//! Adaptive dynamic relaxation: equilibrium by a fictitious motion, without a factor of the tangent.
+//!
+//! The unknowns move with a fictitious step of one and masses that keep it stable. By Gerschgorin `ω² ≤ max Σⱼ|K_ij|/M_i`, and
+//! central differences are stable for ω < 2, hence `M_i = Λ/4 Σⱼ|K_ij|` with Λ a little above one \[underwood1983\].
+//! The slowest modes are made faster ([`slow`]), and a level starts where the levels before point ([`past`]).
+
+mod motion;
+mod past;
+mod slow;
+
+use std::ops::ControlFlow;
+
+use crate::error::require;
+use crate::options::RelaxationOptions;
+use crate::{Equilibrium, EquilibriumError};
+use motion::Motion;
+use past::Past;
+use slow::SlowModes;
+
+/// How an equilibrium was relaxed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relaxed {
+    /// Load level \[–\].
+    pub level: f64,
+    /// Iterations: moves of the unknowns.
+    pub iterations: usize,
+    /// Evaluations of the forces, those that found the slow modes among them.
+    pub evaluations: usize,
+    /// Row sums taken.
+    pub row_sums: usize,
+    /// Times the motion began again from rest.
+    pub rests: usize,
+    /// ‖external − internal‖ of the first state and of those told to the observer, the last included \[F\].
+    pub residuals: Vec<f64>,
+    /// Bound that the last one met \[F\].
+    pub bound: f64,
+}
+
+/// Where a relaxation stands, told every hundred iterations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Relaxing {
+    /// Load level that is sought \[–\].
+    pub level: f64,
+    /// Iterations so far.
+    pub iterations: usize,
+    /// ‖external − internal‖ \[F\].
+    pub residual: f64,
+    /// What it must fall to \[F\].
+    pub bound: f64,
+}
+
+/// Finds the equilibrium at level `to` from the present state, which balances level `from`; for more levels than one,
+/// [`Relaxation`] is faster.
+///
+/// # Errors
+/// Those of [`Relaxation::to_level`], [`EquilibriumError::Option`].
+pub fn relax<E: Equilibrium + ?Sized>(
+    system: &mut E,
+    options: &RelaxationOptions,
+    levels: (f64, f64),
+    observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
+) -> Result<Relaxed, EquilibriumError> {
+    Relaxation::new(options)?.to_level(system, levels, observer)
+}
+
+/// Relaxation from level to level: masses, slow modes and the course of the path serve the levels that follow.
+#[derive(Debug, Clone)]
+pub struct Relaxation {
+    options: RelaxationOptions,
+    /// M; empty before the first level \[F/L, times the square of a step\].
+    masses: Vec<f64>,
+    slow: SlowModes,
+    past: Past,
+    /// Largest component of a way from level to level so far \[L\].
+    reach: f64,
+}
+
+impl Relaxation {
+    /// A relaxation that knows nothing of its system yet.
+    ///
+    /// # Errors
+    /// [`EquilibriumError::Option`] for options out of bounds.
+    pub fn new(options: &RelaxationOptions) -> Result<Self, EquilibriumError> {
+        require(options.tolerance > 0.0, "relaxation tolerance", options.tolerance, "positive")?;
+        require(options.iterations > 0, "relaxation iterations", options.iterations as f64, "one at least")?;
+        require(options.safety >= 1.0, "relaxation safety", options.safety, "one at least")?;
+        let (masses, slow, past) = (Vec::new(), SlowModes::default(), Past::default());
+        Ok(Self { options: options.clone(), masses, slow, past, reach: 0.0 })
+    }
+
+    /// Finds the equilibrium at level `to` from the present state, which balances level `from`.
+    ///
+    /// It sets out from where the levels before point, if there are two or more, and once more from the present state where
+    /// that leads astray. Held values that move go along, or from level to level within the first iterations. After an error the
+    /// state is as before.
+    ///
+    /// # Errors
+    /// [`EquilibriumError::NotRelaxed`] where the iterations do not suffice, [`EquilibriumError::Strayed`] where the motion leaves
+    /// the bounds of the model, [`EquilibriumError::Ended`] where the observer breaks off, [`EquilibriumError::Force`].
+    pub fn to_level<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        (from, to): (f64, f64),
+        mut observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
+    ) -> Result<Relaxed, EquilibriumError> {
+        let start = system.save();
+        self.past.stands_at(from, &start);
+        let mut outcome = Motion::new(self, system, (from, to)).settle(system, &mut observer);
+        if self.past.points_on()
+            && matches!(outcome, Err(EquilibriumError::Strayed { .. } | EquilibriumError::Force { .. }))
+        {
+            system.restore(&start);
+            self.past.distrust();
+            self.slow = SlowModes::default();
+            outcome = Motion::new(self, system, (from, to)).settle(system, &mut observer);
+        }
+        match &outcome {
+            Ok(_) => {
+                system.accept();
+                self.past.found(system, to, &self.masses);
+            }
+            Err(_) => system.restore(&start),
+        }
+        outcome
+    }
+}
