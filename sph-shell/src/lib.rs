@@ -260,6 +260,7 @@ mod shared;
 mod shell;
 mod state;
 mod statics;
+mod ties;
 mod time;
 mod wetted;
 
@@ -271,6 +272,7 @@ use junction::group::Junctions;
 use packs::Row;
 use points::scheme::Points;
 use regions::Regions;
+use ties::list::Ties;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
@@ -292,6 +294,7 @@ pub use reference::Reference;
 pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
+pub use ties::list::Tie;
 pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.
@@ -309,6 +312,8 @@ pub struct Shell {
     constraints: Vec<Constraint>,
     /// Sheets that meet along lines.
     junctions: Junctions,
+    /// Particles that hang on cells of other sheets; empty without ties.
+    ties: Ties,
     loads: Vec<AppliedLoad>,
     /// Positions and directors.
     state: Vec<Row>,

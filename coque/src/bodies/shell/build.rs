@@ -370,6 +370,12 @@ impl Builder<'_> {
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
                 format!("supports[{number}]")
             }
+            &(ShellError::TieTooFar { tie, .. }
+            | ShellError::TieTooCoarse { tie, .. }
+            | ShellError::TieWithoutEdge { tie }) => of_body(&format!("ties[{tie}]")),
+            ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
+                of_body("ties")
+            }
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::RegionsWithoutCells => of_body("formulation"),
