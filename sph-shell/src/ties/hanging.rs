@@ -21,6 +21,8 @@ pub(crate) struct Hanging {
     pub half_moments: [f64; 3],
     /// Height over the cell at rest, less `½ S:K` \[L\].
     pub height: f64,
+    /// Direction of the edge in the frame of the cell.
+    pub line: [f64; 2],
     /// The director in the axes of the cell.
     pub director: Vec3,
 }
@@ -43,10 +45,10 @@ struct AxesRate {
 }
 
 impl Axes {
-    fn of([_, a, b, m, ..]: &Vectors) -> Self {
+    fn of([_, a, b, m, ..]: &Vectors, [along_a, along_b]: [f64; 2]) -> Self {
         let of_m = 1.0 / m.norm();
         let e3 = m * of_m;
-        let w = a + b.cross(m);
+        let w = a * along_a + b * along_b;
         let along = w.dot(&e3);
         let z = w - e3 * along;
         let of_z = 1.0 / z.norm();
@@ -54,10 +56,15 @@ impl Axes {
         Self { e: [e1, e3.cross(&e1), e3], of_m, of_z, along }
     }
 
-    fn rate(&self, [_, a, b, m, ..]: &Vectors, [_, da, db, dm, ..]: &Vectors) -> AxesRate {
+    fn rate(
+        &self,
+        [_, a, b, ..]: &Vectors,
+        [_, da, db, dm, ..]: &Vectors,
+        [along_a, along_b]: [f64; 2],
+    ) -> AxesRate {
         let [e1, e2, e3] = self.e;
         let de3 = (dm - e3 * e3.dot(dm)) * self.of_m;
-        let (w, dw) = (a + b.cross(m), da + db.cross(m) + b.cross(dm));
+        let (w, dw) = (a * along_a + b * along_b, da * along_a + db * along_b);
         let along = dw.dot(&e3) + w.dot(&de3);
         let dz = dw - e3 * along - de3 * self.along;
         let turn = e3.cross(&de3) + e3 * (e2.dot(&dz) * self.of_z);
@@ -78,7 +85,7 @@ impl Axes {
 impl Hanging {
     /// Its components in the axes of the cell in a state.
     pub fn components(&self, state: &[Row], director: &Vec3) -> Vec3 {
-        let axes = Axes::of(&self.vectors(state));
+        let axes = Axes::of(&self.vectors(state), self.line);
         Vec3::from(axes.e.map(|e| e.dot(director)))
     }
 
@@ -104,7 +111,7 @@ impl Hanging {
     /// Place and director that the host gives it.
     pub fn row(&self, v: &Vectors) -> Row {
         let x = v[0] + v[3] * self.rise(v);
-        let d = Axes::of(v).carry(&self.director);
+        let d = Axes::of(v, self.line).carry(&self.director);
         [x.x, x.y, x.z, d.x, d.y, d.z]
     }
 
@@ -112,9 +119,9 @@ impl Hanging {
     pub fn transpose(&self, v: &Vectors, row: &Row) -> Vectors {
         let (force, couple) = halves(row);
         let [_, a, b, m, e, f] = v;
-        let [s11, s22, s12] = self.half_moments;
+        let ([s11, s22, s12], [along_a, along_b]) = (self.half_moments, self.line);
         let q = force.dot(m);
-        let axes = Axes::of(v);
+        let axes = Axes::of(v, self.line);
         let [_, e2, e3] = axes.e;
         // The work of n is that of the torque d × n on the turn e₃ × δe₃ + e₃ (e₂·δz)/|z|.
         let torque = axes.carry(&self.director).cross(&couple);
@@ -124,9 +131,9 @@ impl Hanging {
         let on_m = (on_e3 - e3 * e3.dot(&on_e3)) * axes.of_m;
         [
             force,
-            (e * s11 + f * s12) * q + on_w,
-            (f * s22 + e * s12) * q + m.cross(&on_w),
-            force * self.rise(v) + on_m + on_w.cross(b),
+            (e * s11 + f * s12) * q + on_w * along_a,
+            (f * s22 + e * s12) * q + on_w * along_b,
+            force * self.rise(v) + on_m,
             (a * s11 + b * s12) * q,
             (b * s22 + a * s12) * q,
         ]
@@ -137,13 +144,13 @@ impl Hanging {
         let (force, couple) = halves(row);
         let [_, a, b, m, e, f] = v;
         let [_, da, db, dm, de, df] = dv;
-        let [s11, s22, s12] = self.half_moments;
+        let ([s11, s22, s12], [along_a, along_b]) = (self.half_moments, self.line);
         let (q, dq) = (force.dot(m), force.dot(dm));
         let rise = s11 * (da.dot(e) + a.dot(de))
             + s22 * (db.dot(f) + b.dot(df))
             + s12 * (da.dot(f) + a.dot(df) + db.dot(e) + b.dot(de));
-        let axes = Axes::of(v);
-        let rate = axes.rate(v, dv);
+        let axes = Axes::of(v, self.line);
+        let rate = axes.rate(v, dv, self.line);
         let ([_, e2, e3], [_, de2, de3]) = (axes.e, rate.e);
         let d = axes.carry(&self.director);
         let (torque, dtorque) = (d.cross(&couple), rate.turn.cross(&d).cross(&couple));
@@ -159,9 +166,9 @@ impl Hanging {
         let d_on_m = d_across * axes.of_m - across * (axes.of_m * axes.of_m * e3.dot(dm));
         [
             Vec3::zeros(),
-            (e * s11 + f * s12) * dq + (de * s11 + df * s12) * q + d_on_w,
-            (f * s22 + e * s12) * dq + (df * s22 + de * s12) * q + dm.cross(&on_w) + m.cross(&d_on_w),
-            force * rise + d_on_m + d_on_w.cross(b) + on_w.cross(db),
+            (e * s11 + f * s12) * dq + (de * s11 + df * s12) * q + d_on_w * along_a,
+            (f * s22 + e * s12) * dq + (df * s22 + de * s12) * q + d_on_w * along_b,
+            force * rise + d_on_m,
             (a * s11 + b * s12) * dq + (da * s11 + db * s12) * q,
             (b * s22 + a * s12) * dq + (db * s22 + da * s12) * q,
         ]

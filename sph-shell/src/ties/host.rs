@@ -12,6 +12,9 @@ const STEPS: usize = 12;
 /// Rounding of places on a cell, in parts of it.
 const ROUND_OFF: f64 = 1e-12;
 
+/// Least sine of the angle between an edge and the normal of its host at which the edge has a direction there.
+const LEAST_SINE: f64 = 0.1;
+
 /// A place over a cell: `Σ φ_b (X_b + h D_b)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
@@ -91,8 +94,8 @@ fn over(reference: &Reference, cell: u32, x: &Vec3) -> Option<Place> {
 }
 
 impl Place {
-    /// A particle that hangs here.
-    pub fn hang(&self, reference: &Reference, particle: usize) -> Hanging {
+    /// A particle of an edge that runs along a line, and hangs here.
+    pub fn hang(&self, reference: &Reference, particle: usize, line: &Vec3) -> Hanging {
         let (cloud, operator) = (&reference.cloud, &reference.operator);
         let cell = &cloud.cells[self.cell as usize];
         let (frame, stencil) = (operator.points[self.cell as usize].frame, operator.stencil(self.cell as usize));
@@ -108,7 +111,10 @@ impl Place {
             half_moments.iter_mut().zip(products).for_each(|(sum, product)| *sum += 0.5 * phi * product);
         }
         let (director, particle) = (Vec3::zeros(), particle as u32);
-        let mut hanging = Hanging { particle, corners, shares, half_moments, height: 0.0, director };
+        // A single particle has no line: it turns with the first axis of the cell.
+        let lies = frame.n.cross(line).norm() > LEAST_SINE * line.norm();
+        let line = if lies { [frame.t1.dot(line), frame.t2.dot(line)] } else { [1.0, 0.0] };
+        let mut hanging = Hanging { particle, corners, shares, half_moments, height: 0.0, line, director };
         let rest = reference.rest();
         hanging.height = self.height - hanging.rise(&hanging.vectors(&rest));
         hanging.director = hanging.components(&rest, &cloud.frames[particle as usize].n);

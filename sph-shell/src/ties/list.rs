@@ -1,6 +1,6 @@
 //! All ties of a shell: how they are found, where they put their particles, and what goes back to the hosts.
 
-use sph_core::Cloud;
+use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
 use crate::conditions::spread::check_cells;
@@ -68,6 +68,7 @@ impl Ties {
             let mut of_host = vec![false; cloud.len()];
             host.iter().flat_map(|&c| cloud.cells[c as usize].particles()).for_each(|&b| of_host[b as usize] = true);
             let belongs = |a: u32| of_host[a as usize] || mates(a).iter().any(|&b| of_host[b as usize]);
+            let lines = lines(cloud, edge);
             let mut on_cell = vec![0; cloud.cells.len()];
             let mut any = false;
             for &a in edge {
@@ -90,7 +91,7 @@ impl Ties {
                 }
                 // Those of a junction hang together.
                 for &b in std::iter::once(&a).chain(mates(a).iter().filter(|&&b| b != a)) {
-                    found.push(place.hang(&shell.reference, b as usize));
+                    found.push(place.hang(&shell.reference, b as usize, &lines[a as usize]));
                     number[b as usize] = found.len() as u32;
                 }
             }
@@ -158,6 +159,23 @@ impl Ties {
             rates[hanging.particle as usize] = hanging.rate(&hanging.vectors(state), rates);
         }
     }
+}
+
+/// Direction of an edge at each of its particles, any length; nothing at others.
+fn lines(cloud: &Cloud, edge: &[u32]) -> Vec<Vec3> {
+    let mut on_edge = vec![false; cloud.len()];
+    edge.iter().filter(|&&a| (a as usize) < cloud.len()).for_each(|&a| on_edge[a as usize] = true);
+    let mut lines = vec![Vec3::zeros(); cloud.len()];
+    for (a, b) in cloud.cells.iter().flat_map(|cell| cell.edges()) {
+        if on_edge[a as usize] && on_edge[b as usize] {
+            let along = cloud.positions[b as usize] - cloud.positions[a as usize];
+            for a in [a, b] {
+                let line = &mut lines[a as usize];
+                *line += if line.dot(&along) < 0.0 { -along } else { along };
+            }
+        }
+    }
+    lines
 }
 
 /// The place of a particle over the host, no farther away than the sheets are thick or the host is bent.
