@@ -113,7 +113,8 @@ fn forces_and_tangent_are_derivatives_of_the_energy() {
                 .sum();
             let errors = [(first / slope - 1.0).abs(), (second / curvature - 1.0).abs()];
             println!("{name}: force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
-            assert!(errors[0] < 1e-7 && errors[1] < 1e-5, "{name}: {errors:?}");
+            // Truncation h⁴; round-off of U over h and h².
+            assert!(errors[0] < 1e-8 && errors[1] < 1e-6, "{name}: {errors:?}");
         }
     }
 }
@@ -236,10 +237,12 @@ fn stiffened(n: usize, along: usize, deep: usize) -> f64 {
 fn a_plate_on_a_rib_between_its_lines_is_as_stiff_as_one_that_matches() {
     let fine = [64, 32].map(|n| stiffened(n, n, n / 4));
     let exact = fine[0] + (fine[0] - fine[1]) / 3.0;
-    for n in [8, 16, 32] {
-        println!("matching {n}: {:.2} %", 100.0 * (stiffened(n, n, n / 4) / exact - 1.0));
-    }
-    for (n, along) in [(9, 8), (9, 12), (9, 23), (17, 5), (17, 12), (17, 23), (17, 40), (17, 80), (33, 23), (33, 47)] {
-        println!("{n}, rib {along}: {:.2} %", 100.0 * (stiffened(n, along, n / 4) / exact - 1.0));
+    // The error of plates that match, of second order, bounds that of the others: 2.3 % at 16 cells and .6 % at 32. A rib of many
+    // more cells than its host bends less freely between them.
+    let ribs = [(16, 16, 0.03), (32, 32, 0.01), (17, 5, 0.03), (17, 12, 0.03), (17, 23, 0.03), (17, 40, 0.03)];
+    for (n, along, bound) in ribs.into_iter().chain([(17, 80, 0.035), (33, 23, 0.01), (33, 47, 0.01)]) {
+        let error = stiffened(n, along, n / 4) / exact - 1.0;
+        println!("{n} cells, {along} along the rib: {:.2} %", 100.0 * error);
+        assert!(error.abs() < bound, "{n} {along}: {error}");
     }
 }

@@ -254,8 +254,9 @@ impl Shell {
         Ok(())
     }
 
-    /// Masses and rotary inertias of marching that move with each particle \[M, M L²\].
-    pub(crate) fn moving_masses(&self) -> [&[f64]; 2] {
+    /// Masses and rotary inertias of marching that move with each particle \[M, M L²\]: with what hangs on it by ties, whose own stand
+    /// still.
+    pub fn moving_masses(&self) -> [&[f64]; 2] {
         if self.ties.is_empty() {
             [&self.reference.masses, &self.reference.inertias]
         } else {

@@ -183,6 +183,26 @@ impl Sheets {
     }
 }
 
+impl Sheets {
+    /// The cloud, particles on one place made one; the normals are those of the cells.
+    pub fn welded(self) -> Cloud {
+        let Self { positions, cells, .. } = self;
+        let list = CellList::new(&positions, 0.1);
+        let mut near = Vec::new();
+        let mut first = |a: u32| {
+            list.within(&positions[a as usize], 1e-9, &mut near);
+            near.iter().copied().min().unwrap_or(a)
+        };
+        let firsts: Vec<u32> = (0..positions.len() as u32).map(&mut first).collect();
+        let mut kept: Vec<u32> = firsts.clone();
+        kept.sort_unstable();
+        kept.dedup();
+        let new = |a: u32| kept.binary_search(&firsts[a as usize]).unwrap() as u32;
+        let cells = cells.iter().map(|cell| Cell { corners: cell.corners.map(new), ..*cell }).collect();
+        Cloud::from_cells(kept.iter().map(|&a| positions[a as usize]).collect(), None, cells).unwrap()
+    }
+}
+
 /// Particles of a cloud at which `on` holds.
 pub fn at(cloud: &Cloud, on: impl Fn(&Vec3) -> bool) -> Vec<u32> {
     (0..cloud.len() as u32).filter(|&a| on(&cloud.positions[a as usize])).collect()
