@@ -4,10 +4,9 @@
 
 mod common;
 
-use common::{RandomNumbers, Sheets, X, Y, Z, at, parts, supported};
+use common::{RandomNumbers, Sheets, X, Y, Z, at, linear_energy, parts, spectrum, supported};
 use explicit_dynamics::Amplitude;
-use implicit_statics::{Equilibrium, linear_response};
-use nalgebra::{DMatrix, SymmetricEigen};
+use implicit_statics::Equilibrium;
 use shell_kinematics::{Isotropic, IsotropicSection};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{
@@ -119,23 +118,6 @@ fn forces_and_tangent_are_derivatives_of_the_energy() {
     }
 }
 
-/// Eigenvalues of the tangent over the masses of modes, ascending by size.
-fn spectrum(body: Shell) -> Vec<f64> {
-    let mut system = StaticShell::new(body);
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(0.0, &mut values);
-    let scale: Vec<f64> = system.masses().iter().map(|m| 1.0 / m.sqrt()).collect();
-    let mut matrix = DMatrix::zeros(scale.len(), scale.len());
-    for (&(i, j), &value) in pattern.iter().zip(&values) {
-        matrix[(i, j)] = value * scale[i] * scale[j];
-        matrix[(j, i)] = matrix[(i, j)];
-    }
-    let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
-    values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-    values
-}
-
 #[test]
 fn free_sheets_that_are_tied_have_six_zero_modes() {
     let ribbed = |thickness| tied(Shell::new(parts(ribbed(5, 7, 2, 0.3), CELL, thickness)).unwrap());
@@ -200,15 +182,6 @@ fn constant_strains_and_curvatures_are_balanced_through_a_tie() {
     }
 }
 
-/// Work of the load on the linear answer.
-fn work(body: Shell) -> f64 {
-    let mut system = StaticShell::new(body);
-    let mut load = vec![0.0; system.unknowns()];
-    system.load_rate(0.0, &mut load);
-    let u = linear_response(&mut system, 0.0).unwrap();
-    load.iter().zip(&u).map(|(f, u)| f * u).sum()
-}
-
 /// A plate on a rib under pressure, its edges held across: the work of the load.
 fn stiffened(n: usize, along: usize, deep: usize) -> f64 {
     let cloud = ribbed(n, along, deep, 0.1);
@@ -230,7 +203,7 @@ fn stiffened(n: usize, along: usize, deep: usize) -> f64 {
     let loads = vec![AppliedLoad { load: force, amplitude: Amplitude::Constant }];
     let body =
         Shell::new(Parts { section: elastic(2e11, 0.3, 0.01), supports, loads, ..parts(cloud, CELL, 0.01) });
-    work(if n % 2 == 1 { tied(body.unwrap()) } else { body.unwrap() })
+    2.0 * linear_energy(if n % 2 == 1 { tied(body.unwrap()) } else { body.unwrap() })
 }
 
 #[test]
