@@ -5,13 +5,12 @@
 mod common;
 
 use common::{
-    RandomNumbers, Sheets, X, Y, Z, YOUNG, at, beam_parts, free_shell, line, linear_energy, spectrum, supported,
+    RandomNumbers, Sheets, X, Y, YOUNG, Z, at, beam_parts, free_shell, line, linear_energy, spectrum,
+    supported,
 };
 use implicit_statics::{Newton, NewtonOptions};
 use sph_core::{Cloud, Vec3};
-use sph_shell::{
-    Clamped, CoupleAxis, EdgeCouple, Force, Formulation, Held, Reach, Shell, StaticShell,
-};
+use sph_shell::{Clamped, CoupleAxis, EdgeCouple, Force, Formulation, Held, Reach, Shell, StaticShell};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 const WIDE: f64 = 0.3;
@@ -100,11 +99,14 @@ fn free_stars_have_exactly_six_zero_modes() {
 /// Disorder along and beside the line costs what it costs on a sheet without a line: the same with both halves in one plane.
 #[test]
 fn disorder_beside_a_junction_costs_what_it_does_elsewhere() {
-    for (reach, bound) in [(0.25, 1.5e-2), (0.4, 2e-2)] {
+    for (reach, bound) in [(0.25, 4e-3), (0.4, 1e-2)] {
         for (name, degrees) in STARS {
             let (n, across) = (10, 4);
             let even = turned_joint(star(degrees, n, across), degrees.len());
-            let error = turned_joint(disordered(&star(degrees, n, across), reach, n, across, 5), degrees.len()) / even - 1.0;
+            let error =
+                turned_joint(disordered(&star(degrees, n, across), reach, n, across, 5), degrees.len())
+                    / even
+                    - 1.0;
             println!("{name}, moved by {reach}: {:.3} %", 100.0 * error);
             assert!(error.abs() < bound, "{name}: {error}");
         }
@@ -123,7 +125,8 @@ fn a_sliver_at_a_junction_changes_little() {
         let place = &mut positions[across + 2];
         place.x = 0.02;
         let normals = cloud.frames.iter().map(|frame| frame.n).collect();
-        let sharp = Cloud::from_sheets(positions, Some(normals), cloud.cells.clone(), cloud.joined.clone()).unwrap();
+        let sharp =
+            Cloud::from_sheets(positions, Some(normals), cloud.cells.clone(), cloud.joined.clone()).unwrap();
         let error = turned_joint(sharp.clone(), degrees.len()) / even - 1.0;
         let values = spectrum(free_shell(star(degrees, 4, 2), CELL, 0.02));
         println!("{name}: {:.3} %, {:.1e} | {:.1e}", 100.0 * error, values[5], values[6]);
@@ -151,7 +154,8 @@ fn a_star_turned_far_keeps_its_angles_and_newton_its_pace() {
     let group = &cloud.joined[0];
     let now = |k: usize| shell.director(group[k] as usize);
     let rest = |k: usize| cloud.frames[group[k] as usize].n;
-    let off = (1..group.len()).map(|k| (now(0).dot(&now(k)) - rest(0).dot(&rest(k))).abs()).fold(0.0, f64::max);
+    let off =
+        (1..group.len()).map(|k| (now(0).dot(&now(k)) - rest(0).dot(&rest(k))).abs()).fold(0.0, f64::max);
     let turn = now(0).angle(&rest(0)).to_degrees();
     println!("turned by {turn:.0}°, angles off by {off:.1e}");
     assert!(turn > 40.0 && off < 1e-12, "{turn} {off:.1e}");

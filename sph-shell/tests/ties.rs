@@ -17,10 +17,7 @@ const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
 /// A plate of one by one with a rib below its middle line, the line in the middle of cells where n is odd.
 fn ribbed(n: usize, along: usize, deep: usize, depth: f64) -> Cloud {
-    Sheets::default()
-        .add(Vec3::zeros(), [X, Y], [n, n])
-        .add(Y * 0.5, [X, -Z * depth], [along, deep])
-        .cloud()
+    Sheets::default().add(Vec3::zeros(), [X, Y], [n, n]).add(Y * 0.5, [X, -Z * depth], [along, deep]).cloud()
 }
 
 /// Ties particles of the other sheets on the plate z = 0 to its cells.
@@ -54,9 +51,13 @@ fn bracket() -> Shell {
     let bracket = at(&cloud, |x| (x.x - 0.45).abs() < 1e-9);
     let on = |list: &[u32], z: bool| -> Vec<u32> {
         let place = |a: &u32| cloud.positions[*a as usize];
-        list.iter().copied().filter(|a| if z { place(a).z < 1e-9 } else { (place(a).y - 0.5).abs() < 1e-9 }).collect()
+        list.iter()
+            .copied()
+            .filter(|a| if z { place(a).z < 1e-9 } else { (place(a).y - 0.5).abs() < 1e-9 })
+            .collect()
     };
-    let cells = |is: &dyn Fn(u32) -> bool| (0..cloud.cells.len() as u32).filter(|c| is(*c)).collect::<Vec<_>>();
+    let cells =
+        |is: &dyn Fn(u32) -> bool| (0..cloud.cells.len() as u32).filter(|c| is(*c)).collect::<Vec<_>>();
     let ties = vec![
         Tie { edge: foot.clone(), host: cells(&|c| c < 9) },
         Tie { edge: on(&bracket, true), host: cells(&|c| c < 9) },
@@ -212,7 +213,8 @@ fn a_plate_on_a_rib_between_its_lines_is_as_stiff_as_one_that_matches() {
     let exact = fine[0] + (fine[0] - fine[1]) / 3.0;
     // The error of plates that match, of second order, bounds that of the others: 2.3 % at 16 cells and .6 % at 32. A rib of many
     // more cells than its host bends less freely between them.
-    let ribs = [(16, 16, 0.03), (32, 32, 0.01), (17, 5, 0.03), (17, 12, 0.03), (17, 23, 0.03), (17, 40, 0.03)];
+    let ribs =
+        [(16, 16, 0.03), (32, 32, 0.01), (17, 5, 0.03), (17, 12, 0.03), (17, 23, 0.03), (17, 40, 0.03)];
     for (n, along, bound) in ribs.into_iter().chain([(17, 80, 0.035), (33, 23, 0.01), (33, 47, 0.01)]) {
         let error = stiffened(n, along, n / 4) / exact - 1.0;
         println!("{n} cells, {along} along the rib: {:.2} %", 100.0 * error);

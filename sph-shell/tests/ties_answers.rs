@@ -10,8 +10,8 @@ use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, line
 use shell_kinematics::{Isotropic, IsotropicSection};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{
-    AppliedLoad, Clamped, Force, Formulation, Held, Load, Parts, Reach, Shell, ShellError, StaticShell, Support,
-    Supported, SymmetryPlane, Tie,
+    AppliedLoad, Clamped, Force, Formulation, Held, Load, Parts, Reach, Shell, ShellError, StaticShell,
+    Support, Supported, SymmetryPlane, Tie,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -106,7 +106,9 @@ fn boxed(n: usize, m: usize, along: [usize; 2]) -> f64 {
 
 #[test]
 fn a_box_of_walls_that_do_not_match_twists_as_st_venant_says() {
-    for (n, m, along) in [(4, 5, [20, 23]), (4, 6, [20, 37]), (8, 7, [40, 33]), (8, 11, [40, 57]), (16, 21, [80, 111])] {
+    for (n, m, along) in
+        [(4, 5, [20, 23]), (4, 6, [20, 37]), (8, 7, [40, 33]), (8, 11, [40, 57]), (16, 21, [80, 111])]
+    {
         let error = boxed(n, m, along) - 1.0;
         println!("{n}×{} and {m}×{}: {:.3} %", along[0], along[1], 100.0 * error);
         // A box that matches is .01 % off.
@@ -139,7 +141,8 @@ fn halves(n: usize, m: usize, finer_hangs: bool, how: usize) -> f64 {
             _ => {
                 // Up on one side and down on the other, with a torque of one.
                 let arm: f64 = end.iter().map(|&(a, share)| share * y(a).powi(2)).sum();
-                let part = |up: bool| end.iter().filter(move |(a, _)| if up { y(*a) > 1e-9 } else { y(*a) < -1e-9 });
+                let part =
+                    |up: bool| end.iter().filter(move |(a, _)| if up { y(*a) > 1e-9 } else { y(*a) < -1e-9 });
                 let of = |up| part(up).map(|&(a, share)| (a, share * y(a).abs())).collect::<Vec<_>>();
                 let sum = |up| of(up).iter().map(|share| share.1).sum::<f64>() / arm;
                 vec![load(of(true), Z * sum(true)), load(of(false), -Z * sum(false))]
@@ -154,7 +157,9 @@ fn halves(n: usize, m: usize, finer_hangs: bool, how: usize) -> f64 {
 #[test]
 fn halves_of_a_plate_that_do_not_match_answer_nearly_as_the_whole() {
     // The coarser side hangs on single particles of the finer one: forces that are even along the edge are handed over unevenly.
-    for (n, m, finer, bound) in [(8, 13, true, 0.01), (16, 23, true, 0.003), (16, 23, false, 0.006), (32, 45, true, 0.002)] {
+    for (n, m, finer, bound) in
+        [(8, 13, true, 0.01), (16, 23, true, 0.003), (16, 23, false, 0.006), (32, 45, true, 0.002)]
+    {
         let off = [0, 1, 2].map(|how| halves(n, m, finer, how) - 1.0);
         println!("{n} and {m}, finer hangs {finer}: pulled, bent, twisted {off:.5?}");
         assert!(off.iter().all(|off| off.abs() < bound), "{off:?}");
@@ -171,7 +176,8 @@ fn residuals_fall_through_a_tie_far_from_rest_and_a_march_settles_there() {
             .cloud();
         let tip = at(&cloud, |x| x.z > 1.0 - 1e-9);
         let force = Force { shares: line(&cloud, &tip), total: X * 0.03 + Y * 0.02 };
-        let tie = Tie { edge: at(&cloud, |x| (x.x - 0.9).abs() < 1e-9 && x.z < 1e-9), host: (0..15).collect() };
+        let tie =
+            Tie { edge: at(&cloud, |x| (x.x - 0.9).abs() < 1e-9 && x.z < 1e-9), host: (0..15).collect() };
         let clamp = supported(at(&cloud, |x| x.x < 1e-9), Clamped);
         let loads: Vec<Box<dyn Load>> = if clamped { vec![Box::new(force)] } else { Vec::new() };
         body(cloud, elastic(1200.0, 0.3, 0.1), if clamped { vec![clamp] } else { Vec::new() }, loads, &[tie])
@@ -192,7 +198,8 @@ fn residuals_fall_through_a_tie_far_from_rest_and_a_march_settles_there() {
         clock.step(&mut marched, f64::INFINITY, |_| 1.0).unwrap();
     }
     let there = system.shell();
-    let off = (0..marched.len()).map(|a| (marched.position(a) - there.position(a)).norm()).fold(0.0, f64::max);
+    let off =
+        (0..marched.len()).map(|a| (marched.position(a) - there.position(a)).norm()).fold(0.0, f64::max);
     println!("turned by {turned:.0}°, the march is off by {off:.1e}");
     assert!(turned > 10.0 && off < 1e-9, "{turned} {off}");
     // Thrown freely it keeps momentum and moment of momentum.
@@ -231,13 +238,15 @@ fn momenta(body: &Shell) -> [Vec3; 2] {
 #[test]
 fn a_plate_on_a_tied_rib_buckles_as_one_that_matches() {
     let level = |n: usize, along: usize| {
-        let sheets = Sheets::default().add(Vec3::zeros(), [X, Y], [n, n]).add(Y * 0.5, [X, -Z * 0.05], [along, 3]);
+        let sheets =
+            Sheets::default().add(Vec3::zeros(), [X, Y], [n, n]).add(Y * 0.5, [X, -Z * 0.05], [along, 3]);
         let cloud = sheets.cloud();
         let plate = |x: &Vec3| x.z.abs() < 1e-9;
         let host: Vec<u32> = (0..(n * n) as u32).collect();
         let foot = at(&cloud, |x| plate(x) && (x.y - 0.5).abs() < 1e-9);
         let skin = |a: &u32| (*a as usize) < (n + 1) * (n + 1);
-        let of = |is: &dyn Fn(&Vec3) -> bool| -> Vec<u32> { at(&cloud, is).into_iter().filter(skin).collect() };
+        let of =
+            |is: &dyn Fn(&Vec3) -> bool| -> Vec<u32> { at(&cloud, is).into_iter().filter(skin).collect() };
         let held = |displacement| Held { displacement, director: None };
         let rim = of(&|x| x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9);
         let supports = vec![
@@ -248,7 +257,8 @@ fn a_plate_on_a_tied_rib_buckles_as_one_that_matches() {
         let end = line(&cloud, &of(&|x| x.x > 1.0 - 1e-9));
         let force: Box<dyn Load> = Box::new(Force { shares: end, total: -X });
         let ties = if n % 2 == 1 { vec![Tie { edge: foot, host }] } else { Vec::new() };
-        let mut system = StaticShell::new(body(cloud, elastic(2e11, 0.3, 0.01), supports, vec![force], &ties));
+        let mut system =
+            StaticShell::new(body(cloud, elastic(2e11, 0.3, 0.01), supports, vec![force], &ties));
         linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap().modes[0].level
     };
     let (matching, tied) = (level(16, 16), level(17, 21));
@@ -271,7 +281,10 @@ fn what_cannot_be_tied_is_refused_and_says_why() {
     // Half of both thicknesses, or a tenth of the cell of a third.
     assert!(refused(Z * 0.035, [4, 2], None).is_none());
     let far = refused(Z * 0.05, [4, 2], None).unwrap();
-    assert!(matches!(far, ShellError::TieTooFar { distance, bound, .. } if distance > 0.0499 && bound > 0.0399), "{far}");
+    assert!(
+        matches!(far, ShellError::TieTooFar { distance, bound, .. } if distance > 0.0499 && bound > 0.0399),
+        "{far}"
+    );
     let beside = refused(Y * 0.6, [4, 2], None).unwrap();
     assert!(matches!(beside, ShellError::TieTooFar { .. }), "{beside}");
     let coarse = refused(Vec3::zeros(), [40, 2], None).unwrap();

@@ -56,7 +56,7 @@ pub use shell::geometry::{
 };
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{
-    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper,
+    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, ShellPart, ShellTie};

@@ -140,8 +140,9 @@ impl Shell {
     pub(crate) fn turning_mass(&self, particle: usize, axis: impl Fn() -> Vec3) -> f64 {
         let (reference, section) = (&self.reference, 12.0 / self.thickness().powi(2));
         let hung = |a: usize| self.ties.turning.get(a).map_or(0.0, |turning| turning * section);
-        let own =
-            |a: usize| reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a);
+        let own = |a: usize| {
+            reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a)
+        };
         let group = self.junctions.of(particle);
         group.map_or_else(|| own(particle), |group| group.mass_about(&axis(), &self.state, own))
     }

@@ -158,11 +158,9 @@ impl Hanging {
         let dspin = (dtorque.dot(&e3) + torque.dot(&de3)) * axes.of_z + torque.dot(&e3) * rate.of_z;
         let (on_w, d_on_w) = (e2 * spin, e2 * dspin + de2 * spin);
         let on_e3 = torque.cross(&e3) - on_w * axes.along;
-        let d_on_e3 =
-            dtorque.cross(&e3) + torque.cross(&de3) - d_on_w * axes.along - on_w * rate.along;
+        let d_on_e3 = dtorque.cross(&e3) + torque.cross(&de3) - d_on_w * axes.along - on_w * rate.along;
         let across = on_e3 - e3 * e3.dot(&on_e3);
-        let d_across =
-            d_on_e3 - de3 * e3.dot(&on_e3) - e3 * (de3.dot(&on_e3) + e3.dot(&d_on_e3));
+        let d_across = d_on_e3 - de3 * e3.dot(&on_e3) - e3 * (de3.dot(&on_e3) + e3.dot(&d_on_e3));
         let d_on_m = d_across * axes.of_m - across * (axes.of_m * axes.of_m * e3.dot(dm));
         [
             Vec3::zeros(),

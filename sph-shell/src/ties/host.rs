@@ -98,7 +98,8 @@ impl Place {
     pub fn hang(&self, reference: &Reference, particle: usize, line: &Vec3) -> Hanging {
         let (cloud, operator) = (&reference.cloud, &reference.operator);
         let cell = &cloud.cells[self.cell as usize];
-        let (frame, stencil) = (operator.points[self.cell as usize].frame, operator.stencil(self.cell as usize));
+        let (frame, stencil) =
+            (operator.points[self.cell as usize].frame, operator.stencil(self.cell as usize));
         let corners = cell.particles().to_vec();
         let x: Vec3 = corners.iter().zip(self.phi).map(|(&b, phi)| cloud.positions[b as usize] * phi).sum();
         let (mut shares, mut half_moments) = (Vec::new(), [0.0; 3]);

@@ -60,13 +60,16 @@ impl Ties {
 
     fn new(shell: &Shell, ties: &[Tie]) -> Result<Self, ShellError> {
         let cloud = &shell.reference.cloud;
-        let mates = |a: u32| cloud.joined.iter().find(|group| group.contains(&a)).map_or(&[][..], |group| group);
+        let mates =
+            |a: u32| cloud.joined.iter().find(|group| group.contains(&a)).map_or(&[][..], |group| group);
         let mut number = vec![0_u32; cloud.len()];
         let mut found = Vec::new();
         for (tie, Tie { edge, host }) in ties.iter().enumerate() {
             check_cells("a tie", host, cloud)?;
             let mut of_host = vec![false; cloud.len()];
-            host.iter().flat_map(|&c| cloud.cells[c as usize].particles()).for_each(|&b| of_host[b as usize] = true);
+            host.iter()
+                .flat_map(|&c| cloud.cells[c as usize].particles())
+                .for_each(|&b| of_host[b as usize] = true);
             let belongs = |a: u32| of_host[a as usize] || mates(a).iter().any(|&b| of_host[b as usize]);
             let lines = lines(cloud, edge);
             let mut on_cell = vec![0; cloud.cells.len()];

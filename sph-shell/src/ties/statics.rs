@@ -100,9 +100,9 @@ impl Ties {
                     }
                 }
             }
-            let own = pattern.find(t, t).map_or([[0.0; 6]; 6], |number| {
-                std::mem::replace(&mut blocks[number], [[0.0; 6]; 6])
-            });
+            let own = pattern
+                .find(t, t)
+                .map_or([[0.0; 6]; 6], |number| std::mem::replace(&mut blocks[number], [[0.0; 6]; 6]));
             let second = lack(i).map(|row| hanging.second_variation(&v, &row));
             let count = hanging.corners.len();
             for (k, &row) in hanging.corners.iter().enumerate() {

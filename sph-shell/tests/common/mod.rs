@@ -270,9 +270,19 @@ pub fn linear_energy(body: Shell) -> f64 {
 }
 
 /// A section without Poisson's ratio, so that strips are beams.
-pub fn beam_parts(cloud: Cloud, thickness: f64, supports: Vec<Supported>, loads: Vec<Box<dyn Load>>) -> Parts {
+pub fn beam_parts(
+    cloud: Cloud,
+    thickness: f64,
+    supports: Vec<Supported>,
+    loads: Vec<Box<dyn Load>>,
+) -> Parts {
     let section = IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), thickness).unwrap();
     let applied = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
     let loads = loads.into_iter().map(applied).collect();
-    Parts { section: Box::new(section), supports, loads, ..parts(cloud, Formulation::StressPoint(Reach::Cell), thickness) }
+    Parts {
+        section: Box::new(section),
+        supports,
+        loads,
+        ..parts(cloud, Formulation::StressPoint(Reach::Cell), thickness)
+    }
 }

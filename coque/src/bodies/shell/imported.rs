@@ -9,7 +9,9 @@ use sph_shell::Tie;
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Scene, Section};
-use mesh_io::surface::{Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read, read_to_be_tied};
+use mesh_io::surface::{
+    Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read, read_to_be_tied,
+};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;

@@ -16,4 +16,5 @@ mod parts;
 mod places;
 mod rigid;
 mod sections;
+mod thickness;
 mod velocity;

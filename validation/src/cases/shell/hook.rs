@@ -13,7 +13,8 @@ use crate::support::sheets::{MaterialSection, force, linear, shell_of, supported
 use crate::support::studies::{finding, off, or_failed};
 use crate::{JudgeError, Metric, Outcome};
 
-/// Published deflections run from 4.82 to 5.02 in \[macneal1998\]; fine elements S8R of CalculiX give this \[in\].
+/// Published deflections of the problem of \[macneal1998\] run from 4.82 to 5.02 as they are cited; fine elements S8R of CalculiX give
+/// this \[in\].
 const DEFLECTION: f64 = 4.993;
 
 /// The problem, its reference, and how far the two may differ.
@@ -23,7 +24,7 @@ pub fn case() -> Case {
         title: "Raasch's hook",
         about: "A strip of two arcs that bend opposite ways, clamped at one end and pushed sideways at the other: bending and torsion go into \
                 each other all along. A smooth surface, which a mesh gives as facets: none of them may become a junction.",
-        citation: "MacNeal et al. 1998: 4.82 to 5.02 in; eight-node elements S8R of CalculiX: 4.993 in",
+        citation: "MacNeal et al. 1998, published figures from 4.82 to 5.02 in; eight-node elements S8R of CalculiX: 4.993 in",
         variants: vec![
             Variant::study(STATIC, "18×3", || Ok(or_failed(hook(6)))).quick(),
             Variant::study(STATIC, "36×6", || Ok(or_failed(hook(12)))),
@@ -37,7 +38,7 @@ pub fn case() -> Case {
 
 /// Errors of the deflection \[%\].
 #[rustfmt::skip] // a paragraph a method
-const MEASURED: Measured = Measured(&[(STATIC, &[("18×3", 1.0), ("36×6", 1.0), ("72×12", 1.0)])]);
+const MEASURED: Measured = Measured(&[(STATIC, &[("18×3", 3.27), ("36×6", 0.25), ("72×12", 0.055)])]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "cells, and .2 % of the elements; a hook whose facets are tied is 2.3 times too soft";
@@ -45,8 +46,6 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![
         Metric::error(ERROR, error, "%").near(MEASURED.of(run)?, reason),
         Metric::error("particles tied", run.last("tied")?, "-").within(0.0, "nothing in it is a junction"),
-        Metric::error("bits that differ", run.last("differ")?, "-")
-            .within(0.0, "read as a mesh it is the cloud of its faces"),
     ])
 }
 
@@ -87,25 +86,9 @@ fn deflection(cloud: &Cloud, end: Vec3) -> Result<(f64, Vec<coque::Warning>), St
 fn hook(n: usize) -> Result<Outcome, String> {
     let mesh = Mesh::blocks([3 * n, n / 2], &[&place]);
     let read = mesh.cloud()?;
-    let made = Cloud::from_cells(read.positions.clone(), None, read.cells.clone());
-    let made = made.map_err(|error| error.to_string())?;
     let end = place(1.0, 0.0);
-    let ((found, warnings), (again, _)) = (deflection(&read, end)?, deflection(&made, end)?);
+    let (found, warnings) = deflection(&read, end)?;
     let tied = read.joined.iter().map(Vec::len).sum::<usize>() as f64;
-    let differ = if found.to_bits() == again.to_bits() { 0.0 } else { 1.0 };
-    let figures = [("ratio", found / DEFLECTION), ("tied", tied), ("differ", differ)];
+    let figures = [("ratio", found / DEFLECTION), ("tied", tied)];
     Ok(Outcome { warnings, ..finding(read.len(), read.spacing(), &figures) })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn shown() {
-        for n in [6, 12, 24] {
-            let outcome = hook(n).unwrap();
-            println!("{n}: {:?} {:?} {:?} {:?}", outcome.curve.column("ratio"), outcome.curve.column("tied"), outcome.curve.column("differ"), outcome.warnings);
-        }
-    }
 }

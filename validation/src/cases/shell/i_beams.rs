@@ -1,6 +1,6 @@
-//! i-beams: two flanges on a web, bent, twisted with and without warping, and buckled aside, against beams in closed form.
+//! i-beams: two flanges on a web, bent, twisted with and without warping \[vlasov1961\], and buckled aside, against beams in closed form.
 
-use implicit_statics::{BucklingOptions, linear_buckling, unwatched};
+use implicit_statics::{BucklingOptions, Prebuckling, linear_buckling, unwatched};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Load, StaticShell, Supported};
 
@@ -41,31 +41,34 @@ fn variants() -> Vec<Variant> {
     let study = |grid: &str, problem: Problem, n: usize| {
         Variant::study(STATIC, grid, move || Ok(or_failed(run(problem, n))))
     };
-    vec![
-        study("bending, 4 a plate", Problem::Bent, 4).quick(),
-        study("bending, 8 a plate", Problem::Bent, 8),
-        study("torsion of St Venant, 4 a plate", Problem::Twisted, 4).quick(),
-        study("torsion of St Venant, 8 a plate", Problem::Twisted, 8),
-        study("torsion, root held, 4 a plate", Problem::TwistedAtRoot, 4).quick(),
-        study("torsion, root held, 8 a plate", Problem::TwistedAtRoot, 8),
-        study("lateral buckling, 4 a plate", Problem::Buckled, 4).quick(),
-        study("lateral buckling, 8 a plate", Problem::Buckled, 8),
-    ]
+    let problems = [
+        ("bending", Problem::Bent),
+        ("torsion of St Venant", Problem::Twisted),
+        ("torsion, root held", Problem::TwistedAtRoot),
+        ("lateral buckling", Problem::Buckled),
+    ];
+    let both = |(name, problem)| {
+        [
+            study(&format!("{name}, 4 a plate"), problem, 4).quick(),
+            study(&format!("{name}, 12 a plate"), problem, 12),
+        ]
+    };
+    problems.into_iter().flat_map(both).collect()
 }
 
 /// Errors of the displacement along the loads, of the level of buckling \[%\].
 #[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
     (STATIC, &[
-        ("bending, 4 a plate", 1.0), ("bending, 8 a plate", 1.0),
-        ("torsion of St Venant, 4 a plate", 1.0), ("torsion of St Venant, 8 a plate", 1.0),
-        ("torsion, root held, 4 a plate", 1.0), ("torsion, root held, 8 a plate", 1.0),
-        ("lateral buckling, 4 a plate", 1.0), ("lateral buckling, 8 a plate", 1.0),
+        ("bending, 4 a plate", 1.17), ("bending, 12 a plate", 0.051),
+        ("torsion of St Venant, 4 a plate", 0.012), ("torsion of St Venant, 12 a plate", 0.685),
+        ("torsion, root held, 4 a plate", 3.37), ("torsion, root held, 12 a plate", 1.07),
+        ("lateral buckling, 4 a plate", 8.07), ("lateral buckling, 12 a plate", 1.29),
     ]),
 ]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let reason = "what plates have beyond beams, and the second order of cells";
+    let reason = "one point a cell bends in its plane 1/n² too softly; edges of plates bear no twisting moment, .7 % of J";
     let error = off(run.last("ratio")?).map(f64::abs);
     Ok(vec![Metric::error(ERROR, error, "%").near(MEASURED.of(run)?, reason)])
 }
@@ -75,19 +78,20 @@ const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
 /// Steel, all plates alike \[m, Pa\].
-const BODY: MaterialSection = MaterialSection { young: 2e11, poisson: 0.3, thickness: 0.003, density: 7850.0 };
+const BODY: MaterialSection =
+    MaterialSection { young: 2e11, poisson: 0.3, thickness: 0.002, density: 7850.0 };
 /// Distance of the flanges' mid-surfaces, their width, the length \[m\].
 const H: f64 = 0.15;
 const B: f64 = 0.1;
-const LONG: f64 = 2.4;
+const LONG: f64 = 4.0;
 
-/// Moments of the section: I about the strong axis and about the weak one, J, I_ω; \[m⁴, m⁶\].
+/// Moments of the section: I about the strong axis and about the weak one, J of three plates with two free edges each, I_ω; \[m⁴, m⁶\].
 fn section() -> [f64; 4] {
     let t = BODY.thickness;
     let flange = t * B.powi(3) / 12.0;
     let strong = t * H.powi(3) / 12.0 + 2.0 * (B * t * H * H / 4.0 + B * t.powi(3) / 12.0);
     let weak = 2.0 * flange + H * t.powi(3) / 12.0;
-    let torsion = (2.0 * B + H) * t.powi(3) / 3.0;
+    let torsion = (2.0 * (B - 0.63 * t) + H - 0.63 * t) * t.powi(3) / 3.0;
     [strong, weak, torsion, flange * H * H / 2.0]
 }
 
@@ -99,14 +103,13 @@ fn shear_flexibility() -> f64 {
     // Four halves of flanges, q = (t H/2I) s; the web, q = (t/2I)(B H + H²/4 − y²).
     let flanges = 4.0 * (t * H / (2.0 * strong)).powi(2) * (B / 2.0).powi(3) / 3.0;
     let a = B * H + H * H / 4.0;
-    let web = (t / (2.0 * strong)).powi(2)
-        * (a * a * H - 2.0 * a * H.powi(3) / 12.0 + H.powi(5) / 80.0);
+    let web = (t / (2.0 * strong)).powi(2) * (a * a * H - 2.0 * a * H.powi(3) / 12.0 + H.powi(5) / 80.0);
     (flanges + web) / (shear * t)
 }
 
 /// The beam along x, its web upright: n cells a plate across.
 fn beam(n: usize) -> Result<Cloud, String> {
-    let along = 12 * n;
+    let along = 20 * n;
     let web = (-Z * (H / 2.0), [X * LONG, Z * H], [along, n]);
     let flange = |up: f64| (Z * (up * H / 2.0) - Y * (B / 2.0), [X * LONG, Y * B], [along, n]);
     welded(&[web, flange(1.0), flange(-1.0)])
@@ -117,7 +120,11 @@ fn shares(cloud: &Cloud, n: usize, at: f64) -> Vec<(u32, f64)> {
     let own = particles(cloud, |x| (x.x - at).abs() < 1e-9);
     let share = |a: u32| {
         let (x, normal) = (cloud.positions[a as usize], cloud.frames[a as usize].n);
-        let (size, end) = if normal.z.abs() > 0.5 { (B, x.y.abs() > B / 2.0 - 1e-9) } else { (H, x.z.abs() > H / 2.0 - 1e-9) };
+        let (size, end) = if normal.z.abs() > 0.5 {
+            (B, x.y.abs() > B / 2.0 - 1e-9)
+        } else {
+            (H, x.z.abs() > H / 2.0 - 1e-9)
+        };
         size / n as f64 * if end { 0.5 } else { 1.0 }
     };
     own.into_iter().map(|a| (a, share(a))).collect()
@@ -186,9 +193,9 @@ fn buckled(cloud: &Cloud, n: usize) -> Result<Outcome, String> {
     let moment = wave * (young * weak * (shear * torsion + wave * wave * young * warping)).sqrt();
     let held = |displacement| Held { displacement, director: None };
     let ends = particles(cloud, |x| x.x < 1e-9 || x.x > LONG - 1e-9);
-    let middle = particles(cloud, |x| (x.x - LONG / 2.0).abs() < 1e-9 && x.y.abs() < 1e-9 && x.z.abs() < 1e-9);
-    let supports: Vec<Supported> =
-        vec![supported(ends, held(vec![Y, Z])), supported(middle, held(vec![X]))];
+    let middle =
+        particles(cloud, |x| (x.x - LONG / 2.0).abs() < 1e-9 && x.y.abs() < 1e-9 && x.z.abs() < 1e-9);
+    let supports: Vec<Supported> = vec![supported(ends, held(vec![Y, Z])), supported(middle, held(vec![X]))];
     // Stresses M z/I at both ends, as forces of the upper and of the lower half.
     let mut loads: Vec<Box<dyn Load>> = Vec::new();
     for (at, sign) in [(0.0, 1.0), (LONG, -1.0)] {
@@ -205,23 +212,10 @@ fn buckled(cloud: &Cloud, n: usize) -> Result<Outcome, String> {
     let shell = shell_of(BODY, cloud.clone(), STATIC, supports, loads)?;
     let warnings = coque::doubts(&shell);
     let mut system = StaticShell::new(shell);
-    let found = linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched);
+    // From rest the deflection of the beam, linear in the load, would count twice: half of the level.
+    let options = BucklingOptions { prebuckling: Prebuckling::Stress, ..BucklingOptions::new(1) };
+    let found = linear_buckling(&mut system, 0.0, &options, &mut unwatched);
     let found = found.map_err(|error| error.to_string())?;
     let ratio = found.modes.first().map_or(f64::NAN, |mode| mode.level.abs());
     Ok(Outcome { warnings, ..finding(cloud.len(), cloud.spacing(), &[("ratio", ratio)]) })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn shown() {
-        for problem in [Problem::Bent, Problem::Twisted, Problem::TwistedAtRoot, Problem::Buckled] {
-            for n in [2, 4, 8] {
-                let outcome = run(problem, n).unwrap();
-                println!("{n}: {:?}", outcome.curve.column("ratio"));
-            }
-        }
-    }
 }

@@ -13,7 +13,8 @@ type Checked = Result<(), SceneError>;
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
     pub(crate) fn has_parts(&self) -> bool {
-        let tapered = matches!(&self.section, Section::Homogeneous(section) if section.taper.is_some());
+        let tapered =
+            matches!(&self.section, Section::Homogeneous(s) if s.taper.is_some() || s.table.is_some());
         tapered || !self.parts.is_empty() || self.takes_from_file()
     }
 
@@ -28,6 +29,8 @@ impl ShellScene {
             "parts[0]"
         } else if self.takes_from_file() {
             if self.section.thickness().is_none() { "section.file" } else { "material.file" }
+        } else if matches!(&self.section, Section::Homogeneous(section) if section.table.is_some()) {
+            "section.homogeneous.table"
         } else {
             "section.homogeneous.taper"
         }
@@ -99,7 +102,10 @@ impl Scene {
             return refuse(bound, "use [formulation.stress-point] without `support`, the default");
         }
         if self.source.is_part() {
-            return refuse("none in a fluid", "mesh the shell so that its sheets share nodes where they meet");
+            return refuse(
+                "none in a fluid",
+                "mesh the shell so that its sheets share nodes where they meet",
+            );
         }
         Ok(())
     }
