@@ -9,9 +9,7 @@ use explicit_dynamics::Amplitude;
 use implicit_statics::Equilibrium;
 use shell_kinematics::{Isotropic, IsotropicSection};
 use sph_core::{Cloud, Vec3};
-use sph_shell::{
-    AppliedLoad, Clamped, Force, Formulation, Held, Load, Parts, Reach, Shell, ShellError, StaticShell, Tie,
-};
+use sph_shell::{AppliedLoad, Force, Formulation, Held, Load, Parts, Reach, Shell, StaticShell, Tie};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
@@ -187,7 +185,7 @@ fn constant_strains_and_curvatures_are_balanced_through_a_tie() {
 fn stiffened(n: usize, along: usize, deep: usize) -> f64 {
     let cloud = ribbed(n, along, deep, 0.1);
     let edge = |x: &Vec3| x.z.abs() < 1e-9 && (x.x.min(x.y) < 1e-9 || x.x.max(x.y) > 1.0 - 1e-9);
-    let plate = |x: &Vec3| (x.y - 0.5).abs() > 1e-9 || n % 2 == 0;
+    let plate = |x: &Vec3| (x.y - 0.5).abs() > 1e-9 || n.is_multiple_of(2);
     let held = |displacement| Held { displacement, director: None };
     let corner = |x: f64, y: f64| at(&cloud, |p| (p - X * x - Y * y).norm() < 1e-9);
     let supports = vec![

@@ -26,8 +26,7 @@ pub fn case() -> Case {
                 each other all along. A smooth surface, which a mesh gives as facets: none of them may become a junction.",
         citation: "MacNeal et al. 1998, published figures from 4.82 to 5.02 in; eight-node elements S8R of CalculiX: 4.993 in",
         variants: vec![
-            Variant::study(STATIC, "18×3", || Ok(or_failed(hook(6)))).quick(),
-            Variant::study(STATIC, "36×6", || Ok(or_failed(hook(12)))),
+            Variant::study(STATIC, "36×6", || Ok(or_failed(hook(12)))).quick(),
             Variant::study(STATIC, "72×12", || Ok(or_failed(hook(24)))),
         ],
         each,
@@ -38,7 +37,7 @@ pub fn case() -> Case {
 
 /// Errors of the deflection \[%\].
 #[rustfmt::skip] // a paragraph a method
-const MEASURED: Measured = Measured(&[(STATIC, &[("18×3", 3.27), ("36×6", 0.25), ("72×12", 0.055)])]);
+const MEASURED: Measured = Measured(&[(STATIC, &[("36×6", 0.25), ("72×12", 0.055)])]);
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let reason = "cells, and .2 % of the elements; a hook whose facets are tied is 2.3 times too soft";

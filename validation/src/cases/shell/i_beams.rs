@@ -41,19 +41,16 @@ fn variants() -> Vec<Variant> {
     let study = |grid: &str, problem: Problem, n: usize| {
         Variant::study(STATIC, grid, move || Ok(or_failed(run(problem, n))))
     };
-    let problems = [
-        ("bending", Problem::Bent),
-        ("torsion of St Venant", Problem::Twisted),
-        ("torsion, root held", Problem::TwistedAtRoot),
-        ("lateral buckling", Problem::Buckled),
-    ];
-    let both = |(name, problem)| {
-        [
-            study(&format!("{name}, 4 a plate"), problem, 4).quick(),
-            study(&format!("{name}, 12 a plate"), problem, 12),
-        ]
-    };
-    problems.into_iter().flat_map(both).collect()
+    // Fewer cells are more than 2 % off where flanges bend in their plane.
+    vec![
+        study("bending, 4 a plate", Problem::Bent, 4).quick(),
+        study("bending, 12 a plate", Problem::Bent, 12),
+        study("torsion of St Venant, 8 a plate", Problem::Twisted, 8).quick(),
+        study("torsion of St Venant, 12 a plate", Problem::Twisted, 12),
+        study("torsion, root held, 8 a plate", Problem::TwistedAtRoot, 8).quick(),
+        study("torsion, root held, 12 a plate", Problem::TwistedAtRoot, 12),
+        study("lateral buckling, 12 a plate", Problem::Buckled, 12).quick(),
+    ]
 }
 
 /// Errors of the displacement along the loads, of the level of buckling \[%\].
@@ -61,9 +58,9 @@ fn variants() -> Vec<Variant> {
 const MEASURED: Measured = Measured(&[
     (STATIC, &[
         ("bending, 4 a plate", 1.17), ("bending, 12 a plate", 0.051),
-        ("torsion of St Venant, 4 a plate", 0.012), ("torsion of St Venant, 12 a plate", 0.685),
-        ("torsion, root held, 4 a plate", 3.37), ("torsion, root held, 12 a plate", 1.07),
-        ("lateral buckling, 4 a plate", 8.07), ("lateral buckling, 12 a plate", 1.29),
+        ("torsion of St Venant, 8 a plate", 0.459), ("torsion of St Venant, 12 a plate", 0.685),
+        ("torsion, root held, 8 a plate", 1.36), ("torsion, root held, 12 a plate", 1.07),
+        ("lateral buckling, 12 a plate", 1.29),
     ]),
 ]);
 
