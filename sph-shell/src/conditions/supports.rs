@@ -216,13 +216,13 @@ pub(crate) fn constraints(
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
     /// Orthonormal held directions, three slots, `count` in use.
-    held: [Vec3; 3],
-    count: usize,
+    pub(super) held: [Vec3; 3],
+    pub(super) count: usize,
     pub(crate) director: DirectorHold,
-    motion: Option<Motion>,
-    rotation: Option<Rotation>,
+    pub(super) motion: Option<Motion>,
+    pub(super) rotation: Option<Rotation>,
     /// Position and director at rest.
-    rest: (Vec3, Vec3),
+    pub(super) rest: (Vec3, Vec3),
     /// Whether the particle belongs to a group, which then moves it.
     pub(crate) tied: bool,
 }
@@ -350,26 +350,7 @@ fn rotation(particle: u32, asked: &[(usize, Holds)]) -> Result<Option<Rotation>,
     Ok(Some(rotation))
 }
 
-impl Constraint {
-    /// Nothing moves: of a particle that hangs on others and is put where they are.
-    pub(crate) fn still(rest: (Vec3, Vec3)) -> Self {
-        let held = [Vec3::x(), Vec3::y(), Vec3::z()];
-        let director = DirectorHold::Fixed;
-        Self { held, count: 3, director, motion: None, rotation: None, rest, tied: false }
-    }
-
-    /// Whether what is asked of another particle is asked of this one as well.
-    pub(crate) fn implies(&self, other: &Self) -> bool {
-        let held = |n: &Vec3| Vec3::from(self.free_translation((*n).into())).norm() < 1e-9;
-        let director = other.director == DirectorHold::Free
-            || self.director == DirectorHold::Fixed
-            || join_directors(self.director, other.director) == self.director;
-        let moved = other.count == 0 || self.motion == other.motion;
-        other.held[..other.count].iter().all(held) && director && moved && self.rotation == other.rotation
-    }
-}
-
-fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
+pub(super) fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
     match (a, b) {
         (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
         (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) if m.cross(&n).norm() < 1e-9 => {

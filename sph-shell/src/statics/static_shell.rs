@@ -69,22 +69,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
     /// control prescribes. The mean over the particles.
     pub fn functional(&self, particles: &[u32], direction: Vec3) -> Vec<f64> {
-        let mut weights = vec![0.0; self.dofs.count()];
         let share = direction.normalize() / particles.len() as f64;
-        let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
-        if particles.iter().any(|&a| self.shell.ties.of(a as usize).is_some()) {
-            let mut rows = vec![[0.0; 6]; self.shell.len()];
-            particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += row[k]));
-            self.shell.ties.take_back(&self.shell.state, &mut rows, |_, _| ());
-            self.project(|a| rows[a], &mut weights);
-            return weights;
-        }
-        for &a in particles {
-            let a = self.shell.junctions.first(a as usize);
-            let (mut part, own) = ([0.0; 6], self.dofs.of(a));
-            self.basis(a).project(&row, &mut part[..own.len()]);
-            weights[own].iter_mut().zip(part).for_each(|(weight, part)| *weight += part);
-        }
+        let mut rows = vec![[0.0; 6]; self.shell.len()];
+        particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += share[k]));
+        self.shell.ties.take_back(&self.shell.state, &mut rows, |_, _| ());
+        let mut weights = vec![0.0; self.dofs.count()];
+        self.project(|a| rows[a], &mut weights);
         weights
     }
 

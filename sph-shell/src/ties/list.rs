@@ -220,8 +220,8 @@ fn ordered(mut found: Vec<Hanging>, cloud: &Cloud) -> Result<Vec<Hanging>, Shell
 impl Shell {
     /// Ties edges to cells of other sheets, whose particles may stand elsewhere.
     ///
-    /// What hangs has no unknowns of its own; supports on it must be those of its host. Before masses are lumped and before the
-    /// shell is wetted.
+    /// What hangs has no unknowns of its own; supports on it must be those of its host. Before masses are lumped;
+    /// not together with a fluid, which would not see what hangs move.
     ///
     /// # Errors
     /// [`ShellError`] for an edge too far from its host or on too few of its cells, one without particles of its own, supports that

@@ -101,6 +101,10 @@ impl Builder<'_> {
                     refuse(value, "a finite number", "give every column a number")
                 })?;
             }
+            if row[3] <= 0.0 {
+                let value = format!("{file}, line {number}: {} in column {column}", row[3]);
+                return Err(refuse(value, "a positive number", "correct the row"));
+            }
             table.places.push(Vec3::new(row[0], row[1], row[2]));
             table.numbers.push(row[3]);
         }
