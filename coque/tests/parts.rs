@@ -499,7 +499,7 @@ fn a_table_of_thicknesses_is_a_taper_and_is_refused_where_it_has_holes() {
         (table("t.csv", "thick"), "has no column"),
         (table("none.csv", "t"), "cannot be read"),
         (table("half.csv", "t"), "no row near"),
-        (table("negative.csv", "t"), "a positive number"),
+        (table("negative.csv", "t"), "-1 in column t"),
         (table("word.csv", "t"), "no number in column t"),
         (taper.replace("} }", "}, table = { file = \"t.csv\", column = \"t\" } }"), "a taper and a table"),
     ] {
