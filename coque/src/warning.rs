@@ -36,6 +36,8 @@ pub enum Doubt {
     TiedBothSides,
     /// A sheet of few cells from a junction to its edge.
     ShallowSheet,
+    /// Sections high over their particles where masses count.
+    OffsetInertia,
     /// Cells with sharp corners.
     SharpCorners,
     /// Many triangles round one particle.
@@ -99,6 +101,7 @@ impl Doubt {
             Self::SharpFold => "sharp-fold",
             Self::TiedBothSides => "tied-both-sides",
             Self::ShallowSheet => "shallow-sheet",
+            Self::OffsetInertia => "offset-inertia",
             Self::SharpCorners => "sharp-corners",
             Self::Pole => "pole",
             Self::HeldLoad => "held-load",
@@ -162,6 +165,7 @@ mod tests {
             Doubt::SharpFold,
             Doubt::TiedBothSides,
             Doubt::ShallowSheet,
+            Doubt::OffsetInertia,
             Doubt::SharpCorners,
             Doubt::Pole,
             Doubt::HeldLoad,

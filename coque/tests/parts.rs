@@ -460,3 +460,74 @@ fn the_brackets_of_both_files_are_one_in_statics_and_in_time() {
         assert!((marched[i] / abaqus[i] - 1.0).abs() < 1e-3, "{marched:?} {abaqus:?}");
     }
 }
+
+/// A strip whose thickness falls from .2 to .1, from a table at its particles in units of .1, as from its taper.
+#[test]
+fn a_table_of_thicknesses_is_a_taper_and_is_refused_where_it_has_holes() {
+    let folder = std::env::temp_dir().join(format!("coque-thickness-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let mut text = String::from("# by particle\nx, y, z, t\n");
+    for i in 0..41 {
+        for j in 0..5 {
+            let x = 0.25 * f64::from(i);
+            text.push_str(&format!("{x}, {}, 0, {}\n", 0.25 * f64::from(j), 2.0 - 0.1 * x));
+        }
+    }
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
+    write("t.csv", &text);
+    let half: Vec<&str> = text.lines().take(100).collect();
+    write("half.csv", &half.join("\n"));
+    write("negative.csv", &text.replace(", 1\n", ", -1\n"));
+    write("word.csv", &text.replace(", 1\n", ", thin\n"));
+    let load = "loads = [{ on = \"u1\", force = { total = [0.0, 0.0, 1e-3] } }]";
+    let parse = |section: &str| {
+        let scene = Scene::parse(&strip(section, load), &folder.join("scene.toml").display().to_string());
+        scene.and_then(|scene| scene.build(1))
+    };
+    let table = |file: &str, column: &str| {
+        format!(
+            "section.homogeneous = {{ thickness = 0.1, table = {{ file = \"{file}\", column = \"{column}\" }} }}"
+        )
+    };
+    let taper =
+        "section.homogeneous = { thickness = 0.2, taper = { point = [0, 0, 0], gradient = [-0.01, 0, 0] } }";
+    let found = last(&parse(&table("t.csv", "t")).unwrap().run(&mut Silent));
+    let exact = last(&parse(taper).unwrap().run(&mut Silent));
+    // Rounding of the system of a thin strip, whose thicknesses differ in their last digit.
+    assert!((found / exact - 1.0).abs() < 1e-10, "{found} {exact}");
+    for (section, says) in [
+        (table("t.csv", "thick"), "has no column"),
+        (table("none.csv", "t"), "cannot be read"),
+        (table("half.csv", "t"), "no row near"),
+        (table("negative.csv", "t"), "-1 in column t"),
+        (table("word.csv", "t"), "no number in column t"),
+        (taper.replace("} }", "}, table = { file = \"t.csv\", column = \"t\" } }"), "a taper and a table"),
+    ] {
+        let error = parse(&section).err().map_or_else(String::new, |error| error.to_string());
+        assert!(error.contains(says), "{says}: {error}");
+    }
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+/// A cantilever all of whose section lies a tenth of its length over its particles: its first frequency is as much too low as the
+/// warning's rule says of the wave `∫w′²/∫w² = 4.65/L²` that it is, and the warning tells of it.
+#[test]
+fn frequencies_of_sections_high_over_their_particles_are_doubted() {
+    let modal = |offset: f64| {
+        let part = format!("{THIN}\nparts = [{{ on = \"all\", offset = {offset} }}]");
+        let text = strip(&part, "").replace("analysis.linear = {}", "analysis.modal = { modes = 1 }");
+        let text = text.split("[[curve]]").next().unwrap().to_string();
+        let scene = Scene::parse(&text, "scene.toml").and_then(|scene| scene.build(1));
+        let model =
+            scene.unwrap_or_else(|e| panic!("{}", render(&e, Rendering { width: 100, colour: false })));
+        let doubted = model.warnings().iter().any(|warning| warning.doubt == coque::Doubt::OffsetInertia);
+        let outcome = model.run(&mut Silent);
+        (*outcome.curve.column("frequency").unwrap().first().unwrap(), doubted)
+    };
+    let (middle, low) = (modal(1e-9), modal(0.2));
+    assert!(!middle.1 && !low.1);
+    let (high, doubted) = modal(1.0);
+    let (off, expected) = (high / middle.0 - 1.0, (1.0_f64 + 2.0 * 0.0465).sqrt().recip() - 1.0);
+    println!("{off:.4}, expected {expected:.4}");
+    assert!(doubted && (off - expected).abs() < 5e-3, "{off} {expected}");
+}

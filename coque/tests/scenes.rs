@@ -32,8 +32,17 @@ fn set(pairs: &[(&str, &str)]) -> Result<Scene, coque::SceneError> {
 /// A scene whose shell stands at the top, with the body and its sets named.
 fn in_the_long_form(text: &str) -> String {
     let mut scene: toml::Table = text.parse().unwrap();
-    let keys =
-        ["geometry", "orientation", "material", "section", "parts", "masses", "formulation", "velocity"];
+    let keys = [
+        "geometry",
+        "orientation",
+        "material",
+        "section",
+        "parts",
+        "masses",
+        "ties",
+        "formulation",
+        "velocity",
+    ];
     let shell = keys.into_iter().filter_map(|key| scene.remove_entry(key)).collect::<toml::Table>();
     for list in ["supports", "loads", "curve"] {
         for item in scene.get_mut(list).and_then(|list| list.as_array_mut()).into_iter().flatten() {

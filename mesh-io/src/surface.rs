@@ -28,9 +28,9 @@ use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
 
-pub use boundary::{Loop, boundary_edges, chains};
+pub use boundary::{HangingNode, Loop, boundary_edges, chains};
 pub use error::MeshError;
-pub use formats::{Format, parse, read};
+pub use formats::{Format, parse, read, read_to_be_tied};
 pub use junctions::Junctions;
 pub use outward::side;
 pub use quality::{Quality, quality};
@@ -71,6 +71,8 @@ pub struct Surface {
     pub loops: Vec<Loop>,
     /// Nodes of different sheets on one place, at junctions; each list ascending.
     pub joined: Vec<Vec<u32>>,
+    /// Nodes on an edge that they do not belong to, where the surface is to be tied.
+    pub hanging: Vec<HangingNode>,
     /// Edges at which sheets meet.
     pub junctions: Junctions,
     /// Connected pieces.
@@ -117,7 +119,7 @@ impl fmt::Display for Cells {
 
 impl Surface {
     /// Checks what a reader found and makes it sound.
-    fn new(mut raw: Raw, format: Format) -> Result<Self, MeshError> {
+    fn new(mut raw: Raw, format: Format, may_hang: bool) -> Result<Self, MeshError> {
         if raw.positions.len() > MOST_NODES {
             let what = format!("{} nodes; at most {MOST_NODES} are allowed", raw.positions.len());
             return Err(MeshError::whole(what, "use a coarser mesh"));
@@ -135,7 +137,7 @@ impl Surface {
             }
         }
         let pairs = junctions::pairs(&raw)?;
-        let Turned { pieces, faces: turned, seams } = orient(&mut raw, &pairs)?;
+        let Turned { pieces, faces: turned, seams, hanging } = orient(&mut raw, &pairs, may_hang)?;
         let (junctions, joined) = junctions::cut(&mut raw, &pairs)?;
         refuse_pinched(&raw)?;
         let faces: Vec<Cell> = raw.faces.iter().map(|face| face.cell).collect();
@@ -152,6 +154,7 @@ impl Surface {
             checksum: 0,
             loops: loops(&raw.positions, &edges, &joined),
             joined,
+            hanging,
             junctions,
             positions: raw.positions,
             faces,
@@ -222,6 +225,7 @@ impl Surface {
     /// Every length times `factor`.
     pub fn scaled(mut self, factor: f64) -> Self {
         self.positions.iter_mut().for_each(|x| *x *= factor);
+        self.hanging.iter_mut().for_each(|node| node.place *= factor);
         self.areas.iter_mut().for_each(|area| *area *= factor * factor);
         self.thicknesses.iter_mut().for_each(|thickness| *thickness *= factor);
         self.loops.iter_mut().for_each(|found| found.length *= factor);

@@ -28,6 +28,59 @@ pub enum ShellError {
         /// What it must be.
         bound: f64,
     },
+    /// Ties under a formulation that is not sampled at cells.
+    #[error("ties hang particles on cells; use the formulation stress-point with the support cell")]
+    TieOfWideStencils,
+    /// An edge away from what it is tied to.
+    #[error(
+        "particle {particle} of the edge is {distance:.4e} away from the nearest cell of its host; at most {bound:.4e} can be tied, half of both thicknesses or a tenth of the cell: move the edge there, or name the cells below it"
+    )]
+    TieTooFar {
+        /// Number of the tie.
+        tie: usize,
+        /// The particle.
+        particle: u32,
+        /// Its distance \[L\].
+        distance: f64,
+        /// The greatest that is taken \[L\].
+        bound: f64,
+    },
+    /// A host much coarser than the edge.
+    #[error(
+        "more than {bound} particles of the edge hang on cell {cell} of the host, whose shape they would all have to take; refine the host along the edge"
+    )]
+    TieTooCoarse {
+        /// Number of the tie.
+        tie: usize,
+        /// The cell.
+        cell: u32,
+        /// Particles that may hang on a cell.
+        bound: usize,
+    },
+    /// An edge all of whose particles are the host's.
+    #[error(
+        "every particle of the edge belongs to the host already, by its cells or by a junction; remove the tie, or name the edge of the other sheet and the cells below it"
+    )]
+    TieWithoutEdge {
+        /// Number of the tie.
+        tie: usize,
+    },
+    /// A tied particle with supports that its host does not have.
+    #[error(
+        "particle {particle} is tied and goes where its host goes, and a support holds or moves it in a way that it does not hold or move the host below; support the host there, or leave the particle out of the set"
+    )]
+    TieHeld {
+        /// The particle.
+        particle: u32,
+    },
+    /// Edges that hang on each other.
+    #[error(
+        "the tie of particle {particle} leads back to itself: edges hang on each other in a circle; leave one of the ties out"
+    )]
+    TieInACircle {
+        /// The particle.
+        particle: u32,
+    },
     /// A particle number beyond the cloud.
     #[error("{what} names particle {particle}, but the cloud has {count} particles (numbered from 0)")]
     NoSuchParticle {

@@ -20,6 +20,7 @@
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
+//! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`Shell::tie`] |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
@@ -223,7 +224,9 @@
 //! | a free shell has six zero modes and no more; no negative stiffness | `free_shells_have_exactly_six_zero_modes`, `laminated_free_shells_have_exactly_six_zero_modes` (tests/modes.rs) |
 //! | tangent and forces along the unknowns are derivatives of the energy | `the_tangent_is_the_second_derivative_of_the_energy`, `forces_along_the_unknowns_are_the_first_derivative` (tests/statics.rs) |
 //! | the stiffness of every load is its derivative; symmetric inside planes of symmetry | `the_stiffness_of_every_load_is_its_derivative`, `pressure_inside_planes_of_symmetry_has_a_potential_and_over_free_edges_has_none` (tests/load_stiffness.rs) |
-//! | sheets at a junction: force and tangent are derivatives, six zero modes, frames and sections as beams and elements say, a free flight keeps momentum and right angles | tests/junction.rs, tests/junction_march.rs, tests/sections.rs |
+//! | sheets at a junction: force and tangent are derivatives, six zero modes, frames and sections as beams and elements say, a free flight keeps momentum and right angles | tests/junction.rs, tests/junction_frames.rs, tests/junction_march.rs, tests/sections.rs |
+//! | junctions of many sheets, nearly flat, disordered, with slivers, turned far | tests/junction_hard.rs |
+//! | ties: force and tangent are derivatives, constant strains and curvatures are balanced, six zero modes, boxes and frames as closed forms say, momentum is kept | tests/ties.rs, tests/ties_answers.rs |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
 //! | dynamic relaxation finds what Newton's method finds | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
@@ -260,6 +263,7 @@ mod shared;
 mod shell;
 mod state;
 mod statics;
+mod ties;
 mod time;
 mod wetted;
 
@@ -271,6 +275,7 @@ use junction::group::Junctions;
 use packs::Row;
 use points::scheme::Points;
 use regions::Regions;
+use ties::list::Ties;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
@@ -292,6 +297,7 @@ pub use reference::Reference;
 pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
+pub use ties::list::Tie;
 pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.
@@ -309,6 +315,8 @@ pub struct Shell {
     constraints: Vec<Constraint>,
     /// Sheets that meet along lines.
     junctions: Junctions,
+    /// Particles that hang on cells of other sheets; empty without ties.
+    ties: Ties,
     loads: Vec<AppliedLoad>,
     /// Positions and directors.
     state: Vec<Row>,

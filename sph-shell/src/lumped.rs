@@ -27,6 +27,7 @@ impl Shell {
         for &(particle, mass) in masses {
             reference.masses[particle as usize] += mass;
         }
-        Ok(())
+        // Junctions and ties bear what their particles do.
+        if masses.is_empty() { Ok(()) } else { self.weigh_ties() }
     }
 }

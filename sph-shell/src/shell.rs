@@ -19,6 +19,7 @@ use crate::points::scheme::{Points, Scheme};
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
 use crate::regions::{PointSection, Region, Regions};
+use crate::ties::list::Ties;
 use crate::time::fused::Fused;
 
 /// What a shell is made of.
@@ -81,7 +82,7 @@ impl Shell {
             load.load.check(&reference)?;
         }
         let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
-        let junctions = Junctions::new(&reference)?;
+        let junctions = Junctions::new(&reference, [&reference.masses, &reference.inertias], |_| true)?;
         let scales = regions.scales(base);
         let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
         points.sections = regions.packs(base, &points.packs.order);
@@ -106,6 +107,7 @@ impl Shell {
             constraint_of,
             constraints,
             junctions,
+            ties: Ties::default(),
             loads: parts.loads,
             wetted: None,
             internal_energy: 0.0,
@@ -231,8 +233,10 @@ impl Shell {
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
         if let Some(mut fused) = self.fused.take() {
+            self.put_hanging();
             let mut forces = std::mem::take(self.points.direct_mut());
             self.internal_energy = fused.forces(&self.sweep(energy), &mut forces);
+            self.take_back_internal(&mut forces);
             *self.points.direct_mut() = forces;
             self.fused = Some(fused);
             return;
@@ -276,6 +280,7 @@ impl Shell {
         if self.external.is_empty() {
             return;
         }
+        self.put_hanging();
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
@@ -284,6 +289,7 @@ impl Shell {
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
+        self.take_back_external();
     }
 
     /// Bytes held per particle by everything that the step touches.

@@ -24,13 +24,13 @@ impl Shell {
 
     /// Velocity of a particle, half a step behind its position \[L/T\].
     pub fn velocity(&self, particle: usize) -> Vec3 {
-        let row = &self.rates[particle];
+        let row = self.rate(particle);
         Vec3::new(row[0], row[1], row[2])
     }
 
     /// Rate of a particle's director, in step with [`Shell::velocity`] \[1/T\].
     pub fn director_rate(&self, particle: usize) -> Vec3 {
-        let row = &self.rates[particle];
+        let row = self.rate(particle);
         Vec3::new(row[3], row[4], row[5])
     }
 

@@ -10,7 +10,6 @@ use common::{
 };
 use explicit_dynamics::{Amplitude, Clock, Dynamics};
 use implicit_statics::{Equilibrium, linear_response, natural_modes, unwatched};
-use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{Isotropic, IsotropicSection, Section};
 use sph_core::{Cloud, Side, Vec3};
 use sph_shell::{
@@ -110,17 +109,7 @@ fn tangent_and_forces_are_derivatives_of_the_energy() {
 #[test]
 fn free_shells_of_several_sections_have_exactly_six_zero_modes() {
     for cloud in [flat([7, 7], [2.0, 2.0]), disordered_curved([7, 6]), scattered_curved(0.45)] {
-        let mut system = StaticShell::new(mixed(cloud));
-        let pattern = system.pattern();
-        let mut values = vec![0.0; pattern.len()];
-        system.tangent(0.0, &mut values);
-        let scale: Vec<f64> = system.masses().iter().map(|m| 1.0 / m.sqrt()).collect();
-        let mut matrix = DMatrix::zeros(scale.len(), scale.len());
-        for (&(i, j), &value) in pattern.iter().zip(&values) {
-            matrix[(i, j)] = value * scale[i] * scale[j];
-            matrix[(j, i)] = matrix[(i, j)];
-        }
-        let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
+        let mut values = common::spectrum(mixed(cloud));
         values.sort_by(f64::total_cmp);
         assert!(values[0] > -1e-9 * values[6] && values[5] < 1e-8 * values[6], "{:?}", &values[..8]);
     }

@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 37] = [
+const TEMPLATES: [(&str, &str); 38] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -86,11 +86,15 @@ const TEMPLATES: [(&str, &str); 37] = [
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
     ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
+    ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
 ];
 
 /// The templates on a mesh, with the mesh that is written beside them.
-const MESHES: [(&str, &str); 1] = [("t-frame", include_str!("../../../scenes/meshes/t-frame.msh"))];
+const MESHES: [(&str, &str); 2] = [
+    ("t-frame", include_str!("../../../scenes/meshes/t-frame.msh")),
+    ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.msh")),
+];
 
 /// Writes a scene to start from, or lists what there is.
 pub fn new(new: &New) -> Result<(), Refused> {

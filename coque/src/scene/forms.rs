@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 19] = [
+const WORDS: [&str; 20] = [
     "title",
     "units",
     "geometry",
@@ -20,6 +20,7 @@ const WORDS: [&str; 19] = [
     "section",
     "parts",
     "masses",
+    "ties",
     "formulation",
     "velocity",
     "placed",

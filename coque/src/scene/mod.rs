@@ -56,10 +56,10 @@ pub use shell::geometry::{
 };
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{
-    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper,
+    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
 };
 pub use shell::mesh::Mesh;
-pub use shell::parts::{LumpedMass, ShellPart};
+pub use shell::parts::{LumpedMass, ShellPart, ShellTie};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

@@ -146,14 +146,23 @@ fn near_edge(list: &CellList, start: &Vec3, along: &Vec3, step: f64, near: &mut 
     near.dedup();
 }
 
-/// Refuses boundary nodes in the middle of a boundary edge they do not belong to; counts coincident ones. Messages
-/// call a node by its name, and point to the line of a face that uses it.
-pub(super) fn refuse_hanging(
+/// A boundary node in the middle of a boundary edge that it does not belong to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HangingNode {
+    /// Where it stands `[L]`.
+    pub place: Vec3,
+    /// What is said of it where it is not wanted.
+    pub refusal: MeshError,
+}
+
+/// Boundary nodes in the middle of a boundary edge they do not belong to, and how many coincide with others. Messages call a node
+/// by its name, and point to the line of a face that uses it.
+pub(super) fn hanging(
     positions: &[Vec3],
     edges: &[(u32, u32)],
     name: &dyn Fn(u32) -> String,
     line: &dyn Fn(u32) -> usize,
-) -> Result<usize, MeshError> {
+) -> Result<(Vec<HangingNode>, usize), MeshError> {
     let mut nodes: Vec<u32> = edges.iter().flat_map(|&(a, b)| [a, b]).collect();
     nodes.sort_unstable();
     nodes.dedup();
@@ -165,7 +174,7 @@ pub(super) fn refuse_hanging(
     // Boxes no longer than those of one node each on a sheet: needles do not see each other whole.
     let step = mean.min((high - low).norm() / (nodes.len() as f64).sqrt().max(1.0));
     let list = CellList::new(&places, step);
-    let (mut near, mut seams) = (Vec::new(), HashSet::new());
+    let (mut near, mut seams, mut hanging) = (Vec::new(), HashSet::new(), Vec::new());
     for &(a, b) in edges {
         let (start, along) = (positions[a as usize], along((a, b)));
         let size = along.norm();
@@ -187,11 +196,13 @@ pub(super) fn refuse_hanging(
                     name(a),
                     name(b)
                 );
-                let repair = "mesh the surfaces with common nodes along their common line";
-                return Err(MeshError::at(line(node), what, repair));
+                let repair = "mesh the surfaces with common nodes along their common line, or tie the edge to the other surface";
+                let refusal = MeshError::at(line(node), what, repair);
+                hanging.push(HangingNode { place: positions[node as usize], refusal });
+                continue;
             }
             seams.insert(node);
         }
     }
-    Ok(seams.len())
+    Ok((hanging, seams.len()))
 }

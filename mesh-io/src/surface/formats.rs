@@ -84,6 +84,18 @@ impl Format {
 /// # Errors
 /// [`MeshError`] for a file that cannot be read, is not of its format, or holds no sound surface.
 pub fn read(file: &Path) -> Result<Surface, MeshError> {
+    read_as(file, false)
+}
+
+/// The same of sheets that are to be tied: nodes may stand on edges that they do not belong to, see [`Surface::hanging`].
+///
+/// # Errors
+/// As [`read`].
+pub fn read_to_be_tied(file: &Path) -> Result<Surface, MeshError> {
+    read_as(file, true)
+}
+
+fn read_as(file: &Path, may_hang: bool) -> Result<Surface, MeshError> {
     let name = file.display().to_string();
     let format = Format::of(file)?;
     let bytes = read_bytes(file, LONGEST).map_err(|error| {
@@ -94,7 +106,7 @@ pub fn read(file: &Path) -> Result<Surface, MeshError> {
         };
         MeshError::whole(what, "check the path and the permissions").named(&name)
     })?;
-    parse(&name, format, &bytes)
+    parse_as(&name, format, &bytes, may_hang)
 }
 
 /// Reads a surface from the content of a file; `name` is for messages.
@@ -102,6 +114,10 @@ pub fn read(file: &Path) -> Result<Surface, MeshError> {
 /// # Errors
 /// [`MeshError`] for content that is not of the format, or holds no sound surface.
 pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshError> {
+    parse_as(name, format, bytes, false)
+}
+
+fn parse_as(name: &str, format: Format, bytes: &[u8], may_hang: bool) -> Result<Surface, MeshError> {
     // Names in files come in all encodings; numbers do not.
     let text = || String::from_utf8_lossy(bytes);
     let raw = match format {
@@ -112,6 +128,7 @@ pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshEr
         Format::Vtu => vtu::parse(&text()),
         Format::Csv => csv::parse(&text()),
     };
-    let surface = raw.and_then(|raw| Surface::new(raw, format)).map_err(|error| error.named(name))?;
+    let surface =
+        raw.and_then(|raw| Surface::new(raw, format, may_hang)).map_err(|error| error.named(name))?;
     Ok(Surface { file: name.into(), checksum: crc32fast::hash(bytes), ..surface })
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use sph_core::{Cell, Vec3};
 
 use super::MeshError;
-use super::boundary::refuse_hanging;
+use super::boundary::{HangingNode, hanging};
 use super::junctions::{Bond, Pair};
 use super::raw::Raw;
 use super::sides::{root, sides};
@@ -14,7 +14,7 @@ use super::sides::{root, sides};
 const FLAT: f64 = 1e-6;
 
 /// What was done to turn all faces the same way.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Turned {
     /// Connected pieces.
     pub pieces: usize,
@@ -22,6 +22,8 @@ pub(super) struct Turned {
     pub faces: usize,
     /// Boundary nodes that stand on the place of another one.
     pub seams: usize,
+    /// Nodes on a foreign edge.
+    pub hanging: Vec<HangingNode>,
 }
 
 /// The same face seen from the other side, starting at the same corner.
@@ -70,15 +72,19 @@ pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
 /// Turns faces so that neighbours run opposite ways along their common edge, by a flood through every piece.
 ///
 /// The smaller part of a piece is turned; faces agree with given normals where these are known. Across folds faces are turned
-/// the same way too. Refuses nodes that hang on a foreign edge, and surfaces that have one side only.
-pub(super) fn orient(raw: &mut Raw, pairs: &[Pair]) -> Result<Turned, MeshError> {
+/// the same way too. Refuses nodes that hang on a foreign edge unless they may, and surfaces that have one side only.
+pub(super) fn orient(raw: &mut Raw, pairs: &[Pair], may_hang: bool) -> Result<Turned, MeshError> {
     let sides = sides(&raw.faces);
     let neighbours = neighbours(raw, pairs);
     let alone = sides.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high)).filter(|shared| shared.len() == 1);
     let edges: Vec<(u32, u32)> = alone.map(|shared| (shared[0].low, shared[0].high)).collect();
-    let seams = refuse_hanging(&raw.positions, &edges, &|node| raw.name(node), &|node| raw.line_at(node))?;
+    let (hanging, seams) =
+        hanging(&raw.positions, &edges, &|node| raw.name(node), &|node| raw.line_at(node))?;
+    if let Some(HangingNode { refusal, .. }) = hanging.first().filter(|_| !may_hang) {
+        return Err(refusal.clone());
+    }
     let mut turned = vec![None; raw.faces.len()];
-    let mut result = Turned { seams, pieces: pieces(raw.faces.len(), pairs), ..Turned::default() };
+    let mut result = Turned { seams, hanging, pieces: pieces(raw.faces.len(), pairs), ..Turned::default() };
     let mut piece = Vec::new();
     for start in 0..raw.faces.len() {
         if turned[start].is_some() {

@@ -1,6 +1,7 @@
 //! Supports, prescribed motions and loads.
 
 pub(crate) mod couple;
+mod implied;
 pub(crate) mod loads;
 pub(crate) mod prescribed;
 pub(crate) mod pressure;

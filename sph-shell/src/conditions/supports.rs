@@ -216,13 +216,13 @@ pub(crate) fn constraints(
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
     /// Orthonormal held directions, three slots, `count` in use.
-    held: [Vec3; 3],
-    count: usize,
+    pub(super) held: [Vec3; 3],
+    pub(super) count: usize,
     pub(crate) director: DirectorHold,
-    motion: Option<Motion>,
-    rotation: Option<Rotation>,
+    pub(super) motion: Option<Motion>,
+    pub(super) rotation: Option<Rotation>,
     /// Position and director at rest.
-    rest: (Vec3, Vec3),
+    pub(super) rest: (Vec3, Vec3),
     /// Whether the particle belongs to a group, which then moves it.
     pub(crate) tied: bool,
 }
@@ -350,7 +350,7 @@ fn rotation(particle: u32, asked: &[(usize, Holds)]) -> Result<Option<Rotation>,
     Ok(Some(rotation))
 }
 
-fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
+pub(super) fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
     match (a, b) {
         (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
         (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) if m.cross(&n).norm() < 1e-9 => {

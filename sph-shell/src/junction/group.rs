@@ -38,20 +38,26 @@ pub(crate) struct Junctions {
 }
 
 impl Junctions {
-    /// The groups of a cloud.
+    /// The groups of a cloud whose particles are free to move, with the masses and rotary inertias of its particles.
     ///
     /// # Errors
     /// [`ShellError::ParallelDirectors`] for a group whose directors all run along one line.
-    pub fn new(reference: &Reference) -> Result<Self, ShellError> {
-        let joined = &reference.cloud.joined;
+    pub fn new(
+        reference: &Reference,
+        masses: [&[f64]; 2],
+        free: impl Fn(usize) -> bool,
+    ) -> Result<Self, ShellError> {
+        let joined: Vec<&[u32]> = (reference.cloud.joined.iter().map(Vec::as_slice))
+            .filter(|group| group.iter().all(|&a| free(a as usize)))
+            .collect();
         if joined.is_empty() {
             return Ok(Self::default());
         }
         let mut group_of = vec![0; reference.cloud.len()];
-        for (number, particles) in (1..).zip(joined) {
+        for (number, particles) in (1..).zip(&joined) {
             particles.iter().for_each(|&a| group_of[a as usize] = number);
         }
-        let groups = joined.iter().map(|particles| Group::new(particles, reference));
+        let groups = joined.iter().map(|particles| Group::new(particles, reference, masses));
         let groups = groups.collect::<Result<Vec<_>, _>>()?;
         Ok(Self { motions: vec![[0.0; 6]; groups.len()], groups, group_of })
     }
@@ -73,7 +79,7 @@ impl Junctions {
 }
 
 impl Group {
-    fn new(particles: &[u32], reference: &Reference) -> Result<Self, ShellError> {
+    fn new(particles: &[u32], reference: &Reference, masses: [&[f64]; 2]) -> Result<Self, ShellError> {
         let director = |k: usize| reference.cloud.frames[particles[k] as usize].n;
         let mut best = ([0, 0], 0.0);
         for i in 0..particles.len() {
@@ -99,8 +105,8 @@ impl Group {
             particles: particles.to_vec(),
             pair,
             axes: triad.transpose() * principal,
-            mass: sum(&reference.masses),
-            inertia: sum(&reference.inertias),
+            mass: sum(masses[0]),
+            inertia: sum(masses[1]),
         })
     }
 

@@ -139,13 +139,16 @@ impl Shell {
     /// Rotary inertia of modes over t²/12, of a group about an axis; the mass of a particle of one section \[M\].
     pub(crate) fn turning_mass(&self, particle: usize, axis: impl Fn() -> Vec3) -> f64 {
         let (reference, section) = (&self.reference, 12.0 / self.thickness().powi(2));
-        let own = |a: usize| reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section);
+        let hung = |a: usize| self.ties.turning.get(a).map_or(0.0, |turning| turning * section);
+        let own = |a: usize| {
+            reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a)
+        };
         let group = self.junctions.of(particle);
         group.map_or_else(|| own(particle), |group| group.mass_about(&axis(), &self.state, own))
     }
 
     /// Mass of a particle or of the group it stands for \[M\].
     pub(crate) fn moving_mass(&self, particle: usize) -> f64 {
-        self.junctions.of(particle).map_or(self.reference.masses[particle], |group| group.mass)
+        self.junctions.of(particle).map_or(self.moving_masses()[0][particle], |group| group.mass)
     }
 }

@@ -37,6 +37,8 @@ pub(crate) struct BlockPattern {
     firsts: Vec<u32>,
     /// Least and largest row of the blocks of each pack.
     rows: Vec<[u32; 2]>,
+    /// For each particle that hangs by a tie those that it shares a block with.
+    pub of_hanging: Vec<Vec<u32>>,
 }
 
 impl BlockPattern {
@@ -55,6 +57,7 @@ impl BlockPattern {
                 row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
             }
         }
+        let of_hanging = shell.ties.add_pairs(&mut rows);
         shell.junctions.add_pairs(&mut rows);
         let mut pattern = Self {
             offsets: vec![0],
@@ -62,6 +65,7 @@ impl BlockPattern {
             targets: Vec::new(),
             firsts: vec![0],
             rows: Vec::new(),
+            of_hanging,
         };
         for mut row in rows {
             row.sort_unstable();

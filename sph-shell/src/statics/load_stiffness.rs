@@ -53,6 +53,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
             add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
         });
+        self.shell.ties.reduce(&self.shell.state, &self.pattern, &mut skew, -1.0, |_| None);
         self.shell.junctions.tie(&self.shell.state, &self.pattern, &mut skew, -1.0);
         let mut values = vec![0.0; self.entries()];
         self.project_blocks(&skew, |_| 0.0, &mut values);

@@ -71,15 +71,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Components of the displacement of particles along a direction, as weights of the unknowns: what displacement
     /// control prescribes. The mean over the particles.
     pub fn functional(&self, particles: &[u32], direction: Vec3) -> Vec<f64> {
-        let mut weights = vec![0.0; self.dofs.count()];
         let share = direction.normalize() / particles.len() as f64;
-        let row = [share.x, share.y, share.z, 0.0, 0.0, 0.0];
-        for &a in particles {
-            let a = self.shell.junctions.first(a as usize);
-            let (mut part, own) = ([0.0; 6], self.dofs.of(a));
-            self.basis(a).project(&row, &mut part[..own.len()]);
-            weights[own].iter_mut().zip(part).for_each(|(weight, part)| *weight += part);
-        }
+        let mut rows = vec![[0.0; 6]; self.shell.len()];
+        particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += share[k]));
+        self.shell.ties.take_back(&self.shell.state, &mut rows, |_, _| ());
+        let mut weights = vec![0.0; self.dofs.count()];
+        self.project(|a| rows[a], &mut weights);
         weights
     }
 
@@ -140,6 +137,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 rates[a as usize] = told.rate(&self.shell.director(a as usize));
             }
         }
+        self.shell.ties.follow(&self.shell.state, &mut rates);
         rates
     }
 
@@ -154,7 +152,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 *value += product(row, &rates[b as usize]);
             }
         });
-        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        let shell = &*self.shell;
+        shell.ties.take_back(&shell.state, &mut rows, |_, _| ());
+        shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
         for a in 0..rows.len() {
             for number in self.pattern.of_row(a) {
                 let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
@@ -284,6 +285,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             let (u, v) = self.basis(a).expand(&increment[self.dofs.of(a)]);
             self.shell.move_particle(a, u, v);
         }
+        self.shell.put_hanging();
     }
 
     fn carry(&mut self, motion: &mut [f64]) {
@@ -297,6 +299,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             self.carried[a] = self.basis(a);
             self.carried[a].turns(&turn, own);
         }
+        self.shell.put_hanging();
     }
 
     fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
@@ -379,6 +382,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 (internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]), shell.external_force(a));
             std::array::from_fn(|k| f[k] - e[k])
         };
+        let on_hanging = |i: usize| Some(shell.ties.lack(i));
+        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
         shell.junctions.tie(&shell.state, &self.pattern, &mut self.blocks, 1.0);
         shell.junctions.add_rotation_blocks(&shell.state, &self.pattern, &mut self.blocks, lack);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.

@@ -40,11 +40,12 @@ impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
 impl Shell {
     /// What the update of particles reads; a macro-free way to borrow parts of the shell while others change.
     fn update_parts<'a>(&'a self, step: &'a Step, direct: &'a [Row]) -> Update<'a> {
+        let [masses, inertias] = self.moving_masses();
         Update {
             direct,
             external: &self.external,
-            masses: &self.reference.masses,
-            inertias: &self.reference.inertias,
+            masses,
+            inertias,
             constraint_of: &self.constraint_of,
             constraints: &self.constraints,
             step,
@@ -82,6 +83,7 @@ impl Shell {
             std::mem::swap(&mut self.state, &mut self.next);
         }
         self.drift_groups(if DRIFT { step.drift() } else { 0.0 });
+        self.put_hanging();
         self.total_work(step, of_groups)
     }
 
@@ -126,11 +128,12 @@ impl Dynamics for Shell {
             (*row, *rate) = drifted(row, rate, step.drift());
         }
         self.drift_groups(step.drift());
+        self.put_hanging();
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        // Groups gather forces that the fused step does not keep.
-        if self.fused.is_some() && self.junctions.is_empty() {
+        // Groups and ties gather forces that the fused step does not keep.
+        if self.fused.is_some() && self.junctions.is_empty() && self.ties.is_empty() {
             self.evaluate_external(step.from);
             return self.fused_step(step);
         }

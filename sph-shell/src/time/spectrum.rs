@@ -90,7 +90,7 @@ impl MassScaled for Shell {
 
 impl Shell {
     fn mass_scale(&self, a: usize) -> [f64; 2] {
-        [1.0 / self.reference.masses[a].sqrt(), 1.0 / self.reference.inertias[a].sqrt()]
+        self.moving_masses().map(|of| 1.0 / of[a].sqrt())
     }
 
     /// `M^{-½} v` of particle `a`, without what supports and the unit length of the director forbid.

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use explicit_dynamics::Amplitude;
+use implicit_statics::{Equilibrium, linear_response};
+use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
@@ -10,7 +12,7 @@ use sph_core::{
     Cell, CellList, Cloud, CubicSpline, Cylinder, EndWeights, Plate, Vec3, jittered_lattice, lattice,
     poisson_cloud,
 };
-use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, Support, Supported};
+use sph_shell::{AppliedLoad, Formulation, Load, Parts, Reach, Shell, StaticShell, Support, Supported};
 
 pub const YOUNG: f64 = 1200.0;
 pub const POISSON: f64 = 0.3;
@@ -183,6 +185,26 @@ impl Sheets {
     }
 }
 
+impl Sheets {
+    /// The cloud, particles on one place made one; the normals are those of the cells.
+    pub fn welded(self) -> Cloud {
+        let Self { positions, cells, .. } = self;
+        let list = CellList::new(&positions, 0.1);
+        let mut near = Vec::new();
+        let mut first = |a: u32| {
+            list.within(&positions[a as usize], 1e-9, &mut near);
+            near.iter().copied().min().unwrap_or(a)
+        };
+        let firsts: Vec<u32> = (0..positions.len() as u32).map(&mut first).collect();
+        let mut kept: Vec<u32> = firsts.clone();
+        kept.sort_unstable();
+        kept.dedup();
+        let new = |a: u32| kept.binary_search(&firsts[a as usize]).unwrap() as u32;
+        let cells = cells.iter().map(|cell| Cell { corners: cell.corners.map(new), ..*cell }).collect();
+        Cloud::from_cells(kept.iter().map(|&a| positions[a as usize]).collect(), None, cells).unwrap()
+    }
+}
+
 /// Particles of a cloud at which `on` holds.
 pub fn at(cloud: &Cloud, on: impl Fn(&Vec3) -> bool) -> Vec<u32> {
     (0..cloud.len() as u32).filter(|&a| on(&cloud.positions[a as usize])).collect()
@@ -219,4 +241,48 @@ pub fn line(cloud: &Cloud, particles: &[u32]) -> Vec<(u32, f64)> {
 /// A support on particles.
 pub fn supported(particles: Vec<u32>, support: impl Support + 'static) -> Supported {
     Supported { particles, support: Box::new(support) }
+}
+
+/// Eigenvalues of the tangent over the masses of modes, ascending by size.
+pub fn spectrum(body: Shell) -> Vec<f64> {
+    let mut system = StaticShell::new(body);
+    let pattern = system.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    system.tangent(0.0, &mut values);
+    let scale: Vec<f64> = system.masses().iter().map(|m| 1.0 / m.sqrt()).collect();
+    let mut matrix = DMatrix::zeros(scale.len(), scale.len());
+    for (&(i, j), &value) in pattern.iter().zip(&values) {
+        matrix[(i, j)] = value * scale[i] * scale[j];
+        matrix[(j, i)] = matrix[(i, j)];
+    }
+    let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
+    values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    values
+}
+
+/// Energy `½ f·u` of the linear answer.
+pub fn linear_energy(body: Shell) -> f64 {
+    let mut system = StaticShell::new(body);
+    let mut load = vec![0.0; system.unknowns()];
+    system.load_rate(0.0, &mut load);
+    let u = linear_response(&mut system, 0.0).unwrap();
+    0.5 * load.iter().zip(&u).map(|(f, u)| f * u).sum::<f64>()
+}
+
+/// A section without Poisson's ratio, so that strips are beams.
+pub fn beam_parts(
+    cloud: Cloud,
+    thickness: f64,
+    supports: Vec<Supported>,
+    loads: Vec<Box<dyn Load>>,
+) -> Parts {
+    let section = IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), thickness).unwrap();
+    let applied = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
+    let loads = loads.into_iter().map(applied).collect();
+    Parts {
+        section: Box::new(section),
+        supports,
+        loads,
+        ..parts(cloud, Formulation::StressPoint(Reach::Cell), thickness)
+    }
 }

@@ -96,9 +96,11 @@ impl Scene {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
+        let ties = builder.ties(&sets, &cells)?;
+        imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
         self.refuse_free_motion(|| {
             let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
-            free_motions(&cloud, &held)
+            free_motions(&cloud, &held, &ties)
         })?;
         let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
@@ -114,6 +116,7 @@ impl Scene {
         };
         let shell = Shell::with_regions(parts, sections.regions);
         let mut shell = shell.map_err(|e| builder.refusal(&e))?;
+        shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&mut shell);
@@ -154,18 +157,6 @@ pub(crate) struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Lumped masses, shared equally by the particles of their sets.
-    fn masses(&self, sets: &Sets) -> Result<Vec<(u32, f64)>, SceneError> {
-        let mut all = Vec::new();
-        for (i, lumped) in self.scene.shell().masses.iter().enumerate() {
-            let path = self.scene.body_scope().path(&format!("masses[{i}].on"));
-            let particles = sets.at(self.scene, &path, &lumped.on)?;
-            let share = lumped.mass / particles.len() as f64;
-            all.extend(particles.iter().map(|&a| (a, share)));
-        }
-        Ok(all)
-    }
-
     /// A place as the scene gives it.
     pub(crate) fn turn_back(&self, v: &Vec3) -> Vec3 {
         self.turn.inverse() * v
@@ -369,6 +360,12 @@ impl Builder<'_> {
                 let supports = self.scene.supports.iter().enumerate();
                 let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
                 format!("supports[{number}]")
+            }
+            &(ShellError::TieTooFar { tie, .. }
+            | ShellError::TieTooCoarse { tie, .. }
+            | ShellError::TieWithoutEdge { tie }) => of_body(&format!("ties[{tie}]")),
+            ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
+                of_body("ties")
             }
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::Mass { .. } => of_body("masses"),

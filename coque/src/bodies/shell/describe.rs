@@ -91,6 +91,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
     modelled.extend(
         scene.shell().masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)),
     );
+    modelled.extend(scene.shell().ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
     }

@@ -4,11 +4,14 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
 use sph_core::{Cloud, Vec3};
+use sph_shell::Tie;
 
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Scene, Section};
-use mesh_io::surface::{Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read};
+use mesh_io::surface::{
+    Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read, read_to_be_tied,
+};
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;
@@ -56,7 +59,9 @@ impl Imported {
         let Some(Mesh { file, scale, flip }) = scene.shell().geometry.mesh() else { return Ok(None) };
         let refuse = |error: &MeshError| refuse(scene, error);
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
-        let surface = read(&folder.join(file)).map_err(|error| refuse(&error))?.scaled(*scale);
+        let path = folder.join(file);
+        let surface = if scene.shell().ties.is_empty() { read(&path) } else { read_to_be_tied(&path) };
+        let surface = surface.map_err(|error| refuse(&error))?.scaled(*scale);
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;
         let surface =
@@ -72,6 +77,19 @@ impl Imported {
         let edges = boundary_edges(&surface.faces);
         let kept = Kept { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
         Ok(Some(Self { surface, cloud, cells, edges, kept }))
+    }
+
+    /// Refuses a node on a foreign edge that no tie takes up.
+    pub(super) fn refuse_hanging(&self, scene: &Scene, ties: &[Tie]) -> Result<(), SceneError> {
+        let places = |tie: &Tie| -> Vec<Vec3> {
+            tie.edge.iter().map(|&a| self.surface.positions[a as usize]).collect()
+        };
+        let tied: Vec<Vec3> = ties.iter().flat_map(places).collect();
+        let loose = self.surface.hanging.iter().find(|node| !tied.contains(&node.place));
+        let refused = |refusal: &MeshError| {
+            refuse(scene, &MeshError { file: self.surface.file.clone(), ..refusal.clone() })
+        };
+        loose.map_or(Ok(()), |node| Err(refused(&node.refusal)))
     }
 
     /// Cells of a group of faces; none if the file has no such group.
@@ -181,7 +199,8 @@ fn of_cells(scene: &Scene) -> bool {
 fn groups_used(scene: &Scene, surface: &Surface) -> BTreeSet<String> {
     let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| &load.on);
     let parts = scene.shell().parts.iter().map(|part| &part.on);
-    loads.chain(parts).filter(|name| surface.face_sets.contains_key(*name)).cloned().collect()
+    let hosts = scene.shell().ties.iter().map(|tie| &tie.to);
+    loads.chain(parts).chain(hosts).filter(|name| surface.face_sets.contains_key(*name)).cloned().collect()
 }
 
 /// The sections of the file, if the scene asks for them: every face in one, each with a material that the file has.

@@ -1,5 +1,6 @@
 //! Shells of one layer of particles: from the scene's words to `sph-shell`.
 
+mod attached;
 mod body;
 pub(crate) mod build;
 mod cells;
@@ -15,4 +16,5 @@ mod parts;
 mod places;
 mod rigid;
 mod sections;
+mod thickness;
 mod velocity;

@@ -12,7 +12,7 @@ use super::material::Stuff;
 use super::sections::Sections;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
-use crate::scene::{Analysis, MaterialSection, ShellScene, Taper};
+use crate::scene::{Analysis, MaterialSection, ShellScene};
 
 /// Cells that are alike.
 struct Alike {
@@ -133,39 +133,24 @@ impl Builder<'_> {
         let axis = self.material_axis(&shell.section);
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
-            MaterialSection::Homogeneous(_, section) if section.taper.is_some() => {
+            MaterialSection::Homogeneous(_, section)
+                if section.taper.is_some() || section.table.is_some() =>
+            {
                 let stuff = self.stuff(shell, at)?;
-                let Some(taper) = &section.taper else { return Ok(Vec::new()) };
-                let one = |cell: u32| {
-                    let centre = cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
-                    let stuff = stuff.with_thickness(thickness_at(section.thickness, taper, &centre));
-                    Ok(Alike {
-                        group: None,
-                        cells: vec![cell],
-                        stuff: self.sound(stuff, at, &centre)?,
-                        density,
-                        height: 0.0,
-                        axis,
-                    })
+                let thickness = self.thicknesses(section, at, &cells, cloud)?;
+                let one = |(cell, thickness): (u32, f64)| Alike {
+                    group: None,
+                    cells: vec![cell],
+                    stuff: stuff.with_thickness(thickness),
+                    density,
+                    height: 0.0,
+                    axis,
                 };
-                cells.into_iter().map(one).collect()
+                Ok(cells.into_iter().zip(thickness).map(one).collect())
             }
             _ => {
                 let stuff = self.stuff(shell, at)?;
                 Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis }])
-            }
-        }
-    }
-
-    /// Refuses a thickness that is not positive somewhere.
-    fn sound(&self, stuff: Stuff, at: &Scope<'_>, centre: &Vec3) -> Result<Stuff, SceneError> {
-        match stuff.thickness() {
-            t if t > 0.0 => Ok(stuff),
-            t => {
-                let value =
-                    format!("a thickness of {t:.4e} at [{:.4}, {:.4}, {:.4}]", centre.x, centre.y, centre.z);
-                let repair = "let the thickness grow slower, or take its point elsewhere";
-                Err(at.value("section.homogeneous.taper", value, "positive in every cell", repair))
             }
         }
     }
@@ -229,10 +214,6 @@ impl Builder<'_> {
         }
         Ok(all)
     }
-}
-
-fn thickness_at(thickness: f64, taper: &Taper, place: &Vec3) -> f64 {
-    thickness + Vec3::from(taper.gradient).dot(&(place - Vec3::from(taper.point)))
 }
 
 /// A part in a line, or in one for each section that the file gives to it.

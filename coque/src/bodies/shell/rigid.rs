@@ -1,14 +1,14 @@
 //! Which rigid motions the supports of a shell leave free.
 
 use sph_core::Cloud;
-use sph_shell::{DirectorHold, Holds};
+use sph_shell::{DirectorHold, Holds, Tie};
 
 use crate::bodies::rigid::{Hold, free_of};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
 /// move by itself.
-pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
-    let pieces = cloud.pieces();
+pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)], ties: &[Tie]) -> Vec<String> {
+    let pieces = tied(cloud.pieces(), cloud, ties);
     let of_piece = |piece: &Vec<u32>| {
         let free = free_of(&cloud.positions, piece, &holds_of(cloud, piece, supports));
         if pieces.len() == 1 {
@@ -17,6 +17,23 @@ pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)]) -> Vec
         free.into_iter().map(|motion| format!("{motion} of the sheet with particle {}", piece[0])).collect()
     };
     pieces.iter().flat_map(of_piece).collect()
+}
+
+/// Pieces that ties make one.
+fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie]) -> Vec<Vec<u32>> {
+    for Tie { edge, host } in ties {
+        let mut touched = vec![false; cloud.len()];
+        let of_host = host.iter().flat_map(|&c| cloud.cells[c as usize].particles());
+        edge.iter().chain(of_host).for_each(|&a| touched[a as usize] = true);
+        let meets = |piece: &Vec<u32>| piece.iter().any(|&a| touched[a as usize]);
+        let (together, apart): (Vec<_>, Vec<_>) = pieces.into_iter().partition(meets);
+        let mut one: Vec<u32> = together.into_iter().flatten().collect();
+        one.sort_unstable();
+        pieces = apart;
+        pieces.extend((!one.is_empty()).then_some(one));
+        pieces.sort();
+    }
+    pieces
 }
 
 /// What the supports of one sheet hold.
@@ -44,7 +61,7 @@ mod tests {
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
-        free_motions(&cloud, supports)
+        free_motions(&cloud, supports, &[])
     }
 
     #[test]
@@ -99,8 +116,8 @@ mod tests {
         cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 15))));
         let cloud = Cloud::from_cells(positions, None, cells).unwrap();
         let clamp = |first| (vec![first, first + 1, first + 2], Clamped.holds());
-        assert!(free_motions(&cloud, &[clamp(0), clamp(15)]).is_empty());
-        let free = free_motions(&cloud, &[clamp(0)]);
+        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[]).is_empty());
+        let free = free_motions(&cloud, &[clamp(0)], &[]);
         assert_eq!(free.len(), 6);
         assert_eq!(free[0], "translation along x of the sheet with particle 15");
     }

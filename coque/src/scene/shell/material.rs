@@ -108,6 +108,21 @@ pub struct Homogeneous {
     pub gauss_points: Option<usize>,
     /// How the thickness goes with the place; the same everywhere without.
     pub taper: Option<Taper>,
+    /// Thickness from a table, in units of `thickness`; in place of a taper.
+    pub table: Option<ThicknessTable>,
+}
+
+/// A thickness from a file of comma-separated values with columns `x`, `y`, `z` \[L\] and one of numbers, in the un-turned frame.
+///
+/// A corner of a cell takes the number of the row nearest to it, no farther away than the cell is long, a cell the mean of its
+/// corners times the thickness of the section.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ThicknessTable {
+    /// The file, relative to the folder of the scene.
+    pub file: String,
+    /// Name of the column.
+    pub column: String,
 }
 
 /// A thickness that is linear in space, in each cell that at its centre.

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
 use material::{Material, Section};
-use parts::{LumpedMass, ShellPart};
+use parts::{LumpedMass, ShellPart, ShellTie};
 
 use super::velocity::Velocity;
 
@@ -34,6 +34,9 @@ pub struct ShellScene {
     /// Masses lumped at particles; they count in time, in modes and under gravity on all.
     #[serde(default)]
     pub masses: Vec<LumpedMass>,
+    /// Edges that run along another sheet without sharing its particles.
+    #[serde(default)]
+    pub ties: Vec<ShellTie>,
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
@@ -59,13 +62,14 @@ pub enum WetFaces {
 
 impl ShellScene {
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 9] = [
+    pub(crate) const WORDS: [&'static str; 10] = [
         "geometry",
         "orientation",
         "material",
         "section",
         "parts",
         "masses",
+        "ties",
         "formulation",
         "placed",
         "velocity",

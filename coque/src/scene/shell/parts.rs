@@ -1,4 +1,4 @@
-//! Parts of a shell: cells with a material, section or height of their own; masses lumped at particles.
+//! Parts of a shell: cells with a material, section or height of their own; masses lumped at particles; edges tied to cells.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -28,4 +28,14 @@ pub struct LumpedMass {
     pub on: String,
     /// The whole mass \[F T²/L\].
     pub mass: f64,
+}
+
+/// An edge that hangs on the cells of another sheet, whose particles may stand elsewhere: it goes where they go and turns with them.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShellTie {
+    /// Particle set; those that belong to the cells already are left out.
+    pub edge: String,
+    /// Set of cells: a group of faces of the mesh, a declared set.
+    pub to: String,
 }

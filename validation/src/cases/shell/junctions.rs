@@ -66,10 +66,10 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
 }
 
 /// A flat sheet `origin + s u + t v`, s and t in \[0, 1\], and its cells along u and v.
-type Part = (Vec3, [Vec3; 2], [usize; 2]);
+pub(super) type Part = (Vec3, [Vec3; 2], [usize; 2]);
 
 /// Sheets in one mesh: nodes on one place are one.
-fn welded(parts: &[Part]) -> Result<Cloud, String> {
+pub(super) fn welded(parts: &[Part]) -> Result<Cloud, String> {
     let mut mesh = Mesh::default();
     let mut known = std::collections::BTreeMap::new();
     for &(origin, [u, v], [m, n]) in parts {

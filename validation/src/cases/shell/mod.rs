@@ -6,6 +6,8 @@ mod clamped_cap;
 mod external_pressure;
 pub mod hemisphere;
 pub mod hemisphere_large;
+mod hook;
+mod i_beams;
 mod junctions;
 pub mod open_cylinder;
 pub mod panel;
@@ -41,7 +43,7 @@ pub fn all() -> Vec<Case> {
         "Linear shells",
         [scordelis_lo::case(), pinched_cylinder::case(), hemisphere::case(), twisted_beam::case()],
     ));
-    cases.extend(family("Frames and sections", [junctions::case()]));
+    cases.extend(family("Frames and sections", [junctions::case(), i_beams::case(), hook::case()]));
     cases.extend(family("Plates", [plate::case(), plate_frequencies::case(), stepped_plate::case()]));
     cases.extend(family(
         "Stability of shells",

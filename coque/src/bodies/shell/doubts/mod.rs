@@ -9,6 +9,7 @@ mod coarse;
 mod folded;
 mod look;
 mod method;
+mod offset;
 mod senseless;
 mod sheet;
 mod tied;
@@ -30,7 +31,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 17] = [
+const RULES: [Rule; 18] = [
     Rule { doubt: Doubt::NoWork, of: senseless::no_work },
     Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
     Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
@@ -43,6 +44,7 @@ const RULES: [Rule; 17] = [
     Rule { doubt: Doubt::SharpFold, of: coarse::fold },
     Rule { doubt: Doubt::TiedBothSides, of: tied::both_sides },
     Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
+    Rule { doubt: Doubt::OffsetInertia, of: offset::inertia },
     Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
     Rule { doubt: Doubt::CoarseBending, of: coarse::bending },
     Rule { doubt: Doubt::FewParticles, of: coarse::few },

@@ -63,6 +63,16 @@ impl ShellScene {
                     let repair = "one point carries no bending; leave it out for the closed form";
                     s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
                 }
+                if section.taper.is_some() && section.table.is_some() {
+                    let (found, bound) = ("a taper and a table", "one of them");
+                    let repair = "write all of the thickness into the table, or remove it";
+                    return Err(SceneError::Choice(s.fault(
+                        "section.homogeneous.table",
+                        found,
+                        bound,
+                        repair,
+                    )));
+                }
                 if let Some(taper) = &section.taper {
                     s.sized_all("section.homogeneous.taper.point", &taper.point)?;
                     s.direction("section.homogeneous.taper.gradient", taper.gradient)?;

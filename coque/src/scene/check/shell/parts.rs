@@ -6,14 +6,15 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
-use crate::scene::shell::parts::LumpedMass;
+use crate::scene::shell::parts::{LumpedMass, ShellTie};
 
 type Checked = Result<(), SceneError>;
 
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
     pub(crate) fn has_parts(&self) -> bool {
-        let tapered = matches!(&self.section, Section::Homogeneous(section) if section.taper.is_some());
+        let tapered =
+            matches!(&self.section, Section::Homogeneous(s) if s.taper.is_some() || s.table.is_some());
         tapered || !self.parts.is_empty() || self.takes_from_file()
     }
 
@@ -28,6 +29,8 @@ impl ShellScene {
             "parts[0]"
         } else if self.takes_from_file() {
             if self.section.thickness().is_none() { "section.file" } else { "material.file" }
+        } else if matches!(&self.section, Section::Homogeneous(section) if section.table.is_some()) {
+            "section.homogeneous.table"
         } else {
             "section.homogeneous.taper"
         }
@@ -53,6 +56,7 @@ impl Scene {
             self.check_set_name(&own.path("on"), on)?;
             own.positive("mass", *mass)?;
         }
+        self.check_ties(shell, s)?;
         if !shell.has_parts() {
             return Ok(());
         }
@@ -77,6 +81,31 @@ impl Scene {
             }
             own.sized("offset", part.offset)?;
             shell.in_part(i).check_material(&own)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses ties of names that are no sets, where there are no cells, and in a fluid.
+    fn check_ties(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
+        for (i, ShellTie { edge, to }) in shell.ties.iter().enumerate() {
+            let own = s.below(&format!("ties[{i}]"));
+            self.check_set_name(&own.path("edge"), edge)?;
+            self.check_set_name(&own.path("to"), to)?;
+        }
+        if shell.ties.is_empty() {
+            return Ok(());
+        }
+        let refuse =
+            |bound: &str, repair: &str| Err(SceneError::Choice(s.fault("ties[0]", "a tie", bound, repair)));
+        if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
+            let bound = "none but where strains are sampled in cells";
+            return refuse(bound, "use [formulation.stress-point] without `support`, the default");
+        }
+        if self.source.is_part() {
+            return refuse(
+                "none in a fluid",
+                "mesh the shell so that its sheets share nodes where they meet",
+            );
         }
         Ok(())
     }
