@@ -12,8 +12,6 @@ use crate::run::progress::{Progress, ProgressReport};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene};
 
-/// Cells along an edge from one lattice to the next.
-const FINER: f64 = std::f64::consts::SQRT_2;
 /// Lattices that a ladder has at least if time allows.
 const FEWEST: usize = 4;
 /// Growth of the time with the number of particles that is expected before two runs have shown theirs \[–\].
@@ -86,7 +84,8 @@ impl Ladder {
         let mut fineness = scene.coarsest();
         while ladder.rungs.len() < lattices {
             let left = within.saturating_sub(begun.elapsed());
-            if ladder.rungs.len() > 2 && ladder.seconds_at(FINER) > left.as_secs_f64() {
+            let next = ladder.rungs.last().map_or(1.0, |last| fineness * last.spacing);
+            if ladder.rungs.len() > 2 && ladder.seconds_at(next) > left.as_secs_f64() {
                 break;
             }
             match run(scene, fineness, threads, Some(begun + within)) {
@@ -108,7 +107,7 @@ impl Ladder {
             if reached && ladder.rungs.len() >= FEWEST {
                 break;
             }
-            fineness *= FINER;
+            fineness = scene.finer(fineness);
         }
         Ok(ladder)
     }

@@ -54,21 +54,42 @@ impl Scene {
 
     /// Fineness of the coarsest lattice on which answers are worth comparing, at most one.
     pub(super) fn coarsest(&self) -> f64 {
-        let (cells, [most, fewest]) = match self.body() {
-            BodyScene::Shell(shell) => match shell.geometry.particles() {
-                Some(particles) => (particles.map(|n| (n - 1) as f64).to_vec(), LEAST),
-                // Scattered particles: the checks have kept the spacing well below the extent.
-                None => return 0.5,
-            },
-            BodyScene::Solid(solid) => {
-                let least = if solid.galerkin().is_some() { LEAST } else { LEAST_LAYERS };
-                (cells_of(&solid.geometry), least)
-            }
-            _ => return 1.0,
-        };
+        let cells = self.cells();
+        if cells.is_empty() {
+            // Scattered particles: the checks have kept the spacing well below the extent.
+            return 0.5;
+        }
+        let bonds = self.as_solid().is_some_and(|solid| solid.galerkin().is_none());
+        let [most, fewest] = if bonds { LEAST_LAYERS } else { LEAST };
         let greatest = cells.iter().copied().fold(1.0, f64::max);
         let least = cells.iter().copied().fold(f64::INFINITY, f64::min).max(1.0);
         (most / greatest).max(fewest / least).min(1.0)
+    }
+
+    /// A fineness above another by √2, or as near to it as the direction of fewest cells allows: lattices whose cells keep their
+    /// shape converge as a power of the spacing. Fewer than four cells there are too few to follow.
+    pub(super) fn finer(&self, fineness: f64) -> f64 {
+        let wanted = std::f64::consts::SQRT_2 * fineness;
+        let fewest = self.cells().into_iter().fold(f64::INFINITY, f64::min);
+        if !(4.0..1e9).contains(&fewest) {
+            return wanted;
+        }
+        let step = step(fewest as usize) as f64;
+        let now = (fewest * fineness / step).round();
+        let next = (fewest * wanted / step).round().max(now + 1.0);
+        step * next / fewest
+    }
+
+    /// Cells along each direction; none of scattered particles.
+    fn cells(&self) -> Vec<f64> {
+        match self.body() {
+            BodyScene::Shell(shell) => {
+                let particles = shell.geometry.particles();
+                particles.map_or(Vec::new(), |particles| particles.map(|n| (n - 1) as f64).to_vec())
+            }
+            BodyScene::Solid(solid) => cells_of(&solid.geometry),
+            _ => Vec::new(),
+        }
     }
 
     /// Dimensions in which a lattice grows as it is refined.
@@ -89,9 +110,14 @@ fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
     }
 }
 
+/// What numbers of cells grow by: two, where they are even and stay so.
+fn step(cells: usize) -> usize {
+    if cells % 2 == 0 { 2 } else { 1 }
+}
+
 /// So many cells for `cells`; even for even, at least one, for even at least two.
 fn whole(cells: usize, fineness: f64) -> usize {
-    let step = if cells % 2 == 0 { 2 } else { 1 };
+    let step = step(cells);
     let wanted = cells as f64 * fineness / step as f64;
     step * (wanted.round() as usize).max(1)
 }
