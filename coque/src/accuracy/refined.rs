@@ -112,7 +112,7 @@ fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
 
 /// What numbers of cells grow by: two, where they are even and stay so.
 fn step(cells: usize) -> usize {
-    if cells % 2 == 0 { 2 } else { 1 }
+    if cells.is_multiple_of(2) { 2 } else { 1 }
 }
 
 /// So many cells for `cells`; even for even, at least one, for even at least two.
