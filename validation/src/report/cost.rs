@@ -115,7 +115,7 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
     Some(Chart {
         title: family.to_owned(),
         caption: format!(
-            "Left and down is better. A mark is a run of {}. Of the runs that none of their case beats in both, {ahead}.",
+            "Left and down is better. A mark is a run of {}. Runs that no other of their case beats in both: {ahead}.",
             names.join(", ")
         ),
         x: Axis::log("wall time of a point of the curve, one thread [s]"),
@@ -131,8 +131,8 @@ fn most_often_best(methods: &[(&str, Vec<(f64, f64)>)], bests: &[Vec<(f64, f64)>
     let mut counts: Vec<(&str, usize)> = methods.iter().map(|(name, own)| (*name, count(own))).collect();
     counts.retain(|&(_, count)| count > 0);
     counts.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
-    let words: Vec<String> = counts.iter().map(|(name, count)| format!("{count} are of {name}")).collect();
-    words.join(", ")
+    let words: Vec<String> = counts.iter().map(|(name, count)| format!("{name}, {count}")).collect();
+    words.join("; ")
 }
 
 #[cfg(test)]
@@ -144,6 +144,6 @@ mod tests {
         let methods =
             [("slow", vec![(9.0, 1.0)]), ("fast", vec![(1.0, 9.0), (2.0, 3.0)]), ("poor", vec![(9.0, 9.0)])];
         let bests = [vec![(1.0, 9.0), (2.0, 3.0)], vec![(9.0, 1.0)]];
-        assert_eq!(most_often_best(&methods, &bests), "2 are of fast, 1 are of slow");
+        assert_eq!(most_often_best(&methods, &bests), "fast, 2; slow, 1");
     }
 }

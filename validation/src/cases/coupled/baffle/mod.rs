@@ -83,11 +83,11 @@ fn judged(layers: usize, duration: f64, run: &Run) -> Result<Vec<Metric>, JudgeE
     let dx = run::BAFFLE[0] / layers as f64;
     let first = when(run, DAMAGE, 0.0)?;
     let through = Metric::compared("baffle cut through", when(run, OFF, 0.5)?, "s", 0.9);
-    let through = through.shown(if duration < 1.5 {
-        "asked before 1.5 s: this run ends earlier"
-    } else {
-        "asked before 1.5 s, the source's picture of it is of 1.2 s: missed, the lowest row stays at the damage judged below"
-    });
+    let through = match layers {
+        _ if duration < 1.5 => through.shown("asked before 1.5 s: this run ends earlier"),
+        5 => through.shown("asked before 1.5 s: missed, its foot holds at the damage judged below; at ten across it breaks at .54 s"),
+        _ => through.within(0.6, "asked before 1.5 s; the source's picture of it is of 1.2 s"),
+    };
     let falls = run.last(WEIGHT)?.zip(run.last(LEFT)?).map(|(weight, left)| 100.0 * left / weight);
     let shown = "a figure of this method: the source gives none";
     Ok(vec![
