@@ -90,8 +90,8 @@ impl Ladder {
             }
             match run(scene, fineness, threads, Some(begun + within)) {
                 Ok(Some(rung)) => {
-                    let twice = ladder.rungs.last().is_some_and(|last| last.lattice == rung.lattice);
-                    if !twice {
+                    // Whole numbers of cells may leave the longest edge as it was.
+                    if ladder.rungs.last().is_none_or(|last| rung.spacing < last.spacing) {
                         tell(&rung);
                         ladder.rungs.push(rung);
                         ladder.estimate();
