@@ -3,6 +3,8 @@
 pub(crate) mod blocks;
 pub(crate) mod dofs;
 pub(crate) mod load_stiffness;
+pub(crate) mod prescribed;
 pub(crate) mod projection;
 pub(crate) mod static_shell;
 pub(crate) mod stiffness;
+pub(crate) mod turned;

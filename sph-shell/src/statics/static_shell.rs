@@ -22,13 +22,13 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
     pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
-    blocks: Vec<Block>,
+    pub(crate) blocks: Vec<Block>,
     /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
     entries: Vec<usize>,
     /// Particles with a prescribed displacement or rotation.
-    moved: Vec<u32>,
-    /// Directions of the unknowns of all particles in the present state, after it was carried there; else none.
-    carried: Vec<Basis>,
+    pub(crate) moved: Vec<u32>,
+    /// Directions of the unknowns of all particles in the present state, after it was carried or turned there; else none.
+    pub(crate) carried: Vec<Basis>,
 }
 
 impl StaticShell {
@@ -109,68 +109,18 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         radial: impl Fn(usize) -> f64 + Sync,
         values: &mut [f64],
     ) {
-        let bases: Vec<Basis> = (0..self.shell.len()).map(|a| self.basis(a)).collect();
-        let projection =
-            Projection { bases: &bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
+        let present: Vec<Basis>;
+        let bases = if self.carried.is_empty() {
+            present = (0..self.shell.len()).map(|a| self.basis(a)).collect();
+            &present
+        } else {
+            &self.carried
+        };
+        let projection = Projection { bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
 
-    /// Puts prescribed values where a level has them.
-    fn put(&mut self, level: f64) {
-        let shell = &mut *self.shell;
-        for &a in &self.moved {
-            let number = shell.constraint_of[a as usize] as usize - 1;
-            if let Some(told) = shell.constraints[number].told() {
-                told.put(level, &mut shell.state[a as usize]);
-            }
-            if let Some(basis) = self.carried.get_mut(a as usize) {
-                *basis = shell.basis(a as usize, self.dofs.arc);
-            }
-        }
-    }
-
-    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
-    fn prescribed_rates(&self) -> Vec<Row> {
-        let mut rates = vec![[0.0; 6]; self.shell.len()];
-        for &a in &self.moved {
-            if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
-                rates[a as usize] = told.rate(&self.shell.director(a as usize));
-            }
-        }
-        self.shell.ties.follow(&self.shell.state, &mut rates);
-        rates
-    }
-
-    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
-    fn level_rates(&mut self, level: f64) -> Vec<Row> {
-        self.put(level);
-        self.external_at(1.0);
-        let rates = self.prescribed_rates();
-        let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
-        self.shell.load_stiffness(level, &mut |a, b, block| {
-            for (value, row) in rows[a as usize].iter_mut().zip(block) {
-                *value += product(row, &rates[b as usize]);
-            }
-        });
-        let shell = &*self.shell;
-        shell.ties.take_back(&shell.state, &mut rows, |_, _| ());
-        shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
-        for a in 0..rows.len() {
-            for number in self.pattern.of_row(a) {
-                let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
-                for i in 0..6 {
-                    rows[a][i] -= product(&block[i], &rates[b]);
-                    if a != b {
-                        rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
-                    }
-                }
-            }
-        }
-        rows
-    }
-
-    fn external_at(&mut self, level: f64) {
+    pub(crate) fn external_at(&mut self, level: f64) {
         self.shell.evaluate_external(Instant { time: 0.0, level });
     }
 }
@@ -263,6 +213,13 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         true
     }
 
+    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+        let rest = self.save();
+        self.turn_along(motion);
+        self.tangent(level, values);
+        self.restore(&rest);
+    }
+
     /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         let pattern = self.pattern();
@@ -303,13 +260,13 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
-        for (a, row) in saved.chunks_exact(6).enumerate() {
+        let (rows, _) = saved.as_chunks::<6>();
+        for (a, row) in rows.iter().enumerate() {
             let here = &self.shell.state[a];
-            let along: f64 = (3..6).map(|k| here[k] * row[k]).sum();
-            let across = Vec3::from_fn(|k, _| row[3 + k] - along * here[3 + k]);
-            let sine = across.norm();
-            // The great circle through both directors.
-            let turn = if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() };
+            let turn = match self.shell.junctions.of(a) {
+                Some(group) => group.rotation_to(&self.shell.state, rows),
+                None => great_circle(here, row),
+            };
             let basis = self.basis(a);
             let own = &mut out[self.dofs.of(a)];
             for (value, direction) in own.iter_mut().zip(&basis.directions) {
@@ -395,6 +352,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     }
 }
 
-fn product(a: &Row, b: &Row) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// The turn of a director along the great circle to another.
+fn great_circle(here: &Row, there: &Row) -> Vec3 {
+    let along: f64 = (3..6).map(|k| here[k] * there[k]).sum();
+    let across = Vec3::from_fn(|k, _| there[3 + k] - along * here[3 + k]);
+    let sine = across.norm();
+    if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() }
 }
