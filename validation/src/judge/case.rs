@@ -1,5 +1,6 @@
 //! A case: scenes to run, and how their results are judged and drawn.
 
+use super::peers::Peers;
 use super::record::Metric;
 use super::variant::{Run, Runs, Variant};
 use crate::JudgeError;
@@ -25,6 +26,8 @@ pub struct Case {
     pub together: fn(&Runs) -> Result<Vec<Booked>, JudgeError>,
     /// The one figure by which answers are compared; none where a case has no error of its own.
     pub headline: Option<Headline>,
+    /// Answers of other programs with what they cost, for the figures of error against cost.
+    pub peers: fn() -> Result<Option<Peers>, JudgeError>,
     /// What the report shows, in this order.
     pub figures: fn(&Runs) -> Result<Vec<Figure>, JudgeError>,
 }
@@ -41,6 +44,7 @@ impl Default for Case {
             each: |_| Ok(Vec::new()),
             together: |_| Ok(Vec::new()),
             headline: None,
+            peers: || Ok(None),
             figures: |_| Ok(Vec::new()),
         }
     }

@@ -1,17 +1,21 @@
 //! Error against cost: one mark a run, in a figure for each case and in one for each family of cases.
 
+use crate::JudgeError;
 use crate::figures::{
     Axis, BLACK, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, Series,
 };
 use crate::format::short;
-use crate::judge::CaseResult;
 use crate::judge::measure::frontier;
+use crate::judge::{CaseResult, peers_here};
 use crate::methods::{METHODS, setting};
 use crate::tables::{answers, unit_of_answers};
 
 /// Error over wall time, one mark a run; none for fewer than three.
-pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
-    let headline = result.case.headline?;
+///
+/// # Errors
+/// [`JudgeError`] from the stored answers of other programs.
+pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
+    let Some(headline) = result.case.headline else { return Ok(None) };
     let points: Vec<(&str, (f64, f64))> = answers(result)
         .iter()
         .map(|a| {
@@ -19,9 +23,11 @@ pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
         })
         .collect();
     if points.len() < 3 {
-        return None;
+        return Ok(None);
     }
-    let all: Vec<(f64, f64)> = points.iter().map(|&(_, point)| point).collect();
+    let peers = floored(peers_here(result)?, headline.floor);
+    let all: Vec<(f64, f64)> =
+        points.iter().map(|&(_, point)| point).chain(peers.iter().map(|peer| peer.1)).collect();
     let best = frontier(&all).into_iter().map(|i| all[i]).collect();
     let mut series = vec![Series::line("best of error and cost", best, GREY, Line::Solid)];
     for setting in &METHODS {
@@ -31,12 +37,18 @@ pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
             series.push(Series::marks(setting.method, own, setting.colour, setting.mark));
         }
     }
-    Some(Figure::Chart(Chart {
+    let note = if peers.is_empty() { "" } else { PEERS };
+    let mut programs: Vec<(&str, Vec<(f64, f64)>)> = Vec::new();
+    peers.iter().for_each(|(program, point)| add(&mut programs, program, *point));
+    for ((program, own), (colour, mark)) in programs.into_iter().zip(OTHERS.into_iter().cycle()) {
+        series.push(Series::marks(program, own, colour, mark));
+    }
+    Ok(Some(Figure::Chart(Chart {
         title: format!("{}: error against cost", result.case.name),
         caption: format!(
             "Each mark is a run: error ({}) against the wall time of a point of its curve. Left and down is better; the \
              grey line joins the runs that none beats in both. Errors below {} {} are drawn there: the reference is not \
-             known better.",
+             known better.{note}",
             headline.metric,
             short(headline.floor),
             unit_of_answers(result)
@@ -44,7 +56,24 @@ pub fn cost_chart(result: &CaseResult) -> Option<Figure> {
         x: Axis::log("wall time of a point of the curve, one thread [s]"),
         y: Axis::log(&format!("error [{}]", unit_of_answers(result))),
         series,
-    }))
+    })))
+}
+
+/// What is said of answers that were not found here.
+const PEERS: &str =
+    " Other programs: times measured in turn with ours on one thread of one machine, scaled by our run here.";
+
+/// Answers with errors no smaller than what the reference is known to.
+fn floored(answers: Vec<(String, (f64, f64))>, floor: f64) -> Vec<(String, (f64, f64))> {
+    answers.into_iter().map(|(name, (cost, error))| (name, (cost, error.max(floor)))).collect()
+}
+
+/// Adds a point to those of a method.
+fn add<'a>(methods: &mut Vec<(&'a str, Vec<(f64, f64)>)>, method: &'a str, point: (f64, f64)) {
+    match methods.iter_mut().find(|(name, _)| *name == method) {
+        Some((_, own)) => own.push(point),
+        None => methods.push((method, vec![point])),
+    }
 }
 
 /// Looks of methods that have none of their own, in the order in which they appear.
@@ -57,7 +86,10 @@ const OTHERS: [(Colour, Mark); 5] = [
 ];
 
 /// Errors in percent over wall times of a point: a chart for each family of cases that has at least three such runs.
-pub fn family_charts(results: &[&CaseResult]) -> Vec<Chart> {
+///
+/// # Errors
+/// [`JudgeError`] from the stored answers of other programs.
+pub fn family_charts(results: &[&CaseResult]) -> Result<Vec<Chart>, JudgeError> {
     let mut families: Vec<&str> = Vec::new();
     for result in results {
         if !families.contains(&result.case.family) {
@@ -66,14 +98,15 @@ pub fn family_charts(results: &[&CaseResult]) -> Vec<Chart> {
     }
     let members =
         |family: &str| results.iter().copied().filter(|result| result.case.family == family).collect();
-    families.into_iter().filter_map(|family| family_chart(family, members(family))).collect()
+    families.into_iter().filter_map(|family| family_chart(family, members(family)).transpose()).collect()
 }
 
-fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
+fn family_chart(family: &str, results: Vec<&CaseResult>) -> Result<Option<Chart>, JudgeError> {
+    let peers = results.iter().map(|result| peers_here(result)).collect::<Result<Vec<_>, _>>()?;
     let mut methods: Vec<(&str, Vec<(f64, f64)>)> = Vec::new();
     let mut bests = Vec::new();
     let mut names = Vec::new();
-    for result in results {
+    for (result, peers) in results.into_iter().zip(&peers) {
         let Some(headline) = result.case.headline else { continue };
         if unit_of_answers(result) != "%" {
             continue;
@@ -86,11 +119,12 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
                 continue;
             }
             points.push(point);
-            let method = answer.run.variant.method.as_str();
-            match methods.iter_mut().find(|(name, _)| *name == method) {
-                Some((_, own)) => own.push(point),
-                None => methods.push((method, vec![point])),
-            }
+            add(&mut methods, answer.run.variant.method.as_str(), point);
+        }
+        for (program, (cost, error)) in peers {
+            let point = (*cost, error.max(headline.floor));
+            points.push(point);
+            add(&mut methods, program, point);
         }
         if !points.is_empty() {
             names.push(result.case.name);
@@ -98,7 +132,7 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
         }
     }
     if methods.iter().map(|(_, own)| own.len()).sum::<usize>() < 3 {
-        return None;
+        return Ok(None);
     }
     let ahead = most_often_best(&methods, &bests);
     let mut series: Vec<Series> = Vec::new();
@@ -112,16 +146,17 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Option<Chart> {
         let (colour, mark) = look.unwrap_or((GREY, Mark::Cross));
         series.push(Series::marks(method, own, colour, mark));
     }
-    Some(Chart {
+    let note = if peers.iter().all(Vec::is_empty) { "" } else { PEERS };
+    Ok(Some(Chart {
         title: family.to_owned(),
         caption: format!(
-            "Left and down is better. A mark is a run of {}. Runs that no other of their case beats in both: {ahead}.",
+            "Left and down is better. A mark is a run of {}. Runs that no other of their case beats in both: {ahead}.{note}",
             names.join(", ")
         ),
         x: Axis::log("wall time of a point of the curve, one thread [s]"),
         y: Axis::log("error [%]"),
         series,
-    })
+    }))
 }
 
 /// Which methods the best runs are of, most first, in words.

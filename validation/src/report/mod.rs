@@ -54,7 +54,7 @@ pub fn pages(results: &[CaseResult], selection: &Selection) -> Result<Vec<Page>,
         text.push_str(&format!("<p><a href='{file}'>{title}</a></p>"));
     }
     text.push_str(&list(&listed, &drawn));
-    let charts = family_charts(&listed);
+    let charts = family_charts(&listed)?;
     if !charts.is_empty() {
         text.push_str("<h2>Error against cost</h2><div class='pairs'>");
         for chart in charts {

@@ -34,7 +34,7 @@ pub fn section(result: &CaseResult) -> Result<Section, JudgeError> {
     for figure in (case.figures)(&result.runs)? {
         figures.push_str(&show(&figure)?);
     }
-    for figure in cost_chart(result).into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
+    for figure in cost_chart(result)?.into_iter().chain(side_by_side(result)?.map(Figure::Numbers)) {
         figures.push_str(&show(&figure)?);
     }
     let drawn = figures.contains("<svg ");

@@ -4,7 +4,7 @@ use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 use benchmarks_ref::reference;
 
 use crate::JudgeError;
-use crate::judge::{Measured, Metric, Published, Run, Variant};
+use crate::judge::{Measured, Metric, Peer, Peers, Published, Run, Variant};
 use crate::methods::{ELEMENTS, STATIC};
 
 /// The last value of a column against its reference, judged by the error \[%\] measured on this run, for a reason.
@@ -37,6 +37,22 @@ pub fn lattices(
         variants.extend([particles, nodes].map(|variant| variant.quick_if(n <= 21)));
     }
     variants
+}
+
+/// Answers of CalculiX by shells to a case, over the expected one, with their times in units of the static run on 41×41.
+pub fn calculix(case: &str, expected: f64) -> Result<Option<Peers>, JudgeError> {
+    let table = reference("calculix_linear_shells")?;
+    let mut answers = Vec::new();
+    for row in 0..table.rows.len() {
+        if table.text(row, "case")? == case {
+            answers.push(Peer {
+                method: format!("CalculiX {}", table.text(row, "element")?),
+                error: 100.0 * (table.number(row, "displacement")? / expected - 1.0).abs(),
+                cost: table.number(row, "time")?,
+            });
+        }
+    }
+    Ok(Some(Peers { method: STATIC, grid: "41×41", answers }))
 }
 
 /// The answer of bricks (CalculiX), noted in a row of the linear obstacle course.

@@ -3,12 +3,13 @@
 use std::error::Error;
 use std::ops::ControlFlow;
 
+use benchmarks_ref::reference;
 use fluid_sph::{Fluid, Formulation, Parts};
 
 use crate::figures::{
     Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, ORANGE, SKY, Series, VERMILION,
 };
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Outcome, Peer, Peers, Run, Runs, Variant};
 use crate::support::fluids::{
     CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, basin, between, domain, filled, formulation, march,
     published, water,
@@ -49,6 +50,7 @@ pub fn case() -> Case {
         citation: "Martin and Moyce 1952; Koshizuka and Oka 1996",
         variants: variants(),
         headline: Some(Headline::new(AHEAD, 0.1)),
+        peers,
         figures,
         ..Case::default()
     }
@@ -106,6 +108,29 @@ fn experiments() -> Result<[Fronts; 3], JudgeError> {
     ])
 }
 
+/// The least and the greatest front of the experiments at each of the times.
+fn bands() -> Result<[[f64; 2]; 5], JudgeError> {
+    let experiments = experiments()?;
+    Ok(TIMES.map(|time| {
+        let seen = experiments.iter().filter_map(|(_, points)| between(points, time));
+        seen.fold([f64::INFINITY, 0.0], |[low, high], front| [front.min(low), front.max(high)])
+    }))
+}
+
+/// What another program finds with boundary particles and α = 0.1.
+fn peers() -> Result<Option<Peers>, JudgeError> {
+    let (table, bands) = (reference("pysph_dam_break")?, bands()?);
+    let answer = |row: usize| -> Result<Peer, JudgeError> {
+        let mut ahead = 0.0_f64;
+        for (time, [_, high]) in TIMES.into_iter().zip(bands) {
+            ahead = ahead.max(100.0 * (table.number(row, &format!("Z at T = {time}"))? / high - 1.0));
+        }
+        Ok(Peer { method: "PySPH".into(), error: ahead, cost: table.number(row, "time")? })
+    };
+    let answers = (0..table.rows.len()).map(answer).collect::<Result<_, _>>()?;
+    Ok(Some(Peers { method: KICKS, grid: "H/Δx 50", answers }))
+}
+
 impl Column {
     fn grid(&self) -> String {
         let named = if self.method == PUBLISHED { String::new() } else { apart(&self.formulation) };
@@ -158,13 +183,9 @@ impl Column {
 
     fn judged(&self, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         let path = path(run)?;
-        let experiments = experiments()?;
         let (mut ahead, mut behind) = (Some(0.0_f64), Some(0.0_f64));
         let mut metrics = Vec::new();
-        for time in TIMES {
-            let seen: Vec<f64> = experiments.iter().filter_map(|(_, points)| between(points, time)).collect();
-            let low = seen.iter().copied().fold(f64::INFINITY, f64::min);
-            let high = seen.iter().copied().fold(0.0, f64::max);
+        for (time, [low, high]) in TIMES.into_iter().zip(bands()?) {
             let front = between(&path, time);
             ahead = ahead.zip(front).map(|(most, front)| most.max(100.0 * (front / high - 1.0)));
             behind = behind.zip(front).map(|(most, front)| most.max(100.0 * (1.0 - front / low)));

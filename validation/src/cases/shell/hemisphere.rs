@@ -29,6 +29,7 @@ pub fn case() -> Case {
         each,
         // The value of bricks is given to half its last digit.
         headline: Some(Headline { metric: NAME, floor: 0.05, published }),
+        peers: || linear::calculix("hemisphere", BRICKS),
         ..Case::default()
     }
 }

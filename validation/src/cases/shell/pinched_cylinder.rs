@@ -31,6 +31,7 @@ pub fn case() -> Case {
         variants,
         each,
         headline: Some(Headline { metric: NAME, floor: 0.5, published }),
+        peers: || linear::calculix("pinched-cylinder", DEFLECTION),
         ..Case::default()
     }
 }

@@ -32,6 +32,7 @@ pub fn case() -> Case {
         each,
         // The published value and that of bricks are 0.33 % apart.
         headline: Some(Headline { metric: NAME, floor: 0.1, published: || linear::published(0, DEFLECTION) }),
+        peers: || linear::calculix("scordelis-lo", DEFLECTION),
         ..Case::default()
     }
 }
