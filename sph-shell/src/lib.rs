@@ -16,7 +16,7 @@
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
-//! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
+//! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/preload.rs` |
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
@@ -196,6 +196,9 @@
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
 //!
+//! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
+//! [`StaticShell::set_case`].
+//!
 //! # In a fluid
 //!
 //! [`Shell::wet`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
@@ -281,6 +284,7 @@ use wetted::surface::Surface;
 
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
+pub use conditions::preload::{LoadCase, Preloaded};
 pub use conditions::prescribed::{Motion, Rotation};
 pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
@@ -318,6 +322,8 @@ pub struct Shell {
     /// Particles that hang on cells of other sheets; empty without ties.
     ties: Ties,
     loads: Vec<AppliedLoad>,
+    /// The load case that is under way.
+    case: LoadCase,
     /// Positions and directors.
     state: Vec<Row>,
     /// Positions and directors at the end of a step, before they take the place of the old ones.

@@ -6,6 +6,7 @@ use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Body};
+use crate::conditions::preload::LoadCase;
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;
@@ -109,6 +110,7 @@ impl Shell {
             junctions,
             ties: Ties::default(),
             loads: parts.loads,
+            case: LoadCase::Loading,
             wetted: None,
             internal_energy: 0.0,
             fused,
@@ -277,6 +279,19 @@ impl Shell {
     }
 
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
+        let under_way = self.case;
+        self.evaluate_loads(|applied| applied.scale(at, under_way));
+    }
+
+    /// Evaluates what a unit of level adds to the loads of the case that is under way.
+    pub(crate) fn evaluate_load_rate(&mut self) {
+        let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
+        self.evaluate_loads(|applied| {
+            if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
+        });
+    }
+
+    fn evaluate_loads(&mut self, scale: impl Fn(&AppliedLoad) -> f64) {
         if self.external.is_empty() {
             return;
         }
@@ -284,7 +299,7 @@ impl Shell {
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
-            applied.load.add(applied.scale(at), &body, &mut self.external);
+            applied.load.add(scale(applied), &body, &mut self.external);
         }
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);

@@ -3,6 +3,7 @@
 pub(crate) mod couple;
 mod implied;
 pub(crate) mod loads;
+pub(crate) mod preload;
 pub(crate) mod prescribed;
 pub(crate) mod pressure;
 pub(crate) mod resultants;

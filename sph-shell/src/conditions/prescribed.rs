@@ -3,6 +3,7 @@
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
+use crate::conditions::preload::LoadCase;
 use crate::packs::Row;
 
 /// A prescribed displacement.
@@ -12,6 +13,8 @@ pub struct Motion {
     pub displacement: Vec3,
     /// Its course in time.
     pub amplitude: Amplitude,
+    /// What a preload adds to it, in full \[L\].
+    pub preload: Option<Vec3>,
 }
 
 /// A prescribed rotation of a director: `d = R(axis, angle) D`, D its direction at rest.
@@ -23,12 +26,39 @@ pub struct Rotation {
     pub angle: f64,
     /// Its course in time.
     pub amplitude: Amplitude,
+    /// The load case to which it belongs.
+    pub case: LoadCase,
 }
 
 impl Motion {
-    /// Displacement at an instant \[L\].
-    pub(crate) fn at(&self, at: Instant) -> Vec3 {
-        self.displacement * (at.level * self.amplitude.value(at.time))
+    /// The same motion as one of the preload.
+    pub(crate) fn preloaded(self) -> Self {
+        Self { displacement: Vec3::zeros(), preload: Some(self.displacement), ..self }
+    }
+
+    /// Both at once, where their courses agree.
+    pub(crate) fn joined(self, other: &Self) -> Option<Self> {
+        let preload = match (self.preload, other.preload) {
+            (Some(one), Some(two)) => Some(one + two),
+            (one, two) => one.or(two),
+        };
+        let displacement = self.displacement + other.displacement;
+        (self.amplitude == other.amplitude).then_some(Self { displacement, preload, ..self })
+    }
+
+    /// Its displacements at level one, of the loading and of the preload \[L\].
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Vec3> {
+        [Some(self.displacement), self.preload].into_iter().flatten()
+    }
+
+    /// Displacement at an instant of the case that is under way \[L\].
+    pub(crate) fn at(&self, at: Instant, under_way: LoadCase) -> Vec3 {
+        let course = self.amplitude.value(at.time);
+        let loading = self.displacement * (LoadCase::Loading.factor(under_way, at.level) * course);
+        match self.preload {
+            None => loading,
+            Some(preload) => loading + preload * (LoadCase::Preload.factor(under_way, at.level) * course),
+        }
     }
 
     /// Mean velocity between two instants \[L/T\].
@@ -40,9 +70,10 @@ impl Motion {
 }
 
 impl Rotation {
-    /// The director at an instant, by Rodrigues' formula, from its direction at rest.
-    pub(crate) fn at(&self, rest: &Vec3, at: Instant) -> Vec3 {
-        let (sin, cos) = libm::sincos(self.angle * at.level * self.amplitude.value(at.time));
+    /// The director at an instant of the case that is under way, by Rodrigues' formula, from its direction at rest.
+    pub(crate) fn at(&self, rest: &Vec3, at: Instant, under_way: LoadCase) -> Vec3 {
+        let level = self.case.factor(under_way, at.level);
+        let (sin, cos) = libm::sincos(self.angle * level * self.amplitude.value(at.time));
         let k = &self.axis;
         rest * cos + k.cross(rest) * sin + k * (k.dot(rest) * (1.0 - cos))
     }
@@ -55,7 +86,7 @@ impl Rotation {
 
     /// Rate that carries the director `d` along a great circle to where it stands at `to`, in the time from `from` \[1/T\].
     pub(crate) fn rate(&self, rest: &Vec3, d: &Vec3, from: Instant, to: Instant) -> [f64; 3] {
-        let target = self.at(rest, to);
+        let target = self.at(rest, to, LoadCase::Loading);
         let cos = d.dot(&target);
         let across = target - d * cos;
         let sin = across.norm();
@@ -78,17 +109,17 @@ pub(crate) struct Told<'a> {
 
 impl Told<'_> {
     /// Puts the held components where a level has them.
-    pub fn put(&self, level: f64, row: &mut Row) {
+    pub fn put(&self, level: f64, under_way: LoadCase, row: &mut Row) {
         let at = Instant { time: 0.0, level };
         if let Some(motion) = self.motion {
-            let rest = self.rest.0 + motion.at(at);
+            let rest = self.rest.0 + motion.at(at, under_way);
             for n in self.held {
                 let missing = n.dot(&(rest - Vec3::new(row[0], row[1], row[2])));
                 (0..3).for_each(|k| row[k] += missing * n[k]);
             }
         }
         if let Some(rotation) = self.rotation {
-            let d = rotation.at(&self.rest.1, at);
+            let d = rotation.at(&self.rest.1, at, under_way);
             row[3..].copy_from_slice(d.as_slice());
         }
     }
@@ -97,17 +128,22 @@ impl Told<'_> {
     pub fn force(&self, row: &Row, d: &Vec3, arc: f64) -> f64 {
         let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
         let pull = self.motion.map_or(0.0, |motion| {
-            motion.displacement.try_normalize(0.0).map_or(0.0, |along| along.dot(&part(0)))
+            let along = motion.parts().filter_map(|part| part.try_normalize(0.0));
+            along.map(|along| along.dot(&part(0))).reduce(f64::hypot).unwrap_or(0.0)
         });
         let turn = self.rotation.map_or(0.0, |rotation| rotation.axis.cross(d).dot(&part(3)) / arc);
         pull * pull + turn * turn
     }
 
-    /// Derivative of `[x, d]` with respect to the level, at the director `d`.
-    pub fn rate(&self, d: &Vec3) -> Row {
-        let unit = Instant { time: 0.0, level: 1.0 };
-        let u = self.motion.map_or(Vec3::zeros(), |motion| motion.at(unit));
-        let w = self.rotation.map_or(Vec3::zeros(), |rotation| {
+    /// Derivative of `[x, d]` with respect to the level of the case that is under way, at the director `d`.
+    pub fn rate(&self, d: &Vec3, under_way: LoadCase) -> Row {
+        let moving = |motion: &Motion| match under_way {
+            LoadCase::Preload => motion.preload.unwrap_or_default(),
+            LoadCase::Loading => motion.displacement,
+        };
+        let u = self.motion.map_or(Vec3::zeros(), |motion| moving(motion) * motion.amplitude.value(0.0));
+        let turning = self.rotation.filter(|rotation| rotation.case == under_way);
+        let w = turning.map_or(Vec3::zeros(), |rotation| {
             rotation.axis.cross(d) * (rotation.angle * rotation.amplitude.value(0.0))
         });
         [u.x, u.y, u.z, w.x, w.y, w.z]

@@ -21,7 +21,8 @@ impl Shell {
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
-            applied.load.stiffness(applied.scale(Instant { time: 0.0, level }), &body, put);
+            let scale = applied.scale(Instant { time: 0.0, level }, self.case);
+            applied.load.stiffness(scale, &body, put);
         }
     }
 

@@ -2,7 +2,6 @@
 
 use std::ops::DerefMut;
 
-use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
 use sph_core::Vec3;
 
@@ -22,13 +21,13 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
     pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
-    blocks: Vec<Block>,
+    pub(super) blocks: Vec<Block>,
     /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
     entries: Vec<usize>,
     /// Particles with a prescribed displacement or rotation.
-    moved: Vec<u32>,
+    pub(super) moved: Vec<u32>,
     /// Directions of the unknowns of all particles in the present state, after it was carried there; else none.
-    carried: Vec<Basis>,
+    pub(super) carried: Vec<Basis>,
 }
 
 impl StaticShell {
@@ -115,64 +114,6 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
 
-    /// Puts prescribed values where a level has them.
-    fn put(&mut self, level: f64) {
-        let shell = &mut *self.shell;
-        for &a in &self.moved {
-            let number = shell.constraint_of[a as usize] as usize - 1;
-            if let Some(told) = shell.constraints[number].told() {
-                told.put(level, &mut shell.state[a as usize]);
-            }
-            if let Some(basis) = self.carried.get_mut(a as usize) {
-                *basis = shell.basis(a as usize, self.dofs.arc);
-            }
-        }
-    }
-
-    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
-    fn prescribed_rates(&self) -> Vec<Row> {
-        let mut rates = vec![[0.0; 6]; self.shell.len()];
-        for &a in &self.moved {
-            if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
-                rates[a as usize] = told.rate(&self.shell.director(a as usize));
-            }
-        }
-        self.shell.ties.follow(&self.shell.state, &mut rates);
-        rates
-    }
-
-    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
-    fn level_rates(&mut self, level: f64) -> Vec<Row> {
-        self.put(level);
-        self.external_at(1.0);
-        let rates = self.prescribed_rates();
-        let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
-        self.shell.load_stiffness(level, &mut |a, b, block| {
-            for (value, row) in rows[a as usize].iter_mut().zip(block) {
-                *value += product(row, &rates[b as usize]);
-            }
-        });
-        let shell = &*self.shell;
-        shell.ties.take_back(&shell.state, &mut rows, |_, _| ());
-        shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
-        for a in 0..rows.len() {
-            for number in self.pattern.of_row(a) {
-                let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
-                for i in 0..6 {
-                    rows[a][i] -= product(&block[i], &rates[b]);
-                    if a != b {
-                        rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
-                    }
-                }
-            }
-        }
-        rows
-    }
-
-    fn external_at(&mut self, level: f64) {
-        self.shell.evaluate_external(Instant { time: 0.0, level });
-    }
 }
 
 impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
@@ -217,9 +158,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
-        // Loads are proportional to the level.
+        // Loads of the case that is under way are proportional to the level.
         if self.moved.is_empty() {
-            return self.external(1.0, out);
+            self.shell.evaluate_load_rate();
+            return self.project(|a| self.shell.external_force(a), out);
         }
         let rows = self.level_rates(level);
         self.project(|a| rows[a], out);
@@ -393,8 +335,4 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         };
         self.project_blocks(&self.blocks, radial, values);
     }
-}
-
-fn product(a: &Row, b: &Row) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
