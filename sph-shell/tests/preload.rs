@@ -16,8 +16,8 @@ use implicit_statics::{
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    AppliedLoad, Clamped, Force, Formulation, Held, Hinged, Load, LoadCase, Moved, Parts, Preloaded, Pressure,
-    Reach, Rotated, Shell, StaticShell, Support, Supported, SymmetryPlane,
+    AppliedLoad, Clamped, Force, Formulation, Held, Hinged, Load, LoadCase, Moved, Parts, Preloaded,
+    Pressure, Reach, Rotated, Shell, StaticShell, Support, Supported, SymmetryPlane,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -150,7 +150,8 @@ fn agree(found: &[f64], wanted: &[f64], bound: f64, what: &str) {
 fn strip(cells: usize, first: f64, then: f64) -> StaticShell {
     let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
     let sides = cloud.sides.clone().unwrap();
-    let shares: Vec<(u32, f64)> = sides.edge(Side::U1).iter().zip([1.0, 2.0, 1.0]).map(|(&a, s)| (a, s)).collect();
+    let shares: Vec<(u32, f64)> =
+        sides.edge(Side::U1).iter().zip([1.0, 2.0, 1.0]).map(|(&a, s)| (a, s)).collect();
     let pull = |size: f64| Force { shares: shares.clone(), total: Vec3::x() * size };
     let applied = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
     let mut loads = Vec::new();

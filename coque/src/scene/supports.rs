@@ -27,6 +27,9 @@ pub struct Support {
     pub rotated: Option<Rotated>,
     /// Course of a prescribed motion in time, in transient runs.
     pub amplitude: Option<Amplitude>,
+    /// Whether its motion is made in full before the analysis and held: the level counts the other motions.
+    #[serde(default)]
+    pub preload: bool,
 }
 
 /// A condition without options: `{}`.

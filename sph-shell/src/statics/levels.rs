@@ -19,7 +19,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     pub fn has_preload(&self) -> bool {
         let shell = &*self.shell;
         let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
-        shell.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload) || self.moved.iter().any(moves)
+        shell.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
+            || self.moved.iter().any(moves)
     }
 
     /// Puts prescribed values where a level has them.

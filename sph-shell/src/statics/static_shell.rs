@@ -113,7 +113,6 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             Projection { bases: &bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
-
 }
 
 impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {

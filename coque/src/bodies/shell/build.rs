@@ -175,8 +175,11 @@ impl Builder<'_> {
                     continue; // its direction is left free for the force that brings it about
                 }
                 let course = amplitude(support.amplitude.as_ref());
-                supports
-                    .push(Supported { particles: particles.to_vec(), support: self.support(kind, course) });
+                let mut support_of_kind = self.support(kind, course);
+                if support.preload {
+                    support_of_kind = Box::new(sph_shell::Preloaded(support_of_kind));
+                }
+                supports.push(Supported { particles: particles.to_vec(), support: support_of_kind });
             }
         }
         Ok(supports)
@@ -250,8 +253,13 @@ impl Builder<'_> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
             let path = format!("loads[{i}].on");
+            let of_case = |applied: AppliedLoad| match load.preload {
+                true => AppliedLoad { load: Box::new(sph_shell::Preloaded(applied.load)), ..applied },
+                false => applied,
+            };
             if load.acts_on_cells() {
-                loads.extend(self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud));
+                let found = self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud);
+                loads.extend(found.into_iter().map(of_case));
                 continue;
             }
             let particles = sets.at(self.scene, &path, &load.on)?;
@@ -262,7 +270,8 @@ impl Builder<'_> {
             let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
-                loads.extend(self.load(kind, shares.clone()).map(|load| AppliedLoad { load, amplitude }));
+                let found = self.load(kind, shares.clone());
+                loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
             }
         }
         Ok(loads)

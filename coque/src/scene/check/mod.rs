@@ -5,6 +5,7 @@ mod conditions;
 mod curve;
 mod fluid;
 mod gauges;
+mod preload;
 mod sets;
 mod shell;
 mod solid;
@@ -43,6 +44,7 @@ impl Scene {
         if let Some(solid) = self.as_solid() {
             self.check_solid(solid)?;
         }
+        self.check_preload()?;
         self.check_analysis()?;
         self.check_curve()
     }
