@@ -177,8 +177,8 @@
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
 //! or both turns. [`Held`] is the general one; [`Clamped`], [`Hinged`], [`SymmetryPlane`], [`Diaphragm`] are named
-//! cases. [`Moved`] prescribes displacements and [`Rotated`] both turns of directors, `d = R(axis, angle) D`, by level and
-//! amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
+//! cases. [`Moved`] prescribes displacements, [`Rotated`] both turns of directors, `d = R(axis, angle) D`, [`Turned`] positions and
+//! directors of a set that turns as one body, by level and amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
 //! where it must be at the end of the step, and the work of its support is booked. A
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
@@ -195,6 +195,8 @@
 //! Summed over a smooth surface the former is symmetric but for its free edges \[schweizerhof1984\], where pressure has no
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
+//!
+//! [`Shell::spring`] ties particles to the ground along directions: `f_a = −k_a (n·u_a) n`, whatever the level.
 //!
 //! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
 //! [`StaticShell::set_case`].
@@ -290,9 +292,11 @@ pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
 pub use conditions::spread::spread;
+pub use conditions::springs::Spring;
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
+pub use conditions::turned::{Turn, Turned};
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
@@ -322,6 +326,9 @@ pub struct Shell {
     /// Particles that hang on cells of other sheets; empty without ties.
     ties: Ties,
     loads: Vec<AppliedLoad>,
+    springs: Vec<Spring>,
+    /// Forces of the springs on each particle; empty without springs.
+    sprung: Vec<Row>,
     /// The load case that is under way.
     case: LoadCase,
     /// Positions and directors.

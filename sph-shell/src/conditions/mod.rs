@@ -9,4 +9,6 @@ pub(crate) mod pressure;
 pub(crate) mod resultants;
 pub(crate) mod shares;
 pub(crate) mod spread;
+pub(crate) mod springs;
 pub(crate) mod supports;
+pub(crate) mod turned;

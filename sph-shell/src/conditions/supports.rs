@@ -145,8 +145,7 @@ impl Support for Held {
 impl Support for Moved {
     fn holds(&self) -> Holds {
         let direction = self.direction.normalize();
-        let (displacement, amplitude) = (direction * self.by, self.amplitude.clone());
-        let motion = Motion { displacement, amplitude, preload: None };
+        let motion = Motion::by(direction * self.by, self.amplitude.clone());
         Holds { translations: vec![direction], motion: Some(motion), ..Holds::default() }
     }
 }
@@ -257,7 +256,7 @@ impl Constraint {
             // A held direction of another support must not oppose the motion.
             for (_, hold) in asked.iter().filter(|(_, hold)| hold.motion.is_none()) {
                 for direction in &hold.translations {
-                    for part in motion.parts() {
+                    for part in motion.parts(&rest.0) {
                         let along = part.dot(direction);
                         if along.abs() > 1e-9 * part.norm() {
                             return Err(ShellError::Contradiction { particle, wanted: along, held: 0.0 });
@@ -314,7 +313,7 @@ impl Constraint {
 
     /// Mean velocity of the prescribed motion over a step \[L/T\].
     pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
-        Some(self.motion.as_ref()?.velocity(step.from, step.to))
+        Some(self.motion.as_ref()?.velocity(&self.rest.0, step.from, step.to))
     }
 
     /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].

@@ -37,12 +37,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         }
     }
 
-    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
-    fn prescribed_rates(&self) -> Vec<Row> {
+    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns, at a level.
+    fn prescribed_rates(&self, level: f64) -> Vec<Row> {
         let mut rates = vec![[0.0; 6]; self.shell.len()];
         for &a in &self.moved {
             if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
-                rates[a as usize] = told.rate(&self.shell.director(a as usize), self.shell.case);
+                rates[a as usize] = told.rate(level, &self.shell.director(a as usize), self.shell.case);
             }
         }
         self.shell.ties.follow(&self.shell.state, &mut rates);
@@ -53,7 +53,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     pub(super) fn level_rates(&mut self, level: f64) -> Vec<Row> {
         self.put(level);
         self.shell.evaluate_load_rate();
-        let rates = self.prescribed_rates();
+        let rates = self.prescribed_rates(level);
         let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
         self.shell.load_stiffness(level, &mut |a, b, block| {
             for (value, row) in rows[a as usize].iter_mut().zip(block) {
