@@ -137,7 +137,7 @@ fn what_cannot_be_preloaded_is_refused() {
             vec![("analysis", "{ explicit.transient = { duration = 1, record_every = 1 } }")],
             "let an `amplitude` bring the load up",
         ),
-        ("pulled-strip.toml", vec![yes("supports[0].preload")], "`moved` or `rotated` beside it"),
+        ("pulled-strip.toml", vec![yes("supports[0].preload")], "`moved`, `rotated` or `turned` beside it"),
         ("pulled-strip.toml", vec![("supports", "[]")], "leave the shell free to move"),
         ("pulled-strip.toml", vec![("analysis", "{ static = { levels = 1 } }")], "something that drives"),
         ("cantilever-solid.toml", vec![yes("loads[0].preload")], "only shells are preloaded"),

@@ -110,7 +110,9 @@ pub enum ShellError {
         mass: f64,
     },
     /// A spring that is none.
-    #[error("the spring at particle {particle} has the stiffness {stiffness}; it must be positive and finite")]
+    #[error(
+        "the spring at particle {particle} has the stiffness {stiffness}; it must be positive and finite"
+    )]
     Spring {
         /// The particle.
         particle: u32,

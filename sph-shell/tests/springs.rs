@@ -31,18 +31,18 @@ fn a_plate_on_springs_swings_as_one_mass() {
     let (k, axis) = (1e-4, Vec3::new(0.3, -1.0, 0.5));
     let masses = body.reference().masses.clone();
     let whole: f64 = masses.iter().sum();
-    let springs =
-        (0..3).map(|i| {
-            let direction = [axis, axis.cross(&Vec3::z()), axis.cross(&axis.cross(&Vec3::z()))][i];
-            let size = k * (1 + i) as f64 / whole;
-            Spring { stiffness: (0..).zip(&masses).map(|(a, m)| (a, size * m)).collect(), direction }
-        });
+    let springs = (0..3).map(|i| {
+        let direction = [axis, axis.cross(&Vec3::z()), axis.cross(&axis.cross(&Vec3::z()))][i];
+        let size = k * (1 + i) as f64 / whole;
+        Spring { stiffness: (0..).zip(&masses).map(|(a, m)| (a, size * m)).collect(), direction }
+    });
     body.spring(springs.collect()).unwrap();
     let mut system = StaticShell::new(body);
     let found = natural_modes(&mut system, 0.0, 6, 0.0, &mut unwatched).unwrap().modes;
     for i in 0..3 {
         let exact = k * (1 + i) as f64 / whole;
-        let nearest = found.iter().map(|mode| (mode.eigenvalue / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        let nearest =
+            found.iter().map(|mode| (mode.eigenvalue / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
         println!("{i}: {nearest:.1e}");
         assert!(nearest < 1e-7, "{i}: {nearest:.1e}");
     }
@@ -75,10 +75,13 @@ fn a_tip_spring_takes_its_share_of_the_force() {
     let (k, force) = (3.0 * EI / LENGTH.powi(3), 1e-4 * EI / LENGTH.powi(2));
     for (cells, bound) in [(10, 4e-3), (20, 1e-3)] {
         let mut system = StaticShell::new(cantilever(cells, k, force));
-        Newton::new(&system, &NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() })
-            .unwrap()
-            .at_level(&mut system, 1.0)
-            .unwrap();
+        Newton::new(
+            &system,
+            &NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() },
+        )
+        .unwrap()
+        .at_level(&mut system, 1.0)
+        .unwrap();
         system.evaluate(1.0);
         let shell = system.shell();
         let tip = shell.reference().cloud.sides.as_ref().unwrap().edge(Side::U1).to_vec();
@@ -98,7 +101,8 @@ fn a_tip_spring_takes_its_share_of_the_force() {
 #[test]
 fn a_cantilever_on_a_tip_spring_has_its_frequency() {
     let kappa = 10.0;
-    let lack = |b: f64| b.powi(3) * (1.0 + b.cos() * b.cosh()) + kappa * (b.cosh() * b.sin() - b.sinh() * b.cos());
+    let lack =
+        |b: f64| b.powi(3) * (1.0 + b.cos() * b.cosh()) + kappa * (b.cosh() * b.sin() - b.sinh() * b.cos());
     let (mut low, mut high) = (1.8, 3.9);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -114,7 +118,10 @@ fn a_cantilever_on_a_tip_spring_has_its_frequency() {
     }
     println!("βL = {low}: {errors:?}");
     // What is left with ever finer cells, 1.2e-4, are rotary inertia and shear, which Euler's beam has not.
-    assert!(errors[2].abs() < 6e-4 && (errors[0] - errors[1]).abs() > 3.0 * (errors[1] - errors[2]).abs(), "{errors:?}");
+    assert!(
+        errors[2].abs() < 6e-4 && (errors[0] - errors[1]).abs() > 3.0 * (errors[1] - errors[2]).abs(),
+        "{errors:?}"
+    );
 }
 
 #[test]

@@ -13,7 +13,8 @@ use implicit_statics::{Control, End, Equilibrium, PathOptions, Start, follow, li
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, Formulation, Held, Moved, Parts, Reach, Shell, ShellError, StaticShell, Support, Supported, Turned,
+    Clamped, Formulation, Held, Moved, Parts, Reach, Shell, ShellError, StaticShell, Support, Supported,
+    Turned,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -32,7 +33,8 @@ fn a_shell_that_is_turned_as_a_whole_stores_nothing_and_comes_back() {
     let all: Vec<u32> = (0..cloud.len() as u32).filter(|&a| a != 20).collect();
     let axis = Vec3::new(0.3, 1.0, -0.4);
     let turn = turned(axis, Vec3::new(0.5, -1.0, 2.0), TAU, Amplitude::Constant);
-    let mut system = StaticShell::new(shell(cloud, CELL, 0.2, &StretchCorrected, vec![on(&all, turn)], vec![]));
+    let mut system =
+        StaticShell::new(shell(cloud, CELL, 0.2, &StretchCorrected, vec![on(&all, turn)], vec![]));
     // One particle is free and goes along.
     let options = PathOptions::new(Control::Load { step: 0.125, until: 1.0 });
     let mut most = 0.0_f64;
@@ -91,7 +93,8 @@ fn a_strip_is_twisted_as_st_venant_says() {
     let angle = 1e-3;
     let soft = |length: f64, across: usize| {
         let cells = [(length as usize) * across, across];
-        angle / torque(solved(StaticShell::new(strip(length, cells, angle, Amplitude::Constant)), 1.0).shell())
+        angle
+            / torque(solved(StaticShell::new(strip(length, cells, angle, Amplitude::Constant)), 1.0).shell())
     };
     for (across, bound) in [(8, 1.6e-2), (16, 1.2e-2)] {
         let error = (soft(8.0, across) - soft(4.0, across)) * rigidity / 4.0 - 1.0;
@@ -147,7 +150,10 @@ fn rates_along_the_level_are_derivatives_and_what_opposes_a_turn_is_refused() {
     let hold = |direction| Box::new(Held { displacement: vec![direction], director: None });
     assert!(built(hold(Vec3::x())).is_ok(), "along its axis nothing turns");
     assert!(matches!(built(hold(Vec3::z())), Err(ShellError::Contradiction { particle: 10, .. })));
-    assert!(matches!(built(Box::new(Clamped)), Err(ShellError::HeldDirector { .. } | ShellError::Contradiction { .. })));
+    assert!(matches!(
+        built(Box::new(Clamped)),
+        Err(ShellError::HeldDirector { .. } | ShellError::Contradiction { .. })
+    ));
     let pulled = Moved { direction: Vec3::x(), by: 0.1, amplitude: Amplitude::Constant };
     assert!(built(Box::new(pulled)).is_ok(), "twisted and pulled");
 }

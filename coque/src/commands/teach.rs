@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 39] = [
+const TEMPLATES: [(&str, &str); 40] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -89,6 +89,7 @@ const TEMPLATES: [(&str, &str); 39] = [
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
+    ("twisted-strip", include_str!("../../../scenes/twisted-strip.toml")),
 ];
 
 /// The templates on a mesh, with the mesh that is written beside them.

@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 26] = [
+const ROWS: [(&str, &str, &str); 29] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -34,6 +34,8 @@ const ROWS: [(&str, &str, &str); 26] = [
         "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }",
     ),
     ("`rotated`", "supports", "on = 'u1', rotated = { axis = [0, 1, 0], by = 1 }"),
+    ("`turned`", "supports", "on = 'u1', turned = { axis = [1, 0, 0], by = 1 }"),
+    ("`spring`", "supports", "on = 'u1', spring = { direction = [0, 0, 1], stiffness = 1 }"),
     ("`force`", "loads", "on = 'u1', force = { total = [0, 0, 1] }"),
     ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
@@ -50,6 +52,7 @@ const ROWS: [(&str, &str, &str); 26] = [
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
+    ("`velocity` of a set", "velocity", "on = 'u1', linear = [0, 0, 1]"),
     ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a Galerkin solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a Galerkin solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),

@@ -21,7 +21,11 @@ impl Scene {
         for (i, support) in self.supports.iter().enumerate().filter(|(_, support)| support.preload) {
             if support.motion().is_none() {
                 let repair = "remove it: what stands still needs none";
-                return refuse(&format!("supports[{i}].preload"), "`moved` or `rotated` beside it", repair);
+                return refuse(
+                    &format!("supports[{i}].preload"),
+                    "`moved`, `rotated` or `turned` beside it",
+                    repair,
+                );
             }
         }
         let loads = self.loads.iter().position(|load| load.preload).map(|i| format!("loads[{i}].preload"));
