@@ -52,6 +52,8 @@ fn a_plate_on_two_springs_sinks_and_swings_as_one_mass() {
     assert!((last(&still, "w") * 60.0 / -mass - 1.0).abs() < 1e-4, "{}", last(&still, "w"));
     assert!((last(&still, "R") / (0.5 * mass) - 1.0).abs() < 1e-6, "{}", last(&still, "R"));
     assert!((still.summary.supports.unwrap().force[2] / mass - 1.0).abs() < 1e-6);
+    let relaxed = plate(&[("analysis", "{ relaxation = { levels = 1 } }")]);
+    assert!((last(&relaxed, "w") / last(&still, "w") - 1.0).abs() < 1e-5, "{}", last(&relaxed, "w"));
     let modes = plate(&[("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")]);
     let omega = column(&modes, "circular_frequency");
     println!("{omega:?}");

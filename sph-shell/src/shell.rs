@@ -315,8 +315,8 @@ impl Shell {
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
-        let rows =
-            self.slots.len() + self.state.len() + self.next.len() + self.rates.len() + self.external.len();
+        let motion = self.state.len() + self.next.len() + self.rates.len();
+        let rows = self.slots.len() + motion + self.external.len() + self.sprung.len();
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)

@@ -6,7 +6,9 @@ mod common;
 
 use common::{YOUNG, curved, disordered_flat, energy_formulations, flat, free_shell, parts, shake, shell};
 use explicit_dynamics::{Clock, Dynamics, LinearisedDynamics};
-use implicit_statics::{Equilibrium, Newton, NewtonOptions, natural_modes, unwatched};
+use implicit_statics::{
+    BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
+};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Side, Vec3};
 use sph_shell::{
@@ -48,13 +50,13 @@ fn a_plate_on_springs_swings_as_one_mass() {
     }
 }
 
-/// A cantilever of width one with a spring of stiffness k at its tip and a force F there.
-fn cantilever(cells: usize, k: f64, force: f64) -> Shell {
+/// A cantilever of width one along x with a spring of stiffness k along z at its tip and a force there.
+fn cantilever(cells: usize, k: f64, force: Vec3) -> Shell {
     let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
     let sides = cloud.sides.clone().unwrap();
     let tip = sides.edge(Side::U1).to_vec();
     let part = |size: f64| tip.iter().zip([0.25, 0.5, 0.25]).map(|(&a, s)| (a, s * size)).collect::<Vec<_>>();
-    let load: Box<dyn Load> = Box::new(Force { shares: part(1.0), total: Vec3::z() * force });
+    let load: Box<dyn Load> = Box::new(Force { shares: part(1.0), total: force });
     let loads = vec![sph_shell::AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Constant }];
     let mut shell = Shell::new(Parts {
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), THICK).unwrap()),
@@ -74,7 +76,7 @@ fn cantilever(cells: usize, k: f64, force: f64) -> Shell {
 fn a_tip_spring_takes_its_share_of_the_force() {
     let (k, force) = (3.0 * EI / LENGTH.powi(3), 1e-4 * EI / LENGTH.powi(2));
     for (cells, bound) in [(10, 4e-3), (20, 1e-3)] {
-        let mut system = StaticShell::new(cantilever(cells, k, force));
+        let mut system = StaticShell::new(cantilever(cells, k, Vec3::z() * force));
         Newton::new(
             &system,
             &NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() },
@@ -112,7 +114,7 @@ fn a_cantilever_on_a_tip_spring_has_its_frequency() {
     let exact = low.powi(4) * EI / (line * LENGTH.powi(4));
     let mut errors = Vec::new();
     for cells in [10, 20, 40] {
-        let mut system = StaticShell::new(cantilever(cells, kappa * EI / LENGTH.powi(3), 1.0));
+        let mut system = StaticShell::new(cantilever(cells, kappa * EI / LENGTH.powi(3), Vec3::z()));
         let found = natural_modes(&mut system, 0.0, 1, 0.0, &mut unwatched).unwrap().modes[0].eigenvalue;
         errors.push(found / exact - 1.0);
     }
@@ -122,6 +124,28 @@ fn a_cantilever_on_a_tip_spring_has_its_frequency() {
         errors[2].abs() < 6e-4 && (errors[0] - errors[1]).abs() > 3.0 * (errors[1] - errors[2]).abs(),
         "{errors:?}"
     );
+}
+
+/// A column clamped below, on a spring above: with κ = kL³/EI and `P = EI u²/L²`, `tan u = u − u³/κ`.
+#[test]
+fn a_column_on_a_tip_spring_has_its_buckling_load() {
+    let kappa = 10.0;
+    let lack = |u: f64| u.sin() - (u - u.powi(3) / kappa) * u.cos();
+    let (mut low, mut high) = (1.6, 4.4);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        *(if (lack(middle) > 0.0) == (lack(low) > 0.0) { &mut low } else { &mut high }) = middle;
+    }
+    let exact = EI * low * low / (LENGTH * LENGTH);
+    let error = |cells: usize| {
+        let shell = cantilever(cells, kappa * EI / LENGTH.powi(3), Vec3::x() * -exact);
+        let options = BucklingOptions::new(1);
+        linear_buckling(&mut StaticShell::new(shell), 0.0, &options, &mut unwatched).unwrap().modes[0].level
+            - 1.0
+    };
+    let errors = [10, 20, 40].map(error);
+    println!("u = {low}: {errors:?}");
+    assert!(errors[2].abs() < 3e-3 && errors[0].abs() > 3.0 * errors[1].abs(), "{errors:?}");
 }
 
 #[test]
