@@ -126,7 +126,7 @@ fn what_no_spring_or_turn_can_be_is_refused() {
         (
             "supports",
             "[{ on = \"v0\", spring = { direction = [0, 0, 1], stiffness = 1 } }]",
-            "translation along x",
+            "translation along [1, 0, 0]",
         ),
     ] {
         let text = refused(&[(path, value)]);

@@ -46,7 +46,7 @@ fn a_plate_on_springs_swings_as_one_mass() {
         let nearest =
             found.iter().map(|mode| (mode.eigenvalue / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
         println!("{i}: {nearest:.1e}");
-        assert!(nearest < 1e-7, "{i}: {nearest:.1e}");
+        assert!(nearest < 3e-9, "{i}: {nearest:.1e}");
     }
 }
 
@@ -145,7 +145,7 @@ fn a_column_on_a_tip_spring_has_its_buckling_load() {
     };
     let errors = [10, 20, 40].map(error);
     println!("u = {low}: {errors:?}");
-    assert!(errors[2].abs() < 3e-3 && errors[0].abs() > 3.0 * errors[1].abs(), "{errors:?}");
+    assert!(errors[2].abs() < 1e-3 && errors[0].abs() > 3.0 * errors[1].abs(), "{errors:?}");
 }
 
 #[test]
@@ -186,7 +186,7 @@ fn tangents_are_derivatives_and_have_no_skew_part() {
         let [a, b, c, d] = [-2e-4, -1e-4, 1e-4, 2e-4].map(&mut work);
         let found = (a - 8.0 * b + 8.0 * c - d) / 12e-4;
         println!("{name}: {:.1e}", found / exact - 1.0);
-        assert!((found / exact - 1.0).abs() < 1e-9, "{name}: {found} {exact}");
+        assert!((found / exact - 1.0).abs() < 1e-12, "{name}: {found} {exact}");
     }
 }
 
@@ -216,7 +216,7 @@ fn a_march_on_springs_keeps_its_balances() {
     }
     let lost = (momentum(&body) - start - impulse).norm() / start.norm();
     println!("momentum {lost:.1e}");
-    assert!(lost < 1e-12, "{lost}");
+    assert!(lost < 1e-14, "{lost}");
 
     let mut stiff = free_shell(flat([6, 5], [1.0, 0.8]), CELL, 0.1);
     let before = stiff.stable_step(1.0).unwrap().dt;
