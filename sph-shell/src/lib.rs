@@ -16,7 +16,7 @@
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
-//! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/preload.rs` |
+//! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/case.rs` |
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
@@ -288,9 +288,10 @@ use ties::list::Ties;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
+pub use conditions::case::LoadCase;
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
-pub use conditions::preload::{LoadCase, Preloaded};
+pub use conditions::preload::Preloaded;
 pub use conditions::prescribed::{Motion, Rotation};
 pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
@@ -300,7 +301,8 @@ pub use conditions::springs::Spring;
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
-pub use conditions::turned::{Turn, Turned};
+pub use conditions::turn::Turn;
+pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};

@@ -5,8 +5,8 @@ use shell_kinematics::{Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
+use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{AppliedLoad, Body};
-use crate::conditions::preload::LoadCase;
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;

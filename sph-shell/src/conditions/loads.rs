@@ -4,7 +4,7 @@ use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::conditions::preload::LoadCase;
+use crate::conditions::case::LoadCase;
 use crate::error::ShellError;
 use crate::reference::Reference;
 

@@ -1,5 +1,6 @@
 //! Supports, prescribed motions and loads.
 
+pub(crate) mod case;
 pub(crate) mod couple;
 mod implied;
 pub(crate) mod loads;
@@ -11,4 +12,5 @@ pub(crate) mod shares;
 pub(crate) mod spread;
 pub(crate) mod springs;
 pub(crate) mod supports;
+pub(crate) mod turn;
 pub(crate) mod turned;

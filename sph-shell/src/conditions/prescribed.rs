@@ -3,8 +3,8 @@
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
-use crate::conditions::preload::LoadCase;
-use crate::conditions::turned::{Turn, rotated};
+use crate::conditions::case::LoadCase;
+use crate::conditions::turn::{Turn, rotated};
 use crate::packs::Row;
 
 /// A prescribed displacement.

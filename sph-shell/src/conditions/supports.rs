@@ -3,7 +3,7 @@
 use explicit_dynamics::{Amplitude, Step};
 use sph_core::{Cloud, Vec3};
 
-use crate::conditions::preload::LoadCase;
+use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation, Told};
 use crate::error::ShellError;
 

@@ -5,7 +5,7 @@ use std::ops::DerefMut;
 use explicit_dynamics::Instant;
 
 use crate::Shell;
-use crate::conditions::preload::LoadCase;
+use crate::conditions::case::LoadCase;
 use crate::packs::Row;
 use crate::statics::static_shell::StaticShell;
 

@@ -1,7 +1,7 @@
 //! What is attached to the particles of a shell: lumped masses, springs to the ground, edges tied to other sheets.
 
 use sph_core::{Cloud, EndWeights};
-use sph_shell::{Holds, Spring, Tie};
+use sph_shell::{Spring, Tie};
 
 use super::build::Builder;
 use super::cells::CellSets;
@@ -56,10 +56,4 @@ impl Builder<'_> {
         };
         self.scene.shell().ties.iter().enumerate().map(tie).collect()
     }
-}
-
-/// A spring as what keeps its particles from moving away along it.
-pub(super) fn holds(spring: &Spring) -> (Vec<u32>, Holds) {
-    let translations = vec![spring.direction.normalize()];
-    (spring.stiffness.iter().map(|s| s.0).collect(), Holds { translations, ..Holds::default() })
 }

@@ -4,13 +4,12 @@ use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
-use super::attached::holds;
 use super::cells::CellSets;
 use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
-use super::rigid::free_motions;
+use super::rigid::{free_motions, holds};
 use super::sections::Sections;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
