@@ -16,6 +16,8 @@ pub enum Doubt {
     NoPotential,
     /// Fewer modes were found than asked for.
     FewerModes,
+    /// A buckling level that hangs on the change of shape before buckling.
+    ChangedShape,
     /// The formulation conserves neither momentum nor energy.
     StrongForm,
     /// Strains sampled at the particles lock, or are off at edges.
@@ -91,6 +93,7 @@ impl Doubt {
             Self::PassedCritical => "passed-critical",
             Self::NoPotential => "no-potential",
             Self::FewerModes => "fewer-modes",
+            Self::ChangedShape => "changed-shape",
             Self::StrongForm => "strong-form",
             Self::NodalLocking => "nodal-locking",
             Self::WideThin => "wide-thin",

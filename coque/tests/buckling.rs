@@ -158,14 +158,43 @@ fn an_octant_of_triangles_buckles_at_the_classical_pressure() {
     assert!((level - 1.0).abs() < 0.005, "{level}");
 }
 
+/// A deep cantilever under an end force that buckles aside, in units of `4.013 √(E I_y G J)/L²` (Prandtl), which leaves the
+/// held root out. It turns in its plane before; in unknowns that did not turn along, the level would be .27.
+/// Found: 1.0469 and 1.0456.
+#[test]
+fn a_deep_cantilever_buckles_aside_alike_by_either_derivative() {
+    let text = r#"
+title = "Deep cantilever"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [10.0, 1.0], particles = [81, 9] }
+material.elastic = { young = 1.2e6, poisson = 0.0, density = 1.0 }
+section.homogeneous.thickness = 0.1 # E I_y 100, G J 187.4
+supports = [{ on = "u0", clamped = {} }]
+loads = [{ on = "u1", force.total = [0.0, 5.4936, 0.0] }]
+analysis.buckling.modes = 2
+analysis.buckling.sign = "either"
+"#;
+    for prebuckling in ["", "analysis.buckling.prebuckling = \"stress\"\n"] {
+        let scene = Scene::parse(&format!("{text}{prebuckling}"), "deep.toml").unwrap();
+        let outcome = scene.build(1).unwrap().run(&mut coque::Silent);
+        let found = column(&outcome, "level");
+        assert!((found[0] + found[1]).abs() < 1e-5, "{found:?}");
+        assert!((found[1] - 1.046).abs() < 0.003, "{prebuckling} {found:?}");
+        assert!(outcome.summary.record.warnings.iter().all(|warning| warning.doubt != Doubt::ChangedShape));
+    }
+}
+
 /// The clamped edge bends before the cap buckles: with its rotations the level is that of the nonlinear path's tangent
-/// carried on, without them the finite-element one of 1.04. Found on these particles: .926 and 1.041.
+/// carried on, without them the finite-element one of 1.04. Found on these particles: .935 and 1.041.
 #[test]
 fn a_clamped_cap_has_two_linearised_levels() {
-    for (replaced, expected) in [(&[][..], 0.926), (&[STRESS], 1.041)] {
+    for (replaced, expected) in [(&[][..], 0.935), (&[STRESS], 1.041)] {
         let found = levels("clamped-cap.toml", replaced);
-        assert!((found[0] / expected - 1.0).abs() < 0.01, "{replaced:?} {found:?}");
+        assert!((found[0] / expected - 1.0).abs() < 0.005, "{replaced:?} {found:?}");
     }
+    let warnings = run("clamped-cap.toml", &[]).summary.record.warnings;
+    let told = warnings.iter().find(|warning| warning.doubt == Doubt::ChangedShape).unwrap();
+    assert!(told.message.contains("the level 0.9347"), "{}", told.message);
 }
 
 /// A quarter of a cylinder R/t = 100, L = R, pressed along its axis: ten levels within five percent of the classical stress

@@ -70,6 +70,9 @@ pub struct BucklingMode {
     pub level: f64,
     /// An exact level lies within this part of the extrapolated one \[–\].
     pub residual: f64,
+    /// Rayleigh's quotient of the shape with the other [`Prebuckling`], as a level \[–\]: where the change of shape before
+    /// buckling does not count it is the level itself. None where the system does not part the two.
+    pub otherwise: Option<f64>,
     /// Shape, its largest entry 1.
     pub shape: Vec<f64>,
 }
@@ -96,7 +99,7 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     }
     let geometric = along_load(system, level, options.prebuckling, &pattern, &base, &mut solver)?;
     let mut pencil =
-        Pencil { solver, pattern: &pattern, base: &base, geometric: &geometric, sign: 1.0, shift: 0.0 };
+        Pencil { solver, pattern: &pattern, base: &base, geometric: &geometric.asked, sign: 1.0, shift: 0.0 };
     let found = match options.sign {
         Sign::Positive => pencil.stretched_or(1.0, options.count, level)?,
         Sign::Negative => pencil.stretched_or(-1.0, options.count, level)?,
@@ -106,10 +109,19 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
             both
         }
     };
+    let quotient = |shape: &[f64], other: &[f64]| {
+        let along = |values: &[f64]| {
+            let mut image = vec![0.0; n];
+            product(&pattern, values, shape, &mut image);
+            dot(shape, &image)
+        };
+        level - along(&base) / along(other)
+    };
     let modes = found.levels.into_iter().map(|one| {
         let largest = one.shape.iter().fold(0.0, |best: f64, &s| if s.abs() > best.abs() { s } else { best });
         let shape = one.shape.iter().map(|s| s / largest).collect();
-        BucklingMode { level: level + one.value, residual: one.residual, shape }
+        let otherwise = geometric.other.as_deref().map(|other| quotient(&one.shape, other));
+        BucklingMode { level: level + one.value, residual: one.residual, otherwise, shape }
     });
     let Counted { from, to, number } = found.counted;
     let counted = Counted { from: level + from, to: level + to, number };

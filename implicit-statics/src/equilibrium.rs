@@ -68,6 +68,17 @@ pub trait Equilibrium {
         false
     }
 
+    /// The tangent after a motion from the present state, in unknowns that turn with the structure on the way: what
+    /// [`crate::Prebuckling::Rotations`] differentiates. The state is put back. Any choice is a congruence `Rᵀ K R` that is
+    /// singular where K is; the better the turn is followed, the less the second derivative counts. The default keeps
+    /// the unknowns as they are.
+    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+        let rest = self.save();
+        self.update(motion);
+        self.tangent(level, values);
+        self.restore(&rest);
+    }
+
     /// Norm of the forces that bring prescribed values about \[F\], for the internal forces last evaluated: the scale of
     /// residuals where little else is loaded. Zero without prescribed values.
     fn driving_force(&self) -> f64 {

@@ -19,8 +19,8 @@ const TRIALS: usize = 8;
 ///                                        σ(u)·∂²ε     Stress
 /// ```
 ///
-/// The first two terms are the change of shape before buckling, the rotations above all: where they vanish, as in flat
-/// plates and straight columns under loads in their plane, the two agree.
+/// The first two terms are the change of shape before buckling, in unknowns that turn with the structure: where they
+/// vanish, as in flat plates and straight columns under loads in their plane, the two agree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Prebuckling {
     /// All that changes along the linear response: its displacements and rotations as well as its stresses.
@@ -28,6 +28,24 @@ pub enum Prebuckling {
     Rotations,
     /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
     Stress,
+}
+
+impl Prebuckling {
+    /// The other of the two.
+    fn other(self) -> Self {
+        match self {
+            Self::Rotations => Self::Stress,
+            Self::Stress => Self::Rotations,
+        }
+    }
+}
+
+/// K_g of both kinds.
+pub(crate) struct Geometric {
+    /// The kind that was asked for, entries of the pattern.
+    pub asked: Vec<f64>,
+    /// The other kind; none where the system cannot part its stresses from its shape.
+    pub other: Option<Vec<f64>>,
 }
 
 /// `K_g` about the equilibrium at `level`, by central differences between the levels ± δ along the linear response.
@@ -41,23 +59,18 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     pattern: &[(usize, usize)],
     base: &[f64],
     solver: &mut CountingSolver<'_>,
-) -> Result<Vec<f64>, EquilibriumError> {
+) -> Result<Geometric, EquilibriumError> {
     let mut response = vec![0.0; system.unknowns()];
     system.load_rate(level, &mut response);
     let load = norm(&response);
     solver.solve(&mut response).map_err(|error| error.named(system, 0, level))?;
 
-    let saved = system.save();
-    let mut difference = |delta: f64| -> Option<Vec<f64>> {
+    let mut difference = |kind: Prebuckling, delta: f64| -> Option<Vec<f64>> {
         let mut ends = [vec![0.0; pattern.len()], vec![0.0; pattern.len()]];
         for (values, delta) in ends.iter_mut().zip([delta, -delta]) {
             let motion: Vec<f64> = response.iter().map(|u| delta * u).collect();
             match kind {
-                Prebuckling::Rotations => {
-                    system.update(&motion);
-                    system.tangent(level + delta, values);
-                    system.restore(&saved);
-                }
+                Prebuckling::Rotations => system.turned_tangent(level + delta, &motion, values),
                 Prebuckling::Stress if system.stressed_tangent(level + delta, &motion, values) => {}
                 Prebuckling::Stress => return None,
             }
@@ -75,10 +88,10 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     let mut change = 0.0;
     for _ in 0..TRIALS {
         solver.ask()?;
-        let geometric = difference(delta).ok_or(EquilibriumError::Inseparable)?;
-        change = delta * scaled(&geometric) / stiffness;
+        let asked = difference(kind, delta).ok_or(EquilibriumError::Inseparable)?;
+        change = delta * scaled(&asked) / stiffness;
         if (0.5..2.0).contains(&(change / PRESTRESS)) {
-            return Ok(geometric);
+            return Ok(Geometric { asked, other: difference(kind.other(), delta) });
         }
         // far from the goal the change may be all rounding: approach by bounded factors
         delta *= (PRESTRESS / change).clamp(1e-4, 1e4);
@@ -86,5 +99,6 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     if change < 0.1 * PRESTRESS {
         return Err(EquilibriumError::NoPrestress { level, load, change });
     }
-    difference(delta).ok_or(EquilibriumError::Inseparable)
+    let asked = difference(kind, delta).ok_or(EquilibriumError::Inseparable)?;
+    Ok(Geometric { asked, other: difference(kind.other(), delta) })
 }

@@ -162,7 +162,9 @@
 //! faer's partial eigen-solver has no inner product, no blocks for multiple eigenvalues, and cannot be stopped; it is not used.
 //!
 //! K_g = dK/dλ is a central difference of exact tangents, [`Prebuckling`] says of which. `Rotations` differentiates along the whole
-//! linear response u: the displacements and rotations before buckling count as well as the stresses. `Stress` holds the shape and
+//! linear response u, in unknowns that turn with the structure ([`Equilibrium::turned_tangent`]): the change of shape before
+//! buckling counts as well as the stresses. In fixed directions a rotation θ shows the bending of a thin structure its membrane,
+//! and to the first order in θ the level of a deep beam that buckles aside comes out at a quarter. `Stress` holds the shape and
 //! differentiates along the stresses of u alone, which is what most finite-element programs call linear buckling. Both
 //! hold the stiffness of loads that follow the structure. They agree where the response does not turn the structure (plates
 //! and columns in their plane) and differ where edges bend before buckling; neither is the limit of the nonlinear path.

@@ -3,7 +3,7 @@
 //! A director counts as an arc at a fixed radius, a power of two near the spacing: all unknowns are lengths and all their
 //! forces are forces, so that no norm and no pivot depends on the units of a scene.
 
-use sph_core::Vec3;
+use sph_core::{Vec3, follow_turn};
 
 use crate::constraint::Constraints;
 
@@ -29,6 +29,16 @@ impl Unknowns {
                 Some(held) => out.directions.extend(held.free_directions().iter().map(|n| n * unit)),
             }
             out.offsets.push(out.directions.len() as u32);
+        }
+        out
+    }
+
+    /// The same of nodes whose free directions follow a turn of each.
+    pub fn turned(&self, turns: &[Vec3]) -> Self {
+        let mut out = self.clone();
+        for (row, turn) in turns.iter().enumerate() {
+            let own = self.of(row);
+            follow_turn(&mut out.directions[own.clone()], &self.directions[own], turn);
         }
         out
     }

@@ -184,6 +184,7 @@ pub use sampling::moving_least_squares::{
 };
 pub use sampling::nodal_operator::nodal_operator;
 pub use sampling::operator::{SamplingOperator, SamplingPoint, Stencil};
+pub use sampling::spin::{fitted_spins, follow_turn};
 pub use surface::cell::{Cell, CellGeometry};
 pub use surface::cloud::Cloud;
 pub use surface::frame::Frame;

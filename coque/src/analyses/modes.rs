@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BucklingOptions, Counted, Effort, EquilibriumError, Prebuckling, Sign, Spectrum, linear_buckling,
-    natural_modes,
+    BucklingMode, BucklingOptions, Counted, Effort, EquilibriumError, Prebuckling, Sign, Spectrum,
+    linear_buckling, natural_modes,
 };
 use sph_core::Vec3;
 
@@ -23,6 +23,9 @@ const SCALE: f64 = 0.1;
 /// converge: bending of a thin shell is some 1e-8 of that. A smaller shift tells modes better apart; rounding, 1e-16 over the
 /// shift, puts rigid motions into every solve, and a larger shift keeps more digits.
 const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
+/// Relative difference of a mode's level by the two linearisations beyond which the change of shape before buckling counts: a
+/// clamped cap has .18 and its path ends a fifth below the level, plates, columns and deep beams have .004 at most.
+const CHANGED: f64 = 0.1;
 
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
@@ -73,6 +76,9 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
+    if let Some(message) = modes.first().and_then(|lowest| changed_shape(lowest, options.prebuckling)) {
+        run.record.warn(Doubt::ChangedShape, message);
+    }
     for (number, mode) in modes.iter().enumerate() {
         run.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
         if keep(system, &mode.shape, mode.level, run).is_break() {
@@ -80,6 +86,21 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
         }
     }
     Ended::Done
+}
+
+/// What is doubtful about a level that hangs on the linearisation.
+fn changed_shape(mode: &BucklingMode, kind: Prebuckling) -> Option<String> {
+    let BucklingMode { level, otherwise, .. } = *mode;
+    let otherwise = otherwise.filter(|other| (other / level - 1.0).abs() > CHANGED)?;
+    let [here, there] = match kind {
+        Prebuckling::Rotations => ["the change of shape before buckling", "the stresses alone"],
+        Prebuckling::Stress => ["the stresses alone", "the change of shape before buckling"],
+    };
+    Some(format!(
+        "the level {level:.4} counts {here}; the same mode with {there} has {otherwise:.4}: the structure changes its shape \
+         before it buckles, and may give way elsewhere, below both. Follow its path, by [analysis.arc-length] or by levels of \
+         [analysis.static]"
+    ))
 }
 
 /// Asks the progress between two solves whether to go on.

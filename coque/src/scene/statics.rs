@@ -131,7 +131,7 @@ pub enum LevelSign {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Prebuckling {
-    /// The linear response as it is: its rotations and stretches as well as its stresses.
+    /// The linear response as it is: the change of shape as well as the stresses, in directions that turn along.
     #[default]
     Rotations,
     /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.

@@ -5,7 +5,7 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
-use sph_core::Vec3;
+use sph_core::{Vec3, fitted_spins};
 
 use crate::Solid;
 use crate::bonds::couplings::{Coupling, Couplings, product, transposed_product};
@@ -119,6 +119,20 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
                 *slot = left.dot(&product(&blocks[block], right));
             }
         });
+    }
+
+    /// How each node turns with a motion.
+    fn spins(&self, motion: &[f64]) -> Vec<Vec3> {
+        let (solid, couplings) = (&*self.solid, self.couplings());
+        let nodes = solid.len();
+        let positions: Vec<Vec3> = solid.rows[..nodes].iter().map(vector).collect();
+        let velocity = |row| {
+            let own = self.unknowns.of(row);
+            own.map(|unknown| self.unknowns.direction(unknown) * motion[unknown]).sum()
+        };
+        let velocities: Vec<Vec3> = (0..nodes).map(velocity).collect();
+        let of = |a: usize| couplings.of(a).map(move |block| (a, couplings.columns[block] as usize));
+        fitted_spins(&positions, &velocities, (0..nodes).flat_map(of))
     }
 
     /// Puts prescribed values where a level has them.
@@ -243,6 +257,17 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
         let blocks = self.blocks(Some(&stressed));
         self.assemble(&blocks, values);
         true
+    }
+
+    /// Nodes turn as their neighbours do about them; directors, which small rotations move alone, keep their axes.
+    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+        let turned = self.unknowns.turned(&self.spins(motion));
+        let rest = self.save();
+        self.update(motion);
+        let fixed = std::mem::replace(&mut self.unknowns, turned);
+        self.tangent(level, values);
+        self.unknowns = fixed;
+        self.restore(&rest);
     }
 
     fn driving_force(&self) -> f64 {

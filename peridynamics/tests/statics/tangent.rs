@@ -52,6 +52,31 @@ fn rigid_motions_are_the_only_ones_without_stiffness() {
     }
 }
 
+/// In unknowns that turn with the nodes; in fixed ones the change per radian is of order one.
+#[test]
+fn a_rigid_turn_leaves_the_tangent_as_it_is() {
+    let step = 1e-5;
+    for (name, mut system) in free_blocks() {
+        let solid = system.solid();
+        let spin = if name.starts_with("Solid") { Vec3::new(0.5, -0.3, 0.8) } else { Vec3::z() };
+        let motion: Vec<f64> = (0..solid.len())
+            .flat_map(|node| {
+                let rate = spin.cross(&solid.position(node));
+                rate.iter().copied().take(system.unknowns() / solid.len()).collect::<Vec<_>>()
+            })
+            .collect();
+        let mut ends = [vec![0.0; system.pattern().len()], vec![0.0; system.pattern().len()]];
+        for (sign, values) in [1.0, -1.0].into_iter().zip(&mut ends) {
+            let motion: Vec<f64> = motion.iter().map(|q| sign * step * q).collect();
+            system.turned_tangent(0.0, &motion, values);
+        }
+        let change: Vec<f64> = ends[0].iter().zip(&ends[1]).map(|(p, m)| (p - m) / (2.0 * step)).collect();
+        let left = norm(&change) / norm(&ends[0]);
+        println!("{name}: {left:.1e}");
+        assert!(left < 1e-6, "{name}: {left:.1e}");
+    }
+}
+
 #[test]
 fn a_turned_body_has_turned_forces() {
     for (name, mut system) in free_blocks() {

@@ -8,4 +8,5 @@ pub(crate) mod kernel_operator;
 pub(crate) mod moving_least_squares;
 pub(crate) mod nodal_operator;
 pub(crate) mod operator;
+pub(crate) mod spin;
 pub(crate) mod unevenness;

@@ -1,6 +1,6 @@
 //! Groups of particles that move as one: which they are, their triad, and how fast it turns.
 
-use nalgebra::{Matrix3, SymmetricEigen};
+use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -119,6 +119,13 @@ impl Group {
     pub fn principal_axes(&self, state: &[Row]) -> Matrix3<f64> {
         let [d, e] = self.pair.map(|k| director(&state[self.particles[k] as usize]));
         triad(&d, &e) * self.axes
+    }
+
+    /// The rotation vector from one state to another.
+    pub fn rotation_to(&self, here: &[Row], there: &[Row]) -> Vec3 {
+        let turned = self.principal_axes(there) * self.principal_axes(here).transpose();
+        // By the quaternion: the trace of a matrix loses small angles.
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turned)).scaled_axis()
     }
 
     /// `Σ m_k (1 − (d_k·e)²)`, over t²/12 the rotary inertia of modes about an axis \[M\].

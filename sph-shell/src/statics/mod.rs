@@ -7,3 +7,4 @@ pub(crate) mod load_stiffness;
 pub(crate) mod projection;
 pub(crate) mod static_shell;
 pub(crate) mod stiffness;
+pub(crate) mod turned;

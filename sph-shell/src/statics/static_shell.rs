@@ -21,13 +21,13 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
     pub(crate) dofs: DofMap,
     pub(crate) pattern: BlockPattern,
-    pub(super) blocks: Vec<Block>,
+    pub(crate) blocks: Vec<Block>,
     /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
     entries: Vec<usize>,
     /// Particles with a prescribed displacement or rotation.
-    pub(super) moved: Vec<u32>,
-    /// Directions of the unknowns of all particles in the present state, after it was carried there; else none.
-    pub(super) carried: Vec<Basis>,
+    pub(crate) moved: Vec<u32>,
+    /// Directions of the unknowns of all particles in the present state, after it was carried or turned there; else none.
+    pub(crate) carried: Vec<Basis>,
 }
 
 impl StaticShell {
@@ -108,9 +108,14 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         radial: impl Fn(usize) -> f64 + Sync,
         values: &mut [f64],
     ) {
-        let bases: Vec<Basis> = (0..self.shell.len()).map(|a| self.basis(a)).collect();
-        let projection =
-            Projection { bases: &bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
+        let present: Vec<Basis>;
+        let bases = if self.carried.is_empty() {
+            present = (0..self.shell.len()).map(|a| self.basis(a)).collect();
+            &present
+        } else {
+            &self.carried
+        };
+        let projection = Projection { bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
 }
@@ -204,6 +209,13 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         true
     }
 
+    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+        let rest = self.save();
+        self.turn_along(motion);
+        self.tangent(level, values);
+        self.restore(&rest);
+    }
+
     /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         let pattern = self.pattern();
@@ -244,13 +256,13 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
-        for (a, row) in saved.chunks_exact(6).enumerate() {
+        let (rows, _) = saved.as_chunks::<6>();
+        for (a, row) in rows.iter().enumerate() {
             let here = &self.shell.state[a];
-            let along: f64 = (3..6).map(|k| here[k] * row[k]).sum();
-            let across = Vec3::from_fn(|k, _| row[3 + k] - along * here[3 + k]);
-            let sine = across.norm();
-            // The great circle through both directors.
-            let turn = if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() };
+            let turn = match self.shell.junctions.of(a) {
+                Some(group) => group.rotation_to(&self.shell.state, rows),
+                None => great_circle(here, row),
+            };
             let basis = self.basis(a);
             let own = &mut out[self.dofs.of(a)];
             for (value, direction) in own.iter_mut().zip(&basis.directions) {
@@ -334,4 +346,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         };
         self.project_blocks(&self.blocks, radial, values);
     }
+}
+
+/// The turn of a director along the great circle to another.
+fn great_circle(here: &Row, there: &Row) -> Vec3 {
+    let along: f64 = (3..6).map(|k| here[k] * there[k]).sum();
+    let across = Vec3::from_fn(|k, _| there[3 + k] - along * here[3 + k]);
+    let sine = across.norm();
+    if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() }
 }

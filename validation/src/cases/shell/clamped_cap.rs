@@ -28,9 +28,9 @@ fn variants() -> Vec<Variant> {
     let level = |run: &Run| -> Result<_, JudgeError> { Ok(run.column("level")?.first().copied()) };
     vec![
         cap([61, 41]).on("with rotations").quick().judged(move |run, _| {
-            Ok(vec![Metric::compared(NAME, level(run)?, "-", 0.926).within(
+            Ok(vec![Metric::compared(NAME, level(run)?, "-", 0.935).within(
                 0.005,
-                "our own value, no other program has this derivative: half a percent keeps it apart from stress alone, 12 % above",
+                "our own value, no other program has this derivative: half a percent keeps it apart from stress alone, 11 % above, and from unknowns in fixed directions, 1 % below",
             )])
         }),
         cap([61, 41])
