@@ -195,6 +195,9 @@ fn static_runs_go_on_from_the_last_level_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");
     let levels = ("analysis.static.levels", "8");
     stopped_again_and_again("static-load", &text("ring.toml"), &[coarse, levels], 3);
+    // A preload is over where a run goes on from a level, and is applied anew where it was interrupted on its way.
+    let first = "{ on = \"u1\", force = { total = [0, 0, 0.3] }, preload = true }";
+    stopped_again_and_again("static-preload", &text("ring.toml"), &[coarse, levels, ("loads[+]", first)], 3);
     let coarse = ("geometry.cylinder.particles", "[9, 9]");
     stopped_again_and_again("static-moved", &text("panel.toml"), &[coarse, levels], 3);
 }

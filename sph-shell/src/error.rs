@@ -109,6 +109,16 @@ pub enum ShellError {
         /// The mass \[M\].
         mass: f64,
     },
+    /// A spring that is none.
+    #[error(
+        "the spring at particle {particle} has the stiffness {stiffness}; it must be positive and finite"
+    )]
+    Spring {
+        /// The particle.
+        particle: u32,
+        /// The stiffness \[F/L\].
+        stiffness: f64,
+    },
     /// A cell in two regions.
     #[error("cell {cell} lies in two regions; take it out of one of them")]
     TwoRegions {

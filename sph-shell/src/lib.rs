@@ -16,7 +16,7 @@
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
-//! | what a clamp does; loads with their stiffness | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours |
+//! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/case.rs` |
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
@@ -177,8 +177,8 @@
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
 //! or both turns. [`Held`] is the general one; [`Clamped`], [`Hinged`], [`SymmetryPlane`], [`Diaphragm`] are named
-//! cases. [`Moved`] prescribes displacements and [`Rotated`] both turns of directors, `d = R(axis, angle) D`, by level and
-//! amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
+//! cases. [`Moved`] prescribes displacements, [`Rotated`] both turns of directors, `d = R(axis, angle) D`, [`Turned`] positions and
+//! directors of a set that turns as one body, by level and amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
 //! where it must be at the end of the step, and the work of its support is booked. A
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
@@ -195,6 +195,11 @@
 //! Summed over a smooth surface the former is symmetric but for its free edges \[schweizerhof1984\], where pressure has no
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
+//!
+//! [`Shell::spring`] ties particles to the ground along directions: `f_a = −k_a (n·u_a) n`, whatever the level.
+//!
+//! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
+//! [`StaticShell::set_case`].
 //!
 //! # In a fluid
 //!
@@ -229,6 +234,10 @@
 //! | ties: force and tangent are derivatives, constant strains and curvatures are balanced, six zero modes, boxes and frames as closed forms say, momentum is kept | tests/ties.rs, tests/ties_answers.rs |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
+//! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
+//! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
+//! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs |
+//! | masses lumped at a junction weigh and move with it | tests/junction_masses.rs |
 //! | dynamic relaxation finds what Newton's method finds | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
 //! | free flight keeps momentum and moment of momentum; the energy error falls with Δt² | `free_flight_keeps_momentum_and_moment_of_momentum`, `undamped_energy_error_is_bounded_and_falls_with_the_square_of_the_step` (tests/march.rs) |
@@ -279,16 +288,21 @@ use ties::list::Ties;
 use time::fused::Fused;
 use wetted::surface::Surface;
 
+pub use conditions::case::LoadCase;
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
+pub use conditions::preload::Preloaded;
 pub use conditions::prescribed::{Motion, Rotation};
 pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
 pub use conditions::spread::spread;
+pub use conditions::springs::Spring;
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
+pub use conditions::turn::Turn;
+pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
@@ -318,6 +332,11 @@ pub struct Shell {
     /// Particles that hang on cells of other sheets; empty without ties.
     ties: Ties,
     loads: Vec<AppliedLoad>,
+    springs: Vec<Spring>,
+    /// Forces of the springs on each particle; empty without springs.
+    sprung: Vec<Row>,
+    /// The load case that is under way.
+    case: LoadCase,
     /// Positions and directors.
     state: Vec<Row>,
     /// Positions and directors at the end of a step, before they take the place of the old ones.

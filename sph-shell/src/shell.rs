@@ -5,6 +5,7 @@ use shell_kinematics::{Section, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
+use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{AppliedLoad, Body};
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
@@ -109,6 +110,9 @@ impl Shell {
             junctions,
             ties: Ties::default(),
             loads: parts.loads,
+            case: LoadCase::Loading,
+            springs: Vec::new(),
+            sprung: Vec::new(),
             wetted: None,
             internal_energy: 0.0,
             fused,
@@ -208,12 +212,13 @@ impl Shell {
         self.external.get(particle).copied().unwrap_or([0.0; 6])
     }
 
-    /// What the supports of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated. The first
+    /// What the supports and springs of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated. The first
     /// particle of a group bears what supports of the group do.
     pub fn reaction(&self, particle: usize) -> Vec3 {
         let f = self.gathered(particle, |a| self.internal_force(a));
         let e = self.gathered(particle, |a| self.external_force(a));
-        Vec3::new(f[0] - e[0], f[1] - e[1], f[2] - e[2])
+        let s = self.gathered(particle, |a| self.sprung(a));
+        Vec3::new(f[0] - e[0] + s[0], f[1] - e[1] + s[1], f[2] - e[2] + s[2])
     }
 
     /// The moment that the supports of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
@@ -277,6 +282,19 @@ impl Shell {
     }
 
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
+        let under_way = self.case;
+        self.evaluate_loads(true, |applied| applied.scale(at, under_way));
+    }
+
+    /// Evaluates what a unit of level adds to the loads of the case that is under way.
+    pub(crate) fn evaluate_load_rate(&mut self) {
+        let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
+        self.evaluate_loads(false, |applied| {
+            if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
+        });
+    }
+
+    fn evaluate_loads(&mut self, springs: bool, scale: impl Fn(&AppliedLoad) -> f64) {
         if self.external.is_empty() {
             return;
         }
@@ -284,18 +302,21 @@ impl Shell {
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
-            applied.load.add(applied.scale(at), &body, &mut self.external);
+            applied.load.add(scale(applied), &body, &mut self.external);
         }
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
+        }
+        if springs && !self.springs.is_empty() {
+            self.evaluate_springs();
         }
         self.take_back_external();
     }
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
-        let rows =
-            self.slots.len() + self.state.len() + self.next.len() + self.rates.len() + self.external.len();
+        let motion = self.state.len() + self.next.len() + self.rates.len();
+        let rows = self.slots.len() + motion + self.external.len() + self.sprung.len();
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)

@@ -7,6 +7,7 @@ mod linear;
 mod march;
 mod modes;
 mod path;
+mod preload;
 mod relaxation;
 mod stability;
 
@@ -178,6 +179,12 @@ fn marched(
 }
 
 fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
+    let from = from.filter(|stage| !matches!(stage, Stage::Preload));
+    if from.is_none()
+        && let Err(ended) = preload::preload(analysis, body, run)
+    {
+        return *ended;
+    }
     match analysis {
         Analysis::Explicit(_) => Ended::Diverged(Failure::Kind {
             analysis: analysis.kind().name,

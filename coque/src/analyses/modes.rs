@@ -1,4 +1,4 @@
-//! Analyses that give modes: free vibration and linearised buckling of the unloaded body.
+//! Analyses that give modes: free vibration and linearised buckling, of the unloaded or the preloaded body.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -10,7 +10,7 @@ use implicit_statics::{
 use sph_core::Vec3;
 
 use crate::Doubt;
-use crate::bodies::{Balanced, Configuration};
+use crate::bodies::Balanced;
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::progress::{Progress, ProgressReport};
@@ -142,12 +142,12 @@ fn taken<M>(
     Ok(modes)
 }
 
-/// Counts a mode, keeps its shape about the unloaded one and offers it as a frame, scaled for the eye.
+/// Counts a mode, keeps its shape about the state that vibrates or buckles and offers it as a frame, scaled for the eye.
 fn keep(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
     let rest = system.save();
+    let start = system.configuration().present;
     system.update(mode);
-    let Configuration { rest: start, present, .. } = system.configuration();
-    let factor = keep_enlarged(start, &present, level, run);
+    let factor = keep_enlarged(&start, &system.configuration().present, level, run);
     system.restore(&rest);
     if run.frames.is_none() {
         return ControlFlow::Continue(());

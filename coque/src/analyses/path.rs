@@ -164,11 +164,11 @@ pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn Balanced, run: &mu
 ///
 /// In bending a line search on the residual answers to the membrane stiffness and holds back steps that are right:
 /// the thin ring (t/L = 1/120) takes 96 iterations in 8 levels without it, 2611 in 432 cut-back steps with it.
-fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
+pub(super) fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
     NewtonOptions { tolerance, iterations, line_search: false, ..NewtonOptions::default() }
 }
 
-fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
+pub(super) fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
     let mut options = PathOptions::new(control);
     options.newton = newton.clone();
     options.critical = Some(CriticalOptions { tolerance: BRACKET, ..CriticalOptions::default() });
@@ -212,7 +212,12 @@ pub(crate) fn loaded(run: &Run<'_>, level: f64) -> f64 {
 }
 
 /// A row of the curve, of a point of a path.
-fn read(run: &mut Run<'_>, system: &mut dyn Balanced, point: &Point, iterations: usize) -> Vec<f64> {
+pub(super) fn read(
+    run: &mut Run<'_>,
+    system: &mut dyn Balanced,
+    point: &Point,
+    iterations: usize,
+) -> Vec<f64> {
     let internal = system.refresh(loaded(run, point.level()));
     let negative = point.inertia().negative;
     let mut row = vec![point.level(), internal, iterations as f64, negative as f64];

@@ -101,6 +101,14 @@ pub trait Balanced: Body + Equilibrium {
         0.0
     }
 
+    /// Begins the preload: levels count what belongs to it, all else is left off. False, and nothing done, where nothing does.
+    fn begin_preload(&mut self) -> bool {
+        false
+    }
+
+    /// Ends the preload, which is held from here on: levels count all else.
+    fn end_preload(&mut self) {}
+
     /// What may be wrong with the states that were kept, known once they are.
     fn warnings(&self) -> Vec<Warning> {
         Vec::new()

@@ -60,7 +60,7 @@ impl Scene {
     /// not.
     pub(super) fn refuse_free_motion(&self, free: impl FnOnce() -> Vec<String>) -> Result<(), SceneError> {
         let kind = self.analysis.kind();
-        if kind.floats {
+        if kind.floats && !self.has_preload() {
             return Ok(());
         }
         let free = free();

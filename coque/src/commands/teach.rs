@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 38] = [
+const TEMPLATES: [(&str, &str); 40] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -76,6 +76,7 @@ const TEMPLATES: [(&str, &str); 38] = [
     ("plate-pd", include_str!("../../../scenes/plate-pd.toml")),
     ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
     ("plate-solid", include_str!("../../../scenes/plate-solid.toml")),
+    ("pulled-strip", include_str!("../../../scenes/pulled-strip.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
@@ -88,6 +89,7 @@ const TEMPLATES: [(&str, &str); 38] = [
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
     ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.toml")),
     ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
+    ("twisted-strip", include_str!("../../../scenes/twisted-strip.toml")),
 ];
 
 /// The templates on a mesh, with the mesh that is written beside them.

@@ -76,6 +76,16 @@ pub enum Failure {
         /// Unit of the load levels that the cause names, where they are forces.
         unit: Option<String>,
     },
+    /// The preload was not reached.
+    #[error("the preload found no balance after {points} points, the last at {level} of it: {cause}{}", causes(.cause))]
+    Preload {
+        /// Points found.
+        points: u64,
+        /// Part of the preload at the last one.
+        level: f64,
+        /// What happened.
+        cause: EquilibriumError,
+    },
     /// A path was still under way.
     #[error("the path is still under way after {steps} steps, at level {level}; {repair}")]
     Steps {
@@ -104,7 +114,9 @@ impl Failure {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Fields(_) | Self::March(MarchError::Option { .. }) => true,
-            Self::Balance { cause, .. } => matches!(cause, EquilibriumError::Option { .. }),
+            Self::Balance { cause, .. } | Self::Preload { cause, .. } => {
+                matches!(cause, EquilibriumError::Option { .. })
+            }
             _ => false,
         }
     }

@@ -21,6 +21,8 @@ pub struct RunRecord {
     pub safety: f64,
     /// Time the run took, over all its sessions \[s\].
     pub wall_seconds: f64,
+    /// What was applied before the analysis; none without a preload.
+    pub preload: Option<PreloadSummary>,
     /// Energies at the last record.
     pub energies: Energies,
     /// How each load level ended; empty without levels.
@@ -45,6 +47,21 @@ impl RunRecord {
     pub fn not_settled(&self) -> Vec<f64> {
         self.levels.iter().filter(|level| !level.settled).map(|level| level.level).collect()
     }
+}
+
+/// How a preload was brought up; counts here are none of those of the run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PreloadSummary {
+    /// Equilibria found on the way, its end included.
+    pub points: u64,
+    /// Newton iterations.
+    pub newton_iterations: u64,
+    /// Internal energy under it \[F L\].
+    pub internal: f64,
+    /// Negative pivots of the tangent under it: the directions in which that state is unstable.
+    pub negative_pivots: usize,
+    /// Critical points on the way; levels are parts of the preload.
+    pub critical: Vec<CriticalSummary>,
 }
 
 /// Energies at the last record \[F L\].

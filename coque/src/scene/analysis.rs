@@ -20,9 +20,9 @@ pub enum Analysis {
     ArcLength(ArcLength),
     /// Equilibria at load levels, by dynamic relaxation.
     Relaxation(Relaxation),
-    /// Modes of free vibration of the unloaded shell.
+    /// Modes of free vibration of the unloaded or the preloaded shell.
     Modal(Modal),
-    /// Buckling levels and modes, linearised about the unloaded shell.
+    /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
 }
 

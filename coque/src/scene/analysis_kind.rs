@@ -25,6 +25,8 @@ pub struct AnalysisKind {
     pub seeks_force: bool,
     /// Whether it needs a tangent, which a formulation without energy does not have.
     pub wants_tangent: bool,
+    /// Whether it goes on from a preload.
+    pub preloads: bool,
 }
 
 /// Columns of marches.
@@ -44,6 +46,7 @@ const LEVELLED: AnalysisKind = AnalysisKind {
     wants_driver: true,
     seeks_force: true,
     wants_tangent: true,
+    preloads: false,
 };
 
 /// What marches are.
@@ -67,8 +70,8 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         ..MARCH
     },
     AnalysisKind { word: "linear", name: "a linear analysis", ..LEVELLED },
-    AnalysisKind { word: "static", name: "a static analysis", resumes: true, ..LEVELLED },
-    AnalysisKind { word: "arc-length", name: "an arc-length analysis", ..LEVELLED },
+    AnalysisKind { word: "static", name: "a static analysis", resumes: true, preloads: true, ..LEVELLED },
+    AnalysisKind { word: "arc-length", name: "an arc-length analysis", preloads: true, ..LEVELLED },
     AnalysisKind {
         word: "relaxation",
         name: "a relaxation",
@@ -84,6 +87,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         floats: true,
         wants_driver: false,
         seeks_force: false,
+        preloads: true,
         ..LEVELLED
     },
     AnalysisKind {
@@ -91,6 +95,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a buckling analysis",
         columns: &["mode", "level", "residual"],
         gives_modes: true,
+        preloads: true,
         ..LEVELLED
     },
 ];

@@ -7,11 +7,11 @@ const HEAD: &str = "
 ## What goes with which analysis
 
 Found by building a small scene of each. \"in time\": with an `amplitude` beside it, which other analyses refuse. Modes of vibration
-are those of the unloaded shell: its loads change nothing, prescribed motions stand still.
+are those of the unloaded shell, or of the preloaded one: other loads change nothing, other prescribed motions stand still.
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 24] = [
+const ROWS: [(&str, &str, &str); 29] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -34,6 +34,8 @@ const ROWS: [(&str, &str, &str); 24] = [
         "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }",
     ),
     ("`rotated`", "supports", "on = 'u1', rotated = { axis = [0, 1, 0], by = 1 }"),
+    ("`turned`", "supports", "on = 'u1', turned = { axis = [1, 0, 0], by = 1 }"),
+    ("`spring`", "supports", "on = 'u1', spring = { direction = [0, 0, 1], stiffness = 1 }"),
     ("`force`", "loads", "on = 'u1', force = { total = [0, 0, 1] }"),
     ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
@@ -41,9 +43,16 @@ const ROWS: [(&str, &str, &str); 24] = [
     ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
     ("`traction`, and `force` by area", "loads", "on = 'all', traction = { value = [0, 0, 1] }"),
     ("`pressure` on cells, follower", "loads", "on = 'half', pressure = { value = 1, follower = true }"),
+    (
+        "`preload` of a motion",
+        "supports",
+        "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }, preload = true",
+    ),
+    ("`preload` of a load", "preload", "on = 'u1', force = { total = [0, 0, 1] }, preload = true"),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
+    ("`velocity` of a set", "velocity", "on = 'u1', linear = [0, 0, 1]"),
     ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a Galerkin solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a Galerkin solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
@@ -122,7 +131,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     let mut velocity = String::new();
     match table {
         "supports" => supports.push(format!("{{ {says} }}")),
-        "loads" => loads.push(format!("{{ {says} }}")),
+        "loads" | "preload" => loads.push(format!("{{ {says} }}")),
         _ if of_solid => velocity = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => velocity = format!("velocity = {{ {says} }}"),
     }

@@ -26,6 +26,9 @@ pub struct Load {
     pub traction: Option<Traction>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
+    /// Whether it is applied in full before the analysis and held: the level counts the other loads.
+    #[serde(default)]
+    pub preload: bool,
 }
 
 /// Dead force shared by the set: by tributary length on an edge, of a solid by volume, by area where that is asked for, else

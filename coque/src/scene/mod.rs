@@ -75,7 +75,7 @@ pub use solid::{Imperfection, SolidScene};
 pub use statics::{
     ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Relaxation, RelaxationDamping, Static, Stop,
 };
-pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Support, SupportKind, Symmetry};
+pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Spring, Support, SupportKind, Symmetry, Turned};
 pub use velocity::{Spin, Velocity};
 pub use walls::{
     Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,

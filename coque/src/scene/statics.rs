@@ -90,7 +90,7 @@ pub enum RelaxationDamping {
     Rayleigh,
 }
 
-/// Modes of free vibration of the unloaded shell; `moved` supports stand still.
+/// Modes of free vibration of the unloaded shell, or of the preloaded one; `moved` supports stand still.
 ///
 /// Rigid motions that no support holds are modes too, of frequency zero within rounding.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
@@ -100,7 +100,7 @@ pub struct Modal {
     pub modes: usize,
 }
 
-/// Buckling levels, linearised about the unloaded shell: `(K + μ K_g) φ = 0`.
+/// Buckling levels, linearised about the unloaded shell, or about the preloaded one: `(K + μ K_g) φ = 0`.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Buckling {

@@ -25,8 +25,15 @@ pub struct Support {
     pub moved: Option<Moved>,
     /// Prescribed rotation of the directors about an axis.
     pub rotated: Option<Rotated>,
+    /// Prescribed turn of the set as one body, positions and directors together.
+    pub turned: Option<Turned>,
+    /// Springs to the ground along a direction.
+    pub spring: Option<Spring>,
     /// Course of a prescribed motion in time, in transient runs.
     pub amplitude: Option<Amplitude>,
+    /// Whether its motion is made in full before the analysis and held: the level counts the other motions.
+    #[serde(default)]
+    pub preload: bool,
 }
 
 /// A condition without options: `{}`.
@@ -86,6 +93,30 @@ pub struct Rotated {
     pub by: f64,
 }
 
+/// The set turns as one body about an axis through a point by `by × level`, in a transient run by `by × amplitude`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Turned {
+    /// Axis; its length does not matter.
+    pub axis: [f64; 3],
+    /// A point of the axis \[L\].
+    #[serde(default)]
+    pub point: [f64; 3],
+    /// Angle at level one, right-handed, of any size \[degrees\].
+    pub by: f64,
+}
+
+/// Springs to the ground along a direction, shared by the set as a force is: by tributary length on an edge, else equally. No level
+/// scales them.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Direction; its length does not matter.
+    pub direction: [f64; 3],
+    /// Stiffness of the whole set \[F/L\].
+    pub stiffness: f64,
+}
+
 /// The one condition of a [`Support`].
 #[derive(Clone, Debug)]
 pub enum SupportKind {
@@ -103,12 +134,16 @@ pub enum SupportKind {
     Moved(Moved),
     /// See [`Support::rotated`].
     Rotated(Rotated),
+    /// See [`Support::turned`].
+    Turned(Turned),
+    /// See [`Support::spring`].
+    Spring(Spring),
 }
 
 impl Support {
     /// Keys of the conditions.
-    pub const WORDS: [&'static str; 7] =
-        ["clamped", "hinged", "symmetry", "diaphragm", "held", "moved", "rotated"];
+    pub const WORDS: [&'static str; 9] =
+        ["clamped", "hinged", "symmetry", "diaphragm", "held", "moved", "rotated", "turned", "spring"];
 
     /// Every condition that is given, with its key; a checked scene has exactly one.
     pub fn kinds(&self) -> Vec<(&'static str, SupportKind)> {
@@ -120,6 +155,8 @@ impl Support {
             self.held.clone().map(SupportKind::Held),
             self.moved.map(SupportKind::Moved),
             self.rotated.map(SupportKind::Rotated),
+            self.turned.map(SupportKind::Turned),
+            self.spring.map(SupportKind::Spring),
         ]
         .into_iter()
         .zip(Self::WORDS)
@@ -130,6 +167,7 @@ impl Support {
     /// Its prescribed motion, if it is one: key, and size at level one \[L, degrees\].
     pub fn motion(&self) -> Option<(&'static str, f64)> {
         let moved = self.moved.map(|moved| ("moved", moved.by));
-        moved.or(self.rotated.map(|rotated| ("rotated", rotated.by)))
+        let rotated = self.rotated.map(|rotated| ("rotated", rotated.by));
+        moved.or(rotated).or(self.turned.map(|turned| ("turned", turned.by)))
     }
 }

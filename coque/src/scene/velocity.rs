@@ -4,10 +4,12 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Velocity at the start of a transient run: `linear`, `spin` or both. What supports hold stays at rest.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Velocity {
-    /// Velocity of all particles \[L/T\].
+    /// Particle set of a shell, by its name within the shell; left out, all of the body. The rest is at rest.
+    pub on: Option<String>,
+    /// Velocity of the particles \[L/T\].
     pub linear: Option<[f64; 3]>,
     /// Rotation, added to it.
     pub spin: Option<Spin>,

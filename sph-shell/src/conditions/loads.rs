@@ -4,6 +4,7 @@ use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use crate::conditions::case::LoadCase;
 use crate::error::ShellError;
 use crate::reference::Reference;
 
@@ -47,6 +48,11 @@ pub trait Load: Send + Sync {
     /// # Errors
     /// [`ShellError`] naming the fault.
     fn check(&self, reference: &Reference) -> Result<(), ShellError>;
+
+    /// The load case to which it belongs.
+    fn case(&self) -> LoadCase {
+        LoadCase::Loading
+    }
 }
 
 /// A load and its course in time.
@@ -58,8 +64,9 @@ pub struct AppliedLoad {
 }
 
 impl AppliedLoad {
-    pub(crate) fn scale(&self, at: Instant) -> f64 {
-        at.level * self.amplitude.value(at.time)
+    /// Its factor at an instant of the case that is under way.
+    pub(crate) fn scale(&self, at: Instant, under_way: LoadCase) -> f64 {
+        self.load.case().factor(under_way, at.level) * self.amplitude.value(at.time)
     }
 }
 

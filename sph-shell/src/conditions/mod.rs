@@ -1,11 +1,16 @@
 //! Supports, prescribed motions and loads.
 
+pub(crate) mod case;
 pub(crate) mod couple;
 mod implied;
 pub(crate) mod loads;
+pub(crate) mod preload;
 pub(crate) mod prescribed;
 pub(crate) mod pressure;
 pub(crate) mod resultants;
 pub(crate) mod shares;
 pub(crate) mod spread;
+pub(crate) mod springs;
 pub(crate) mod supports;
+pub(crate) mod turn;
+pub(crate) mod turned;

@@ -3,6 +3,8 @@
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
+use crate::conditions::case::LoadCase;
+use crate::conditions::turn::{Turn, rotated};
 use crate::packs::Row;
 
 /// A prescribed displacement.
@@ -12,6 +14,10 @@ pub struct Motion {
     pub displacement: Vec3,
     /// Its course in time.
     pub amplitude: Amplitude,
+    /// What a preload adds to it, in full \[L\].
+    pub preload: Option<Vec3>,
+    /// A turn about an axis that comes on top.
+    pub turn: Option<Turn>,
 }
 
 /// A prescribed rotation of a director: `d = R(axis, angle) D`, D its direction at rest.
@@ -23,16 +29,71 @@ pub struct Rotation {
     pub angle: f64,
     /// Its course in time.
     pub amplitude: Amplitude,
+    /// The load case to which it belongs.
+    pub case: LoadCase,
 }
 
 impl Motion {
-    /// Displacement at an instant \[L\].
-    pub(crate) fn at(&self, at: Instant) -> Vec3 {
-        self.displacement * (at.level * self.amplitude.value(at.time))
+    /// A displacement \[L\] with its course in time.
+    pub(crate) fn by(displacement: Vec3, amplitude: Amplitude) -> Self {
+        Self { displacement, amplitude, preload: None, turn: None }
     }
 
-    /// Mean velocity between two instants \[L/T\].
-    pub(crate) fn velocity(&self, from: Instant, to: Instant) -> [f64; 3] {
+    /// The same motion as one of the preload.
+    pub(crate) fn preloaded(self) -> Self {
+        let turn = self.turn.map(|turn| Turn { case: LoadCase::Preload, ..turn });
+        Self { displacement: Vec3::zeros(), preload: Some(self.displacement), turn, ..self }
+    }
+
+    /// Both at once, where their courses agree.
+    pub(crate) fn joined(self, other: &Self) -> Option<Self> {
+        let preload = match (self.preload, other.preload) {
+            (Some(one), Some(two)) => Some(one + two),
+            (one, two) => one.or(two),
+        };
+        let displacement = self.displacement + other.displacement;
+        let turn = self.turn.or(other.turn);
+        let agree = self.amplitude == other.amplitude && !(self.turn.is_some() && other.turn.is_some());
+        agree.then_some(Self { displacement, preload, turn, ..self })
+    }
+
+    /// Where it leads a particle with a position at rest, by the loading, by the preload and by a turn \[L\].
+    pub(crate) fn parts(&self, rest: &Vec3) -> impl Iterator<Item = Vec3> {
+        let [along, across] = self.turn.map_or([None, None], |turn| turn.ways(rest).map(Some));
+        [Some(self.displacement), self.preload, along, across].into_iter().flatten()
+    }
+
+    /// Displacement of a particle with a position at rest, at an instant of the case that is under way \[L\].
+    pub(crate) fn at(&self, rest: &Vec3, at: Instant, under_way: LoadCase) -> Vec3 {
+        let course = self.amplitude.value(at.time);
+        let part = |case: LoadCase| case.factor(under_way, at.level) * course;
+        let mut sum = self.displacement * part(LoadCase::Loading);
+        if let Some(preload) = self.preload {
+            sum += preload * part(LoadCase::Preload);
+        }
+        if let Some(turn) = &self.turn {
+            sum += turn.displacement(rest, part(turn.case));
+        }
+        sum
+    }
+
+    /// Its derivative with respect to the level of the case that is under way, without time \[L\].
+    fn rate(&self, rest: &Vec3, level: f64, under_way: LoadCase) -> Vec3 {
+        let course = self.amplitude.value(0.0);
+        let moving = match under_way {
+            LoadCase::Preload => self.preload.unwrap_or_default(),
+            LoadCase::Loading => self.displacement,
+        };
+        let turn = self.turn.filter(|turn| turn.case == under_way);
+        turn.map_or(moving, |turn| moving + turn.rate(rest, level * course)) * course
+    }
+
+    /// Mean velocity of a particle with a position at rest between two instants \[L/T\].
+    pub(crate) fn velocity(&self, rest: &Vec3, from: Instant, to: Instant) -> [f64; 3] {
+        if self.turn.is_some() {
+            let place = |at: Instant| self.at(rest, at, LoadCase::Loading);
+            return ((place(to) - place(from)) / (to.time - from.time)).into();
+        }
         let place = |at: Instant| at.level * self.amplitude.value(at.time);
         let rate = (place(to) - place(from)) / (to.time - from.time);
         (self.displacement * rate).into()
@@ -40,11 +101,10 @@ impl Motion {
 }
 
 impl Rotation {
-    /// The director at an instant, by Rodrigues' formula, from its direction at rest.
-    pub(crate) fn at(&self, rest: &Vec3, at: Instant) -> Vec3 {
-        let (sin, cos) = libm::sincos(self.angle * at.level * self.amplitude.value(at.time));
-        let k = &self.axis;
-        rest * cos + k.cross(rest) * sin + k * (k.dot(rest) * (1.0 - cos))
+    /// The director at an instant of the case that is under way, by Rodrigues' formula, from its direction at rest.
+    pub(crate) fn at(&self, rest: &Vec3, at: Instant, under_way: LoadCase) -> Vec3 {
+        let level = self.case.factor(under_way, at.level);
+        rotated(&self.axis, self.angle * level * self.amplitude.value(at.time), rest)
     }
 
     /// Mean spin between two instants \[1/T\].
@@ -55,7 +115,7 @@ impl Rotation {
 
     /// Rate that carries the director `d` along a great circle to where it stands at `to`, in the time from `from` \[1/T\].
     pub(crate) fn rate(&self, rest: &Vec3, d: &Vec3, from: Instant, to: Instant) -> [f64; 3] {
-        let target = self.at(rest, to);
+        let target = self.at(rest, to, LoadCase::Loading);
         let cos = d.dot(&target);
         let across = target - d * cos;
         let sin = across.norm();
@@ -78,17 +138,17 @@ pub(crate) struct Told<'a> {
 
 impl Told<'_> {
     /// Puts the held components where a level has them.
-    pub fn put(&self, level: f64, row: &mut Row) {
+    pub fn put(&self, level: f64, under_way: LoadCase, row: &mut Row) {
         let at = Instant { time: 0.0, level };
         if let Some(motion) = self.motion {
-            let rest = self.rest.0 + motion.at(at);
+            let rest = self.rest.0 + motion.at(&self.rest.0, at, under_way);
             for n in self.held {
                 let missing = n.dot(&(rest - Vec3::new(row[0], row[1], row[2])));
                 (0..3).for_each(|k| row[k] += missing * n[k]);
             }
         }
         if let Some(rotation) = self.rotation {
-            let d = rotation.at(&self.rest.1, at);
+            let d = rotation.at(&self.rest.1, at, under_way);
             row[3..].copy_from_slice(d.as_slice());
         }
     }
@@ -97,17 +157,18 @@ impl Told<'_> {
     pub fn force(&self, row: &Row, d: &Vec3, arc: f64) -> f64 {
         let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
         let pull = self.motion.map_or(0.0, |motion| {
-            motion.displacement.try_normalize(0.0).map_or(0.0, |along| along.dot(&part(0)))
+            let along = motion.parts(&self.rest.0).filter_map(|part| part.try_normalize(0.0));
+            along.map(|along| along.dot(&part(0))).reduce(f64::hypot).unwrap_or(0.0)
         });
         let turn = self.rotation.map_or(0.0, |rotation| rotation.axis.cross(d).dot(&part(3)) / arc);
         pull * pull + turn * turn
     }
 
-    /// Derivative of `[x, d]` with respect to the level, at the director `d`.
-    pub fn rate(&self, d: &Vec3) -> Row {
-        let unit = Instant { time: 0.0, level: 1.0 };
-        let u = self.motion.map_or(Vec3::zeros(), |motion| motion.at(unit));
-        let w = self.rotation.map_or(Vec3::zeros(), |rotation| {
+    /// Derivative of `[x, d]` with respect to the level of the case that is under way, at a level and the director `d` there.
+    pub fn rate(&self, level: f64, d: &Vec3, under_way: LoadCase) -> Row {
+        let u = self.motion.map_or(Vec3::zeros(), |motion| motion.rate(&self.rest.0, level, under_way));
+        let turning = self.rotation.filter(|rotation| rotation.case == under_way);
+        let w = turning.map_or(Vec3::zeros(), |rotation| {
             rotation.axis.cross(d) * (rotation.angle * rotation.amplitude.value(0.0))
         });
         [u.x, u.y, u.z, w.x, w.y, w.z]

@@ -47,10 +47,14 @@ impl Shell {
         self.loads.iter().map(reduced).collect()
     }
 
-    /// What the supports exert on the shell, reduced to a point, for the last forces evaluated: of every particle the part of
+    /// What the supports and springs exert on the shell, reduced to a point, for the last forces evaluated: of every particle the part of
     /// `[∂U/∂x, ∂U/∂d]` less the load along the directions that are held.
     pub fn support_resultant(&self, about: Vec3) -> Resultant {
         let mut sum = Resultant::default();
+        for (a, row) in self.sprung.iter().enumerate() {
+            let force = Vec3::new(row[0], row[1], row[2]);
+            sum.add(self.position(a) - about, force, Vec3::zeros(), Vec3::zeros());
+        }
         for a in 0..self.len() {
             let Some(held) = self.constraint(a) else { continue };
             let lack = |a: usize| -> [f64; 6] {

@@ -3,6 +3,7 @@
 use explicit_dynamics::{Amplitude, Step};
 use sph_core::{Cloud, Vec3};
 
+use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation, Told};
 use crate::error::ShellError;
 
@@ -144,7 +145,7 @@ impl Support for Held {
 impl Support for Moved {
     fn holds(&self) -> Holds {
         let direction = self.direction.normalize();
-        let motion = Motion { displacement: direction * self.by, amplitude: self.amplitude.clone() };
+        let motion = Motion::by(direction * self.by, self.amplitude.clone());
         Holds { translations: vec![direction], motion: Some(motion), ..Holds::default() }
     }
 }
@@ -152,7 +153,7 @@ impl Support for Moved {
 impl Support for Rotated {
     fn holds(&self) -> Holds {
         let (axis, angle) = (self.axis.normalize(), self.by);
-        let rotation = Rotation { axis, angle, amplitude: self.amplitude.clone() };
+        let rotation = Rotation { axis, angle, amplitude: self.amplitude.clone(), case: LoadCase::Loading };
         Holds { director: DirectorHold::Fixed, rotation: Some(rotation), ..Holds::default() }
     }
 }
@@ -247,11 +248,7 @@ impl Constraint {
             if let Some(motion) = &hold.motion {
                 out.motion = Some(match out.motion.take() {
                     None => motion.clone(),
-                    Some(old) if old.amplitude == motion.amplitude => Motion {
-                        displacement: old.displacement + motion.displacement,
-                        amplitude: old.amplitude,
-                    },
-                    Some(_) => return Err(ShellError::TwoMotions(particle)),
+                    Some(old) => old.joined(motion).ok_or(ShellError::TwoMotions(particle))?,
                 });
             }
         }
@@ -259,9 +256,11 @@ impl Constraint {
             // A held direction of another support must not oppose the motion.
             for (_, hold) in asked.iter().filter(|(_, hold)| hold.motion.is_none()) {
                 for direction in &hold.translations {
-                    let along = motion.displacement.dot(direction);
-                    if along.abs() > 1e-9 * motion.displacement.norm() {
-                        return Err(ShellError::Contradiction { particle, wanted: along, held: 0.0 });
+                    for part in motion.parts(&rest.0) {
+                        let along = part.dot(direction);
+                        if along.abs() > 1e-9 * part.norm() {
+                            return Err(ShellError::Contradiction { particle, wanted: along, held: 0.0 });
+                        }
                     }
                 }
             }
@@ -314,7 +313,7 @@ impl Constraint {
 
     /// Mean velocity of the prescribed motion over a step \[L/T\].
     pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
-        Some(self.motion.as_ref()?.velocity(step.from, step.to))
+        Some(self.motion.as_ref()?.velocity(&self.rest.0, step.from, step.to))
     }
 
     /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].
@@ -322,6 +321,12 @@ impl Constraint {
     pub(crate) fn director_rate(&self, d: [f64; 3], step: &Step) -> Option<[f64; 3]> {
         let rotation = self.rotation.as_ref()?;
         Some(rotation.rate(&self.rest.1, &d.into(), step.from, step.to))
+    }
+
+    /// Whether part of what it prescribes belongs to the preload.
+    pub(crate) fn has_preload(&self) -> bool {
+        self.motion.as_ref().is_some_and(|motion| motion.preload.is_some())
+            || self.rotation.as_ref().is_some_and(|rotation| rotation.case == LoadCase::Preload)
     }
 
     /// What is prescribed by level, if anything is.

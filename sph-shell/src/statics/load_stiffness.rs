@@ -17,12 +17,14 @@ use crate::statics::static_shell::StaticShell;
 const ROUNDING: f64 = 1e-9;
 
 impl Shell {
-    /// The derivatives of all loads at a level, block by block.
+    /// The derivatives of all loads at a level and of the springs, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
-            applied.load.stiffness(applied.scale(Instant { time: 0.0, level }), &body, put);
+            let scale = applied.scale(Instant { time: 0.0, level }, self.case);
+            applied.load.stiffness(scale, &body, put);
         }
+        self.spring_stiffness(put);
     }
 
     /// Takes the symmetric part of the loads' derivatives from the lower triangle of the tangent.

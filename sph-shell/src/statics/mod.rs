@@ -2,8 +2,8 @@
 
 pub(crate) mod blocks;
 pub(crate) mod dofs;
+mod levels;
 pub(crate) mod load_stiffness;
-pub(crate) mod prescribed;
 pub(crate) mod projection;
 pub(crate) mod static_shell;
 pub(crate) mod stiffness;

@@ -2,7 +2,6 @@
 
 use std::ops::DerefMut;
 
-use explicit_dynamics::Instant;
 use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
 use sph_core::Vec3;
 
@@ -119,10 +118,6 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let projection = Projection { bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
     }
-
-    pub(crate) fn external_at(&mut self, level: f64) {
-        self.shell.evaluate_external(Instant { time: 0.0, level });
-    }
 }
 
 impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
@@ -167,9 +162,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
-        // Loads are proportional to the level.
+        // Loads of the case that is under way are proportional to the level.
         if self.moved.is_empty() {
-            return self.external(1.0, out);
+            self.shell.evaluate_load_rate();
+            return self.project(|a| self.shell.external_force(a), out);
         }
         let rows = self.level_rates(level);
         self.project(|a| rows[a], out);

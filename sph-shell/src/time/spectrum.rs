@@ -41,8 +41,13 @@ impl LinearisedDynamics for Shell {
                 }
             }
             self.evaluate_internal(false);
+            if !self.springs.is_empty() {
+                self.spring_rows(force);
+                self.ties.take_back(&self.state, force, |_, _| ());
+            }
             for (a, row) in force.iter_mut().enumerate() {
-                *row = self.internal_force(a);
+                let internal = self.internal_force(a);
+                *row = std::array::from_fn(|k| internal[k] - row[k]);
             }
         }
         self.state = home;

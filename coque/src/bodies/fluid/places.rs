@@ -47,7 +47,7 @@ fn rings(annulus: &Annulus) -> Vec<Vec3> {
 
 /// The velocities with which particles set out, `v + ω × (x − p)`; none where the scene gives none.
 pub(in crate::bodies) fn velocities(fluid: &FluidScene, places: &[Vec3]) -> Vec<Vec3> {
-    let Some(velocity) = fluid.velocity else { return Vec::new() };
+    let Some(velocity) = &fluid.velocity else { return Vec::new() };
     let linear = Vec3::from(velocity.linear.unwrap_or_default());
     let (spin, point) = velocity.spin.map_or_else(Default::default, |spin| {
         (Vec3::from(spin.axis).normalize() * spin.rate, Vec3::from(spin.point))

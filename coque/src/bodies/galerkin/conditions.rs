@@ -34,7 +34,11 @@ pub(super) fn conditions(
                     out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
                 }
                 // The checks refuse these on a solid.
-                SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => {}
+                SupportKind::Hinged
+                | SupportKind::Diaphragm(_)
+                | SupportKind::Rotated(_)
+                | SupportKind::Turned(_)
+                | SupportKind::Spring(_) => {}
             }
         }
     }

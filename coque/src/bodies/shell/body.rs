@@ -4,7 +4,7 @@ use std::ops::DerefMut;
 
 use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
-use sph_shell::{Formulation, PointResult, Shell, StaticShell};
+use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
@@ -123,6 +123,18 @@ impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
 
     fn skew_load_share(&self) -> f64 {
         StaticShell::skew_load_share(self)
+    }
+
+    fn begin_preload(&mut self) -> bool {
+        let any = self.has_preload();
+        if any {
+            self.set_case(LoadCase::Preload);
+        }
+        any
+    }
+
+    fn end_preload(&mut self) {
+        self.set_case(LoadCase::Loading);
     }
 
     /// Reactions of all particles, then strains and resultants of all sampling points (`LinearForces`).

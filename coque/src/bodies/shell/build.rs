@@ -1,7 +1,7 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
 use nalgebra::Rotation3;
-use sph_core::{Cell, Cloud, EndWeights, SpaceError, Vec3};
+use sph_core::{Cell, Cloud, EndWeights, Vec3};
 use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
 
 use super::cells::CellSets;
@@ -9,7 +9,7 @@ use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
-use super::rigid::free_motions;
+use super::rigid::{free_motions, holds};
 use super::sections::Sections;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
@@ -96,10 +96,12 @@ impl Scene {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
+        let springs = builder.springs(&sets, &cloud, weights, imported.as_ref())?;
         let ties = builder.ties(&sets, &cells)?;
         imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
         self.refuse_free_motion(|| {
-            let held: Vec<_> = supports.iter().map(|s| (s.particles.clone(), s.support.holds())).collect();
+            let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
+            let held: Vec<_> = held.chain(springs.iter().map(holds)).collect();
             free_motions(&cloud, &held, &ties)
         })?;
         let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
@@ -118,8 +120,9 @@ impl Scene {
         let mut shell = shell.map_err(|e| builder.refusal(&e))?;
         shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
+        shell.spring(springs).map_err(|e| builder.refusal(&e))?;
         let probes = builder.probes(&sets, &cells, &shell)?;
-        builder.set_out(&mut shell);
+        builder.set_out(&sets, &mut shell)?;
         self.refuse_freedoms(shell.freedoms())?;
         let surface = imported.map(|imported| imported.provenance());
         let (turn, said) = (builder.turn, sections.said);
@@ -175,8 +178,11 @@ impl Builder<'_> {
                     continue; // its direction is left free for the force that brings it about
                 }
                 let course = amplitude(support.amplitude.as_ref());
-                supports
-                    .push(Supported { particles: particles.to_vec(), support: self.support(kind, course) });
+                let Some(mut found) = self.support(kind, course) else { continue };
+                if support.preload {
+                    found = Box::new(sph_shell::Preloaded(found));
+                }
+                supports.push(Supported { particles: particles.to_vec(), support: found });
             }
         }
         Ok(supports)
@@ -219,8 +225,8 @@ impl Builder<'_> {
         &self,
         kind: SupportKind,
         amplitude: explicit_dynamics::Amplitude,
-    ) -> Box<dyn sph_shell::Support> {
-        match kind {
+    ) -> Option<Box<dyn sph_shell::Support>> {
+        Some(match kind {
             SupportKind::Clamped => Box::new(sph_shell::Clamped),
             SupportKind::Hinged => Box::new(sph_shell::Hinged),
             SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
@@ -235,7 +241,15 @@ impl Builder<'_> {
             SupportKind::Moved(s) => {
                 Box::new(sph_shell::Moved { direction: self.turned(s.direction), by: s.by, amplitude })
             }
-        }
+            SupportKind::Turned(s) => Box::new(sph_shell::Turned {
+                axis: self.turned(s.axis),
+                point: self.turned(s.point),
+                by: s.by.to_radians(),
+                amplitude,
+            }),
+            // It holds nothing.
+            SupportKind::Spring(_) => return None,
+        })
     }
 
     fn loads(
@@ -250,8 +264,13 @@ impl Builder<'_> {
         let mut loads = Vec::new();
         for (i, load) in self.scene.loads.iter().enumerate() {
             let path = format!("loads[{i}].on");
+            let of_case = |applied: AppliedLoad| match load.preload {
+                true => AppliedLoad { load: Box::new(sph_shell::Preloaded(applied.load)), ..applied },
+                false => applied,
+            };
             if load.acts_on_cells() {
-                loads.extend(self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud));
+                let found = self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud);
+                loads.extend(found.into_iter().map(of_case));
                 continue;
             }
             let particles = sets.at(self.scene, &path, &load.on)?;
@@ -262,7 +281,8 @@ impl Builder<'_> {
             let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
-                loads.extend(self.load(kind, shares.clone()).map(|load| AppliedLoad { load, amplitude }));
+                let found = self.load(kind, shares.clone());
+                loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
             }
         }
         Ok(loads)
@@ -322,59 +342,5 @@ impl Builder<'_> {
         let amplitude = || amplitude(load.amplitude.as_ref());
         let loads = load.kinds().into_iter().filter_map(of);
         loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
-    }
-
-    /// Puts a refusal of the shell where the scene causes it.
-    fn refusal(&self, error: &ShellError) -> SceneError {
-        let reach = match &self.scene.shell().formulation {
-            scene::Formulation::StressPoint(_) => "formulation.stress-point.support",
-            scene::Formulation::Nodal(_) => "formulation.nodal.smoothing",
-            scene::Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
-        };
-        let moved = self.scene.supports.iter().position(|s| s.moved.is_some()).unwrap_or(0);
-        let of_body = |path: &str| self.scene.body_scope().path(path);
-        let path = match error {
-            ShellError::Space(
-                SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
-            ) => of_body(reach),
-            ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
-            ShellError::Space(_)
-            | ShellError::Area { .. }
-            | ShellError::ParallelDirectors { .. }
-            | ShellError::WetSpacing(_)
-            | ShellError::NoRows
-            | ShellError::NotAStrip { .. } => {
-                of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
-            }
-            ShellError::JunctionOfWideStencils => of_body("formulation"),
-            ShellError::Density(_) => {
-                of_body(&format!("material.{}.density", self.scene.shell().material.word()))
-            }
-            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
-                format!("supports[{moved}].moved")
-            }
-            &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
-                let present = |(_, s): &(usize, &scene::Support)| {
-                    s.moved.is_none() || self.scene.sole_motion().is_none()
-                };
-                let supports = self.scene.supports.iter().enumerate();
-                let number = supports.filter(present).nth(support).map_or(0, |(i, _)| i);
-                format!("supports[{number}]")
-            }
-            &(ShellError::TieTooFar { tie, .. }
-            | ShellError::TieTooCoarse { tie, .. }
-            | ShellError::TieWithoutEdge { tie }) => of_body(&format!("ties[{tie}]")),
-            ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
-                of_body("ties")
-            }
-            ShellError::TwoRegions { .. } => of_body("parts"),
-            ShellError::Mass { .. } => of_body("masses"),
-            ShellError::RegionsWithoutCells => of_body("formulation"),
-            ShellError::NoSuchParticle { .. }
-            | ShellError::NoSuchCell { .. }
-            | ShellError::EmptySet(_)
-            | ShellError::NotAnEdge(_) => "loads".into(),
-        };
-        self.scene.model_error(&path, &error.to_string())
     }
 }

@@ -52,7 +52,7 @@ fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
     let named = scene.loads.iter().flat_map(|load| {
         load.kinds()
             .into_iter()
-            .map(move |(word, kind)| format!("{} on {}", describe_load(word, &kind), load.on))
+            .map(move |(word, kind)| line(&describe_load(word, &kind), &load.on, load.preload))
     });
     let reduced = shell.load_resultants(about).into_iter();
     let loads = reduced.map(|found| Resultant { force: found.force.into(), moment: found.moment.into() });
@@ -93,14 +93,18 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
     );
     modelled.extend(scene.shell().ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
     for support in &scene.supports {
-        modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));
+        modelled.extend(support.kinds().iter().map(|(word, _)| line(word, &support.on, support.preload)));
     }
     for load in &scene.loads {
+        let kinds = load.kinds();
         modelled.extend(
-            load.kinds().iter().map(|(word, kind)| format!("{} on {}", describe_load(word, kind), load.on)),
+            kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), &load.on, load.preload)),
         );
     }
-    modelled.extend(scene.shell().velocity.map(|_| "velocity at the start".into()));
+    modelled.extend(scene.shell().velocity.as_ref().map(|velocity| match &velocity.on {
+        Some(on) => format!("velocity of {on} at the start"),
+        None => "velocity at the start".into(),
+    }));
     if scene.loads.is_empty() {
         left_out.push("loads".into());
     }
@@ -126,6 +130,11 @@ fn describe_plies(section: &Layered) -> String {
          transverse shear as 5/6 of the sum over the plies",
         thicknesses.join("/")
     )
+}
+
+/// A condition, on which set, and whether it belongs to the preload.
+fn line(what: &str, on: &str, preload: bool) -> String {
+    format!("{what} on {on}{}", if preload { ", applied before the analysis" } else { "" })
 }
 
 fn describe_load(word: &str, kind: &LoadKind) -> String {

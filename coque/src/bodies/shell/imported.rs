@@ -132,7 +132,7 @@ impl Imported {
         load: &Load,
         particles: &[u32],
     ) -> Result<Option<Vec<(u32, f64)>>, SceneError> {
-        let lines = chains(particles, &self.surface.positions, &self.edges);
+        let lines = self.lines(particles);
         let count = lines.as_ref().map_or(0, Vec::len);
         if load.couple.is_some_and(|couple| couple.axis == Axis::Edge) && count != 1 {
             let why = match count {
@@ -145,6 +145,15 @@ impl Imported {
             return Err(SceneError::Set(fault));
         }
         Ok(lines.map(|lines| lines.into_iter().flatten().collect()))
+    }
+
+    /// The same without the question of a couple.
+    pub(crate) fn along(&self, particles: &[u32]) -> Option<Vec<(u32, f64)>> {
+        self.lines(particles).map(|lines| lines.into_iter().flatten().collect())
+    }
+
+    fn lines(&self, particles: &[u32]) -> Option<Vec<Vec<(u32, f64)>>> {
+        chains(particles, &self.surface.positions, &self.edges)
     }
 
     /// The cloud with reconstructed normals turned into the symmetry planes of the scene.

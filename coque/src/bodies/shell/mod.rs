@@ -14,6 +14,7 @@ mod linear_forces;
 mod material;
 mod parts;
 mod places;
+mod refusal;
 mod rigid;
 mod sections;
 mod thickness;

@@ -1,7 +1,7 @@
 //! Which rigid motions the supports of a shell leave free.
 
 use sph_core::Cloud;
-use sph_shell::{DirectorHold, Holds, Tie};
+use sph_shell::{DirectorHold, Holds, Spring, Tie};
 
 use crate::bodies::rigid::{Hold, free_of};
 
@@ -17,6 +17,12 @@ pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)], ties: 
         free.into_iter().map(|motion| format!("{motion} of the sheet with particle {}", piece[0])).collect()
     };
     pieces.iter().flat_map(of_piece).collect()
+}
+
+/// A spring as what keeps its particles from moving away along it.
+pub(super) fn holds(spring: &Spring) -> (Vec<u32>, Holds) {
+    let translations = vec![spring.direction.normalize()];
+    (spring.stiffness.iter().map(|s| s.0).collect(), Holds { translations, ..Holds::default() })
 }
 
 /// Pieces that ties make one.

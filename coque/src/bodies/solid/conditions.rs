@@ -84,7 +84,11 @@ pub(super) fn supports(
                     amplitude: amplitude(support.amplitude.as_ref()),
                 },
                 // The checks refuse these on a solid.
-                SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => continue,
+                SupportKind::Hinged
+                | SupportKind::Diaphragm(_)
+                | SupportKind::Rotated(_)
+                | SupportKind::Turned(_)
+                | SupportKind::Spring(_) => continue,
             };
             supports.push(Supported { nodes: nodes.to_vec(), support });
         }

@@ -98,6 +98,8 @@ pub(crate) enum Stage {
         /// Stiffness that each unknown first had on the path.
         stiffness: Option<Vec<f64>>,
     },
+    /// Before a preload, which is applied anew.
+    Preload,
 }
 
 impl Checkpoint {

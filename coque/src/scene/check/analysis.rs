@@ -187,9 +187,9 @@ impl Scene {
     /// One load level drives the analysis: loads, prescribed motions, or both.
     fn check_driver(&self) -> Checked {
         let (s, what) = (&self.scope(), self.analysis.kind().name);
-        let supports = self.supports.iter().enumerate();
+        let supports = self.supports.iter().enumerate().filter(|(_, support)| !support.preload);
         let motions = || supports.clone().filter_map(|(i, support)| Some((i, support.motion()?)));
-        if !self.loads.is_empty() || motions().any(|(_, (_, by))| by != 0.0) {
+        if self.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {
             return Ok(());
         }
         let Some((i, (word, by))) = motions().next() else {

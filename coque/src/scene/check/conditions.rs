@@ -25,7 +25,7 @@ impl Scene {
             self.check_solid_support(at, support, solid)?;
         }
         if support.amplitude.is_some() && support.motion().is_none() {
-            let repair = "remove it: only `moved` and `rotated` have a course in time";
+            let repair = "remove it: only `moved`, `rotated` and `turned` have a course in time";
             let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
             return Err(SceneError::Choice(fault));
         }
@@ -46,6 +46,16 @@ impl Scene {
                     s.direction(&format!("{at}.rotated.axis"), rotated.axis)?;
                     s.sized(&format!("{at}.rotated.by"), rotated.by)?;
                     self.check_course(at, "rotated", support.amplitude.as_ref())?;
+                }
+                SupportKind::Turned(turned) => {
+                    s.direction(&format!("{at}.turned.axis"), turned.axis)?;
+                    s.sized_all(&format!("{at}.turned.point"), &turned.point)?;
+                    s.sized(&format!("{at}.turned.by"), turned.by)?;
+                    self.check_course(at, "turned", support.amplitude.as_ref())?;
+                }
+                SupportKind::Spring(spring) => {
+                    s.direction(&format!("{at}.spring.direction"), spring.direction)?;
+                    s.positive(&format!("{at}.spring.stiffness"), spring.stiffness)?;
                 }
             }
         }

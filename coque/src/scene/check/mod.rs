@@ -5,6 +5,7 @@ mod conditions;
 mod curve;
 mod fluid;
 mod gauges;
+mod preload;
 mod sets;
 mod shell;
 mod solid;
@@ -43,6 +44,7 @@ impl Scene {
         if let Some(solid) = self.as_solid() {
             self.check_solid(solid)?;
         }
+        self.check_preload()?;
         self.check_analysis()?;
         self.check_curve()
     }
@@ -92,7 +94,7 @@ impl Scene {
         body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
     }
 
-    fn check_velocity(&self, Velocity { linear, spin }: &Velocity, s: &Scope<'_>) -> Checked {
+    fn check_velocity(&self, Velocity { on, linear, spin }: &Velocity, s: &Scope<'_>) -> Checked {
         let kind = self.analysis.kind();
         if !kind.passes_time {
             let bound = format!("none in {}", kind.name);
@@ -107,6 +109,14 @@ impl Scene {
                 "`linear`, `spin` or both",
                 repair,
             )));
+        }
+        if let Some(on) = on {
+            if self.as_shell().is_none() {
+                let bound = format!("none on a {}, all of which sets out", self.body().word());
+                let repair = "remove `on`: only parts of a shell set out alone";
+                return Err(SceneError::Choice(s.fault("velocity.on", &format!("\"{on}\""), &bound, repair)));
+            }
+            self.check_set_name(&s.path("velocity.on"), on)?;
         }
         s.sized_all("velocity.linear", &linear.unwrap_or_default())?;
         let Some(spin) = spin else { return Ok(()) };

@@ -14,7 +14,7 @@ impl Scene {
         fluid: &FluidScene,
         s: &Scope<'_>,
     ) -> Checked {
-        let (Some(velocity), plane) = (fluid.velocity, fluid.dimensions() == 2) else { return Ok(()) };
+        let (Some(velocity), plane) = (&fluid.velocity, fluid.dimensions() == 2) else { return Ok(()) };
         s.in_plane("velocity.linear", velocity.linear.unwrap_or_default(), plane)?;
         match velocity.spin {
             Some(spin) if plane && (spin.axis[0] != 0.0 || spin.axis[1] != 0.0) => {

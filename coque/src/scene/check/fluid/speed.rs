@@ -75,7 +75,7 @@ impl Scene {
 impl FluidScene {
     /// Greatest speed with which a particle sets out, from the corners of the boxes.
     fn greatest_velocity(&self) -> f64 {
-        let Some(velocity) = self.velocity else { return 0.0 };
+        let Some(velocity) = &self.velocity else { return 0.0 };
         let linear = Vec3::from(velocity.linear.unwrap_or_default());
         let (spin, point) = velocity.spin.map_or_else(Default::default, |spin| {
             (Vec3::from(spin.axis).normalize() * spin.rate, Vec3::from(spin.point))

@@ -11,7 +11,7 @@ impl Scene {
     /// Refuses a velocity out of the plane of a plane block.
     pub(super) fn check_solid_velocity(&self, solid: &SolidScene) -> Checked {
         let (s, plane) = (&self.body_scope(), solid.is_plane());
-        let Some(velocity) = solid.velocity else { return Ok(()) };
+        let Some(velocity) = &solid.velocity else { return Ok(()) };
         s.in_plane("velocity.linear", velocity.linear.unwrap_or_default(), plane)?;
         match velocity.spin {
             Some(spin) if plane && (spin.axis[0] != 0.0 || spin.axis[1] != 0.0) => {
@@ -49,7 +49,11 @@ impl Scene {
                         return Err(SceneError::Choice(s.fault(&path, "a director", "none here", repair)));
                     }
                 }
-                SupportKind::Hinged | SupportKind::Diaphragm(_) | SupportKind::Rotated(_) => {
+                SupportKind::Hinged
+                | SupportKind::Diaphragm(_)
+                | SupportKind::Rotated(_)
+                | SupportKind::Turned(_)
+                | SupportKind::Spring(_) => {
                     let bound = "`held`, `moved`, `symmetry` or `clamped` on a solid";
                     let repair = "use held = { displacement = […] } with the directions that do not move";
                     let fault = s.fault(&format!("{at}.{word}"), &format!("`{word}`"), bound, repair);

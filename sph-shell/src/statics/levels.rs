@@ -1,19 +1,35 @@
-//! What supports prescribe in a system without time: values that go with the level, and what they do to the rest.
+//! What a level does to a shell without time: which load case it counts, where it puts held values, what it changes.
 
 use std::ops::DerefMut;
 
+use explicit_dynamics::Instant;
+
 use crate::Shell;
+use crate::conditions::case::LoadCase;
 use crate::packs::Row;
 use crate::statics::static_shell::StaticShell;
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Makes a load case the one that is under way: levels count its loads and motions from here on.
+    pub fn set_case(&mut self, case: LoadCase) {
+        self.shell.case = case;
+    }
+
+    /// Whether anything belongs to the preload.
+    pub fn has_preload(&self) -> bool {
+        let shell = &*self.shell;
+        let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
+        shell.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
+            || self.moved.iter().any(moves)
+    }
+
     /// Puts prescribed values where a level has them.
-    pub(crate) fn put(&mut self, level: f64) {
+    pub(super) fn put(&mut self, level: f64) {
         let shell = &mut *self.shell;
         for &a in &self.moved {
             let number = shell.constraint_of[a as usize] as usize - 1;
             if let Some(told) = shell.constraints[number].told() {
-                told.put(level, &mut shell.state[a as usize]);
+                told.put(level, shell.case, &mut shell.state[a as usize]);
             }
             if let Some(basis) = self.carried.get_mut(a as usize) {
                 *basis = shell.basis(a as usize, self.dofs.arc);
@@ -21,12 +37,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         }
     }
 
-    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns.
-    fn prescribed_rates(&self) -> Vec<Row> {
+    /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns, at a level.
+    fn prescribed_rates(&self, level: f64) -> Vec<Row> {
         let mut rates = vec![[0.0; 6]; self.shell.len()];
         for &a in &self.moved {
             if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
-                rates[a as usize] = told.rate(&self.shell.director(a as usize));
+                rates[a as usize] = told.rate(level, &self.shell.director(a as usize), self.shell.case);
             }
         }
         self.shell.ties.follow(&self.shell.state, &mut rates);
@@ -34,10 +50,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     }
 
     /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
-    pub(crate) fn level_rates(&mut self, level: f64) -> Vec<Row> {
+    pub(super) fn level_rates(&mut self, level: f64) -> Vec<Row> {
         self.put(level);
-        self.external_at(1.0);
-        let rates = self.prescribed_rates();
+        self.shell.evaluate_load_rate();
+        let rates = self.prescribed_rates(level);
         let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
         self.shell.load_stiffness(level, &mut |a, b, block| {
             for (value, row) in rows[a as usize].iter_mut().zip(block) {
@@ -60,6 +76,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         }
         rows
+    }
+
+    pub(super) fn external_at(&mut self, level: f64) {
+        self.shell.evaluate_external(Instant { time: 0.0, level });
     }
 }
 

@@ -1,0 +1,66 @@
+//! Where in a scene the cause of a refusal of the shell stands.
+
+use sph_core::SpaceError;
+use sph_shell::ShellError;
+
+use super::build::Builder;
+use crate::scene::error::SceneError;
+use crate::scene::{Formulation, Support};
+
+impl Builder<'_> {
+    /// Puts a refusal of the shell where the scene causes it.
+    pub(super) fn refusal(&self, error: &ShellError) -> SceneError {
+        let reach = match &self.scene.shell().formulation {
+            Formulation::StressPoint(_) => "formulation.stress-point.support",
+            Formulation::Nodal(_) => "formulation.nodal.smoothing",
+            Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
+        };
+        let supports = || self.scene.supports.iter().enumerate();
+        let motion =
+            supports().find_map(|(i, s)| s.motion().map(|(word, _)| format!("supports[{i}].{word}")));
+        let of_body = |path: &str| self.scene.body_scope().path(path);
+        let path = match error {
+            ShellError::Space(
+                SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
+            ) => of_body(reach),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
+            ShellError::Space(_)
+            | ShellError::Area { .. }
+            | ShellError::ParallelDirectors { .. }
+            | ShellError::WetSpacing(_)
+            | ShellError::NoRows
+            | ShellError::NotAStrip { .. } => {
+                of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
+            }
+            ShellError::JunctionOfWideStencils => of_body("formulation"),
+            ShellError::Density(_) => {
+                of_body(&format!("material.{}.density", self.scene.shell().material.word()))
+            }
+            ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
+                motion.unwrap_or_else(|| "supports".into())
+            }
+            &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
+                let present = |(_, s): &(usize, &Support)| {
+                    s.spring.is_none() && (s.moved.is_none() || self.scene.sole_motion().is_none())
+                };
+                let number = supports().filter(present).nth(support).map_or(0, |(i, _)| i);
+                format!("supports[{number}]")
+            }
+            &(ShellError::TieTooFar { tie, .. }
+            | ShellError::TieTooCoarse { tie, .. }
+            | ShellError::TieWithoutEdge { tie }) => of_body(&format!("ties[{tie}]")),
+            ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
+                of_body("ties")
+            }
+            ShellError::TwoRegions { .. } => of_body("parts"),
+            ShellError::Mass { .. } => of_body("masses"),
+            ShellError::Spring { .. } => "supports".into(),
+            ShellError::RegionsWithoutCells => of_body("formulation"),
+            ShellError::NoSuchParticle { .. }
+            | ShellError::NoSuchCell { .. }
+            | ShellError::EmptySet(_)
+            | ShellError::NotAnEdge(_) => "loads".into(),
+        };
+        self.scene.model_error(&path, &error.to_string())
+    }
+}

@@ -1,0 +1,135 @@
+//! Sets that turn as one body, springs to the ground and velocities of sets, in scenes.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::{Replaced, column, last, overridden, ran, run};
+use coque::{Ended, Outcome, Rendering, Scene, render};
+
+fn done(outcome: Outcome) -> Outcome {
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    outcome
+}
+
+/// A thousandth of a quarter turn: St Venant's torque of the strip, less what the clamped ends stiffen over about a width of eight; the
+/// torque of a large angle is more than in proportion, since the long edges stretch.
+#[test]
+fn a_strip_is_twisted_from_a_scene() {
+    let torque = column(&done(run("twisted-strip.toml", &[])), "torque");
+    let (shear, t) = (1.2e9 / 2.6, 0.05_f64);
+    let st_venant = shear * t.powi(3) / 3.0 * (1.0 - 0.63 * t) * (1e-3 * std::f64::consts::FRAC_PI_2) / 8.0;
+    let ratio = torque[1] / st_venant;
+    println!("{ratio} {torque:?}");
+    assert!((1.0..1.1).contains(&ratio), "{ratio}");
+    assert!(torque[5] > 1.2 * 1000.0 * torque[1], "{torque:?}");
+}
+
+const PLATE: &str = r#"
+title = "Plate on springs"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [2.0, 1.0], particles = [9, 5] }
+material.elastic = { young = 1e9, poisson = 0.3, density = 1000.0 }
+section.homogeneous.thickness = 0.1
+supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } },
+            { on = "v0", spring = { direction = [0, 0, 1], stiffness = 30.0 } },
+            { on = "v1", spring = { direction = [0, 0, 1], stiffness = 30.0 } }]
+loads = [{ on = "all", gravity = { acceleration = [0, 0, -1] } }]
+curve = [{ name = "w", of = "displacement", on = "all", direction = [0, 0, 1] },
+         { name = "R", of = "reaction", on = "v0", direction = [0, 0, 1] }]
+analysis.static = { levels = 1 }
+"#;
+
+fn plate(replaced: Replaced) -> Outcome {
+    done(ran(overridden(PLATE, "plate.toml", replaced)))
+}
+
+/// Stiff against its springs, of 60 N/m together: `w = −mg/k`, half of the weight on either side, `ω² = k/m`.
+#[test]
+fn a_plate_on_two_springs_sinks_and_swings_as_one_mass() {
+    let mass = 2.0 * 0.1 * 1000.0;
+    let still = plate(&[]);
+    assert!((last(&still, "w") * 60.0 / -mass - 1.0).abs() < 1e-4, "{}", last(&still, "w"));
+    assert!((last(&still, "R") / (0.5 * mass) - 1.0).abs() < 1e-6, "{}", last(&still, "R"));
+    assert!((still.summary.supports.unwrap().force[2] / mass - 1.0).abs() < 1e-6);
+    let relaxed = plate(&[("analysis", "{ relaxation = { levels = 1 } }")]);
+    assert!((last(&relaxed, "w") / last(&still, "w") - 1.0).abs() < 1e-5, "{}", last(&relaxed, "w"));
+    let modes = plate(&[("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")]);
+    let omega = column(&modes, "circular_frequency");
+    println!("{omega:?}");
+    // Up and down; rocking about y, over which springs and masses are spread alike; rocking about x with the springs at the edges, the
+    // rotary inertia of the section and that of five rows: m (b²/12 + b²/6·1/16 + t²/12).
+    let rocking = 60.0 * 0.25 / (mass * (1.0 / 12.0 + 1.0 / 96.0 + 0.01 / 12.0));
+    for (found, square) in omega.iter().zip([60.0 / mass, 60.0 / mass, rocking]) {
+        assert!((found * found / square - 1.0).abs() < 3e-3, "{found} {square}");
+    }
+    assert!((omega[0] * omega[0] * mass / 60.0 - 1.0).abs() < 3e-3, "{omega:?}");
+}
+
+/// The same in time: it sets out with a velocity and swings about zero by v/ω.
+#[test]
+fn a_plate_on_springs_swings_in_time() {
+    let period = std::f64::consts::TAU * (200.0_f64 / 60.0).sqrt();
+    let run = format!(
+        "{{ explicit.transient = {{ duration = {}, record_every = {} }} }}",
+        period / 4.0,
+        period / 40.0
+    );
+    let swung = plate(&[("loads", "[]"), ("velocity", "{ linear = [0, 0, 0.01] }"), ("analysis", &run)]);
+    let wanted = 0.01 * period / std::f64::consts::TAU;
+    assert!((last(&swung, "w") / wanted - 1.0).abs() < 1e-3, "{} {wanted}", last(&swung, "w"));
+}
+
+/// One half of a free plate sets out, the other is at rest: the momentum is that of the half.
+#[test]
+fn a_set_sets_out_alone() {
+    let scene = |on: &str| {
+        let velocity = format!("{{ on = \"{on}\", linear = [0, 0, 2.0] }}");
+        let run = "{ explicit.transient = { duration = 1e-4, record_every = 1e-4 } }";
+        let pairs = [
+            ("supports", "[]"),
+            ("loads", "[]"),
+            ("sets.half.box", "{ min = [-1, 0, -1], max = [0.9, 1, 1] }"),
+            ("velocity", velocity.as_str()),
+            ("curve", "[{ name = \"v\", of = \"velocity\", on = \"all\", direction = [0, 0, 1] }]"),
+            ("analysis", run),
+        ];
+        overridden(PLATE, "plate.toml", &pairs)
+    };
+    let half = done(ran(scene("half")));
+    // Four of nine rows.
+    let start = column(&half, "v")[0];
+    assert!((start - 2.0 * 4.0 / 9.0).abs() < 1e-12, "{start}");
+    let line = "velocity of half at the start".to_string();
+    assert!(half.summary.body.modelled.contains(&line));
+    assert!(scene("haff").err().unwrap().to_string().contains("haff"));
+}
+
+#[test]
+fn what_no_spring_or_turn_can_be_is_refused() {
+    let refused = |replaced: Replaced| match overridden(PLATE, "plate.toml", replaced)
+        .and_then(|s: Scene| s.build(1))
+    {
+        Ok(_) => panic!("{replaced:?} is not refused"),
+        Err(error) => render(&error, Rendering { width: 200, colour: false }),
+    };
+    let spring = "supports[1].spring";
+    for (path, value, says) in [
+        (spring, "{ direction = [0, 0, 1], stiffness = 0 }", "supports[1].spring.stiffness"),
+        (spring, "{ direction = [0, 0, 0], stiffness = 1 }", "supports[1].spring.direction"),
+        ("supports[1].amplitude", "{ ramp = 1 }", "only `moved`, `rotated` and `turned` have a course"),
+        (
+            "supports[+]",
+            "{ on = \"v0\", turned = { axis = [1, 0, 0], point = [0, 0.5, 0], by = 1 } }",
+            "its other supports hold",
+        ),
+        (
+            "supports",
+            "[{ on = \"v0\", spring = { direction = [0, 0, 1], stiffness = 1 } }]",
+            "translation along [1, 0, 0]",
+        ),
+    ] {
+        let text = refused(&[(path, value)]);
+        assert!(text.contains(says), "{says} is not in\n{text}");
+    }
+}

@@ -1,0 +1,38 @@
+//! What belongs to the preload: a load or a support that says so, and is else what it was.
+
+use crate::conditions::case::LoadCase;
+use crate::conditions::loads::{Block, Body, Load};
+use crate::conditions::prescribed::{Motion, Rotation};
+use crate::conditions::supports::{Holds, Support};
+use crate::error::ShellError;
+use crate::reference::Reference;
+
+/// A load or a support whose motion belongs to the preload.
+pub struct Preloaded<T>(pub T);
+
+impl Load for Preloaded<Box<dyn Load>> {
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
+        self.0.add(scale, body, forces);
+    }
+
+    fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+        self.0.stiffness(scale, body, put);
+    }
+
+    fn check(&self, reference: &Reference) -> Result<(), ShellError> {
+        self.0.check(reference)
+    }
+
+    fn case(&self) -> LoadCase {
+        LoadCase::Preload
+    }
+}
+
+impl Support for Preloaded<Box<dyn Support>> {
+    fn holds(&self) -> Holds {
+        let holds = self.0.holds();
+        let motion = holds.motion.map(Motion::preloaded);
+        let rotation = holds.rotation.map(|rotation| Rotation { case: LoadCase::Preload, ..rotation });
+        Holds { motion, rotation, ..holds }
+    }
+}
