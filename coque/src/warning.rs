@@ -38,6 +38,8 @@ pub enum Doubt {
     TiedBothSides,
     /// A sheet of few cells from a junction to its edge.
     ShallowSheet,
+    /// A beam of thin walls with few cells a wall.
+    ThinProfile,
     /// Sections high over their particles where masses count.
     OffsetInertia,
     /// Cells with sharp corners.
@@ -104,6 +106,7 @@ impl Doubt {
             Self::SharpFold => "sharp-fold",
             Self::TiedBothSides => "tied-both-sides",
             Self::ShallowSheet => "shallow-sheet",
+            Self::ThinProfile => "thin-profile",
             Self::OffsetInertia => "offset-inertia",
             Self::SharpCorners => "sharp-corners",
             Self::Pole => "pole",
@@ -168,6 +171,7 @@ mod tests {
             Doubt::SharpFold,
             Doubt::TiedBothSides,
             Doubt::ShallowSheet,
+            Doubt::ThinProfile,
             Doubt::OffsetInertia,
             Doubt::SharpCorners,
             Doubt::Pole,

@@ -203,6 +203,26 @@ fn sheets_that_are_too_narrow_at_junctions_are_told() {
     assert!(warning.contains("by 33 % of its share"), "{warning}");
 }
 
+#[test]
+fn beams_of_too_few_cells_a_wall_are_told() {
+    // Z sections with so many cells a plate, half a metre long.
+    let zee = |n: usize, wide: f64| {
+        let place = |i: usize| wide * i as f64 / n as f64;
+        let mut profile: Vec<[f64; 2]> = (0..=n).map(|i| [place(i) - wide, 0.0]).collect();
+        profile.extend((1..=n).map(|i| [0.0, place(i)]));
+        profile.extend((1..=n).map(|i| [place(i), wide]));
+        let all = mesh_warnings(&drawn_out(&profile));
+        all.into_iter().filter(|warning| warning.starts_with("a profile of thin walls")).collect::<Vec<_>>()
+    };
+    // 1/n² is missing about the weak axis.
+    let [warning] = &zee(5, 0.04)[..] else { panic!("one warning") };
+    assert!(warning.contains("the profile is 4.0 % too soft"), "{warning}");
+    assert!(warning.contains("2.0 times as many"), "{warning}");
+    assert_eq!(zee(9, 0.04), [""; 0]);
+    // A panel on legs is no beam.
+    assert_eq!(zee(4, 0.2), [""; 0]);
+}
+
 /// A sheet that comes back over itself at a two-hundredth of a cell, its nodes beside those below.
 #[test]
 fn a_mesh_folded_onto_itself_is_told() {

@@ -86,6 +86,20 @@ fn sections_that_are_not_plain_are_passed_over_with_a_note() {
 }
 
 #[test]
+fn surfaces_of_abaqus_files_are_groups_of_faces() {
+    let surface = inp(
+        "*Elset, elset=_S1, internal\n1, 2\n*Surface, type=ELEMENT, name=Top\n_S1, SPOS\n*Surface, name=under\n2, SNEG\n\
+         *Surface, name=part\nOne\n*Surface, name=two\nOne, SPOS\n*Surface, name=rim\nOne, E1\n*Surface, type=NODE, name=n\n1\n",
+    );
+    assert_eq!((&surface.face_sets["Top"][..], &surface.face_sets["under"][..]), (&[0, 1][..], &[1][..]));
+    assert_eq!(surface.face_sets["part"], [0]);
+    // An element set goes before a surface of its name; what is not made of faces is told.
+    assert_eq!(surface.face_sets["two"], [1]);
+    assert!(!surface.face_sets.contains_key("rim") && !surface.sets.contains_key("n"));
+    assert!(surface.notes.iter().any(|note| note.contains("*surface that is not made of faces")));
+}
+
+#[test]
 fn the_side_of_the_normals_is_told() {
     let said = |surface: &Surface| side(&common::cloud(surface));
     let flat = plate("plate.obj");

@@ -33,7 +33,7 @@ A force on a set along the boundary is shared by length, a couple wants one such
 
 Where sets and normals come from:
   .msh  physical groups; a view of three components called normals
-  .inp  *Nset and *Elset; direction cosines after the coordinates of a *Node;
+  .inp  *Nset, *Elset and *Surface; direction cosines after the coordinates of a *Node;
         *Shell Section and *Material for section.file = {} and material.file = {}
   .stl  solids, if there are several; vertices that coincide are merged
   .obj  groups and objects; vn

@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 40] = [
+const TEMPLATES: [(&str, &str); 43] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -58,6 +58,7 @@ const TEMPLATES: [(&str, &str); 40] = [
     ("crack-branching", include_str!("../../../scenes/crack-branching.toml")),
     ("cylinder-pressure", include_str!("../../../scenes/cylinder-pressure.toml")),
     ("dam-break", include_str!("../../../scenes/dam-break.toml")),
+    ("flanged-bracket", include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     ("gate", include_str!("../../../scenes/gate.toml")),
     ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
     ("kalthoff", include_str!("../../../scenes/kalthoff.toml")),
@@ -83,6 +84,8 @@ const TEMPLATES: [(&str, &str); 40] = [
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
     ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
     ("stepped-plate", include_str!("../../../scenes/stepped-plate.toml")),
+    ("stiffened-panel-abaqus", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.toml")),
+    ("stiffened-panel-gmsh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml")),
     ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
     ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
@@ -92,10 +95,15 @@ const TEMPLATES: [(&str, &str); 40] = [
     ("twisted-strip", include_str!("../../../scenes/twisted-strip.toml")),
 ];
 
-/// The templates on a mesh, with the mesh that is written beside them.
-const MESHES: [(&str, &str); 2] = [
-    ("t-frame", include_str!("../../../scenes/meshes/t-frame.msh")),
-    ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.msh")),
+/// What is written beside a template on a mesh: the ending of its name, and what it holds.
+const FILES: [(&str, &str, &str); 7] = [
+    ("flanged-bracket", "geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
+    ("flanged-bracket", "msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
+    ("stiffened-panel-abaqus", "inp", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.inp")),
+    ("stiffened-panel-gmsh", "geo", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.geo")),
+    ("stiffened-panel-gmsh", "msh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh")),
+    ("t-frame", "msh", include_str!("../../../scenes/meshes/t-frame.msh")),
+    ("tied-rib", "msh", include_str!("../../../scenes/meshes/tied-rib.msh")),
 ];
 
 /// Writes a scene to start from, or lists what there is.
@@ -108,11 +116,12 @@ pub fn new(new: &New) -> Result<(), Refused> {
     };
     let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
     let shown = file.display().to_string();
-    let text = text.replace(&format!("scenes/meshes/{name}.msh"), &format!("{name}.msh"));
-    let text = text.replace(&format!("scenes/meshes/{name}.toml"), &shown);
-    let text = text.replace(&format!("scenes/{name}.toml"), &shown);
-    if let Some((_, mesh)) = MESHES.iter().find(|(known, _)| known == name) {
-        write_new(&file.with_file_name(format!("{name}.msh")), mesh)?;
+    let mut text = text.replace(&format!("scenes/meshes/{name}.toml"), &shown);
+    text = text.replace(&format!("scenes/{name}.toml"), &shown);
+    for (_, ending, held) in FILES.iter().filter(|(known, ..)| known == name) {
+        let beside = format!("{name}.{ending}");
+        text = text.replace(&format!("scenes/meshes/{beside}"), &beside);
+        write_new(&file.with_file_name(beside), held)?;
     }
     // The schema lies beside the scenes of the repository, not here.
     let lines = text.lines().filter(|line| !line.starts_with("#:schema"));

@@ -11,6 +11,9 @@ use super::studies::RandomNumbers;
 /// Places closer than this are one node where blocks are welded.
 const WELD: f64 = 1e-7;
 
+/// Columns and rows of quadrangles, and the image of the unit square that they make.
+pub type Patch<'a> = ([usize; 2], &'a dyn Fn(f64, f64) -> Vec3);
+
 /// Nodes and faces with three or four corners, and normals where the surface is known.
 #[derive(Clone, Default)]
 pub struct Mesh {
@@ -26,10 +29,15 @@ impl Mesh {
     /// Blocks of columns × rows quadrangles, each the image of the unit square, welded where they touch.
     ///
     /// A face whose corners fall together, as at a pole, keeps those that differ.
-    pub fn blocks([columns, rows]: [usize; 2], blocks: &[&dyn Fn(f64, f64) -> Vec3]) -> Self {
+    pub fn blocks(counts: [usize; 2], blocks: &[&dyn Fn(f64, f64) -> Vec3]) -> Self {
+        Self::patches(&blocks.iter().map(|&block| (counts, block)).collect::<Vec<_>>())
+    }
+
+    /// The same of blocks with counts of their own, which agree where blocks touch.
+    pub fn patches(patches: &[Patch<'_>]) -> Self {
         let mut mesh = Self::default();
         let mut known: BTreeMap<[i64; 3], u32> = BTreeMap::new();
-        for block in blocks {
+        for &([columns, rows], block) in patches {
             let mut node = |i: usize, j: usize| {
                 let place = block(i as f64 / columns as f64, j as f64 / rows as f64);
                 let key = [place.x, place.y, place.z].map(|x| (x / WELD).round() as i64);
@@ -48,6 +56,26 @@ impl Mesh {
             }
         }
         mesh
+    }
+
+    /// The mesh with its image in the plane through the origin across an axis, welded in that plane.
+    #[must_use]
+    pub fn mirrored(mut self, axis: usize) -> Self {
+        let count = self.places.len();
+        let mut image = |a: usize| {
+            let mut place = self.places[a];
+            if place[axis].abs() < WELD {
+                return a as u32;
+            }
+            place[axis] = -place[axis];
+            self.places.push(place);
+            self.places.len() as u32 - 1
+        };
+        let images: Vec<u32> = (0..count).map(&mut image).collect();
+        let other = |face: &Vec<u32>| face.iter().rev().map(|&a| images[a as usize]).collect();
+        let others: Vec<Vec<u32>> = self.faces.iter().map(other).collect();
+        self.faces.extend(others);
+        self
     }
 
     /// The faces of a cloud.

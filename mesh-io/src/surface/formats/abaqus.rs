@@ -37,6 +37,8 @@ struct Found {
     node_sets: BTreeMap<String, (String, Vec<u32>)>,
     /// Element sets: name as first written, element numbers.
     element_sets: BTreeMap<String, (String, Vec<u64>)>,
+    /// Surfaces of whole faces, likewise.
+    surfaces: BTreeMap<String, (String, Vec<u64>)>,
     sections: ShellSections,
     parts: usize,
     instances: usize,
@@ -109,6 +111,7 @@ impl Found {
                 }
             }
             "elset" => keyword.needs("elset").map(|_| ()),
+            "surface" => keyword.needs("name").map(|_| ()),
             "part" => {
                 self.parts += 1;
                 if self.parts > 1 {
@@ -178,6 +181,7 @@ impl Found {
             "element" => self.element(keyword, line, &fields, goes_on),
             "nset" => self.node_set(keyword, line, &fields),
             "elset" => self.element_set(keyword, line, &fields),
+            "surface" => self.surface(keyword, line, &fields),
             "instance" if fields.iter().any(|field| field.parse() != Ok(0.0)) => {
                 let what = "the *instance is moved or turned";
                 Err(MeshError::at(line, what, "move the part itself, or use `orientation` in the scene"))
@@ -323,6 +327,28 @@ impl Found {
         Ok(())
     }
 
+    /// A number of an element or an element set, and a side of the shell; edges and other kinds of surfaces are passed over.
+    fn surface(&mut self, keyword: &Keyword, line: usize, fields: &[&str]) -> Result<(), MeshError> {
+        let whole = fields.get(1).is_none_or(|side| matches!(side.to_uppercase().as_str(), "SPOS" | "SNEG"));
+        let of_faces = keyword.get("type").is_none_or(|kind| kind.eq_ignore_ascii_case("element"));
+        // A set of an instance may be named with it.
+        let set = fields[0].rsplit('.').next().unwrap_or_default().to_lowercase();
+        let labels = match (fields[0].parse(), self.element_sets.get(&set)) {
+            (Ok(label), _) if self.elements.contains_key(&label) => vec![label],
+            (Err(_), Some((_, labels))) => labels.clone(),
+            _ => Vec::new(),
+        };
+        let name = keyword.get("name").unwrap_or_default();
+        if whole && of_faces && !labels.is_empty() {
+            self.raw.make_room(line, labels.len())?;
+            let surface = self.surfaces.entry(name.to_lowercase());
+            surface.or_insert_with(|| (name.into(), Vec::new())).1.extend(labels);
+        } else {
+            self.ignored.insert("*surface that is not made of faces".into());
+        }
+        Ok(())
+    }
+
     fn nodes_of(&mut self, name: &str) -> &mut Vec<u32> {
         let set = self.node_sets.entry(name.to_lowercase());
         &mut set.or_insert_with(|| (name.into(), Vec::new())).1
@@ -337,7 +363,10 @@ impl Found {
         for (name, nodes) in self.node_sets.values() {
             self.raw.add_to_set(name, nodes);
         }
-        for (name, labels) in self.element_sets.values() {
+        // A set goes before a surface of its name.
+        let (nodes, elements) = (&self.node_sets, &self.element_sets);
+        self.surfaces.retain(|name, _| !nodes.contains_key(name) && !elements.contains_key(name));
+        for (name, labels) in self.element_sets.values().chain(self.surfaces.values()) {
             let faces: Vec<u32> =
                 labels.iter().filter_map(|label| Some(self.elements.get(label)?.1)).collect();
             self.raw.add_faces_to_set(name, &faces);

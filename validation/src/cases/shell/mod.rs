@@ -1,5 +1,6 @@
 //! The usual cases of shells; a new one is a file, a line here, and one in the list.
 
+mod bracket;
 mod buckling;
 mod cantilever_end_shear;
 mod clamped_cap;
@@ -25,6 +26,7 @@ mod scordelis_lo;
 mod shortened;
 mod stepped_plate;
 mod thin_ring;
+mod tubes;
 mod turned;
 mod twisted_beam;
 
@@ -43,7 +45,10 @@ pub fn all() -> Vec<Case> {
         "Linear shells",
         [scordelis_lo::case(), pinched_cylinder::case(), hemisphere::case(), twisted_beam::case()],
     ));
-    cases.extend(family("Frames and sections", [junctions::case(), i_beams::case(), hook::case()]));
+    cases.extend(family(
+        "Frames and sections",
+        [junctions::case(), i_beams::case(), hook::case(), tubes::case(), bracket::case()],
+    ));
     cases.extend(family("Plates", [plate::case(), plate_frequencies::case(), stepped_plate::case()]));
     cases.extend(family(
         "Stability of shells",

@@ -10,6 +10,7 @@ mod folded;
 mod look;
 mod method;
 mod offset;
+mod profile;
 mod senseless;
 mod sheet;
 mod tied;
@@ -31,7 +32,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 18] = [
+const RULES: [Rule; 19] = [
     Rule { doubt: Doubt::NoWork, of: senseless::no_work },
     Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
     Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
@@ -44,6 +45,7 @@ const RULES: [Rule; 18] = [
     Rule { doubt: Doubt::SharpFold, of: coarse::fold },
     Rule { doubt: Doubt::TiedBothSides, of: tied::both_sides },
     Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
+    Rule { doubt: Doubt::ThinProfile, of: profile::profile },
     Rule { doubt: Doubt::OffsetInertia, of: offset::inertia },
     Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
     Rule { doubt: Doubt::CoarseBending, of: coarse::bending },
@@ -71,7 +73,8 @@ pub(crate) fn doubts_of_cloud(cloud: &Cloud) -> Vec<String> {
     let across = sheet::neighbours(&cloud.cells, cloud.len());
     let sheet = Sheet::at(&cloud.positions, &cloud.cells, &across);
     let overlaps = folded::overlaps(&sheet, &cloud.positions, 0.0);
-    let narrow = [tied::both_sides_of(cloud, &across), tied::shallow_of(cloud, &across)];
+    let narrow =
+        [tied::both_sides_of, tied::shallow_of, profile::profile_of].map(|rule| rule(cloud, &across));
     [coarse::fold_of(&sheet), senseless::overlap_of(&overlaps)].into_iter().chain(narrow).flatten().collect()
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use sph_core::{Cell, Cloud, Vec3};
+use sph_core::{Cloud, Vec3};
 
 use super::look::Look;
 use super::plural;
@@ -67,18 +67,18 @@ pub(super) fn shallow_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String> {
 }
 
 /// The edges of cells at which their sheet ends at a junction.
-struct Tied<'a> {
-    cloud: &'a Cloud,
-    across: &'a [[u32; 4]],
+pub(super) struct Tied<'a> {
+    pub(super) cloud: &'a Cloud,
+    pub(super) across: &'a [[u32; 4]],
     /// First particle on the place of each that is joined.
     first: HashMap<u32, u32>,
-    /// Cells with an edge between two places.
-    cells_at: HashMap<(u32, u32), usize>,
+    /// Cells with an edge between two places, and which of their edges it is.
+    pub(super) cells_at: HashMap<(u32, u32), Vec<(usize, usize)>>,
 }
 
 impl<'a> Tied<'a> {
     /// None without junctions.
-    fn of(cloud: &'a Cloud, across: &'a [[u32; 4]]) -> Option<Self> {
+    pub(super) fn of(cloud: &'a Cloud, across: &'a [[u32; 4]]) -> Option<Self> {
         if cloud.joined.is_empty() {
             return None;
         }
@@ -87,16 +87,18 @@ impl<'a> Tied<'a> {
             first.extend(group.iter().map(|&a| (a, group[0])));
         }
         let mut tied = Self { cloud, across, first, cells_at: HashMap::new() };
-        for edge in cloud.cells.iter().flat_map(Cell::edges) {
-            if let Some(places) = tied.places(edge) {
-                *tied.cells_at.entry(places).or_insert(0) += 1;
+        for (c, cell) in cloud.cells.iter().enumerate() {
+            for (i, edge) in cell.edges().enumerate() {
+                if let Some(places) = tied.places(edge) {
+                    tied.cells_at.entry(places).or_default().push((c, i));
+                }
             }
         }
         Some(tied)
     }
 
     /// Both ends of an edge by their places, if both are joined.
-    fn places(&self, (a, b): (u32, u32)) -> Option<(u32, u32)> {
+    pub(super) fn places(&self, (a, b): (u32, u32)) -> Option<(u32, u32)> {
         let (a, b) = (*self.first.get(&a)?, *self.first.get(&b)?);
         Some((a.min(b), a.max(b)))
     }
@@ -105,7 +107,7 @@ impl<'a> Tied<'a> {
     fn is(&self, cell: usize, i: usize) -> bool {
         let edge = self.cloud.cells[cell].edges().nth(i);
         let places = edge.and_then(|edge| self.places(edge));
-        self.across[cell][i] == u32::MAX && places.is_some_and(|at| self.cells_at[&at] > 1)
+        self.across[cell][i] == u32::MAX && places.is_some_and(|at| self.cells_at[&at].len() > 1)
     }
 
     /// Pairs of opposite edges of a quadrangle.
@@ -139,6 +141,6 @@ impl<'a> Tied<'a> {
     }
 }
 
-fn place(x: &Vec3) -> String {
+pub(super) fn place(x: &Vec3) -> String {
     format!("[{:.4}, {:.4}, {:.4}]", x.x, x.y, x.z)
 }
