@@ -7,7 +7,7 @@ use crate::figures::{
 use crate::format::short;
 use crate::judge::measure::frontier;
 use crate::judge::{CaseResult, peers_here};
-use crate::methods::{METHODS, setting};
+use crate::methods::setting;
 use crate::tables::{answers, unit_of_answers};
 
 /// Error over wall time, one mark a run; none for fewer than three.
@@ -16,33 +16,24 @@ use crate::tables::{answers, unit_of_answers};
 /// [`JudgeError`] from the stored answers of other programs.
 pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
     let Some(headline) = result.case.headline else { return Ok(None) };
-    let points: Vec<(&str, (f64, f64))> = answers(result)
-        .iter()
-        .map(|a| {
-            (a.run.variant.method.as_str(), (a.run.outcome.seconds_per_point(), a.error.max(headline.floor)))
-        })
-        .collect();
-    if points.len() < 3 {
+    let peers = peers_here(result)?;
+    let mut methods: Vec<(&str, Vec<(f64, f64)>)> = Vec::new();
+    let answers = answers(result);
+    if answers.len() < 3 {
         return Ok(None);
     }
-    let peers = floored(peers_here(result)?, headline.floor);
-    let all: Vec<(f64, f64)> =
-        points.iter().map(|&(_, point)| point).chain(peers.iter().map(|peer| peer.1)).collect();
+    for answer in &answers {
+        let point = (answer.run.outcome.seconds_per_point(), answer.error.max(headline.floor));
+        add(&mut methods, answer.run.variant.method.as_str(), point);
+    }
+    for (program, (cost, error)) in &peers {
+        add(&mut methods, program, (*cost, error.max(headline.floor)));
+    }
+    let all: Vec<(f64, f64)> = methods.iter().flat_map(|(_, own)| own).copied().collect();
     let best = frontier(&all).into_iter().map(|i| all[i]).collect();
     let mut series = vec![Series::line("best of error and cost", best, GREY, Line::Solid)];
-    for setting in &METHODS {
-        let own: Vec<(f64, f64)> =
-            points.iter().filter(|(method, _)| *method == setting.method).map(|&(_, point)| point).collect();
-        if !own.is_empty() {
-            series.push(Series::marks(setting.method, own, setting.colour, setting.mark));
-        }
-    }
+    series.extend(marks(methods));
     let note = if peers.is_empty() { "" } else { PEERS };
-    let mut programs: Vec<(&str, Vec<(f64, f64)>)> = Vec::new();
-    peers.iter().for_each(|(program, point)| add(&mut programs, program, *point));
-    for ((program, own), (colour, mark)) in programs.into_iter().zip(OTHERS.into_iter().cycle()) {
-        series.push(Series::marks(program, own, colour, mark));
-    }
     Ok(Some(Figure::Chart(Chart {
         title: format!("{}: error against cost", result.case.name),
         caption: format!(
@@ -63,9 +54,14 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
 const PEERS: &str =
     " Other programs: times measured in turn with ours on one thread of one machine, scaled by our run here.";
 
-/// Answers with errors no smaller than what the reference is known to.
-fn floored(answers: Vec<(String, (f64, f64))>, floor: f64) -> Vec<(String, (f64, f64))> {
-    answers.into_iter().map(|(name, (cost, error))| (name, (cost, error.max(floor)))).collect()
+/// Marks of the runs of each method, with its own look or one of the others.
+fn marks(methods: Vec<(&str, Vec<(f64, f64)>)>) -> impl Iterator<Item = Series> {
+    let mut others = OTHERS.into_iter().cycle();
+    methods.into_iter().map(move |(method, own)| {
+        let look = setting(method).map(|setting| (setting.colour, setting.mark)).or_else(|| others.next());
+        let (colour, mark) = look.unwrap_or((GREY, Mark::Cross));
+        Series::marks(method, own, colour, mark)
+    })
 }
 
 /// Adds a point to those of a method.
@@ -140,12 +136,7 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Result<Option<Chart>
         let label = if number == 0 { "best of a case in error and cost" } else { "" };
         series.push(Series::line(label, best, GREY, Line::Solid));
     }
-    let mut others = OTHERS.into_iter().cycle();
-    for (method, own) in methods {
-        let look = setting(method).map(|setting| (setting.colour, setting.mark)).or_else(|| others.next());
-        let (colour, mark) = look.unwrap_or((GREY, Mark::Cross));
-        series.push(Series::marks(method, own, colour, mark));
-    }
+    series.extend(marks(methods));
     let note = if peers.iter().all(Vec::is_empty) { "" } else { PEERS };
     Ok(Some(Chart {
         title: family.to_owned(),
