@@ -221,29 +221,29 @@ impl Entry {
 impl Reference {
     /// One cell as a number, in the unit of its column.
     pub fn number(&self, row: usize, column: &str) -> Result<f64, ReferenceError> {
-        let index = self.column_index(column)?;
-        let cells = self.rows.get(row).ok_or_else(|| ReferenceError::UnknownRow {
-            reference: self.name.clone(),
-            row,
-            last: self.rows.len().saturating_sub(1),
-        })?;
-        cells[index].as_f64().ok_or_else(|| ReferenceError::NotANumber {
+        let cell = self.cell(row, column)?;
+        cell.as_f64().ok_or_else(|| ReferenceError::NotANumber {
             reference: self.name.clone(),
             column: column.to_owned(),
             row,
-            found: cells[index].to_string(),
+            found: cell.to_string(),
         })
     }
 
-    /// One cell as a text.
-    pub fn text(&self, row: usize, column: &str) -> Result<&str, ReferenceError> {
+    /// One cell as a text; a number as the file writes it.
+    pub fn text(&self, row: usize, column: &str) -> Result<String, ReferenceError> {
+        let cell = self.cell(row, column)?;
+        Ok(cell.as_str().map_or_else(|| cell.to_string(), String::from))
+    }
+
+    fn cell(&self, row: usize, column: &str) -> Result<&Value, ReferenceError> {
         let index = self.column_index(column)?;
         let cells = self.rows.get(row).ok_or_else(|| ReferenceError::UnknownRow {
             reference: self.name.clone(),
             row,
             last: self.rows.len().saturating_sub(1),
         })?;
-        Ok(cells[index].as_str().unwrap_or_default())
+        Ok(&cells[index])
     }
 
     /// A whole column of numbers, in its unit; a text or a missing value is an error that names the row.

@@ -98,8 +98,8 @@ fn changed_shape(mode: &BucklingMode, kind: Prebuckling) -> Option<String> {
     };
     Some(format!(
         "the level {level:.4} counts {here}; the same mode with {there} has {otherwise:.4}: the structure changes its shape \
-         before it buckles, and may give way elsewhere, below both. Follow its path, by [analysis.arc-length] or by levels of \
-         [analysis.static]"
+         before it buckles, and may do so at another level or not at all. Follow its path, by [analysis.arc-length] or by levels \
+         of [analysis.static]"
     ))
 }
 

@@ -15,7 +15,7 @@ pub use asked::silent;
 pub use case::{Booked, Case, Headline, Published};
 pub use measured::Measured;
 pub use outcome::{Outcome, Solver};
-pub use peers::{Peer, Peers, peers_here};
+pub use peers::{Peer, Peers};
 pub use pictured::Pictured;
 pub use record::{Found, Metric, Record, Verdict};
 pub use run::{CaseResult, Selection, exit_code, judge};

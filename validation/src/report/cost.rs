@@ -6,7 +6,7 @@ use crate::figures::{
 };
 use crate::format::short;
 use crate::judge::measure::frontier;
-use crate::judge::{CaseResult, peers_here};
+use crate::judge::{CaseResult, Run};
 use crate::methods::setting;
 use crate::tables::{answers, unit_of_answers};
 
@@ -53,6 +53,20 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
 /// What is said of answers that were not found here.
 const PEERS: &str =
     " Other programs: times measured in turn with ours on one thread of one machine, scaled by our run here.";
+
+/// The answers of other programs to a case as `(method, (time here \[s\], error))`: as long as our run took here, times their
+/// cost. None where that run was not made.
+///
+/// # Errors
+/// [`JudgeError`] from the stored answers.
+fn peers_here(result: &CaseResult) -> Result<Vec<(String, (f64, f64))>, JudgeError> {
+    let Some(peers) = (result.case.peers)()? else { return Ok(Vec::new()) };
+    let here = |run: &&Run| run.variant.method == peers.method && run.variant.grid == peers.grid;
+    let Some(unit) = result.runs.iter().find(here).map(|run| run.outcome.seconds_per_point()) else {
+        return Ok(Vec::new());
+    };
+    Ok(peers.answers.into_iter().map(|peer| (peer.method, (peer.cost * unit, peer.error))).collect())
+}
 
 /// Marks of the runs of each method, with its own look or one of the others.
 fn marks(methods: Vec<(&str, Vec<(f64, f64)>)>) -> impl Iterator<Item = Series> {
