@@ -6,7 +6,9 @@ mod common;
 
 use common::galerkin::{ARC, BAR};
 use common::{column, last};
-use coque::{Doubt, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray};
+use coque::{
+    Doubt, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
+};
 
 fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
     let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
@@ -197,4 +199,23 @@ fn doubts_are_told() {
     );
     let pulled = [("loads.0.traction.value", "[0.3, 0, 0]"), ("analysis.static.levels", "4")];
     assert_eq!(doubts(&pulled), [Doubt::LargeStrain]);
+}
+
+/// Levels of these bodies are linearised in fixed directions: a bar that bends by a fifth of its width "buckles" aside, and a slender
+/// one that is pushed buckles as Euler's.
+#[test]
+fn a_level_far_along_the_bend_is_doubtful() {
+    let found = |length: &str, load: &str| {
+        let load = format!("[{{ on = 'x1', traction = {{ value = {load} }} }}]");
+        let buckling = "{ buckling = { modes = 1, sign = 'either' } }";
+        let lengths = ("bodies.bar.solid.geometry.block.lengths", length);
+        let found = scene(BAR, &[lengths, ("loads", &load), ("analysis", buckling), ("curve", "[]")]);
+        let outcome = found.build(1).unwrap().run(&mut Silent);
+        let doubtful = |warning: &Warning| warning.doubt == Doubt::ChangedShape;
+        (last(&outcome, "level"), outcome.summary.record.warnings.iter().any(doubtful))
+    };
+    assert!(found("[2, 1, 1]", "[0, 0, -0.001]").1);
+    let (level, doubtful) = found("[8, 1, 1]", "[-0.001, 0, 0]");
+    let euler = std::f64::consts::PI.powi(2) / 12.0 / 256.0 / 1e-3;
+    assert!(!doubtful && (level / euler - 1.0).abs() < 0.1, "{level} of {euler}");
 }

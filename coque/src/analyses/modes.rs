@@ -26,6 +26,9 @@ const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
 /// Relative difference of a mode's level by the two linearisations beyond which the change of shape before buckling counts: a
 /// clamped cap has .18 and its path ends a fifth below the level, plates, columns and deep beams have .004 at most.
 const CHANGED: f64 = 0.1;
+/// Displacement before buckling over the least extent beyond which a level linearised in fixed directions is doubtful: a bar of 2×1×1
+/// under a transverse force "buckles" when it has moved by .2, a column of ten widths by .02.
+const MOVED: f64 = 0.05;
 
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
@@ -76,7 +79,9 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
-    if let Some(message) = modes.first().and_then(|lowest| changed_shape(lowest, options.prebuckling)) {
+    if let Some(message) =
+        modes.first().and_then(|lowest| changed_shape(lowest, options.prebuckling, system.linear_reach()))
+    {
         run.record.warn(Doubt::ChangedShape, message);
     }
     for (number, mode) in modes.iter().enumerate() {
@@ -88,10 +93,21 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
     Ended::Done
 }
 
-/// What is doubtful about a level that hangs on the linearisation.
-fn changed_shape(mode: &BucklingMode, kind: Prebuckling) -> Option<String> {
-    let BucklingMode { level, otherwise, .. } = *mode;
-    let otherwise = otherwise.filter(|other| (other / level - 1.0).abs() > CHANGED)?;
+/// What is doubtful about a level that hangs on the linearisation; `reach` the least extent of the body.
+fn changed_shape(mode: &BucklingMode, kind: Prebuckling, reach: f64) -> Option<String> {
+    let BucklingMode { level, otherwise, before, .. } = *mode;
+    let Some(otherwise) = otherwise else {
+        return (before > MOVED * reach).then(|| {
+            format!(
+                "the body moves by {before:.4} before it buckles at {level:.4}, more than {MOVED} times its least extent of \
+                 {reach:.4}: the level is linearised in directions that do not turn with it, and may be far too low. Follow the \
+                 path, by [analysis.arc-length] or by levels of [analysis.static]"
+            )
+        });
+    };
+    if (otherwise / level - 1.0).abs() <= CHANGED {
+        return None;
+    }
     let [here, there] = match kind {
         Prebuckling::Rotations => ["the change of shape before buckling", "the stresses alone"],
         Prebuckling::Stress => ["the stresses alone", "the change of shape before buckling"],
