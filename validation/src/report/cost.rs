@@ -6,7 +6,7 @@ use crate::figures::{
 };
 use crate::format::short;
 use crate::judge::measure::frontier;
-use crate::judge::{CaseResult, Run};
+use crate::judge::{CaseResult, Peer, Run};
 use crate::methods::setting;
 use crate::tables::{answers, unit_of_answers};
 
@@ -26,8 +26,8 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
         let point = (answer.run.outcome.seconds_per_point(), answer.error.max(headline.floor));
         add(&mut methods, answer.run.variant.method.as_str(), point);
     }
-    for (program, (cost, error)) in &peers {
-        add(&mut methods, program, (*cost, error.max(headline.floor)));
+    for peer in &peers {
+        add(&mut methods, &peer.method, (peer.cost, peer.error.max(headline.floor)));
     }
     let all: Vec<(f64, f64)> = methods.iter().flat_map(|(_, own)| own).copied().collect();
     let best = frontier(&all).into_iter().map(|i| all[i]).collect();
@@ -54,18 +54,18 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
 const PEERS: &str =
     " Other programs: times measured in turn with ours on one thread of one machine, scaled by our run here.";
 
-/// The answers of other programs to a case as `(method, (time here \[s\], error))`: as long as our run took here, times their
-/// cost. None where that run was not made.
+/// The answers of other programs to a case with their costs in seconds here: as long as our run took, times their cost. None
+/// where that run was not made.
 ///
 /// # Errors
 /// [`JudgeError`] from the stored answers.
-fn peers_here(result: &CaseResult) -> Result<Vec<(String, (f64, f64))>, JudgeError> {
+fn peers_here(result: &CaseResult) -> Result<Vec<Peer>, JudgeError> {
     let Some(peers) = (result.case.peers)()? else { return Ok(Vec::new()) };
     let here = |run: &&Run| run.variant.method == peers.method && run.variant.grid == peers.grid;
     let Some(unit) = result.runs.iter().find(here).map(|run| run.outcome.seconds_per_point()) else {
         return Ok(Vec::new());
     };
-    Ok(peers.answers.into_iter().map(|peer| (peer.method, (peer.cost * unit, peer.error))).collect())
+    Ok(peers.answers.into_iter().map(|peer| Peer { cost: peer.cost * unit, ..peer }).collect())
 }
 
 /// Marks of the runs of each method, with its own look or one of the others.
@@ -131,10 +131,10 @@ fn family_chart(family: &str, results: Vec<&CaseResult>) -> Result<Option<Chart>
             points.push(point);
             add(&mut methods, answer.run.variant.method.as_str(), point);
         }
-        for (program, (cost, error)) in peers {
-            let point = (*cost, error.max(headline.floor));
+        for peer in peers {
+            let point = (peer.cost, peer.error.max(headline.floor));
             points.push(point);
-            add(&mut methods, program, point);
+            add(&mut methods, &peer.method, point);
         }
         if !points.is_empty() {
             names.push(result.case.name);
