@@ -259,9 +259,11 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
         true
     }
 
-    /// Nodes turn as their neighbours do about them; directors, which small rotations move alone, keep their axes.
+    /// Nodes turn as their neighbours do about them. Sheets on directors keep fixed axes: nodes that turned without their
+    /// directors would show the shear between them.
     fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
-        let turned = self.unknowns.turned(&self.spins(motion));
+        let directors = self.solid.rows.len() > self.solid.len();
+        let turned = self.unknowns.turned(&if directors { Vec::new() } else { self.spins(motion) });
         let rest = self.save();
         self.update(motion);
         let fixed = std::mem::replace(&mut self.unknowns, turned);
