@@ -5,11 +5,11 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use explicit_dynamics::Amplitude;
-use fluid_sph::{Fluid, Motion, Parts, Rotation};
-use sph_core::Vec3;
+use fluid_sph::{Fluid, Motion, Parts, Rotation, Wall};
+use sph_core::{Vec3, basin_rows};
 
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
-use crate::support::fluids::{CORRECTED, GRAVITY, KICKS, basin, filled, formulation, march, water};
+use crate::support::fluids::{CORRECTED, GRAVITY, KICKS, filled, formulation, march, rows, water};
 use crate::support::studies::{SHOWN, figure};
 use crate::{JudgeError, Metric};
 
@@ -32,7 +32,7 @@ pub fn case() -> Case {
     Case {
         name: "fluid-sloshing",
         title: "A tank that rolls for twenty periods",
-        about: "Water 93 mm deep in a tank of 0.9 m rolls by 4° at its first frequency: waves run up the walls and break. Every \
+        about: "Water 93 mm deep in a closed tank of 0.9 m rolls by 4° at its first frequency: waves run up the walls and break. Every \
                 particle has to stay in the tank, and the mechanical energy of the last period to be near that of the fifth: \
                 nothing may grow.",
         citation: "measures of SPHERIC test 10; references: the energy and the number of particles at the start",
@@ -56,14 +56,16 @@ fn rolled(method: &str, deep: usize) -> Result<Outcome, Box<dyn Error>> {
     let dx = DEPTH / deep as f64;
     let formulation = formulation(method);
     let long = (TANK[0] / dx).round() * dx;
-    let size = [long, TANK[1], 0.0];
+    let high = (TANK[1] / dx).round() * dx;
     // The speed of what falls by the height of the tank, ten times: waves run up its walls.
     let sound = 10.0 * (2.0 * GRAVITY * TANK[1]).sqrt();
     let parts = water(2, dx, filled([0.0; 3], [long, DEPTH, 0.0], 2, dx), sound, formulation);
     let centre = Vec3::new(0.5 * long, 0.0, 0.0);
     let turn = Rotation { centre, axis: Vec3::z(), by: ROLL, angle: Amplitude::Sine { period: PERIOD } };
-    let mut wall = basin(size, 2, dx, &formulation)?;
-    wall.motion = Some(Motion { translation: None, rotation: Some(turn) });
+    // With its lid: waves that break at a wall throw drops over half a metre.
+    let size = Vec3::new(long, high, 0.0);
+    let points = basin_rows(&Vec3::zeros(), &size, [false; 6], 2, dx, rows(&formulation))?;
+    let wall = Wall { points, motion: Some(Motion { translation: None, rotation: Some(turn) }) };
     let mut fluid = Fluid::new(Parts { walls: vec![wall], ..parts })?;
     let (mut deepest, mut highest) = (0.0_f64, 0.0_f64);
     // Sums of mechanical energy over the fifth and the last period, above that of water at rest.
@@ -76,7 +78,7 @@ fn rolled(method: &str, deep: usize) -> Result<Outcome, Box<dyn Error>> {
         for place in fluid.positions() {
             let arm = place - centre;
             let (x, y) = (centre.x + cosine * arm.x + sine * arm.y, cosine * arm.y - sine * arm.x);
-            deepest = deepest.max(-x).max(x - long).max(-y);
+            deepest = deepest.max(-x).max(x - long).max(-y).max(y - high);
             highest = highest.max(y);
         }
         let periods = record.at.time / PERIOD;
@@ -105,8 +107,12 @@ fn judged(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
         figure(run, LOST, "Δx")?
             .within(0.5, "behind half a spacing stands the first row of the wall: none passes it"),
         Metric::at_least(LATE, run.last(LATE)?, "-", 1.0)
-            .within(0.5, "waves that break are never twice the same; 1.12 measured, and nothing may grow"),
-        figure(run, DENSITY_ERROR, "%")?.near(2.92, "sheets of water that slam on walls and on each other"),
+            .within(0.5, "waves that break are never twice the same: .93 to 1.12 measured; and nothing may grow"),
+        figure(run, DENSITY_ERROR, "%")?.within(
+            10.0,
+            "the water hammer ρcV of what falls by the height of the tank, V/c = .1; .1 c is how c was chosen. Breaking waves \
+             gave 2.3 to 3.3 on five particles of depth, 6.7 to 9.1 on ten",
+        ),
         figure(run, BALANCE, "%")?
             .shown("walls store no energy, and their pressure does work on the fluid: the likely cause, not isolated"),
         figure(run, RUN_UP, "depths")?.shown(SHOWN),
