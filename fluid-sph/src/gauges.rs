@@ -12,6 +12,44 @@ const SURFACE: f64 = 0.5;
 /// Divergence of positions, 2 or 3 inside, below which it tells a free surface \[lee2008\]: in a plane, in space.
 const OPEN: [f64; 2] = [1.5, 2.4];
 
+/// Between the heights at which a column is looked at, in spacings.
+const STRIDE: f64 = 0.25;
+
+/// The particles about a line along −g.
+struct Column<'a> {
+    fluid: &'a Fluid,
+    up: Vec3,
+    /// Where the line passes the height zero \[L\].
+    foot: Vec3,
+    particles: Vec<usize>,
+    /// Between which heights places may be wet \[L\].
+    bottom: f64,
+    top: f64,
+}
+
+impl<'a> Column<'a> {
+    fn new(fluid: &'a Fluid, point: Vec3) -> Self {
+        let (point, up, h) = (fluid.plane(point), fluid.up(), fluid.momentum.kernel.h);
+        let across = |at: &Vec3| {
+            let way = at - point;
+            (way - up * up.dot(&way)).norm_squared()
+        };
+        let positions = &fluid.present.positions;
+        let particles: Vec<usize> =
+            (0..fluid.len()).filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
+        let heights = particles.iter().map(|&i| up.dot(&positions[i]));
+        let (bottom, top) =
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+        let foot = point - up * up.dot(&point);
+        Self { fluid, up, foot, particles, bottom: bottom - 2.0 * h, top: top + 2.0 * h }
+    }
+
+    /// The part of space that particles fill at a height.
+    fn filled(&self, height: f64) -> f64 {
+        self.fluid.mean(self.foot + self.up * height, self.particles.iter().copied()).0
+    }
+}
+
 impl Fluid {
     /// Pressure at a place \[F/L²\]: the mean of the fluid about it, carried there by gravity; none where it is dry.
     pub fn pressure_at(&self, point: Vec3) -> Option<f64> {
@@ -41,33 +79,42 @@ impl Fluid {
     /// Height along −g (the second axis in a plane, the third in space, without gravity) of the highest wet place of the
     /// column through a point \[L\]: where particles fill half of space. The point's own height if the column is dry.
     pub fn level_at(&self, point: Vec3) -> f64 {
-        let point = self.plane(point);
-        let (up, h) = (self.up(), self.momentum.kernel.h);
-        let across = |at: &Vec3| {
-            let way = at - point;
-            (way - up * up.dot(&way)).norm_squared()
-        };
-        let beside = |&i: &usize| across(&self.present.positions[i]) < 4.0 * h * h;
-        let column: Vec<usize> = (0..self.len()).filter(beside).collect();
-        let height = |i: &usize| up.dot(&self.present.positions[*i]);
-        let top = column.iter().map(height).fold(f64::NEG_INFINITY, f64::max) + 2.0 * h;
-        let bottom = column.iter().map(height).fold(f64::INFINITY, f64::min);
-        let foot = point - up * up.dot(&point);
-        let filled = |level: f64| self.mean(foot + up * level, column.iter().copied()).0;
-        let stride = 0.25 * self.spacing;
-        let mut level = top;
-        while level >= bottom {
-            if filled(level) >= SURFACE {
+        let column = Column::new(self, point);
+        let stride = STRIDE * self.spacing;
+        let mut level = column.top;
+        while level >= column.bottom {
+            if column.filled(level) >= SURFACE {
                 let (mut wet, mut dry) = (level, level + stride);
                 for _ in 0..20 {
                     let middle = 0.5 * (wet + dry);
-                    if filled(middle) >= SURFACE { wet = middle } else { dry = middle }
+                    if column.filled(middle) >= SURFACE { wet = middle } else { dry = middle }
                 }
                 return wet;
             }
             level -= stride;
         }
-        up.dot(&point)
+        column.up.dot(&self.plane(point))
+    }
+
+    /// Length of the column through a point along −g, as [`Fluid::level_at`], in which particles fill half of space or
+    /// more \[L\]: what a gauge of wire tells. Sheets that fly over the water count as thick as they are, air below them not.
+    pub fn wet_length_at(&self, point: Vec3) -> f64 {
+        let column = Column::new(self, point);
+        let stride = STRIDE * self.spacing;
+        let mut length = 0.0;
+        let (mut level, mut below) = (column.bottom, column.filled(column.bottom) - SURFACE);
+        while level < column.top {
+            level += stride;
+            let above = column.filled(level) - SURFACE;
+            length += match (below >= 0.0, above >= 0.0) {
+                (true, true) => stride,
+                (true, false) => stride * below / (below - above),
+                (false, true) => stride * above / (above - below),
+                (false, false) => 0.0,
+            };
+            below = above;
+        }
+        length
     }
 
     /// By particle: whether it lies at a free surface, where the divergence of positions falls short of the dimensions.

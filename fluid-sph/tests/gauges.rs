@@ -31,6 +31,10 @@ fn instruments_read_water_at_rest() {
         let level = fluid.level_at(place(0.3, 0.0));
         assert!((level - 0.6).abs() < 0.1 * 0.05, "{level}");
         assert_eq!(fluid.level_at(place(0.85, 0.11)), 0.11);
+        // A wire through water is wet from the floor to the surface.
+        let wet = fluid.wet_length_at(place(0.3, 0.2));
+        assert!((wet - 0.6).abs() < 0.1 * 0.05, "{wet}");
+        assert_eq!(fluid.wet_length_at(place(0.85, 0.11)), 0.0);
         for (point, pressure) in fluid.wall_positions(0).iter().zip(fluid.wall_pressures(0)) {
             let exact = 1000.0 * GRAVITY * (0.6 - point[dimensions - 1]);
             assert!(pressure == 0.0 || (pressure - exact).abs() < 1e-3 * 6000.0 * GRAVITY, "{point}");
@@ -44,6 +48,20 @@ fn instruments_read_water_at_rest() {
             assert!(*open || !surface, "{at}");
         }
     }
+}
+
+/// Over a sheet that flies above the water, four spacings thick, the level is its top; a wire leaves out the air.
+#[test]
+fn a_wire_leaves_out_the_air_below_a_sheet() {
+    let mut parts = pool(2, [0.6, 0.3, 0.0], [0.9, 0.9, 0.0], 0.05);
+    let sheet: Vec<Vec3> =
+        parts.positions.iter().filter(|at| at.y < 0.2).map(|at| at + Vec3::y() * 0.8).collect();
+    parts.positions.extend(sheet);
+    let fluid = Fluid::new(Parts { start: fluid_sph::Start::Uniform, ..parts }).unwrap();
+    let at = Vec3::new(0.3, 0.0, 0.0);
+    let (level, wet) = (fluid.level_at(at), fluid.wet_length_at(at));
+    // Measured .001 and .002: .02 and .04 spacings.
+    assert!((level - 1.0).abs() < 0.005 && (wet - 0.5).abs() < 0.01, "{level} {wet}");
 }
 
 fn refused(change: impl Fn(&mut Parts)) -> FluidError {

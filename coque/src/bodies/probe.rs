@@ -135,7 +135,9 @@ impl Probe {
 /// What values of a quantity are, where nothing is by depth.
 fn usual(of: Measured) -> Quantity {
     match of {
-        Measured::Displacement | Measured::Position | Measured::Level => Quantity::Length,
+        Measured::Displacement | Measured::Position | Measured::Level | Measured::WetLength => {
+            Quantity::Length
+        }
         Measured::Reaction | Measured::Force => Quantity::Force,
         Measured::Rotation => Quantity::Angle,
         Measured::Director | Measured::Damage => Quantity::Ratio,

@@ -138,6 +138,9 @@ pub enum Measured {
     Density,
     /// Height of the surface of a fluid over places of a wall, or over a point, against gravity from the origin \[L\].
     Level,
+    /// Length of the line through a point, along gravity, that lies in a fluid, as a gauge of wire tells it: sheets that
+    /// fly over the surface count as thick as they are \[L\].
+    WetLength,
     /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\].
     Force,
     /// Component of the moment of the forces of a fluid on walls or on a structure \[F L; by depth in a plane F\].
@@ -169,6 +172,7 @@ impl Measured {
             Self::Pressure => "pressure",
             Self::Density => "density",
             Self::Level => "level",
+            Self::WetLength => "wet-length",
             Self::Force => "force",
             Self::Moment => "moment",
             Self::Flux => "flux",
@@ -187,6 +191,7 @@ impl Measured {
                 | Self::Pressure
                 | Self::Density
                 | Self::Level
+                | Self::WetLength
                 | Self::Flux
         )
     }
@@ -206,7 +211,7 @@ impl Measured {
 
     /// Whether it is what a fluid does to its boundary, not what the boundary itself has.
     pub fn is_of_contact(self) -> bool {
-        matches!(self, Self::Pressure | Self::Level | Self::Force | Self::Moment)
+        matches!(self, Self::Pressure | Self::Level | Self::WetLength | Self::Force | Self::Moment)
     }
 }
 

@@ -17,7 +17,7 @@ pub(super) enum Gauge {
 }
 
 impl Gauge {
-    /// A pressure, a level or a flux; no pressure where it is dry.
+    /// A pressure, a level, a wet length or a flux; no pressure where it is dry.
     pub fn read(&self, of: Measured, fluid: &Fluid) -> f64 {
         match self {
             Self::InSpace(point) => at_point(of, fluid, *point),
@@ -27,10 +27,11 @@ impl Gauge {
     }
 }
 
-/// A pressure or a level at a point; no pressure where it is dry.
+/// A pressure, a level or a wet length at a point; no pressure where it is dry.
 pub(super) fn at_point(of: Measured, fluid: &Fluid, point: Vec3) -> f64 {
     match of {
         Measured::Level => fluid.level_at(point),
+        Measured::WetLength => fluid.wet_length_at(point),
         _ => fluid.pressure_at(point).unwrap_or(0.0),
     }
 }

@@ -108,7 +108,7 @@ impl Measuring<'_> {
             (Measured::Force | Measured::Moment, _) => {
                 Ok(pieces.iter().map(|piece| self.layout.piece(first + piece)).collect())
             }
-            (Measured::Pressure | Measured::Level, Some(point)) => {
+            (Measured::Pressure | Measured::Level | Measured::WetLength, Some(point)) => {
                 let gauge = self.beside(walls, point);
                 Ok(self.gauge(gauge))
             }

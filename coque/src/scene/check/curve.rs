@@ -121,13 +121,15 @@ impl Scene {
         use Measured::{
             BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy,
             Level, MembraneForce, Moment, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce,
-            StrainEnergy, Stress, Velocity, VonMises,
+            StrainEnergy, Stress, Velocity, VonMises, WetLength,
         };
         match self.body() {
             BodyScene::Fluid(_) => {
-                return vec![Displacement, Position, Velocity, Pressure, Density, Level, Flux];
+                return vec![Displacement, Position, Velocity, Pressure, Density, Level, WetLength, Flux];
             }
-            BodyScene::Walls(_) => return vec![Displacement, Position, Pressure, Level, Force, Moment],
+            BodyScene::Walls(_) => {
+                return vec![Displacement, Position, Pressure, Level, WetLength, Force, Moment];
+            }
             BodyScene::Shell(_) | BodyScene::Solid(_) => {}
         }
         let solid = self.as_solid();

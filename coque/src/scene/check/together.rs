@@ -212,10 +212,10 @@ impl Scene {
         let gravity = self.fluid().map_or_else(Vec3::zeros, |(name, _)| self.gravity_on(name));
         for (i, probe) in self.curve.iter().enumerate().filter(|(_, probe)| probe.of.is_of_contact()) {
             let at = |key: &str| format!("curve[{i}].{key}");
-            if probe.of == Measured::Level && gravity == Vec3::zeros() {
+            if matches!(probe.of, Measured::Level | Measured::WetLength) && gravity == Vec3::zeros() {
                 let repair = "add loads = [{ on = \"all\", gravity = { acceleration = […] } }]";
                 let bound = "something without gravity, which has neither up nor down";
-                return Err(SceneError::Choice(s.fault(&at("of"), "a level", bound, repair)));
+                return Err(SceneError::Choice(s.fault(&at("of"), probe.of.word(), bound, repair)));
             }
             let Owner::Of(name, set) = self.owner(&at("on"), &probe.on)? else { continue };
             if !self.structures().any(|(known, _)| *known == name) {

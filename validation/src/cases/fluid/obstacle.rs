@@ -52,6 +52,11 @@ const FRONTS: [(f64, &str); 3] = [
 const BEHIND: (f64, &str) = (0.496, "front passes x=0.496");
 /// Half the width of the strip in which they are.
 const STRIP: f64 = 0.1;
+/// The depth that shallow water has where the gauge at 1.488 m stands, on a dry bed behind a dam of endless length
+/// \[ritter1892\], and when it is asked \[s\], of the experiment's time: before waves are back from box and end.
+const SHALLOW: &str = "mean of h at 1.488 m, .45 to .6 s";
+const BEFORE_WAVES: [f64; 2] = [0.45, 0.6];
+const IMPULSES: &str = "mean of the impulses of P1 to P4";
 /// Over which impulses are taken \[s\], of the experiment's time.
 const IMPACT: [f64; 2] = [0.38, 0.70];
 /// Between records, and between readings of heights \[s\].
@@ -118,7 +123,8 @@ fn broken(across: usize, until: f64, formulation: Formulation) -> Result<Outcome
     let mut rows: Vec<Vec<f64>> = Vec::new();
     let marched = march(&mut fluid, until, EVERY, |fluid, record| {
         let mut row = vec![1e3 * record.at.time];
-        let level = |&(_, x, _): &(&str, f64, usize)| fluid.level_at(Vec3::new(x, 0.5, 0.0)).max(0.0);
+        // The gauges are wires: they tell how much of them is wet, not how high spray flies.
+        let level = |&(_, x, _): &(&str, f64, usize)| fluid.wet_length_at(Vec3::new(x, 0.5, 0.0));
         match rows.last() {
             Some(last) if !rows.len().is_multiple_of(HEIGHTS) => {
                 row.extend_from_slice(&last[1..=GAUGES.len()])
@@ -226,14 +232,20 @@ fn judged(across: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         let found = Metric::error(format!("rms of {name}"), Some(1e3 * rms), "mm");
         metrics.push(asked(found, 20.0, "asked: gauges of wire are off by 10 mm in spray"));
     }
+    metrics.extend(shallow(run, shift)?);
+    let mut sums = [Some(0.0), Some(0.0)];
     for probe in &PROBES[..4] {
         let found = later(run, probe.0, shift)?;
         let exact = key(&format!("impulse {} 0.38-0.70 s", probe.0))?;
         let impulse = mean(&found, IMPACT).map(|mean| mean * (IMPACT[1] - IMPACT[0]));
+        sums = [(sums[0], impulse), (sums[1], Some(exact))].map(|(sum, one)| Some(sum? + 0.25 * one?));
         let name = format!("impulse of {}", probe.0);
         let found = Metric::compared(name, impulse, "Pa s", exact);
         metrics.push(asked(found, 0.2 * exact, "asked: impulses are the robust part of an impact"));
     }
+    let [found, exact] = sums;
+    let exact = exact.unwrap_or(f64::NAN);
+    metrics.push(Metric::compared(IMPULSES, found, "Pa s", exact).shown(SHOWN));
     for probe in &PROBES[..4] {
         let exact = key(&format!("first peak {}", probe.0))?;
         let most = later(run, probe.0, shift)?.into_iter().filter(|(time, _)| *time < IMPACT[1]);
@@ -250,6 +262,27 @@ fn judged(across: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
             .within(3.0, "asked at any spacing: what is left of the ledger of a flow that breaks on a box"),
     ]);
     Ok(metrics)
+}
+
+/// The depth behind the front beside that of shallow water and that of the experiment.
+fn shallow(run: &Run, shift: f64) -> Result<[Metric; 2], JudgeError> {
+    let (x, column) = (GAUGES[2].1, GAUGES[2].2);
+    let found = later(run, GAUGES[2].0, shift)?;
+    let seen = published("dambreak_obstacle_kleefsman_heights", [0, column])?;
+    let fast = (GRAVITY * WATER[1]).sqrt();
+    // The run's own time: the experiment's is later by the shift.
+    let depth =
+        |time: f64| (2.0 * fast - (TANK[0] - WATER[0] - x) / (time - shift)).powi(2) / (9.0 * GRAVITY);
+    let theory: Vec<(f64, f64)> =
+        (0..=60).map(|k| BEFORE_WAVES[0] + 2.5e-3 * f64::from(k)).map(|time| (time, depth(time))).collect();
+    let [found, seen, theory] =
+        [&found, &seen, &theory].map(|path| mean(path, BEFORE_WAVES).map(|h| 1e3 * h));
+    Ok([
+        Metric::compared(SHALLOW, found, "mm", theory.unwrap_or(f64::NAN))
+            .shown("of shallow water, which starts at once"),
+        Metric::compared(format!("{SHALLOW}, experiment"), seen, "mm", theory.unwrap_or(f64::NAN))
+            .shown("the same"),
+    ])
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
