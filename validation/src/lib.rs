@@ -83,9 +83,10 @@
 //! neighbours (`benchmarks_ref::Curve::maximum`). Cost against error of all methods is drawn as the runs that no other
 //! beats in both ([`judge::measure::frontier`]).
 //!
-//! # The quick set, the full set, the hard cases
+//! # The quick set, the usual set, the full set, the hard cases
 //!
-//! A quick variant ([`Variant::quick`]) is judged by `cargo xtask test`, the full set by `cargo xtask ci`. The hard
+//! A quick variant ([`Variant::quick`]) is judged by `cargo xtask test`, the full set ([`Variant::full_if`]: what takes more than ten
+//! seconds) by `cargo xtask ci`, what lies between by `cargo xtask validate`. The hard
 //! cases are ways to break a shell, known from practice: disorder, extreme thickness, spin, sudden loads, steps at the
 //! limit, bad clouds. What is known to fail is asserted as it fails, with its cause, under the metric
 //! "known failure": a repair shows as a changed verdict. A particle run that is off by more than two percent of a truth and carries

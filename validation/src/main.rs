@@ -24,6 +24,9 @@ struct Cli {
     /// Only the runs that are fast enough for every commit
     #[arg(long)]
     quick: bool,
+    /// All runs but the heavy ones: those that take up to ten minutes as well
+    #[arg(long, conflicts_with_all = ["quick", "heavy"])]
+    full: bool,
     /// Only the runs that take more than ten minutes each; no other set has them
     #[arg(long, conflicts_with = "quick")]
     heavy: bool,
@@ -51,6 +54,7 @@ const HELP: &str = "\
 Examples:
   validate --list                      what there is
   validate --quick                     what every commit has to pass
+  validate --full                      with the runs that take from ten seconds to ten minutes
   validate --hard                      the survival table
   validate --heavy --case baffle       the runs that take more than ten minutes
   validate --case ring --case panel    the two cases of Lin et al. 2013
@@ -70,9 +74,9 @@ fn main() -> ExitCode {
     if cli.list {
         for case in cli.all() {
             let of = |effort| case.variants.iter().filter(|variant| variant.effort == effort).count();
-            let (quick, heavy) = (of(Effort::Quick), of(Effort::Heavy));
+            let (quick, full, heavy) = (of(Effort::Quick), of(Effort::Full), of(Effort::Heavy));
             println!(
-                "{:<22} {} ({} runs, {quick} quick, {heavy} heavy)",
+                "{:<22} {} ({} runs, {quick} quick, {full} full, {heavy} heavy)",
                 case.name,
                 case.title,
                 case.variants.len()
@@ -99,10 +103,11 @@ impl Cli {
 fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let selection = Selection {
-        set: match (cli.quick, cli.heavy) {
-            (true, _) => Effort::Quick,
-            (_, true) => Effort::Heavy,
-            _ => Effort::Full,
+        set: match (cli.quick, cli.full, cli.heavy) {
+            (true, ..) => Effort::Quick,
+            (_, true, _) => Effort::Full,
+            (.., true) => Effort::Heavy,
+            _ => Effort::Usual,
         },
         hard: cli.hard,
         names: cli.cases.clone(),

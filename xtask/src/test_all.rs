@@ -105,7 +105,8 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
     let tests = if nextest { &["nextest", "run", "--workspace"][..] } else { &["test", "--workspace"] };
     // `cargo test --workspace` already runs the documentation tests
     let documentation = nextest.then(|| words(&["test", "--doc", "--workspace"]));
-    let full = validate::Options { report: Some("target/ci-report".to_owned()), ..Default::default() };
+    let full =
+        validate::Options { full: true, report: Some("target/ci-report".to_owned()), ..Default::default() };
 
     let clippy = words(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     // broken links between pages are warnings, and no page should have one
@@ -203,7 +204,7 @@ mod tests {
     fn ci_adds_the_full_validation() {
         let (quick, full) = (commands(Depth::Quick, true), commands(Depth::Full, true));
         assert_eq!(full[..quick.len()], quick[..]);
-        assert!(full[quick.len()].ends_with("validate -- --report target/ci-report"));
+        assert!(full[quick.len()].ends_with("validate -- --full --report target/ci-report"));
     }
 
     #[test]

@@ -10,6 +10,9 @@ pub struct Options {
     /// Only the cases that are fast enough for every commit
     #[arg(long)]
     pub quick: bool,
+    /// All runs but the heavy ones: those that take up to ten minutes as well
+    #[arg(long, conflicts_with_all = ["quick", "heavy"])]
+    pub full: bool,
     /// Only the runs that take more than ten minutes each; no other set has them
     #[arg(long, conflicts_with = "quick")]
     pub heavy: bool,
@@ -51,6 +54,9 @@ impl Options {
         if self.quick {
             words.push("--quick".to_owned());
         }
+        if self.full {
+            words.push("--full".to_owned());
+        }
         if self.heavy {
             words.push("--heavy".to_owned());
         }
@@ -76,6 +82,7 @@ mod tests {
     fn every_argument_is_passed_on() {
         let options = Options {
             quick: true,
+            full: true,
             heavy: true,
             hard: true,
             cases: cargo::words(&["ring", "panel"]),
@@ -86,7 +93,7 @@ mod tests {
         assert_eq!(
             cargo::spelled(&options.words()),
             "cargo run --release --package validation --bin validate -- \
-             --quick --heavy --hard --case ring --case panel --json a.json --report out --threads 2"
+             --quick --full --heavy --hard --case ring --case panel --json a.json --report out --threads 2"
         );
     }
 }

@@ -309,7 +309,7 @@ mod tests {
 
     #[test]
     fn cases_are_chosen_by_name_and_by_what_they_cost() {
-        use Effort::{Full, Heavy, Quick};
+        use Effort::{Full, Heavy, Quick, Usual};
         let selection = |set, names: &[&str]| Selection {
             set,
             hard: false,
@@ -317,7 +317,7 @@ mod tests {
             jobs: 1,
         };
         let all = || {
-            [("made-up", Quick), ("slow", Full), ("dear", Heavy)]
+            [("made-up", Quick), ("slow", Usual), ("long", Full), ("dear", Heavy)]
                 .map(|(name, effort)| {
                     let mut case = case(|_| Ok(Vec::new()));
                     case.name = name;
@@ -330,12 +330,13 @@ mod tests {
             choose(all(), &selection(set, names))
                 .map(|cases| cases.iter().map(|(case, _)| case.name).collect::<Vec<_>>())
         };
-        assert_eq!(chosen(Full, &[]).unwrap(), ["made-up", "slow"]);
+        assert_eq!(chosen(Full, &[]).unwrap(), ["made-up", "slow", "long"]);
+        assert_eq!(chosen(Usual, &[]).unwrap(), ["made-up", "slow"]);
         assert_eq!(chosen(Quick, &[]).unwrap(), ["made-up"]);
         assert_eq!(chosen(Heavy, &[]).unwrap(), ["dear"]);
         assert_eq!(chosen(Full, &["slow"]).unwrap(), ["slow"]);
         assert!(matches!(chosen(Quick, &["slow"]), Err(JudgeError::NothingToRun)));
         let error = chosen(Full, &["fast"]).unwrap_err().to_string();
-        assert!(error.contains("made-up, slow"), "{error}");
+        assert!(error.contains("made-up, slow, long"), "{error}");
     }
 }

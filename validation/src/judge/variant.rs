@@ -50,21 +50,24 @@ pub const MET: f64 = 0.0;
 pub const LOST: f64 = f64::NAN;
 
 /// How much a run costs, and so when it is made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub enum Effort {
-    /// Seconds: judged with every commit.
+    /// A second or two: judged with every commit.
     Quick,
-    /// Minutes: judged in the full set.
+    /// Up to ten seconds: judged where nothing else is asked for.
     #[default]
+    Usual,
+    /// Up to ten minutes: judged in the full set.
     Full,
     /// More than ten minutes: run by hand, its table kept in docs/.
     Heavy,
 }
 
 impl Effort {
-    /// Whether a run of this effort is made where runs of the other are asked for: the full set holds the quick one.
+    /// Whether a run of this effort is made where runs of the other are asked for: a set holds those that cost less, but
+    /// for the heavy one, which stands alone.
     pub fn belongs_to(self, set: Self) -> bool {
-        self == set || (self, set) == (Self::Quick, Self::Full)
+        if set == Self::Heavy { self == set } else { self <= set }
     }
 }
 
@@ -141,7 +144,7 @@ impl Variant {
             method: method.into(),
             grid,
             source,
-            effort: Effort::Full,
+            effort: Effort::Usual,
             settles,
             alone: false,
             usual: false,
@@ -196,7 +199,16 @@ impl Variant {
     /// The same on a condition.
     #[must_use]
     pub fn quick_if(mut self, quick: bool) -> Self {
-        self.effort = if quick { Effort::Quick } else { Effort::Full };
+        self.effort = if quick { Effort::Quick } else { Effort::Usual };
+        self
+    }
+
+    /// Leaves the run to the full set, on a condition.
+    #[must_use]
+    pub fn full_if(mut self, long: bool) -> Self {
+        if long {
+            self.effort = Effort::Full;
+        }
         self
     }
 

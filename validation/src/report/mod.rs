@@ -94,10 +94,12 @@ fn head(results: &[CaseResult], selection: &Selection) -> String {
          (--jobs 1) where cost is the question.</p>",
         match (selection.hard, selection.set) {
             (false, Effort::Quick) => "Quick",
+            (false, Effort::Usual) => "Usual",
             (false, Effort::Full) => "Full",
             (false, Effort::Heavy) => "Heavy",
             (true, Effort::Quick) => "Quick hard",
-            (true, Effort::Full) => "Hard",
+            (true, Effort::Usual) => "Hard",
+            (true, Effort::Full) => "Full hard",
             (true, Effort::Heavy) => "Heavy hard",
         },
         records.len(),

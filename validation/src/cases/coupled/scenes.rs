@@ -102,7 +102,7 @@ fn when(run: &Run, column: &str, more: f64) -> Result<Option<f64>, JudgeError> {
 }
 
 fn baffle() -> Variant {
-    Variant::scene(PAIRWISE, BAFFLE, "baffle, 4 across").restless().judged(|run, _| {
+    Variant::scene(PAIRWISE, BAFFLE, "baffle, 4 across").full_if(true).restless().judged(|run, _| {
         let arrival = Metric::compared("arrival at the baffle", when(run, "front", 1.975)?, "s", 0.335);
         let first = Metric::compared("first broken bond", when(run, "damage", 0.0)?, "s", 0.5);
         let foot = Metric::compared("mean damage of the lowest row", run.last("foot")?, "-", 0.475);

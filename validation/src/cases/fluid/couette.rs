@@ -57,6 +57,7 @@ fn variants() -> Vec<Variant> {
         let run = move || turned(across, formulation(method)).map_err(|e| e.to_string());
         Variant::study(method, &format!("d/Δx {across}"), run)
             .quick_if(quick)
+            .full_if(across > 20 || (across > 10 && method != KICKS))
             .judged(move |run, _| judged(measured, run))
     })
     .collect()

@@ -88,6 +88,7 @@ fn variants() -> Vec<Variant> {
         let run = move || column.run().map_err(|e| e.to_string());
         Variant::study(column.method, &column.grid(), run)
             .quick_if(quick)
+            .full_if(column.high > 50)
             .judged(move |run, _| column.judged(run))
     };
     columns().into_iter().map(variant).collect()

@@ -64,7 +64,7 @@ fn variants() -> Vec<Variant> {
         let named = if method == PUBLISHED { String::new() } else { apart(&formulation) };
         let grid = format!("R/Δx {across}{named}");
         let run = move || stretched(across, formulation).map_err(|e| e.to_string());
-        Variant::study(method, &grid, run).quick_if(quick).judged(move |run, _| judged(across, &formulation, run))
+        Variant::study(method, &grid, run).quick_if(quick).full_if(across > 50).judged(move |run, _| judged(across, &formulation, run))
     })
     .collect()
 }

@@ -123,9 +123,9 @@ fn variants() -> Vec<Variant> {
     };
     vec![
         variant(KICKS, 18, 0.8),
-        variant(KICKS, 18, 2.0),
-        variant(PUBLISHED, 18, 0.8),
-        variant(KICKS, 36, 0.75),
+        variant(KICKS, 18, 2.0).full_if(true),
+        variant(PUBLISHED, 18, 0.8).full_if(true),
+        variant(KICKS, 36, 0.75).full_if(true),
         variant(KICKS, 36, 4.0).heavy(),
         variant(KICKS, 54, 1.0).heavy(),
     ]

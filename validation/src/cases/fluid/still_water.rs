@@ -86,8 +86,13 @@ fn variants() -> Vec<Variant> {
         let basin = Basin { dimensions, high, formulation };
         let named = if method == PUBLISHED { String::new() } else { apart(&formulation) };
         let grid = format!("{dimensions}D, H/Δx {high}{named}");
+        let plain = method == KICKS && named.is_empty();
+        let long = high > 50 || (high == 50 && !plain) || (dimensions == 3 && high > 10);
         let run = move || basin.run().map_err(|e| e.to_string());
-        Variant::study(method, &grid, run).quick_if(quick).judged(move |run, _| judged(asked, run))
+        Variant::study(method, &grid, run)
+            .quick_if(quick)
+            .full_if(long)
+            .judged(move |run, _| judged(asked, run))
     })
     .collect()
 }

@@ -74,6 +74,7 @@ fn variants() -> Vec<Variant> {
         let run = move || hit(high, formulation).map_err(|e| e.to_string());
         Variant::study(method, &format!("H/Δx {high}{named}"), run)
             .quick_if(quick)
+            .full_if(high > 30 || (high > 15 && method != KICKS))
             .judged(move |run, _| judged(high, &formulation, run))
     })
     .collect()

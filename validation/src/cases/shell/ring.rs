@@ -65,7 +65,7 @@ fn variants() -> Vec<Variant> {
         variants.push(Variant::elements(ELEMENTS, [u, v], elements).usual_if([u, v] == USUAL).quick());
     }
     for method in [WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3] {
-        variants.extend([on(method, [25, 3]).quick(), on(method, [50, 5])]);
+        variants.extend([on(method, [25, 3]).quick(), on(method, [50, 5]).full_if(true)]);
     }
     for method in [STRONG_12, STRONG_085] {
         // It flutters, which tells no period; rest is asked for less sharply, and the path ends where it always diverges.
@@ -75,6 +75,7 @@ fn variants() -> Vec<Variant> {
                 .set("analysis.explicit.quasi-static.period", 17.9)
                 .set("analysis.explicit.quasi-static.tolerance", 1e-6)
                 .set("analysis.explicit.quasi-static.levels", "[0.05, 0.1, 0.15, 0.2, 0.25, 0.3]")
+                .full_if(true)
                 .restless(),
         );
     }

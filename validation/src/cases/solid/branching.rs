@@ -93,7 +93,10 @@ fn variants() -> Vec<Variant> {
         let plate = Plate { law, horizon, spacing, correction, by_work };
         let run = move || plate.run().map_err(|e| e.to_string());
         let variant = Variant::study(method(plate.law), &plate.grid(), run);
-        variant.quick_if(spacing == 1.0 && law == StateBased).judged(move |run, _| judged(&plate, run))
+        variant
+            .quick_if(spacing == 1.0 && law == StateBased)
+            .full_if(spacing < 0.5)
+            .judged(move |run, _| judged(&plate, run))
     })
     .collect()
 }

@@ -61,7 +61,9 @@ fn variants() -> Vec<Variant> {
         let run = move || case.figures().map_err(|e| e.to_string());
         let criterion = if by_work { ", by work" } else { "" };
         let grid = format!("{across} an arm, δ/Δx {horizon}{criterion}");
-        Variant::study(method, &grid, run).judged(|run, _| judged(run))
+        Variant::study(method, &grid, run)
+            .full_if(across > 12 || law == Law::StateBased)
+            .judged(|run, _| judged(run))
     })
     .collect()
 }

@@ -60,6 +60,7 @@ fn variants() -> Vec<Variant> {
         let grid = format!("{across} across, {corrected}");
         Variant::study(method(law), &grid, run)
             .quick_if(quick)
+            .full_if(across > 4)
             .judged(move |run, runs| judged(known, run, runs))
     })
     .collect()

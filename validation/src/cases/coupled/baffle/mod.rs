@@ -36,7 +36,7 @@ pub fn case() -> Case {
             .map(|(layers, duration, heavy)| {
                 let run = move || study(layers, duration);
                 let variant = Variant::study(PAIRWISE, &format!("{layers} across"), run);
-                let variant = if heavy { variant.heavy() } else { variant };
+                let variant = if heavy { variant.heavy() } else { variant.full_if(true) };
                 variant.judged(move |run, _| judged(layers, duration, run))
             })
             .collect(),

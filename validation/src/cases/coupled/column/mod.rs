@@ -44,9 +44,12 @@ fn variants() -> Vec<Variant> {
             let column = Column::published(body, layers);
             let method = if body == Body::Shell { SHELL } else { SOLID };
             let variant = Variant::study(method, &format!("{layers} across"), move || column.study());
-            let variant = if (body, layers) == (Body::Solid, 8) { variant.heavy() } else { variant };
-            if (body, layers) == (Body::Shell, 2) { variant.quick() } else { variant }
-                .judged(move |run, _| judged(body, layers, run))
+            let variant = match (body, layers) {
+                (Body::Shell, 2) => variant.quick(),
+                (Body::Solid, 8) => variant.heavy(),
+                _ => variant.full_if(true),
+            };
+            variant.judged(move |run, _| judged(body, layers, run))
         })
         .collect()
 }

@@ -72,15 +72,23 @@ fn changes() -> Vec<(&'static str, Gate)> {
 fn variants() -> Vec<Variant> {
     let study = |method: &str, grid: &str, gate: Gate| Variant::study(method, grid, move || gate.study());
     let mut variants = vec![
-        study(SHELL, "2 mm", Gate::published(Body::Shell, 2e-3, END)).judged(|run, _| judged(run)),
+        study(SHELL, "2 mm", Gate::published(Body::Shell, 2e-3, END))
+            .full_if(true)
+            .judged(|run, _| judged(run)),
         study(SHELL, "2 mm, to the peak", Gate::published(Body::Shell, 2e-3, SHORT))
             .quick()
             .judged(|run, _| judged(run)),
-        study(SHELL, "1 mm", Gate::published(Body::Shell, 1e-3, END)).judged(|run, _| judged(run)),
-        study(SOLID, "1 mm", Gate::published(Body::Solid, 1e-3, SHORT)).judged(|run, _| judged(run)),
+        study(SHELL, "1 mm", Gate::published(Body::Shell, 1e-3, END))
+            .full_if(true)
+            .judged(|run, _| judged(run)),
+        study(SOLID, "1 mm", Gate::published(Body::Solid, 1e-3, SHORT))
+            .full_if(true)
+            .judged(|run, _| judged(run)),
     ];
     variants.extend(
-        changes().into_iter().map(|(grid, gate)| study(SHELL, grid, gate).judged(|run, _| changed(run))),
+        changes()
+            .into_iter()
+            .map(|(grid, gate)| study(SHELL, grid, gate).full_if(true).judged(|run, _| changed(run))),
     );
     variants.push(Variant::study(SHELL, "2 mm, held still", || held(2e-3)).quick().judged(|run, _| {
         let thrust = hydrostatic_thrust(WATER, GRAVITY, run::WATER[1], run::GATE[0]);

@@ -42,7 +42,9 @@ fn variants() -> Vec<Variant> {
         .map(|(layers, duration, quick)| {
             let to = if quick { ", to the peak" } else { "" };
             let grid = format!("{layers} across{to}");
-            let variant = Variant::study(SHELL, &grid, move || study(layers, duration)).quick_if(quick);
+            let variant = Variant::study(SHELL, &grid, move || study(layers, duration))
+                .quick_if(quick)
+                .full_if(layers > 2);
             variant.judged(|run, _| judged(run))
         })
         .collect()

@@ -51,6 +51,7 @@ fn variants() -> Vec<Variant> {
         let ring = Ring { density: Some(density), layers, period: TAU / RING.wet(WAVES, density, outer()) };
         Variant::study(SHELL, &grid(layers, Some(density)), move || study(&ring))
             .quick_if(layers == 2 && density == 140.0)
+            .full_if(layers > 2)
     };
     let mut variants = Vec::new();
     for layers in [2, 4] {

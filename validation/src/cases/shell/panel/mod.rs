@@ -59,7 +59,7 @@ fn variants() -> Vec<Variant> {
         let levels = SHORT.map(|w| w / FULL);
         on(method, n).set("analysis.explicit.quasi-static.levels", format!("{levels:?}"))
     };
-    let mut variants = vec![on(CELL, 11).quick(), on(CELL, 21).quick(), short(CELL, 41)];
+    let mut variants = vec![on(CELL, 11).quick(), on(CELL, 21).quick(), short(CELL, 41).full_if(true)];
     let path: Vec<f64> = (1..=60).map(|half| 0.5 * f64::from(half) / FULL).collect();
     for n in [11, 21] {
         variants.push(on(STATIC, n).static_levels(&path).quick());
@@ -78,7 +78,7 @@ fn variants() -> Vec<Variant> {
     }));
     variants.push(short(NODAL_3, 11).quick());
     for method in [WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3] {
-        variants.push(short(method, 21));
+        variants.push(short(method, 21).full_if(true));
     }
     for method in [STRONG_12, STRONG_085] {
         // It does not come to rest where the path falls, and tells no period; six periods of the shell are what the others need at most.
@@ -87,6 +87,7 @@ fn variants() -> Vec<Variant> {
                 .set("analysis.explicit.quasi-static.period", 0.031)
                 .set("analysis.explicit.quasi-static.tolerance", 1e-6)
                 .set("analysis.explicit.quasi-static.hold", 6.0)
+                .full_if(true)
                 .restless(),
         );
     }
