@@ -230,7 +230,11 @@ pub(crate) struct Constraint {
 
 impl Constraint {
     /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
-    fn join(particle: u32, rest: (Vec3, Vec3), asked: &[(usize, Holds)]) -> Result<Self, ShellError> {
+    pub(crate) fn join(
+        particle: u32,
+        rest: (Vec3, Vec3),
+        asked: &[(usize, Holds)],
+    ) -> Result<Self, ShellError> {
         let mut out = Self {
             held: [Vec3::zeros(); 3],
             count: 0,

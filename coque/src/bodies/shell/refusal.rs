@@ -52,6 +52,14 @@ impl Builder<'_> {
             ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
                 of_body("ties")
             }
+            &(ShellError::RigidOnALine { set } | ShellError::RigidInertia { set, .. }) => {
+                of_body(&format!("rigid[{set}]"))
+            }
+            ShellError::RigidOfWideStencils
+            | ShellError::RigidTwice { .. }
+            | ShellError::RigidHeld { .. }
+            | ShellError::RigidHangs { .. }
+            | ShellError::RigidInPart { .. } => of_body("rigid"),
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. } => "supports".into(),
