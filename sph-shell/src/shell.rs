@@ -287,14 +287,12 @@ impl Shell {
 
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
         let under_way = self.case;
-        self.evaluate_bodies(at, false);
         self.evaluate_loads(true, |applied| applied.scale(at, under_way));
     }
 
     /// Evaluates what a unit of level adds to the loads of the case that is under way.
     pub(crate) fn evaluate_load_rate(&mut self) {
         let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
-        self.evaluate_bodies(at, true);
         self.evaluate_loads(false, |applied| {
             if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
         });
@@ -305,6 +303,7 @@ impl Shell {
             return;
         }
         self.put_hanging();
+        self.evaluate_bodies(&scale);
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {

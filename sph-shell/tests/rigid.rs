@@ -10,7 +10,6 @@ use common::{
     RandomNumbers, X, Y, YOUNG, Z, at, beam_parts, curved, flat, free_shell, parts, shell, spectrum,
     supported, tee,
 };
-use explicit_dynamics::Amplitude;
 use implicit_statics::{
     BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
 };
@@ -18,7 +17,7 @@ use nalgebra::Matrix3;
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, CoupleAxis, DirectorHold, EdgeCouple, Formulation, Hinged, Holds, LoadCase, Reach, RigidLoad,
+    Clamped, CoupleAxis, DirectorHold, EdgeCouple, Formulation, Hinged, Holds, Load, Reach, RigidLoad,
     RigidSet, Shell, ShellError, StaticShell,
 };
 
@@ -29,8 +28,8 @@ const DENSITY: f64 = common::DENSITY;
 /// Bending stiffness of the strip of width one.
 const EI: f64 = YOUNG * THICK * THICK * THICK / 12.0;
 
-fn load(force: Vec3, couple: Vec3) -> RigidLoad {
-    RigidLoad { force, couple, case: LoadCase::Loading, amplitude: Amplitude::Constant }
+fn load(force: Vec3, couple: Vec3) -> Box<dyn Load> {
+    Box::new(RigidLoad { set: 0, force, couple })
 }
 
 /// A curved sheet, clamped along one edge, with a heavy rigid patch of 3 × 3 particles that is pushed beside itself and turned.
@@ -39,14 +38,14 @@ fn patched(holds: Holds) -> StaticShell {
     let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
     let particles: Vec<u32> = [2, 3, 4].into_iter().flat_map(|i| [1, 2, 3].map(|j| 6 * i + j)).collect();
     let at = cloud.positions[particles[4] as usize] + Vec3::new(0.1, -0.2, 0.4);
-    let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, vec![clamp], vec![]);
+    let push = vec![load(Vec3::new(3.0, -5.0, 2.0), Vec3::zeros())];
+    let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, vec![clamp], push);
     body.rigid(&[RigidSet {
         particles,
         at,
         mass: 2.0,
         inertia: Matrix3::from_diagonal(&Vec3::new(0.1, 0.3, 0.2)),
         holds,
-        loads: vec![load(Vec3::new(3.0, -5.0, 2.0), Vec3::zeros())],
     }])
     .unwrap();
     StaticShell::new(body)
@@ -100,7 +99,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
             let errors = [(stored / slope - 1.0).abs(), (second / curvature - 1.0).abs()];
             println!("force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
             // Truncation h⁴ and the round-off of U and of forces over h.
-            assert!(errors[0] < 1e-8 && errors[1] < 1e-8, "{errors:?}");
+            assert!(errors[0] < 4e-12 && errors[1] < 4e-12, "{errors:?}");
         }
     }
 }
@@ -138,7 +137,7 @@ fn free_sheets_with_a_rigid_set_have_exactly_six_zero_modes() {
         let values = spectrum(body);
         let [sixth, seventh] = [values[5].abs(), values[6]];
         println!("{name}: {sixth:.1e} {seventh:.1e}");
-        assert!(seventh > 1e7 * sixth && seventh > 0.0, "{name}: {sixth:.1e} {seventh:.1e}");
+        assert!(seventh > 1e10 * sixth && seventh > 0.0, "{name}: {sixth:.1e} {seventh:.1e}");
     }
 }
 
@@ -157,22 +156,21 @@ fn a_turn_by_two_radians_stores_nothing() {
         let worst = force.iter().fold(0.0_f64, |worst, f| worst.max(f.abs()));
         println!("{name}: energy {energy:.1e}, force {worst:.1e}");
         // In units of E t A ≈ 100: rounding.
-        assert!(energy < 1e-26 && worst < 1e-10, "{name}: {energy:.1e} {worst:.1e}");
+        assert!(energy < 4e-28 && worst < 3e-13, "{name}: {energy:.1e} {worst:.1e}");
     }
 }
 
 /// A cantilever of width one without Poisson's ratio whose end edge is rigid, the body at so much beyond the end.
-fn cantilever(cells: usize, beyond: f64, mass: f64, inertia: f64, loads: Vec<RigidLoad>) -> Shell {
+fn cantilever(cells: usize, beyond: f64, mass: f64, inertia: f64, loads: Vec<Box<dyn Load>>) -> Shell {
     let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
     let sides = cloud.sides.clone().unwrap();
     let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
-    let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![])).unwrap();
+    let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], loads)).unwrap();
     let set = RigidSet {
         particles: sides.edge(Side::U1).to_vec(),
         at: Vec3::new(LENGTH + beyond, 0.5, 0.0),
         mass,
         inertia: Matrix3::identity() * inertia,
-        loads,
         ..RigidSet::default()
     };
     body.rigid(&[set]).unwrap();
@@ -237,8 +235,8 @@ fn a_cantilever_with_a_heavy_end_vibrates_as_the_beam() {
             errors.push(worst.fold(0.0_f64, |most, e| if e.abs() > most.abs() { e } else { most }));
         }
         println!("{beyond} {mass} {inertia}: {errors:?}");
-        // Rotary inertia and shear of the strip take 1e-4 of its third frequency.
-        assert!(errors[2].abs() < 5e-4 && errors[0].abs() < 5e-3, "{errors:?}");
+        // The third frequency of 20 cells is .6 % off and falls as the square; rotary inertia and shear take 5e-4 of it.
+        assert!(errors[2].abs() < 1.5e-3 && errors[0].abs() < 2e-2, "{errors:?}");
     }
 }
 
@@ -247,7 +245,7 @@ fn an_end_couple_through_a_body_is_one_spread_over_the_edge() {
     let moment = PI * EI / LENGTH;
     let solve = |body: Shell| {
         let mut system = StaticShell::new(body);
-        let options = NewtonOptions { tolerance: 1e-11, ..NewtonOptions::default() };
+        let options = NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() };
         let mut newton = Newton::new(&system, &options).unwrap();
         let mut residuals = Vec::new();
         for step in 1..=10 {
@@ -273,16 +271,17 @@ fn an_end_couple_through_a_body_is_one_spread_over_the_edge() {
     let lack = (borne.moment - Y * moment).norm() / moment + borne.force.norm() * LENGTH / moment;
     println!("apart {apart:.1e}, off the half circle {off:.1e}, balance {lack:.1e}, residuals {residuals:?}");
     // Both answers are solved to 1e-11; 40 cells on a half circle are off by 1/24·(π/40)² of its radius.
-    assert!(apart < 1e-8 && off < 1e-3 && lack < 1e-8, "{apart:.1e} {off:.1e} {lack:.1e}");
-    let last = residuals.len() - 1;
-    assert!(residuals.len() < 9 && residuals[last] < 1e-3 * residuals[last - 1], "{residuals:?}");
+    assert!(apart < 1e-12 && off < 5e-4 && lack < 3e-11, "{apart:.1e} {off:.1e} {lack:.1e}");
+    // Each level turns the end by 18°: once near, a residual falls by orders of magnitude at a time, to round-off.
+    let falls = residuals.windows(2).map(|pair| pair[1] / pair[0]).fold(1.0, f64::min);
+    assert!(residuals.len() < 13 && falls < 1e-3, "{residuals:?}");
 }
 
 #[test]
 fn a_force_beside_the_set_is_borne_with_its_moment() {
     let (force, couple) = (Vec3::new(0.2, -0.1, 0.3) * 1e-3, Vec3::new(2.0, 0.5, -1.0) * 1e-3);
     let mut system = StaticShell::new(cantilever(10, 1.5, 0.0, 0.0, vec![load(force, couple)]));
-    let options = NewtonOptions { tolerance: 1e-11, ..NewtonOptions::default() };
+    let options = NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() };
     Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
     system.evaluate(1.0);
     let shell = system.shell();
@@ -296,7 +295,7 @@ fn a_force_beside_the_set_is_borne_with_its_moment() {
     let lack = (borne.force + force).norm() / force.norm()
         + (borne.moment + at.cross(&force) + couple).norm() / couple.norm();
     println!("balance {lack:.1e}");
-    assert!(lack < 1e-7, "{lack:.1e}");
+    assert!(lack < 1e-9, "{lack:.1e}");
 }
 
 /// A column under a rigid cap that is guided along its axis: twice clamped, `4π² EI/L²`; the cap's reference point is held, and bears what the
@@ -307,23 +306,24 @@ fn a_column_below_a_guided_cap_buckles_as_one_with_a_held_edge() {
         let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
         let sides = cloud.sides.clone().unwrap();
         let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
-        let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![])).unwrap();
+        let push = load(-X * EI / LENGTH.powi(2), Vec3::zeros());
+        let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![push])).unwrap();
         let holds = Holds { translations: vec![Y, Z], director: DirectorHold::Fixed, ..Holds::default() };
         let set = RigidSet {
             particles: sides.edge(Side::U1).to_vec(),
             at: Vec3::new(LENGTH + 0.7, 0.5, 0.0),
             holds,
-            loads: vec![load(-X * EI / LENGTH.powi(2), Vec3::zeros())],
             ..RigidSet::default()
         };
         body.rigid(&[set]).unwrap();
         let mut system = StaticShell::new(body);
-        let options = BucklingOptions { modes: 1, ..BucklingOptions::default() };
-        linear_buckling(&mut system, &options, &mut unwatched).unwrap().modes[0].eigenvalue
+        let options = BucklingOptions::new(1);
+        linear_buckling(&mut system, 0.0, &options, &mut unwatched).unwrap().modes[0].level
     };
     let errors = [10, 20, 40].map(|cells| level(cells) / (4.0 * PI * PI) - 1.0);
     println!("{errors:?}");
-    assert!(errors[2].abs() < 3e-3 && errors[1].abs() > 2.0 * errors[2].abs(), "{errors:?}");
+    // Second order in the cell; half a wave of ten cells is what a held edge has too.
+    assert!(errors[2].abs() < 1.2e-2 && errors[1].abs() > 3.0 * errors[2].abs(), "{errors:?}");
 }
 
 #[test]

@@ -42,6 +42,10 @@ impl Shell {
                 let arm = self.position(a) - about;
                 sum.add(arm, Vec3::new(fx, fy, fz), self.director(a), Vec3::new(tx, ty, tz));
             }
+            for ([force, couple], at) in self.on_bodies(&**load) {
+                sum.add(at - about, force, Vec3::zeros(), Vec3::zeros());
+                sum.moment += couple;
+            }
             sum
         };
         self.loads.iter().map(reduced).collect()

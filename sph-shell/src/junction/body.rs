@@ -13,11 +13,9 @@
 //! point that they hold. The drift is a free motion by the midpoint rule: it keeps moment of momentum to round-off. The inertia of
 //! directors is that of particles restricted to the body: a constraint shortens no stable step.
 
-use explicit_dynamics::Amplitude;
 use nalgebra::{Matrix3, SymmetricEigen};
 use sph_core::Vec3;
 
-use crate::conditions::case::LoadCase;
 use crate::packs::Row;
 
 /// Rounds of the midpoint rule: each gains a factor of `Δt ω`, and steps turn a body by far less than a hundredth.
@@ -33,23 +31,13 @@ pub(crate) struct RigidBody {
     /// Its inertia in the march and in modes.
     pub marching: Inertia,
     pub modal: Inertia,
-    /// Loads on the body itself.
-    pub loads: Vec<BodyLoad>,
-    /// Their force and torque about the pole, as last evaluated.
+    /// Number of its set, its own mass \[M\], and its reference point from the pole in the triad \[L\].
+    pub number: usize,
+    pub mass: f64,
+    pub reference: Vec3,
+    /// Force and couple of the loads on the body itself at its reference point, as last evaluated; the same as a row about the pole.
+    pub load: [Vec3; 2],
     pub external: Row,
-}
-
-/// A dead force at a point of a body and a couple about an axis fixed in space.
-#[derive(Clone, Debug)]
-pub(crate) struct BodyLoad {
-    pub force: Vec3,
-    pub couple: Vec3,
-    /// Where the force acts, from the pole, in the triad \[L\].
-    pub arm: Vec3,
-    pub case: LoadCase,
-    pub amplitude: Amplitude,
-    /// Its factor when the loads were last evaluated.
-    pub scale: f64,
 }
 
 /// Inertia about the pole: principal axes in the triad, as columns, and moments \[M L²\].
@@ -111,28 +99,19 @@ impl RigidBody {
         (theta, self.marching.power(&turned(triad, &theta), Power::Inverse, &momentum))
     }
 
-    /// Second variation of its loads along the rotation, to be added to that of the particles:
-    /// `−½(F rᵀ + r Fᵀ) + (F·r) 1`; a couple about a fixed axis has a skew one alone.
+    /// Second variation of its loads along the rotation, to be added to that of the particles, r the reference point from the pole:
+    /// `−½(F rᵀ + r Fᵀ) + (F·r) 1`; that of a couple about a fixed axis is skew.
     pub fn load_block(&self, triad: &Matrix3<f64>) -> Matrix3<f64> {
-        let part = |load: &BodyLoad| {
-            let (r, f) = (triad * load.arm, load.force * load.scale);
-            let outer = f * r.transpose();
-            Matrix3::identity() * f.dot(&r) - (outer + outer.transpose()) * 0.5
-        };
-        self.loads.iter().map(part).sum()
+        let (r, f) = (triad * self.reference, self.load[0]);
+        let outer = f * r.transpose();
+        Matrix3::identity() * f.dot(&r) - (outer + outer.transpose()) * 0.5
     }
 
-    /// Evaluates its loads, each times a factor.
-    pub fn evaluate(&mut self, triad: &Matrix3<f64>, scale: impl Fn(&BodyLoad) -> f64) {
-        let mut sum = (Vec3::zeros(), Vec3::zeros());
-        for load in &mut self.loads {
-            load.scale = scale(load);
-            let force = load.force * load.scale;
-            sum.0 += force;
-            sum.1 += (triad * load.arm).cross(&force) + load.couple * load.scale;
-        }
-        let (f, m) = sum;
-        self.external = [f.x, f.y, f.z, m.x, m.y, m.z];
+    /// Takes force and couple at its reference point as its loads.
+    pub fn take(&mut self, triad: &Matrix3<f64>, [force, couple]: [Vec3; 2]) {
+        let moment = (triad * self.reference).cross(&force) + couple;
+        self.load = [force, couple];
+        self.external = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
     }
 }
 

@@ -1,17 +1,16 @@
 //! Sets that are rigid: which groups they become, what is refused, loads on the body.
 
-use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::case::LoadCase;
-use crate::conditions::loads::check_set;
+use crate::conditions::loads::{AppliedLoad, Block, Body, Load, check_set};
 use crate::conditions::supports::{Constraint, DirectorHold, Holds};
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
-use crate::junction::body::{BodyLoad, Inertia, RigidBody, of_arm};
+use crate::junction::body::{Inertia, RigidBody, of_arm};
 use crate::junction::group::{Group, Junctions, across, director};
+use crate::reference::Reference;
 
 /// Least distance, in units of the spacing, of a particle of a rigid set from the normal at its first one.
 const APART: f64 = 1e-3;
@@ -29,21 +28,31 @@ pub struct RigidSet {
     pub inertia: Matrix3<f64>,
     /// Held displacements of the reference point; a plane for directors leaves the rotation about its normal.
     pub holds: Holds,
-    /// What acts on the body itself.
-    pub loads: Vec<RigidLoad>,
 }
 
 /// A load on a rigid body: a dead force at its reference point and a couple about an axis fixed in space.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct RigidLoad {
+    /// Number of the body among the rigid sets.
+    pub set: usize,
     /// The force \[F\].
     pub force: Vec3,
     /// The couple \[F L\]; without a potential where the body turns about several axes.
     pub couple: Vec3,
-    /// The load case to which it belongs.
-    pub case: LoadCase,
-    /// Its course in time.
-    pub amplitude: Amplitude,
+}
+
+impl Load for RigidLoad {
+    fn add(&self, _: f64, _: &Body<'_>, _: &mut [[f64; 6]]) {}
+
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
+    fn on_body(&self, number: usize, _: f64) -> Option<[Vec3; 2]> {
+        (number == self.set).then_some([self.force, self.couple])
+    }
+
+    fn check(&self, _: &Reference) -> Result<(), ShellError> {
+        Ok(())
+    }
 }
 
 impl Shell {
@@ -74,9 +83,6 @@ impl Shell {
         junctions.groups.retain(|group| !in_body(group));
         for (number, set) in sets.iter().enumerate() {
             junctions.groups.push(self.body(number, set)?);
-            if !set.loads.is_empty() {
-                self.external.resize(self.state.len(), [0.0; 6]);
-            }
             let first = set.particles[0] as usize;
             let rest = (set.at, self.reference.cloud.frames[first].n);
             let asked = [(number, set.holds.clone())];
@@ -146,14 +152,6 @@ impl Shell {
         let triad = crate::junction::group::triad(&first, &(place(far) - place(0)));
         let inverse = triad.transpose();
         let in_triad = |tensor: Matrix3<f64>| Inertia::new(inverse * tensor * triad);
-        let load = |load: &RigidLoad| BodyLoad {
-            force: load.force,
-            couple: load.couple,
-            arm: inverse * (set.at - pole),
-            case: load.case,
-            amplitude: load.amplitude.clone(),
-            scale: 0.0,
-        };
         let body = RigidBody {
             places: particles
                 .iter()
@@ -164,7 +162,10 @@ impl Shell {
             far,
             marching: in_triad(tensor(&|a| inertias[a])),
             modal: in_triad(tensor(&turning)),
-            loads: set.loads.iter().map(load).collect(),
+            number,
+            mass: set.mass,
+            reference: inverse * (set.at - pole),
+            load: [Vec3::zeros(); 2],
             external: [0.0; 6],
         };
         Ok(Group::of_body(particles, mass, body))
@@ -192,18 +193,32 @@ impl Shell {
         })
     }
 
-    /// Evaluates the loads on rigid bodies at an instant; `rate`: what a unit of level adds.
-    pub(crate) fn evaluate_bodies(&mut self, at: Instant, rate: bool) {
-        let Self { junctions, state, case, .. } = self;
-        for group in junctions.groups.iter_mut().filter(|group| group.body.is_some()) {
-            let triad = group.triad(state);
-            let Some(body) = &mut group.body else { continue };
-            body.evaluate(&triad, |load| {
-                let counts = !rate || load.case == *case;
-                let factor = load.case.factor(*case, at.level) * load.amplitude.value(at.time);
-                if counts { factor } else { 0.0 }
-            });
+    /// Evaluates the loads on rigid bodies, each load times a factor.
+    pub(crate) fn evaluate_bodies(&mut self, scale: impl Fn(&AppliedLoad) -> f64) {
+        let Self { junctions, state, loads, .. } = self;
+        for group in &mut junctions.groups {
+            let triad = group.body.is_some().then(|| group.triad(state));
+            let (Some(body), Some(triad)) = (&mut group.body, triad) else { continue };
+            let mut sum = [Vec3::zeros(); 2];
+            for applied in loads.iter() {
+                let Some(own) = applied.load.on_body(body.number, body.mass) else { continue };
+                let factor = scale(applied);
+                sum.iter_mut().zip(own).for_each(|(sum, part)| *sum += part * factor);
+            }
+            body.take(&triad, sum);
         }
+    }
+
+    /// What a load exerts on all rigid bodies: force and couple, and where the force acts.
+    pub(crate) fn on_bodies<'a>(
+        &'a self,
+        load: &'a dyn Load,
+    ) -> impl Iterator<Item = ([Vec3; 2], Vec3)> + 'a {
+        self.junctions.groups.iter().filter_map(move |group| {
+            let body = group.body.as_ref()?;
+            let at = group.pole(&self.state) + group.triad(&self.state) * body.reference;
+            Some((load.on_body(body.number, body.mass)?, at))
+        })
     }
 
     /// Force and torque of the loads on the rigid body that a particle stands for.
