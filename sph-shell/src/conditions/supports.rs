@@ -380,9 +380,7 @@ impl Constraint {
         };
         self.count + rotations
     }
-}
 
-impl Constraint {
     /// Number of held translations.
     pub(crate) fn held_translations(&self) -> usize {
         self.count

@@ -16,6 +16,7 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 use sph_core::Vec3;
 
+use crate::junction::rotation::turned;
 use crate::packs::Row;
 
 /// Rounds of the midpoint rule: each gains a factor of `Δt ω`, and steps turn a body by far less than a hundredth.
@@ -113,15 +114,4 @@ impl RigidBody {
         self.load = [force, couple];
         self.external = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
     }
-}
-
-/// `exp(θ) Q`, its columns made unit vectors.
-pub(crate) fn turned(triad: &Matrix3<f64>, theta: &Vec3) -> Matrix3<f64> {
-    let column = |i: usize| super::group::rotated(&triad.column(i).into(), theta).normalize();
-    Matrix3::from_columns(&[column(0), column(1), column(2)])
-}
-
-/// `|a|² 1 − a aᵀ`.
-pub(crate) fn of_arm(a: &Vec3) -> Matrix3<f64> {
-    Matrix3::identity() * a.norm_squared() - a * a.transpose()
 }

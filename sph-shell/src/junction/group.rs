@@ -6,7 +6,8 @@ use sph_core::Vec3;
 use crate::Shell;
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::error::ShellError;
-use crate::junction::body::{RigidBody, turned};
+use crate::junction::body::RigidBody;
+use crate::junction::rotation::{across, rotated, triad, turned};
 use crate::packs::Row;
 use crate::reference::Reference;
 
@@ -281,29 +282,4 @@ pub(crate) fn director(row: &Row) -> Vec3 {
 /// The first half of a row, of a place or what is conjugate to it.
 pub(crate) fn place(row: &Row) -> Vec3 {
     Vec3::new(row[0], row[1], row[2])
-}
-
-/// `1 − d dᵀ`.
-pub(crate) fn across(d: &Vec3) -> Matrix3<f64> {
-    Matrix3::identity() - d * d.transpose()
-}
-
-/// Right-handed unit vectors, the first along d, the second in the plane of d and e.
-pub(crate) fn triad(d: &Vec3, e: &Vec3) -> Matrix3<f64> {
-    let third = d.cross(e).normalize();
-    Matrix3::from_columns(&[*d, third.cross(d), third])
-}
-
-/// `exp(θ) d` by Rodrigues' formula.
-pub(crate) fn rotated(d: &Vec3, theta: &Vec3) -> Vec3 {
-    let square = theta.norm_squared();
-    if square == 0.0 {
-        return *d;
-    }
-    let angle = square.sqrt();
-    let (sin, _) = libm::sincos(angle);
-    // 1 − cos without cancellation.
-    let half = libm::sin(0.5 * angle);
-    let turn = theta.cross(d);
-    d + turn * (sin / angle) + theta.cross(&turn) * (2.0 * half * half / square)
 }

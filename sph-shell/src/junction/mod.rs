@@ -21,5 +21,6 @@ pub(crate) mod body;
 pub(crate) mod group;
 mod march;
 pub(crate) mod rigid;
+mod rotation;
 mod spectrum;
 mod statics;

@@ -8,8 +8,9 @@ use crate::conditions::loads::{AppliedLoad, Block, Body, Load, check_set};
 use crate::conditions::supports::{Constraint, DirectorHold, Holds};
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
-use crate::junction::body::{Inertia, RigidBody, of_arm};
-use crate::junction::group::{Group, Junctions, across, director};
+use crate::junction::body::{Inertia, RigidBody};
+use crate::junction::group::{Group, Junctions, director};
+use crate::junction::rotation::{across, of_arm, triad as triad_of};
 use crate::reference::Reference;
 
 /// Least distance, in units of the spacing, of a particle of a rigid set from the normal at its first one.
@@ -149,7 +150,7 @@ impl Shell {
             };
             own + particles.iter().map(part).sum::<Matrix3<f64>>()
         };
-        let triad = crate::junction::group::triad(&first, &(place(far) - place(0)));
+        let triad = triad_of(&first, &(place(far) - place(0)));
         let inverse = triad.transpose();
         let in_triad = |tensor: Matrix3<f64>| Inertia::new(inverse * tensor * triad);
         let body = RigidBody {
