@@ -73,8 +73,7 @@ pub struct Diaphragm {
 
 /// Displacements along some directions and one turn of the director are held; the rest is free.
 ///
-/// The general support, of which the clamp, the hinge, the symmetry plane and the diaphragm are special cases with
-/// names of their own (but for the clamped director, which keeps both turns).
+/// The clamp, the hinge, the symmetry plane and the diaphragm are special cases (a clamped director keeps both turns).
 #[derive(Clone, Debug)]
 pub struct Held {
     /// Directions of no displacement (any length, linearly independent).
