@@ -119,6 +119,59 @@ pub enum ShellError {
         /// The stiffness \[F/L\].
         stiffness: f64,
     },
+    /// A rigid set where strains are not sampled in cells.
+    #[error("a rigid set wants strains sampled in cells; use the formulation by cells")]
+    RigidOfWideStencils,
+    /// A particle of two rigid sets, or twice in one.
+    #[error("particle {particle} belongs to two rigid sets; take it out of one of them, or make them one")]
+    RigidTwice {
+        /// The particle.
+        particle: u32,
+    },
+    /// A supported particle in a rigid set.
+    #[error(
+        "particle {particle} of a rigid set has a support of its own; a rigid set is supported as a whole: put the support on the name of the rigid set, or take the particle out of one of the two"
+    )]
+    RigidHeld {
+        /// The particle.
+        particle: u32,
+    },
+    /// A tied particle in a rigid set.
+    #[error(
+        "particle {particle} of a rigid set is tied to the cells of another sheet and goes where they go; take it out of the rigid set, or make the cells below it rigid"
+    )]
+    RigidHangs {
+        /// The particle.
+        particle: u32,
+    },
+    /// A junction that lies in a rigid set in part.
+    #[error(
+        "particle {particle} shares its place at a junction with a particle of a rigid set to which it does not belong; a rigid set takes all particles of a place"
+    )]
+    RigidInPart {
+        /// The particle.
+        particle: u32,
+    },
+    /// A rigid set without two places side by side.
+    #[error(
+        "rigid set {set} has no two particles side by side, so nothing tells how it turns about the normal; take in a neighbour, or lump a mass there"
+    )]
+    RigidOnALine {
+        /// Number of the set.
+        set: usize,
+    },
+    /// A mass or inertia that no body has.
+    #[error(
+        "rigid set {set} has the mass {mass} and {least} as its least principal moment of inertia; neither may be negative"
+    )]
+    RigidInertia {
+        /// Number of the set.
+        set: usize,
+        /// The mass \[M\].
+        mass: f64,
+        /// The moment \[M L²\].
+        least: f64,
+    },
     /// A cell in two regions.
     #[error("cell {cell} lies in two regions; take it out of one of them")]
     TwoRegions {

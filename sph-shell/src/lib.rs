@@ -198,6 +198,8 @@
 //!
 //! [`Shell::spring`] ties particles to the ground along directions: `f_a = −k_a (n·u_a) n`, whatever the level.
 //!
+//! [`Shell::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
+//!
 //! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
 //! [`StaticShell::set_case`].
 //!
@@ -237,6 +239,7 @@
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
 //! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
 //! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs |
+//! | rigid sets: derivatives of the energy, six zero modes, beams with a heavy end, momentum in free flight, the step, supports that balance | tests/rigid.rs, tests/rigid_march.rs |
 //! | masses lumped at a junction weigh and move with it | tests/junction_masses.rs |
 //! | dynamic relaxation finds what Newton's method finds | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
@@ -306,6 +309,7 @@ pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
+pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
 pub use reference::Reference;
 pub use regions::{PointSection, Region};

@@ -218,17 +218,21 @@ impl Shell {
         let f = self.gathered(particle, |a| self.internal_force(a));
         let e = self.gathered(particle, |a| self.external_force(a));
         let s = self.gathered(particle, |a| self.sprung(a));
-        Vec3::new(f[0] - e[0] + s[0], f[1] - e[1] + s[1], f[2] - e[2] + s[2])
+        let b = self.body_load(particle);
+        Vec3::new(f[0] - e[0] + s[0] - b[0], f[1] - e[1] + s[1] - b[1], f[2] - e[2] + s[2] - b[2])
     }
 
     /// The moment that the supports of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
         let [f, e] = [self.internal_force(particle), self.external_force(particle)];
-        if self.junctions.of(particle).is_some() {
-            let of = |row: Row| Vec3::new(row[3], row[4], row[5]);
-            return of(self.gathered(particle, |a| self.internal_force(a)))
-                - of(self.gathered(particle, |a| self.external_force(a)));
+        if let Some(group) = self.junctions.of(particle) {
+            if group.first() != particle {
+                return Vec3::zeros();
+            }
+            return self.about_first(group, &self.gathered(particle, |a| self.internal_force(a)))
+                - self.about_first(group, &self.gathered(particle, |a| self.external_force(a)))
+                - self.about_first(group, &self.body_load(particle));
         }
         self.director(particle).cross(&Vec3::new(f[3] - e[3], f[4] - e[4], f[5] - e[5]))
     }
@@ -299,6 +303,7 @@ impl Shell {
             return;
         }
         self.put_hanging();
+        self.evaluate_bodies(&scale);
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {

@@ -35,16 +35,18 @@ impl Shell {
     }
 
     /// Sets the velocity of a particle and the rate of its director; held parts are taken out. Tied particles share the velocity
-    /// last set, and turn as their directors' rates say.
+    /// last set, and turn as their directors' rates say; a rigid body takes the motion of its particles, which must be rigid.
     pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
         let d = self.director(particle);
         let tangent = director_rate - d * d.dot(&director_rate);
         let (mut v, mut w) = (velocity.into(), tangent.into());
-        if let Some(constraint) = self.constraint(particle) {
+        let group = self.junctions.of(particle);
+        let rigid = group.is_some_and(|group| group.body.is_some());
+        if let Some(constraint) = self.constraint(particle).filter(|_| !rigid) {
             (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
         }
         self.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
-        for &a in self.junctions.of(particle).iter().flat_map(|group| &group.particles) {
+        for &a in group.iter().filter(|_| !rigid).flat_map(|group| &group.particles) {
             self.rates[a as usize][..3].copy_from_slice(&v);
         }
     }

@@ -11,6 +11,8 @@ const FREE: f64 = 1e-10;
 pub(crate) enum Hold {
     /// The displacement of a particle along a direction.
     Displacement(u32, Vec3),
+    /// The displacement along a direction of a point that goes with them.
+    DisplacementAt(Vec3, Vec3),
     /// A turn about an axis.
     Turn(Vec3),
 }
@@ -29,6 +31,7 @@ pub(crate) fn free_of(positions: &[Vec3], piece: &[u32], holds: &[Hold]) -> Vec<
     for hold in holds {
         match hold {
             Hold::Displacement(a, e) => row(*e, ((place(a) - centre) / size).cross(e)),
+            Hold::DisplacementAt(x, e) => row(*e, ((x - centre) / size).cross(e)),
             Hold::Turn(axis) => row(Vec3::zeros(), *axis),
         }
     }

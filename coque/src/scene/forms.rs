@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 21] = [
     "title",
     "units",
     "geometry",
@@ -21,6 +21,7 @@ const WORDS: [&str; 20] = [
     "parts",
     "masses",
     "ties",
+    "rigid",
     "formulation",
     "velocity",
     "placed",

@@ -43,6 +43,12 @@ pub trait Load: Send + Sync {
     /// comes twice is summed. There is no default: without these derivatives critical loads are wrong.
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block));
 
+    /// Force \[F\] and couple \[F L\] at the reference point of a rigid body, by its number and its own mass, beside what the load adds to
+    /// particles.
+    fn on_body(&self, _number: usize, _mass: f64) -> Option<[Vec3; 2]> {
+        None
+    }
+
     /// Refuses sets and numbers that make no sense on this shell.
     ///
     /// # Errors
@@ -114,6 +120,10 @@ impl Load for Gravity {
     }
 
     fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
+    fn on_body(&self, _: usize, mass: f64) -> Option<[Vec3; 2]> {
+        (mass > 0.0).then(|| [self.acceleration * mass, Vec3::zeros()])
+    }
 
     fn check(&self, _: &Reference) -> Result<(), ShellError> {
         Ok(())

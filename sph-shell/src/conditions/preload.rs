@@ -1,5 +1,7 @@
 //! What belongs to the preload: a load or a support that says so, and is else what it was.
 
+use sph_core::Vec3;
+
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{Block, Body, Load};
 use crate::conditions::prescribed::{Motion, Rotation};
@@ -17,6 +19,10 @@ impl Load for Preloaded<Box<dyn Load>> {
 
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
         self.0.stiffness(scale, body, put);
+    }
+
+    fn on_body(&self, number: usize, mass: f64) -> Option<[Vec3; 2]> {
+        self.0.on_body(number, mass)
     }
 
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {

@@ -42,6 +42,10 @@ impl Shell {
                 let arm = self.position(a) - about;
                 sum.add(arm, Vec3::new(fx, fy, fz), self.director(a), Vec3::new(tx, ty, tz));
             }
+            for ([force, couple], at) in self.on_bodies(&**load) {
+                sum.add(at - about, force, Vec3::zeros(), Vec3::zeros());
+                sum.moment += couple;
+            }
             sum
         };
         self.loads.iter().map(reduced).collect()
@@ -61,13 +65,14 @@ impl Shell {
                 let (internal, external) = (self.internal_force(a), self.external_force(a));
                 std::array::from_fn(|k| internal[k] - external[k])
             };
-            let [fx, fy, fz, tx, ty, tz] = self.gathered(a, lack);
+            let (sum_of, load) = (self.gathered(a, lack), self.body_load(a));
+            let [fx, fy, fz, tx, ty, tz] = std::array::from_fn(|k| sum_of[k] - load[k]);
             let (force, couple) = ([fx, fy, fz], Vec3::new(tx, ty, tz));
             let force = Vec3::from(force) - Vec3::from(held.free_translation(force));
             let arm = self.position(a) - about;
-            if self.junctions.of(a).is_some() {
-                // A group bears a torque.
-                sum.add(arm, force, Vec3::zeros(), Vec3::zeros());
+            if let Some(group) = self.junctions.of(a) {
+                // A group bears a torque, a body about its pole.
+                sum.add(group.pole(&self.state) - about, force, Vec3::zeros(), Vec3::zeros());
                 sum.moment += couple - held.free_spin(couple);
                 continue;
             }

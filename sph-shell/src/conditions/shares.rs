@@ -42,6 +42,18 @@ impl Shell {
                     sum[1] += Vec3::from(free).norm();
                 }
             }
+            for group in &self.junctions.groups {
+                let own = group.body.as_ref().and_then(|body| load.on_body(body.number, body.mass));
+                let Some([force, couple]) = own else { continue };
+                touched += group.particles.len();
+                let free = self.constraint(group.first()).map_or((force, couple), |held| {
+                    (held.free_translation(force.into()).into(), held.free_spin(couple))
+                });
+                for (sum, (whole, free)) in sums.iter_mut().zip([(force, free.0), (couple, free.1)]) {
+                    sum[0] += whole.norm();
+                    sum[1] += free.norm();
+                }
+            }
             let parts = sums.into_iter().filter(|sum| sum[0] > 0.0).map(|[whole, free]| free / whole);
             LoadShare { free: parts.reduce(f64::max), alone: (touched == 1).then_some(last) }
         };

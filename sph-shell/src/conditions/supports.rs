@@ -73,8 +73,7 @@ pub struct Diaphragm {
 
 /// Displacements along some directions and one turn of the director are held; the rest is free.
 ///
-/// The general support, of which the clamp, the hinge, the symmetry plane and the diaphragm are special cases with
-/// names of their own (but for the clamped director, which keeps both turns).
+/// The clamp, the hinge, the symmetry plane and the diaphragm are special cases (a clamped director keeps both turns).
 #[derive(Clone, Debug)]
 pub struct Held {
     /// Directions of no displacement (any length, linearly independent).
@@ -230,7 +229,11 @@ pub(crate) struct Constraint {
 
 impl Constraint {
     /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
-    fn join(particle: u32, rest: (Vec3, Vec3), asked: &[(usize, Holds)]) -> Result<Self, ShellError> {
+    pub(crate) fn join(
+        particle: u32,
+        rest: (Vec3, Vec3),
+        asked: &[(usize, Holds)],
+    ) -> Result<Self, ShellError> {
         let mut out = Self {
             held: [Vec3::zeros(); 3],
             count: 0,
@@ -376,9 +379,7 @@ impl Constraint {
         };
         self.count + rotations
     }
-}
 
-impl Constraint {
     /// Number of held translations.
     pub(crate) fn held_translations(&self) -> usize {
         self.count

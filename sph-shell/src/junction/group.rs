@@ -1,4 +1,4 @@
-//! Groups of particles that move as one: which they are, their triad, and how fast it turns.
+//! Groups of particles that move as one, on one place or as a rigid body: their triad, and how fast it turns.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
 use sph_core::Vec3;
@@ -6,25 +6,29 @@ use sph_core::Vec3;
 use crate::Shell;
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::error::ShellError;
+use crate::junction::body::RigidBody;
+use crate::junction::rotation::{across, rotated, triad, turned};
 use crate::packs::Row;
 use crate::reference::Reference;
 
 /// Least sine of the angle between two directors of a group: about a line along all of them nothing resists.
 const LEAST_ANGLE: f64 = 0.01;
 
-/// Particles on one place that turn as one body.
+/// Particles that turn as one body, on one place unless they have a [`RigidBody`].
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
     /// The particles, ascending; the first stands for all of them.
     pub particles: Vec<u32>,
     /// Places in `particles` of the two directors that are farthest from parallel: they make the triad.
     pair: [usize; 2],
-    /// Principal axes of the rotary inertia in the triad, as columns.
+    /// Principal axes of the rotary inertia of modes in the triad, as columns.
     axes: Matrix3<f64>,
     /// `Σ m_k` \[M\].
     pub mass: f64,
     /// `Σ I_k` of marching \[M L²\].
     pub inertia: f64,
+    /// What a rigid body has beside.
+    pub body: Option<Box<RigidBody>>,
 }
 
 /// All groups of a shell.
@@ -53,13 +57,17 @@ impl Junctions {
         if joined.is_empty() {
             return Ok(Self::default());
         }
-        let mut group_of = vec![0; reference.cloud.len()];
-        for (number, particles) in (1..).zip(&joined) {
-            particles.iter().for_each(|&a| group_of[a as usize] = number);
-        }
         let groups = joined.iter().map(|particles| Group::new(particles, reference, masses));
-        let groups = groups.collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { motions: vec![[0.0; 6]; groups.len()], groups, group_of })
+        Ok(Self::of_groups(groups.collect::<Result<Vec<_>, _>>()?, reference.cloud.len()))
+    }
+
+    /// Those of some groups among `count` particles.
+    pub fn of_groups(groups: Vec<Group>, count: usize) -> Self {
+        let mut group_of = vec![0; count];
+        for (number, group) in (1..).zip(&groups) {
+            group.particles.iter().for_each(|&a| group_of[a as usize] = number);
+        }
+        Self { motions: vec![[0.0; 6]; groups.len()], groups, group_of }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -107,7 +115,14 @@ impl Group {
             axes: triad.transpose() * principal,
             mass: sum(masses[0]),
             inertia: sum(masses[1]),
+            body: None,
         })
+    }
+
+    /// The particles, ascending, of a rigid body of some mass \[M\].
+    pub fn of_body(particles: Vec<u32>, mass: f64, body: RigidBody) -> Self {
+        let axes = body.modal.axes;
+        Self { particles, pair: [0, 0], axes, mass, inertia: 0.0, body: Some(Box::new(body)) }
     }
 
     /// The particle that stands for all.
@@ -115,10 +130,35 @@ impl Group {
         self.particles[0] as usize
     }
 
+    /// Two vectors that turn with the group, among rows `[x, d]` or their rates: directors, of a body a director and a chord.
+    fn vectors(&self, rows: &[Row]) -> [Vec3; 2] {
+        let row = |k: usize| &rows[self.particles[k] as usize];
+        match &self.body {
+            None => self.pair.map(|k| director(row(k))),
+            Some(body) => [director(row(0)), place(row(body.far)) - place(row(0))],
+        }
+    }
+
+    /// The present triad.
+    pub fn triad(&self, state: &[Row]) -> Matrix3<f64> {
+        let [d, e] = self.vectors(state);
+        triad(&d, &e)
+    }
+
+    /// The point whose velocity is that of the group: the place of its particles, or the pole of a body.
+    pub fn pole(&self, state: &[Row]) -> Vec3 {
+        let first = place(&state[self.first()]);
+        self.body.as_ref().map_or(first, |body| first - self.triad(state) * body.places[0][0])
+    }
+
+    /// The pole of a body; a group on one place has no arms.
+    pub fn far_pole(&self, state: &[Row]) -> Option<Vec3> {
+        self.body.is_some().then(|| self.pole(state))
+    }
+
     /// Present principal axes of the rotary inertia of modes: they turn with the group.
     pub fn principal_axes(&self, state: &[Row]) -> Matrix3<f64> {
-        let [d, e] = self.pair.map(|k| director(&state[self.particles[k] as usize]));
-        triad(&d, &e) * self.axes
+        self.triad(state) * self.axes
     }
 
     /// The rotation vector from one state to another.
@@ -134,12 +174,16 @@ impl Group {
         self.particles.iter().map(part).sum()
     }
 
-    /// Sum of rows `[f, n]` of the particles as force and torque, `[Σ f_k, Σ d_k × n_k]`.
+    /// Sum of rows `[f, n]` of the particles as force and torque about the pole, `[Σ f_k, Σ a_k × f_k + d_k × n_k]`.
     pub fn gather(&self, state: &[Row], row: impl Fn(usize) -> Row) -> Row {
+        let pole = self.far_pole(state);
         let mut sum = [0.0; 6];
         for &a in &self.particles {
             let own = row(a as usize);
-            let torque = director(&state[a as usize]).cross(&director(&own));
+            let mut torque = director(&state[a as usize]).cross(&director(&own));
+            if let Some(pole) = &pole {
+                torque += (place(&state[a as usize]) - pole).cross(&place(&own));
+            }
             for k in 0..3 {
                 sum[k] += own[k];
                 sum[3 + k] += torque[k];
@@ -153,17 +197,26 @@ impl Group {
     /// With `c = d₁ × d₂` the components along d₁, d₂, c follow from `w_k = ω × d_k`:
     /// `ω = [(w₂·c) d₁ − (w₁·c) d₂ + (w₁·d₂) c]/|c|²`.
     pub fn motion(&self, state: &[Row], rates: &[Row]) -> Row {
-        let [a, b] = self.pair.map(|k| self.particles[k] as usize);
-        let [d1, d2] = [a, b].map(|a| director(&state[a]));
-        let [w1, w2] = [a, b].map(|a| director(&rates[a]));
+        let ([d1, d2], [w1, w2]) = (self.vectors(state), self.vectors(rates));
         let c = d1.cross(&d2);
         let spin = (d1 * w2.dot(&c) - d2 * w1.dot(&c) + c * w1.dot(&d2)) / c.norm_squared();
-        let v = rates[self.first()];
-        [v[0], v[1], v[2], spin.x, spin.y, spin.z]
+        let mut v = place(&rates[self.first()]);
+        if let Some(pole) = self.far_pole(state) {
+            v += spin.cross(&(pole - place(&state[self.first()])));
+        }
+        [v.x, v.y, v.z, spin.x, spin.y, spin.z]
     }
 
     /// Moves all particles by u and turns them by the rotation vector θ.
     pub fn turn(&self, state: &mut [Row], u: &Vec3, theta: &Vec3) {
+        if let Some(body) = &self.body {
+            let (pole, triad) = (self.pole(state) + u, turned(&self.triad(state), theta));
+            for (&a, [arm, d]) in self.particles.iter().zip(&body.places) {
+                let (x, d) = (pole + triad * arm, (triad * d).normalize());
+                state[a as usize] = [x.x, x.y, x.z, d.x, d.y, d.z];
+            }
+            return;
+        }
         for &a in &self.particles {
             let row = &mut state[a as usize];
             let d = rotated(&director(row), theta).normalize();
@@ -171,12 +224,17 @@ impl Group {
         }
     }
 
-    /// Gives all particles the rates of a motion `[v, ω]`: v and `ω × d_k`.
+    /// Gives all particles the rates of a motion `[v, ω]` of the pole: `v + ω × a_k` and `ω × d_k`.
     pub fn set_rates(&self, state: &[Row], rates: &mut [Row], motion: &Row) {
-        let spin = director(motion);
+        let (spin, pole) = (director(motion), self.far_pole(state));
         for &a in &self.particles {
-            let w = spin.cross(&director(&state[a as usize]));
-            rates[a as usize] = [motion[0], motion[1], motion[2], w.x, w.y, w.z];
+            let row = &state[a as usize];
+            let w = spin.cross(&director(row));
+            let mut v = place(motion);
+            if let Some(pole) = &pole {
+                v += spin.cross(&(place(row) - pole));
+            }
+            rates[a as usize] = [v.x, v.y, v.z, w.x, w.y, w.z];
         }
     }
 }
@@ -199,7 +257,7 @@ impl Constraint {
 }
 
 impl Shell {
-    /// Particles that junctions tie, and the groups they form; both zero without junctions.
+    /// Particles that junctions and rigid bodies tie, and the groups they form; both zero without.
     pub fn tied(&self) -> (usize, usize) {
         let groups = &self.junctions.groups;
         (groups.iter().map(|group| group.particles.len()).sum(), groups.len())
@@ -221,27 +279,7 @@ pub(crate) fn director(row: &Row) -> Vec3 {
     Vec3::new(row[3], row[4], row[5])
 }
 
-/// `1 − d dᵀ`.
-fn across(d: &Vec3) -> Matrix3<f64> {
-    Matrix3::identity() - d * d.transpose()
-}
-
-/// Right-handed unit vectors, the first along d, the second in the plane of d and e.
-fn triad(d: &Vec3, e: &Vec3) -> Matrix3<f64> {
-    let third = d.cross(e).normalize();
-    Matrix3::from_columns(&[*d, third.cross(d), third])
-}
-
-/// `exp(θ) d` by Rodrigues' formula.
-fn rotated(d: &Vec3, theta: &Vec3) -> Vec3 {
-    let square = theta.norm_squared();
-    if square == 0.0 {
-        return *d;
-    }
-    let angle = square.sqrt();
-    let (sin, _) = libm::sincos(angle);
-    // 1 − cos without cancellation.
-    let half = libm::sin(0.5 * angle);
-    let turn = theta.cross(d);
-    d + turn * (sin / angle) + theta.cross(&turn) * (2.0 * half * half / square)
+/// The first half of a row, of a place or what is conjugate to it.
+pub(crate) fn place(row: &Row) -> Vec3 {
+    Vec3::new(row[0], row[1], row[2])
 }

@@ -7,8 +7,9 @@ use explicit_dynamics::{Step, Work};
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::supports::Constraint;
-use crate::junction::group::director;
+use crate::conditions::supports::{Constraint, DirectorHold};
+use crate::junction::body::Power;
+use crate::junction::group::{Group, director};
 use crate::packs::Row;
 use crate::time::particle::Decay;
 
@@ -21,9 +22,12 @@ impl Shell {
         for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
             let old = group.motion(&self.state, &self.rates);
             let internal = group.gather(&self.state, |a| self.internal_force(a));
-            let external = group.gather(&self.state, |a| self.external_force(a));
+            let mut external = group.gather(&self.state, |a| self.external_force(a));
+            if let Some(body) = &group.body {
+                external.iter_mut().zip(body.external).for_each(|(sum, load)| *sum += load);
+            }
             let f = std::array::from_fn(|k| external[k] - internal[k]);
-            let kick = Kick { masses: [group.mass, group.inertia], f, external, old, step };
+            let kick = Kick { group, state: &self.state, f, external, old, step };
             *motion = kick.new_motion(self.constraint(group.first()), &mut work);
             if drifts {
                 group.set_rates(&self.state, &mut self.rates, motion);
@@ -37,11 +41,19 @@ impl Shell {
 
     /// Gives the particles of groups the rates that the kick found, after a way of `dt` along them \[T\].
     pub(crate) fn drift_groups(&mut self, dt: f64) {
-        let Self { junctions, state, rates, .. } = self;
-        for (group, motion) in junctions.groups.iter().zip(&junctions.motions) {
+        let Self { junctions, state, rates, constraints, constraint_of, .. } = self;
+        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
             if dt != 0.0 {
                 let u = Vec3::new(motion[0], motion[1], motion[2]) * dt;
-                group.turn(state, &u, &(director(motion) * dt));
+                let spins = constraint_of[group.first()].checked_sub(1).map(|i| &constraints[i as usize]);
+                let free = spins.is_none_or(|held| held.director == DirectorHold::Free);
+                let mut theta = director(motion) * dt;
+                if let Some(body) = group.body.as_ref().filter(|_| free) {
+                    let spin;
+                    (theta, spin) = body.free_turn(&group.triad(state), &director(motion), dt);
+                    motion[3..].copy_from_slice(spin.as_slice());
+                }
+                group.turn(state, &u, &theta);
             }
             group.set_rates(state, rates, motion);
         }
@@ -59,7 +71,8 @@ impl Shell {
 
 /// The kick of one group: force and torque `f`, of which `external` by loads, on the motion `[v, ω]` it has.
 struct Kick<'a> {
-    masses: [f64; 2],
+    group: &'a Group,
+    state: &'a [Row],
     f: Row,
     external: Row,
     old: Row,
@@ -69,9 +82,12 @@ struct Kick<'a> {
 impl Kick<'_> {
     /// `[v, ω]` after the kick, by the rule of every particle; kinetic energy and external work are added to `work`.
     fn new_motion(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
-        let Self { masses, f, external, old, step } = self;
+        let Self { group, f, external, old, step, .. } = self;
+        if group.body.is_some() {
+            return self.new_motion_of_body(constraint, work);
+        }
         let (kick, decay) = (step.kick, Decay::of(step));
-        let mass = |k: usize| masses[k / 3];
+        let mass = |k: usize| if k < 3 { group.mass } else { group.inertia };
         let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], kick / mass(k) * f[k]));
         let mut told = [false; 2];
         if let Some(constraint) = constraint {
@@ -86,6 +102,31 @@ impl Kick<'_> {
                 work.external += kick * lack * mean[k];
             }
         }
+        new
+    }
+}
+
+impl Kick<'_> {
+    /// The same of a rigid body, whose inertia is a tensor and whose supports prescribe nothing.
+    fn new_motion_of_body(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
+        let Self { group, state, f, external, old, step } = self;
+        let Some(body) = &group.body else { return *old };
+        let (kick, decay, triad) = (step.kick, Decay::of(step), group.triad(state));
+        let torque = director(f);
+        let turning = match constraint.map_or(DirectorHold::Free, |held| held.director) {
+            DirectorHold::Free => body.marching.power(&triad, Power::Inverse, &torque),
+            DirectorHold::InPlane(n) => n * (n.dot(&torque) / body.marching.about(&triad, &n)),
+            DirectorHold::Fixed => Vec3::zeros(),
+        };
+        let push = |k: usize| kick * if k < 3 { f[k] / group.mass } else { turning[k - 3] };
+        let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], push(k)));
+        if let Some(constraint) = constraint {
+            (new, _) = held(constraint, new, step);
+        }
+        let mean: Row = std::array::from_fn(|k| 0.5 * (old[k] + new[k]));
+        let (v, spin) = (Vec3::new(mean[0], mean[1], mean[2]), director(&mean));
+        work.kinetic += 0.5 * (group.mass * v.norm_squared() + body.marching.about(&triad, &spin));
+        work.external += kick * (0..6).map(|k| external[k] * mean[k]).sum::<f64>();
         new
     }
 }

@@ -13,8 +13,14 @@
 //!
 //! The last term of the tangent is the second variation along the rotation. A number I has no gyroscopic term and keeps moment of
 //! momentum to round-off; tying is a constraint and lowers no period, so the stable step is at least that of the sheets.
+//!
+//! A rigid body is a group whose particles stand apart: `δx_k = δx + θ × a_k` with arms a_k, and the terms of arms and forces are those of
+//! directors and couples. Its inertia is a tensor (`body.rs`).
 
+pub(crate) mod body;
 pub(crate) mod group;
 mod march;
+pub(crate) mod rigid;
+mod rotation;
 mod spectrum;
 mod statics;

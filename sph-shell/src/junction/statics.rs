@@ -6,7 +6,7 @@ use sph_core::Vec3;
 use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::conditions::supports::DirectorHold;
-use crate::junction::group::{Group, Junctions, director};
+use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::Basis;
@@ -37,19 +37,28 @@ impl Junctions {
                 row.map(move |number| (a, pattern.columns[number] as usize, number))
             })
         };
+        let arms = self.arms(state);
+        let arm = |a: usize| arms.get(a).filter(|arm| **arm != Vec3::zeros());
         for (a, b, number) in pairs() {
             let block = &mut blocks[number];
             if self.of(a).is_some() {
                 let d = director(&state[a]);
                 for column in 0..6 {
-                    let torque = d.cross(&Vec3::new(block[3][column], block[4][column], block[5][column]));
+                    let mut torque =
+                        d.cross(&Vec3::new(block[3][column], block[4][column], block[5][column]));
+                    if let Some(arm) = arm(a) {
+                        torque += arm.cross(&Vec3::new(block[0][column], block[1][column], block[2][column]));
+                    }
                     (0..3).for_each(|i| block[3 + i][column] = torque[i]);
                 }
             }
             if self.of(b).is_some() {
                 let d = director(&state[b]);
                 for row in block.iter_mut() {
-                    let turned = d.cross(&director(row));
+                    let mut turned = d.cross(&director(row));
+                    if let Some(arm) = arm(b) {
+                        turned += arm.cross(&place(row));
+                    }
                     row[3..].copy_from_slice(turned.as_slice());
                 }
             }
@@ -72,7 +81,20 @@ impl Junctions {
         }
     }
 
-    /// Adds the second variation along the rotations to the blocks of the first particles, `p` being the rows `[·, n − e]`.
+    /// Arm of each particle from the pole of its rigid body; empty without bodies.
+    fn arms(&self, state: &[Row]) -> Vec<Vec3> {
+        if self.groups.iter().all(|group| group.body.is_none()) {
+            return Vec::new();
+        }
+        let mut arms = vec![Vec3::zeros(); state.len()];
+        for group in &self.groups {
+            let Some(pole) = group.far_pole(state) else { continue };
+            group.particles.iter().for_each(|&a| arms[a as usize] = place(&state[a as usize]) - pole);
+        }
+        arms
+    }
+
+    /// Adds the second variation along the rotations to the blocks of the first particles, `p` being the rows `[f, n]` less the loads.
     pub fn add_rotation_blocks(
         &self,
         state: &[Row],
@@ -94,14 +116,18 @@ impl Junctions {
 }
 
 impl Group {
-    /// `Σ_k [½(p_k d_kᵀ + d_k p_kᵀ) − (p_k·d_k) 1]`.
+    /// `Σ_k [½(p_k d_kᵀ + d_k p_kᵀ) − (p_k·d_k) 1]`, of a body the same of forces and arms too.
     fn rotation_block(&self, state: &[Row], p: impl Fn(usize) -> Row) -> Matrix3<f64> {
-        let part = |&a: &u32| {
-            let (p, d) = (director(&p(a as usize)), director(&state[a as usize]));
+        let of = |p: &Vec3, d: &Vec3| {
             let outer = p * d.transpose();
-            (outer + outer.transpose()) * 0.5 - Matrix3::identity() * p.dot(&d)
+            (outer + outer.transpose()) * 0.5 - Matrix3::identity() * p.dot(d)
         };
-        self.particles.iter().map(part).sum()
+        let part = |&a: &u32| of(&director(&p(a as usize)), &director(&state[a as usize]));
+        let sum: Matrix3<f64> = self.particles.iter().map(part).sum();
+        let Some(body) = &self.body else { return sum };
+        let pole = self.pole(state);
+        let arm = |&a: &u32| of(&place(&p(a as usize)), &(place(&state[a as usize]) - pole));
+        sum + self.particles.iter().map(arm).sum::<Matrix3<f64>>() + body.load_block(&self.triad(state))
     }
 }
 
@@ -143,8 +169,11 @@ impl Shell {
         let own = |a: usize| {
             reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a)
         };
-        let group = self.junctions.of(particle);
-        group.map_or_else(|| own(particle), |group| group.mass_about(&axis(), &self.state, own))
+        let Some(group) = self.junctions.of(particle) else { return own(particle) };
+        match &group.body {
+            None => group.mass_about(&axis(), &self.state, own),
+            Some(body) => body.modal.about(&group.triad(&self.state), &axis()) * section,
+        }
     }
 
     /// Mass of a particle or of the group it stands for \[M\].

@@ -88,6 +88,18 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.basis(particle, self.dofs.arc)
     }
 
+    /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
+    fn add_body_loads(&self, out: &mut [f64]) {
+        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
+            let (a, load) = (group.first(), self.shell.body_load(group.first()));
+            let present = self.basis(a);
+            let basis = self.carried.get(a).unwrap_or(&present);
+            let mut own = [0.0; 6];
+            basis.project(&load, &mut own[..basis.count]);
+            out[self.dofs.of(a)].iter_mut().zip(own).for_each(|(sum, part)| *sum += part);
+        }
+    }
+
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
@@ -159,16 +171,19 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.put(level);
         self.external_at(level);
         self.project(|a| self.shell.external_force(a), out);
+        self.add_body_loads(out);
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         // Loads of the case that is under way are proportional to the level.
         if self.moved.is_empty() {
             self.shell.evaluate_load_rate();
-            return self.project(|a| self.shell.external_force(a), out);
+            self.project(|a| self.shell.external_force(a), out);
+            return self.add_body_loads(out);
         }
         let rows = self.level_rates(level);
         self.project(|a| rows[a], out);
+        self.add_body_loads(out);
     }
 
     fn held_values_move(&self) -> bool {
@@ -263,10 +278,16 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
                 Some(group) => group.rotation_to(&self.shell.state, rows),
                 None => great_circle(here, row),
             };
+            let pole = self
+                .shell
+                .junctions
+                .of(a)
+                .and_then(|group| Some(group.far_pole(rows)? - group.far_pole(&self.shell.state)?));
+            let moved = pole.unwrap_or_else(|| Vec3::from_fn(|k, _| row[k] - here[k]));
             let basis = self.basis(a);
             let own = &mut out[self.dofs.of(a)];
             for (value, direction) in own.iter_mut().zip(&basis.directions) {
-                *value = (0..3).map(|k| direction[k] * (row[k] - here[k])).sum();
+                *value = (0..3).map(|k| direction[k] * moved[k]).sum();
             }
             basis.turns(&turn, own);
         }
@@ -312,6 +333,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let what = match (moves, self.shell.junctions.of(particle)) {
             (true, _) => "moving",
             (false, None) => "its director turning",
+            (false, Some(group)) if group.body.is_some() => "its rigid body turning",
             (false, Some(_)) => "its junction turning",
         };
         format!(

@@ -66,7 +66,11 @@ impl MassScaled for Shell {
                 let (internal, external) = (self.internal_force(a), self.external_force(a));
                 std::array::from_fn(|k| external[k] - internal[k])
             };
-            out.copy_from_slice(&self.free_part(a, lack));
+            let row = match self.junctions.of(a) {
+                Some(group) => self.free_lack_tied(group, a, lack),
+                None => self.free_part(a, lack),
+            };
+            out.copy_from_slice(&row);
         }
     }
 

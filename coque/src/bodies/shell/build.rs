@@ -96,13 +96,14 @@ impl Scene {
             let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
+        let rigid = builder.rigid(&sets, &cloud)?;
         let springs = builder.springs(&sets, &cloud, weights, imported.as_ref())?;
         let ties = builder.ties(&sets, &cells)?;
         imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
         self.refuse_free_motion(|| {
             let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
             let held: Vec<_> = held.chain(springs.iter().map(holds)).collect();
-            free_motions(&cloud, &held, &ties)
+            free_motions(&cloud, &held, &ties, &rigid)
         })?;
         let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
@@ -121,6 +122,8 @@ impl Scene {
         shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
         shell.spring(springs).map_err(|e| builder.refusal(&e))?;
+        shell.rigid(&rigid).map_err(|e| builder.refusal(&e))?;
+        builder.refuse_coupled(&rigid, &shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;
         self.refuse_freedoms(shell.freedoms())?;
@@ -169,10 +172,18 @@ impl Builder<'_> {
         self.turn * Vec3::from(v)
     }
 
+    /// The axes of the scene in space, as columns.
+    pub(crate) fn turned_axes(&self) -> nalgebra::Matrix3<f64> {
+        *self.turn.matrix()
+    }
+
     fn supports(&self, sets: &Sets, driver: Option<usize>) -> Result<Vec<Supported>, SceneError> {
         let mut supports = Vec::new();
         for (i, support) in self.scene.supports.iter().enumerate() {
             let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
+            if self.scene.shell().rigid_body(&support.on).is_some() {
+                continue; // it holds the body
+            }
             for (_, kind) in support.kinds() {
                 if driver == Some(i) && matches!(kind, SupportKind::Moved(_)) {
                     continue; // its direction is left free for the force that brings it about
@@ -221,7 +232,7 @@ impl Builder<'_> {
         Ok(Some(PrescribedPoint { particle, direction, by: moved.by.abs() }))
     }
 
-    fn support(
+    pub(super) fn support(
         &self,
         kind: SupportKind,
         amplitude: explicit_dynamics::Amplitude,
@@ -281,7 +292,10 @@ impl Builder<'_> {
             let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
                 let amplitude = amplitude(load.amplitude.as_ref());
-                let found = self.load(kind, shares.clone());
+                let found = match self.load_on_body(&kind, &load.on) {
+                    Some(on_body) => Some(Box::new(on_body) as _),
+                    None => self.load(kind, shares.clone()),
+                };
                 loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
             }
         }

@@ -92,6 +92,10 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
         scene.shell().masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)),
     );
     modelled.extend(scene.shell().ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
+    modelled.extend(scene.shell().rigid.iter().map(|body| match body.mass > 0.0 {
+        true => format!("{} rigid, with a mass of {}", body.on, body.mass),
+        false => format!("{} rigid", body.on),
+    }));
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| line(word, &support.on, support.preload)));
     }

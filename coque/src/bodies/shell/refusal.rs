@@ -41,7 +41,9 @@ impl Builder<'_> {
             }
             &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |(_, s): &(usize, &Support)| {
-                    s.spring.is_none() && (s.moved.is_none() || self.scene.sole_motion().is_none())
+                    s.spring.is_none()
+                        && self.scene.shell().rigid_body(&s.on).is_none()
+                        && (s.moved.is_none() || self.scene.sole_motion().is_none())
                 };
                 let number = supports().filter(present).nth(support).map_or(0, |(i, _)| i);
                 format!("supports[{number}]")
@@ -52,6 +54,14 @@ impl Builder<'_> {
             ShellError::TieOfWideStencils | ShellError::TieHeld { .. } | ShellError::TieInACircle { .. } => {
                 of_body("ties")
             }
+            &(ShellError::RigidOnALine { set } | ShellError::RigidInertia { set, .. }) => {
+                of_body(&format!("rigid[{set}]"))
+            }
+            ShellError::RigidOfWideStencils
+            | ShellError::RigidTwice { .. }
+            | ShellError::RigidHeld { .. }
+            | ShellError::RigidHangs { .. }
+            | ShellError::RigidInPart { .. } => of_body("rigid"),
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. } => "supports".into(),

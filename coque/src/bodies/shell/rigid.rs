@@ -1,16 +1,24 @@
 //! Which rigid motions the supports of a shell leave free.
 
-use sph_core::Cloud;
-use sph_shell::{DirectorHold, Holds, Spring, Tie};
+use sph_core::{Cloud, Vec3};
+use sph_shell::{DirectorHold, Holds, RigidSet, Spring, Tie};
 
 use crate::bodies::rigid::{Hold, free_of};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
 /// move by itself.
-pub(crate) fn free_motions(cloud: &Cloud, supports: &[(Vec<u32>, Holds)], ties: &[Tie]) -> Vec<String> {
-    let pieces = tied(cloud.pieces(), cloud, ties);
+pub(crate) fn free_motions(
+    cloud: &Cloud,
+    supports: &[(Vec<u32>, Holds)],
+    ties: &[Tie],
+    rigid: &[RigidSet],
+) -> Vec<String> {
+    let pieces = tied(cloud.pieces(), cloud, ties, rigid);
     let of_piece = |piece: &Vec<u32>| {
-        let free = free_of(&cloud.positions, piece, &holds_of(cloud, piece, supports));
+        let mut holds = holds_of(cloud, piece, supports);
+        let first = |body: &&RigidSet| body.particles.iter().any(|a| piece.binary_search(a).is_ok());
+        holds.extend(rigid.iter().filter(first).flat_map(holds_of_body));
+        let free = free_of(&cloud.positions, piece, &holds);
         if pieces.len() == 1 {
             return free;
         }
@@ -25,12 +33,16 @@ pub(super) fn holds(spring: &Spring) -> (Vec<u32>, Holds) {
     (spring.stiffness.iter().map(|s| s.0).collect(), Holds { translations, ..Holds::default() })
 }
 
-/// Pieces that ties make one.
-fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie]) -> Vec<Vec<u32>> {
-    for Tie { edge, host } in ties {
-        let mut touched = vec![false; cloud.len()];
+/// Pieces that ties and rigid bodies make one.
+fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie], rigid: &[RigidSet]) -> Vec<Vec<u32>> {
+    let of_tie = |Tie { edge, host }: &Tie| {
         let of_host = host.iter().flat_map(|&c| cloud.cells[c as usize].particles());
-        edge.iter().chain(of_host).for_each(|&a| touched[a as usize] = true);
+        edge.iter().chain(of_host).copied().collect::<Vec<u32>>()
+    };
+    let of_bodies = rigid.iter().map(|body| body.particles.clone());
+    for particles in ties.iter().map(of_tie).chain(of_bodies) {
+        let mut touched = vec![false; cloud.len()];
+        particles.iter().filter(|a| (**a as usize) < cloud.len()).for_each(|&a| touched[a as usize] = true);
         let meets = |piece: &Vec<u32>| piece.iter().any(|&a| touched[a as usize]);
         let (together, apart): (Vec<_>, Vec<_>) = pieces.into_iter().partition(meets);
         let mut one: Vec<u32> = together.into_iter().flatten().collect();
@@ -40,6 +52,21 @@ fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie]) -> Vec<Vec<u32>>
         pieces.sort();
     }
     pieces
+}
+
+/// What the supports of a rigid body hold.
+fn holds_of_body(body: &RigidSet) -> Vec<Hold> {
+    let mut all: Vec<Hold> =
+        body.holds.translations.iter().map(|e| Hold::DisplacementAt(body.at, *e)).collect();
+    match body.holds.director {
+        DirectorHold::Free => {}
+        DirectorHold::InPlane(n) => {
+            let frame = sph_core::Frame::from_normal(n);
+            all.extend([frame.t1, frame.t2].map(Hold::Turn));
+        }
+        DirectorHold::Fixed => all.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(Hold::Turn)),
+    }
+    all
 }
 
 /// What the supports of one sheet hold.
@@ -62,12 +89,12 @@ fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::{Cell, EndWeights, Plate, Vec3, lattice};
+    use sph_core::{Cell, EndWeights, Plate, lattice};
     use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
-        free_motions(&cloud, supports, &[])
+        free_motions(&cloud, supports, &[], &[])
     }
 
     #[test]
@@ -122,8 +149,8 @@ mod tests {
         cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 15))));
         let cloud = Cloud::from_cells(positions, None, cells).unwrap();
         let clamp = |first| (vec![first, first + 1, first + 2], Clamped.holds());
-        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[]).is_empty());
-        let free = free_motions(&cloud, &[clamp(0)], &[]);
+        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[], &[]).is_empty());
+        let free = free_motions(&cloud, &[clamp(0)], &[], &[]);
         assert_eq!(free.len(), 6);
         assert_eq!(free[0], "translation along x of the sheet with particle 15");
     }

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
 use material::{Material, Section};
-use parts::{LumpedMass, ShellPart, ShellTie};
+use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
 
 use super::velocity::Velocity;
 
@@ -37,6 +37,9 @@ pub struct ShellScene {
     /// Edges that run along another sheet without sharing its particles.
     #[serde(default)]
     pub ties: Vec<ShellTie>,
+    /// Sets that move as one rigid body each.
+    #[serde(default)]
+    pub rigid: Vec<RigidBody>,
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
@@ -61,8 +64,13 @@ pub enum WetFaces {
 }
 
 impl ShellScene {
+    /// Number of the rigid body that a set is, if it is one.
+    pub(crate) fn rigid_body(&self, set: &str) -> Option<usize> {
+        self.rigid.iter().position(|body| body.on == set)
+    }
+
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 10] = [
+    pub(crate) const WORDS: [&'static str; 11] = [
         "geometry",
         "orientation",
         "material",
@@ -70,6 +78,7 @@ impl ShellScene {
         "parts",
         "masses",
         "ties",
+        "rigid",
         "formulation",
         "placed",
         "velocity",

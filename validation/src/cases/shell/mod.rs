@@ -5,6 +5,7 @@ mod buckling;
 mod cantilever_end_shear;
 mod clamped_cap;
 mod external_pressure;
+mod heavy_end;
 pub mod hemisphere;
 pub mod hemisphere_large;
 mod hook;
@@ -47,7 +48,7 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Frames and sections",
-        [junctions::case(), i_beams::case(), hook::case(), tubes::case(), bracket::case()],
+        [junctions::case(), i_beams::case(), hook::case(), tubes::case(), bracket::case(), heavy_end::case()],
     ));
     cases.extend(family("Plates", [plate::case(), plate_frequencies::case(), stepped_plate::case()]));
     cases.extend(family(

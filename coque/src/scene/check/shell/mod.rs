@@ -5,6 +5,7 @@ mod geometry;
 mod material;
 mod parts;
 mod placed;
+mod rigid;
 
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;

@@ -57,6 +57,7 @@ impl Scene {
             own.positive("mass", *mass)?;
         }
         self.check_ties(shell, s)?;
+        self.check_rigid(shell, s)?;
         if !shell.has_parts() {
             return Ok(());
         }

@@ -1,0 +1,121 @@
+//! Rigid sets in scenes: a heavy end, supports and weights of bodies, motion in time, refusals.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::{Replaced, column, last, overridden, ran, run};
+use coque::{Ended, Outcome, Scene};
+
+fn done(outcome: Outcome) -> Outcome {
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    outcome
+}
+
+/// The frequencies that the scene tells of the beam with its body.
+#[test]
+fn the_template_finds_the_frequencies_of_the_beam() {
+    let omega = column(&done(run("heavy-end.toml", &[])), "circular_frequency");
+    for (exact, bound) in [(22.4587, 5e-5), (185.0862, 2e-3), (546.384, 4e-3)] {
+        let off = omega.iter().map(|found| (found / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        println!("{exact}: {off:.1e}");
+        assert!(off < bound, "{exact}: {off}");
+    }
+}
+
+const STRIP: &str = r#"
+title = "Strip between a clamp and a flange"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [2.0, 0.5], particles = [17, 5] }
+orientation = { axis = [1, 2, 3], degrees = 40.0 }
+material.elastic = { young = 1e9, poisson = 0.3, density = 1000.0 }
+section.homogeneous.thickness = 0.05
+rigid = [{ on = "u1", at = [2.3, 0.25, 0.2], mass = 40.0, inertia = [0.5, 0.7, 0.9], products = [0.1, 0, 0] }]
+supports = [{ on = "u0", clamped = {} }, { on = "u1", clamped = {} }]
+loads = [{ on = "all", gravity = { acceleration = [1, -2, -10] } }]
+curve = [{ name = "w", of = "displacement", on = "all", direction = [0, 0, 1], take = "min" },
+         { name = "R", of = "reaction", on = "u1", direction = [0, 0, 1] },
+         { name = "M", of = "reaction-moment", on = "u1", direction = [0, 1, 0], about = [2, 0.25, 0] },
+         { name = "M0", of = "reaction-moment", on = "u0", direction = [0, 1, 0], about = [2, 0.25, 0] }]
+analysis.static = { levels = 1 }
+"#;
+
+fn strip(replaced: Replaced) -> Outcome {
+    done(ran(overridden(STRIP, "strip.toml", replaced)))
+}
+
+/// A clamped body holds its set as clamped particles do, and bears the weight of its own mass with its moment.
+#[test]
+fn a_clamped_body_is_a_clamped_edge_and_bears_its_own_weight() {
+    let (body, plain) = (strip(&[]), strip(&[("rigid", "[]")]));
+    let weight = 40.0 * 10.0;
+    assert!((last(&body, "w") / last(&plain, "w") - 1.0).abs() < 1e-9, "{}", last(&body, "w"));
+    let more = last(&body, "R") - last(&plain, "R");
+    // About the edge the body's force has the arm (.3, 0, .2): r × f = (·, .2 f_x − .3 f_z, ·), and the clamp bears the opposite.
+    let moment = last(&body, "M") - last(&plain, "M");
+    println!("{} {}", more / weight, moment / -(0.2 * 40.0 + 0.3 * weight));
+    assert!((more / weight - 1.0).abs() < 1e-9, "{more}");
+    assert!((moment / -(0.2 * 40.0 + 0.3 * weight) - 1.0).abs() < 1e-9, "{moment}");
+    let supports = body.summary.supports.unwrap();
+    let all = 40.0 + 2.0 * 0.5 * 0.05 * 1000.0;
+    assert!(
+        (supports.force.iter().map(|f| f * f).sum::<f64>().sqrt() / (all * 105.0_f64.sqrt()) - 1.0).abs()
+            < 1e-9
+    );
+}
+
+/// Loads on a body do work unless its supports hold them.
+#[test]
+fn a_load_on_a_body_is_told_to_do_no_work_where_the_body_is_held() {
+    let push = "[{ on = 'u1', couple = { moment = 1, axis = [0, 1, 0] } }]";
+    let doubted = |supports| {
+        let scene = overridden(STRIP, "strip.toml", &[("loads", push), ("supports", supports)]).unwrap();
+        let model = scene.build(1).unwrap();
+        model.warnings().iter().any(|warning| format!("{:?}", warning.doubt) == "NoWork")
+    };
+    assert!(!doubted("[{ on = 'u0', clamped = {} }]"));
+    assert!(doubted("[{ on = 'u0', clamped = {} }, { on = 'u1', clamped = {} }]"));
+}
+
+/// Under the same weight by relaxation: where Newton's method finds it.
+#[test]
+fn a_body_comes_to_rest_where_it_is_in_balance() {
+    let free = [("supports", "[{ on = 'u0', clamped = {} }]"), ("material.elastic.young", "1e10")];
+    let still = strip(&free);
+    let [a, b] = free;
+    let relaxed = strip(&[a, b, ("analysis", "{ relaxation = { levels = 1 } }")]);
+    assert!((last(&relaxed, "w") / last(&still, "w") - 1.0).abs() < 1e-4, "{}", last(&relaxed, "w"));
+}
+
+fn refused(replaced: Replaced) -> String {
+    let text = overridden(STRIP, "strip.toml", replaced);
+    text.and_then(|scene: Scene| scene.build(1)).map(|_| ()).unwrap_err().to_string()
+}
+
+#[test]
+fn what_a_body_cannot_have_is_refused() {
+    let near = "[{ on = 'u1' }, { on = 'u1' }]";
+    let twice = refused(&[("rigid", near), ("supports", "[{ on = 'u0', clamped = {} }]")]);
+    assert!(twice.contains("two rigid sets"), "{twice}");
+    let held = refused(&[("supports", "[{ on = 'u0', clamped = {} }, { on = 'v0', hinged = {} }]")]);
+    assert!(held.contains("support of its own") && held.contains("rigid"), "{held}");
+    let moved = refused(&[(
+        "supports",
+        "[{ on = 'u0', clamped = {} }, { on = 'u1', moved = { direction = [1, 0, 0], by = 1 } }]",
+    )]);
+    assert!(moved.contains("supports[1].moved"), "{moved}");
+    let alone = refused(&[("rigid", "[{ on = 'u1v1' }]"), ("supports", "[{ on = 'u0', clamped = {} }]")]);
+    assert!(alone.contains("side by side"), "{alone}");
+    let mass = refused(&[("rigid", "[{ on = 'u1', mass = -1 }]")]);
+    assert!(mass.contains("rigid[0].mass"), "{mass}");
+    let wide = refused(&[("formulation", "{ stress-point = { support = 1.4 } }")]);
+    assert!(wide.contains("rigid[0]"), "{wide}");
+    let guided = "[{ on = 'u0', clamped = {} }, { on = 'u1', held = { displacement = [[0, 0, 1]] } }]";
+    let coupled = refused(&[
+        ("supports", guided),
+        ("loads", "[]"),
+        ("curve", "[]"),
+        ("analysis", "{ modal = { modes = 2 } }"),
+    ]);
+    assert!(coupled.contains("centre of mass"), "{coupled}");
+}
