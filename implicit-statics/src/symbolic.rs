@@ -9,9 +9,10 @@ use faer::sparse::linalg::cholesky::{
 };
 
 use crate::factor::supernodes;
-use crate::ordering::{dissection, sweep};
+use crate::ordering::{dissection, front_multiplications, sweep};
 
-/// Unknowns up to which minimum degree is tried beside orders by places: beyond, dissection is as good and found in less time.
+/// Unknowns up to which every order is tried: beyond, dissection is as good as minimum degree and found in less time, and a sweep
+/// is analysed only where its front is narrow.
 const MANY: usize = 20_000;
 
 /// Analyses a lower triangle in the order that multiplies least: of a sweep, of nested dissection and, for few unknowns, of
@@ -30,15 +31,19 @@ pub(crate) fn analyse(
         let order = Perm::new_checked(order.into(), inverse.into(), count);
         in_order(matrix, SymmetricOrdering::Custom(order.as_ref()))
     };
-    let mut best = placed(dissection(places, matrix.col_ptr(), matrix.row_idx()));
-    let mut keep_better = |other: SymbolicCholesky<usize>| {
-        if multiplications(&other) < multiplications(&best) {
-            best = other;
-        }
+    let better = |one: SymbolicCholesky<usize>, other: SymbolicCholesky<usize>| {
+        if multiplications(&other) < multiplications(&one) { other } else { one }
     };
-    keep_better(placed(sweep(places)));
-    if places.len() <= MANY {
-        keep_better(in_order(matrix, SymmetricOrdering::Amd));
+    let mut best = placed(dissection(places, matrix.col_ptr(), matrix.row_idx()));
+    // A wide body swept has a wide front, and to find the supernodes of that costs a fifth of a linear answer.
+    let few = places.len() <= MANY;
+    let along = sweep(places);
+    let front = || front_multiplications(&along, matrix.col_ptr(), matrix.row_idx());
+    if few || front() < multiplications(&best) {
+        best = better(best, placed(along));
+    }
+    if few {
+        best = better(best, in_order(matrix, SymmetricOrdering::Amd));
     }
     best
 }
