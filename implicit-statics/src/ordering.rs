@@ -100,3 +100,24 @@ fn longest(places: &[[f64; 3]], part: &[usize]) -> usize {
     };
     (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a band the front is its width until the end comes near, whatever the order of the numbers, and the sum is exact.
+    #[test]
+    fn the_front_of_a_band_is_its_width() {
+        let (count, width) = (40, 5);
+        // Numbered backwards, so that the order is not the numbering.
+        let order: Vec<usize> = (0..count).rev().collect();
+        let (mut pointers, mut rows) = (vec![0], Vec::new());
+        for column in 0..count {
+            rows.extend(column..count.min(column + width + 1));
+            pointers.push(rows.len());
+        }
+        let least: usize = (0..width).map(|front| front * front).sum();
+        let exact = 0.5 * ((count - width) * width * width + least) as f64;
+        assert_eq!(front_multiplications(&order, &pointers, &rows), exact);
+    }
+}
