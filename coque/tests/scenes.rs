@@ -40,6 +40,7 @@ fn in_the_long_form(text: &str) -> String {
         "parts",
         "masses",
         "ties",
+        "rigid",
         "formulation",
         "velocity",
     ];
