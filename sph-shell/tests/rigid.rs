@@ -32,13 +32,13 @@ fn load(force: Vec3, couple: Vec3) -> Box<dyn Load> {
     Box::new(RigidLoad { set: 0, force, couple })
 }
 
-/// A curved sheet, clamped along one edge, with a heavy rigid patch of 3 × 3 particles that is pushed beside itself and turned.
-fn patched(holds: Holds) -> StaticShell {
+/// A curved sheet, clamped along one edge, with a heavy rigid patch of 3 × 3 particles under a force and a couple.
+fn patched(holds: Holds, force: Vec3, couple: Vec3) -> StaticShell {
     let cloud = curved([7, 6]);
     let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
     let particles: Vec<u32> = [2, 3, 4].into_iter().flat_map(|i| [1, 2, 3].map(|j| 6 * i + j)).collect();
     let at = cloud.positions[particles[4] as usize] + Vec3::new(0.1, -0.2, 0.4);
-    let push = vec![load(Vec3::new(3.0, -5.0, 2.0), Vec3::zeros())];
+    let push = vec![load(force, couple)];
     let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, vec![clamp], push);
     body.rigid(&[RigidSet {
         particles,
@@ -55,7 +55,7 @@ fn patched(holds: Holds) -> StaticShell {
 fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
     let about = Holds { translations: vec![X, Z], director: DirectorHold::InPlane(Y), ..Holds::default() };
     for holds in [Holds::default(), about] {
-        let mut system = patched(holds);
+        let mut system = patched(holds, Vec3::new(3.0, -5.0, 2.0), Vec3::zeros());
         let n = system.unknowns();
         for seed in [3, 4] {
             let mut dice = RandomNumbers(seed);
@@ -101,6 +101,19 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
             // Truncation h⁴ and the round-off of U and of forces over h.
             assert!(errors[0] < 4e-12 && errors[1] < 4e-12, "{errors:?}");
         }
+    }
+}
+
+/// A couple about a fixed axis has a potential where the body turns about that axis alone.
+#[test]
+fn the_skew_part_of_a_couple_on_a_body_is_told() {
+    let about = Holds { translations: vec![X, Z], director: DirectorHold::InPlane(Y), ..Holds::default() };
+    for (holds, couple, skew) in
+        [(Holds::default(), Y, true), (about, Y, false), (Holds::default(), Vec3::zeros(), false)]
+    {
+        let share = patched(holds, Z, couple).skew_load_share();
+        // The largest component of ½ C in some triad: from ½/√3 to ½ of C.
+        assert!(if skew { share > 0.288 && share < 0.501 } else { share == 0.0 }, "{share}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! Sets that are rigid: which groups they become, what is refused, loads on the body.
 
+use explicit_dynamics::Instant;
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
@@ -220,6 +221,24 @@ impl Shell {
             let at = group.pole(&self.state) + group.triad(&self.state) * body.reference;
             Some((load.on_body(body.number, body.mass)?, at))
         })
+    }
+
+    /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].
+    pub(crate) fn couples_on_bodies(&self) -> Vec<(u32, Vec3)> {
+        let at = Instant { time: 0.0, level: 1.0 };
+        let couple = |group: &Group| {
+            let body = group.body.as_ref()?;
+            let own = |applied: &AppliedLoad| {
+                Some(applied.load.on_body(body.number, body.mass)?[1] * applied.scale(at, self.case))
+            };
+            Some((group.first() as u32, self.loads.iter().filter_map(own).sum::<Vec3>()))
+        };
+        self.junctions
+            .groups
+            .iter()
+            .filter_map(couple)
+            .filter(|(_, couple)| *couple != Vec3::zeros())
+            .collect()
     }
 
     /// Force and torque of the loads on the rigid body that a particle stands for.

@@ -48,6 +48,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 largest = sizes.fold(largest, f64::max);
             }
         });
+        let couples = self.shell.couples_on_bodies();
+        largest = couples.iter().fold(largest, |most, (_, couple)| most.max(couple.amax() * turn * turn));
         if largest == 0.0 {
             return 0.0;
         }
@@ -57,6 +59,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         });
         self.shell.ties.reduce(&self.shell.state, &self.pattern, &mut skew, -1.0, |_| None);
         self.shell.junctions.tie(&self.shell.state, &self.pattern, &mut skew, -1.0);
+        for (first, couple) in couples {
+            let Some(number) = self.pattern.find(first, first) else { continue };
+            // Of a couple C about a fixed axis in the rotations of a body: ½ C × θ.
+            let half = couple.cross_matrix() * 0.5;
+            (0..3).for_each(|i| (0..3).for_each(|j| skew[number][3 + i][3 + j] += half[(i, j)]));
+        }
         let mut values = vec![0.0; self.entries()];
         self.project_blocks(&skew, |_| 0.0, &mut values);
         let share = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
