@@ -4,11 +4,9 @@
 
 mod common;
 
-use std::ops::ControlFlow;
-
-use common::{Sheets, X, Y, Z, at, free_shell, line, parts, shell, supported, tee};
+use common::{Keep, Sheets, X, Y, Z, at, free_shell, line, parts, shell, supported, tee};
 use explicit_dynamics::{
-    Amplitude, Clock, Dynamics, Instant, MassScaled, Observer, Record, Step, Transient, largest_eigenvalue,
+    Amplitude, Clock, Dynamics, Instant, MassScaled, Step, Transient, largest_eigenvalue,
 };
 use implicit_statics::{Newton, NewtonOptions};
 use shell_kinematics::StretchCorrected;
@@ -18,17 +16,6 @@ use sph_shell::{
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
-
-/// Keeps all records.
-#[derive(Default)]
-struct Keep(Vec<Record>);
-
-impl Observer<Shell> for Keep {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
-    }
-}
 
 /// A free tee that spins, drifts and shakes.
 fn thrown() -> Shell {

@@ -4,29 +4,15 @@
 
 mod common;
 
-use std::ops::ControlFlow;
-
-use common::{curved, energy_formulations, flat, free_shell, shell};
+use common::{Keep, curved, energy_formulations, flat, free_shell, shell};
 use explicit_dynamics::{
-    Clock, Damping, Dynamics, Instant, MarchError, Observer, QuasiStatic, Record, Transient,
-    largest_eigenvalue,
+    Clock, Damping, Dynamics, Instant, MarchError, QuasiStatic, Transient, largest_eigenvalue,
 };
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{Clamped, Force, Formulation, Hinged, Load, Moved, Reach, Shell, Supported, SymmetryPlane};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
-
-/// Keeps all records.
-#[derive(Default)]
-struct Keep(Vec<Record>);
-
-impl Observer<Shell> for Keep {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
-    }
-}
 
 /// A clamped strip that starts with a velocity across its plane, growing along it.
 fn plucked(formulation: Formulation) -> Shell {

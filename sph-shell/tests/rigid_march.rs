@@ -4,11 +4,9 @@
 
 mod common;
 
-use std::ops::ControlFlow;
-
-use common::{Y, at, flat, free_shell, parts, supported, tee};
+use common::{Keep, Y, at, flat, free_shell, parts, supported, tee};
 use explicit_dynamics::{
-    Amplitude, Clock, Dynamics, Instant, MassScaled, Observer, Record, Step, Transient, largest_eigenvalue,
+    Amplitude, Clock, Dynamics, Instant, MassScaled, Step, Transient, largest_eigenvalue,
 };
 use implicit_statics::{Newton, NewtonOptions};
 use nalgebra::Matrix3;
@@ -18,17 +16,6 @@ use sph_shell::{
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
-
-/// Keeps all records.
-#[derive(Default)]
-struct Keep(Vec<Record>);
-
-impl Observer<Shell> for Keep {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
-    }
-}
 
 /// A heavy body on a patch of a plate, or round the joint of a tee, with three unlike moments of inertia.
 fn set_on(cloud: &sph_core::Cloud) -> RigidSet {

@@ -2,7 +2,9 @@
 #![allow(dead_code)] // each test binary uses its own part
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use explicit_dynamics::Amplitude;
+use std::ops::ControlFlow;
+
+use explicit_dynamics::{Amplitude, Observer, Record};
 use implicit_statics::{Equilibrium, linear_response};
 use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{
@@ -284,5 +286,16 @@ pub fn beam_parts(
         supports,
         loads,
         ..parts(cloud, Formulation::StressPoint(Reach::Cell), thickness)
+    }
+}
+
+/// Keeps all records.
+#[derive(Default)]
+pub struct Keep(pub Vec<Record>);
+
+impl Observer<Shell> for Keep {
+    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
+        self.0.push(*record);
+        ControlFlow::Continue(())
     }
 }
