@@ -4,10 +4,8 @@
 
 mod common;
 
-use common::{Keep, Sheets, X, Y, Z, at, free_shell, line, parts, shell, supported, tee};
-use explicit_dynamics::{
-    Amplitude, Clock, Dynamics, Instant, MassScaled, Step, Transient, largest_eigenvalue,
-};
+use common::{Sheets, X, Y, Z, at, energy_error, free_shell, line, parts, shell, supported, tee};
+use explicit_dynamics::{Amplitude, Clock, Dynamics, Instant, MassScaled, Step, largest_eigenvalue};
 use implicit_statics::{Newton, NewtonOptions};
 use shell_kinematics::StretchCorrected;
 use sph_core::Vec3;
@@ -78,15 +76,7 @@ fn free_flight_keeps_momentum_moment_of_momentum_and_right_angles() {
 
 #[test]
 fn the_energy_error_of_a_free_flight_falls_with_the_square_of_the_step() {
-    let error = |safety: f64| {
-        let (mut body, mut keep) = (thrown(), Keep::default());
-        let run = Transient { duration: 3.0, record_every: 0.02, damping: 0.0, safety };
-        run.march(&mut body, &mut keep).unwrap();
-        let start = keep.0[0].energy;
-        let worst = keep.0.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
-        worst / (start.kinetic + start.internal)
-    };
-    let errors = [0.8, 0.4, 0.2].map(error);
+    let errors = [0.8, 0.4, 0.2].map(|safety| energy_error(thrown(), safety));
     println!("{errors:?}");
     assert!(errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
 }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Keep, Y, at, flat, free_shell, parts, supported, tee};
+use common::{Keep, Y, at, energy_error, flat, free_shell, parts, supported, tee};
 use explicit_dynamics::{
     Amplitude, Clock, Dynamics, Instant, MassScaled, Step, Transient, largest_eigenvalue,
 };
@@ -104,15 +104,7 @@ fn a_free_flight_keeps_momentum_moment_of_momentum_and_the_shape_of_the_body() {
 
 #[test]
 fn the_energy_error_of_a_free_flight_falls_with_the_square_of_the_step() {
-    let error = |safety: f64| {
-        let ((mut body, _), mut keep) = (thrown(flat([8, 7], [1.0, 0.8])), Keep::default());
-        let run = Transient { duration: 3.0, record_every: 0.02, damping: 0.0, safety };
-        run.march(&mut body, &mut keep).unwrap();
-        let start = keep.0[0].energy;
-        let worst = keep.0.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
-        worst / (start.kinetic + start.internal)
-    };
-    let errors = [0.8, 0.4, 0.2].map(error);
+    let errors = [0.8, 0.4, 0.2].map(|safety| energy_error(thrown(flat([8, 7], [1.0, 0.8])).0, safety));
     println!("{errors:?}");
     assert!(errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
 }

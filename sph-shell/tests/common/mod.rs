@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use explicit_dynamics::{Amplitude, Observer, Record};
+use explicit_dynamics::{Amplitude, Observer, Record, Transient};
 use implicit_statics::{Equilibrium, linear_response};
 use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{
@@ -298,4 +298,14 @@ impl Observer<Shell> for Keep {
         self.0.push(*record);
         ControlFlow::Continue(())
     }
+}
+
+/// Energy missing or made in three seconds of free flight at a part of the stable step, over that at the start.
+pub fn energy_error(mut body: Shell, safety: f64) -> f64 {
+    let mut keep = Keep::default();
+    let run = Transient { duration: 3.0, record_every: 0.02, damping: 0.0, safety };
+    run.march(&mut body, &mut keep).unwrap();
+    let start = keep.0[0].energy;
+    let worst = keep.0.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
+    worst / (start.kinetic + start.internal)
 }
