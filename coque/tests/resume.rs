@@ -176,6 +176,23 @@ fn transient_runs_go_on_to_the_same_bits() {
     stopped_again_and_again("transient", &text("panel.toml"), &replaced, 6);
 }
 
+/// Beams with a heavy body at their end, and a rib that hangs on a plate: groups and hosts hold no state of their own.
+#[test]
+fn bodies_and_ties_go_on_to_the_same_bits() {
+    let heavy = text("heavy-end.toml");
+    let load = ("loads", "[{ on = \"u1\", force = { total = [5, 20, 80] } }]");
+    let curve = "[{ name = \"w\", of = \"displacement\", on = \"u1\", direction = [0, 0, 1] }]";
+    let short = [("geometry.plate.particles", "[13, 3]"), load, ("curve", curve)];
+    let march = ("analysis", "{ explicit = { transient = { duration = 4e-3, record_every = 1e-4 } } }");
+    stopped_again_and_again("body", &heavy, &[&short[..], &[march]].concat(), 6);
+    let levels = ("analysis", "{ static = { levels = 8 } }");
+    stopped_again_and_again("body-static", &heavy, &[&short[..], &[levels]].concat(), 3);
+    let file = format!("{:?}", Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes/tied-rib.msh"));
+    let march = ("analysis", "{ explicit = { transient = { duration = 3e-4, record_every = 1e-5 } } }");
+    let replaced = [("geometry.mesh.file", file.as_str()), march];
+    stopped_again_and_again("tied", &text("meshes/tied-rib.toml"), &replaced, 4);
+}
+
 #[test]
 fn a_breaking_solid_goes_on_to_the_same_bits() {
     let replaced = [

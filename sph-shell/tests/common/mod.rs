@@ -171,6 +171,11 @@ impl Sheets {
         self
     }
 
+    /// The cloud, sheets side by side without a joint.
+    pub fn apart(self) -> Cloud {
+        Cloud::from_sheets(self.positions, Some(self.normals), self.cells, Vec::new()).unwrap()
+    }
+
     /// The cloud, particles on one place joined.
     pub fn cloud(self) -> Cloud {
         let Self { positions, normals, cells } = self;
