@@ -36,6 +36,8 @@ pub enum Doubt {
     SharpFold,
     /// Cells between two junctions that are one cell apart.
     TiedBothSides,
+    /// Edges tied inside cells of their host that hand over couples.
+    TieBetweenLines,
     /// A sheet of few cells from a junction to its edge.
     ShallowSheet,
     /// A beam of thin walls with few cells a wall.
@@ -105,6 +107,7 @@ impl Doubt {
             Self::FewParticles => "few-particles",
             Self::SharpFold => "sharp-fold",
             Self::TiedBothSides => "tied-both-sides",
+            Self::TieBetweenLines => "tie-between-lines",
             Self::ShallowSheet => "shallow-sheet",
             Self::ThinProfile => "thin-profile",
             Self::OffsetInertia => "offset-inertia",
@@ -170,6 +173,7 @@ mod tests {
             Doubt::FewParticles,
             Doubt::SharpFold,
             Doubt::TiedBothSides,
+            Doubt::TieBetweenLines,
             Doubt::ShallowSheet,
             Doubt::ThinProfile,
             Doubt::OffsetInertia,

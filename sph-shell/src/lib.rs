@@ -316,6 +316,7 @@ pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use ties::list::Tie;
+pub use ties::loss::TieLoss;
 pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.

@@ -6,7 +6,9 @@ mod common;
 
 use common::{Sheets, X, Y, Z, at, line, linear_energy, parts, supported};
 use explicit_dynamics::{Amplitude, Clock};
-use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, unwatched};
+use implicit_statics::{
+    BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, linear_response, unwatched,
+};
 use shell_kinematics::{Isotropic, IsotropicSection};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{
@@ -39,6 +41,19 @@ fn work(body: Shell) -> f64 {
     2.0 * linear_energy(body)
 }
 
+/// The same, and the part of the stored energy that hosts are told to leave out.
+fn work_and_loss(body: Shell) -> (f64, f64) {
+    let mut system = StaticShell::new(body);
+    let mut load = vec![0.0; system.unknowns()];
+    system.load_rate(0.0, &mut load);
+    let answer = linear_response(&mut system, 0.0).unwrap();
+    let small: Vec<f64> = answer.iter().map(|u| 1e-8 * u).collect();
+    system.update(&small);
+    system.evaluate(1e-8);
+    let work = load.iter().zip(&answer).map(|(f, u)| f * u).sum();
+    (work, system.shell().tie_loss().unwrap().share)
+}
+
 /// A bar of length two and a stem of length one up from its middle, between its lines, with other cells across.
 fn tee(n: usize, bar: usize, wide: f64, across: [usize; 2]) -> (Cloud, Vec<Tie>) {
     let cloud = Sheets::default()
@@ -68,9 +83,16 @@ fn a_stem_between_the_lines_of_a_bar_sways_as_beams_say() {
         let force = Force { shares: line(&cloud, &tip), total: X };
         let clamp = supported(at(&cloud, |x| x.x.abs() > 1.0 - 1e-9), Clamped);
         let stem = body(cloud, elastic(young, 0.0, thickness), vec![clamp], vec![Box::new(force)], &ties);
-        let error = work(stem) / exact - 1.0;
-        println!("{n} cells of the stem, {bar} of the bar: {:.2} %", 100.0 * error);
+        let (work, lost) = work_and_loss(stem);
+        let error = work / exact - 1.0;
+        println!(
+            "{n} cells of the stem, {bar} of the bar: {:.2} %, told {:.2} %",
+            100.0 * error,
+            100.0 * lost
+        );
         assert!(error.abs() < bound, "{n} {bar}: {error}");
+        // Told beforehand, but for what else is off: a quarter of a percent, and less with finer cells.
+        assert!((error + lost).abs() < 8e-3, "{n} {bar}: {error} {lost}");
     }
 }
 

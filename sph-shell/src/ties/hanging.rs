@@ -13,6 +13,8 @@ pub(crate) type Vectors = [Vec3; 6];
 pub(crate) struct Hanging {
     /// The particle.
     pub particle: u32,
+    /// The cell.
+    pub cell: u32,
     /// Corners of the cell; a triangle has three.
     pub corners: Vec<u32>,
     /// φ, G₁, G₂ of each corner \[–, 1/L, 1/L\].
@@ -21,7 +23,7 @@ pub(crate) struct Hanging {
     pub half_moments: [f64; 3],
     /// Height over the cell at rest, less `½ S:K` \[L\].
     pub height: f64,
-    /// Direction of the edge in the frame of the cell.
+    /// Direction of the edge in the frame of the cell; as long as the edges on both sides of the particle \[L\].
     pub line: [f64; 2],
     /// The director in the axes of the cell.
     pub director: Vec3,

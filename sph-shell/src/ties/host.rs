@@ -111,11 +111,12 @@ impl Place {
             let products = [xi * xi, eta * eta, xi * eta];
             half_moments.iter_mut().zip(products).for_each(|(sum, product)| *sum += 0.5 * phi * product);
         }
-        let (director, particle) = (Vec3::zeros(), particle as u32);
+        let (director, particle, cell) = (Vec3::zeros(), particle as u32, self.cell);
         // A single particle has no line: it turns with the first axis of the cell.
         let lies = frame.n.cross(line).norm() > LEAST_SINE * line.norm();
         let line = if lies { [frame.t1.dot(line), frame.t2.dot(line)] } else { [1.0, 0.0] };
-        let mut hanging = Hanging { particle, corners, shares, half_moments, height: 0.0, line, director };
+        let mut hanging =
+            Hanging { particle, cell, corners, shares, half_moments, height: 0.0, line, director };
         let rest = reference.rest();
         hanging.height = self.height - hanging.rise(&hanging.vectors(&rest));
         hanging.director = hanging.components(&rest, &cloud.frames[particle as usize].n);

@@ -19,4 +19,5 @@
 pub(crate) mod hanging;
 mod host;
 pub(crate) mod list;
+pub(crate) mod loss;
 mod statics;

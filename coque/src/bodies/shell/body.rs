@@ -6,9 +6,10 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
+use super::doubts::between_lines;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
-use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
+use crate::bodies::body::{Balanced, Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{Evaluated, Resultant, Shown};
 use crate::scene::Measured;
@@ -43,6 +44,10 @@ impl Body for Shell {
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self, shown)
+    }
+
+    fn found(&self) -> Found {
+        Found { fluid: None, warnings: between_lines(self).into_iter().collect() }
     }
 
     fn support_resultant(&self) -> Option<Resultant> {
@@ -88,6 +93,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
         fields(self.shell(), shown)
+    }
+
+    fn found(&self) -> Found {
+        self.shell().found()
     }
 
     fn support_resultant(&self) -> Option<Resultant> {

@@ -24,6 +24,7 @@ use crate::scene::Scene;
 use crate::warning::{Doubt, Warning};
 use look::Look;
 use sheet::Sheet;
+pub(crate) use tied::between_lines;
 
 /// A rule: what is doubtful, and whether it is so in a shell at rest.
 struct Rule {

@@ -3,9 +3,11 @@
 use std::collections::HashMap;
 
 use sph_core::{Cloud, Vec3};
+use sph_shell::Shell;
 
 use super::look::Look;
 use super::plural;
+use crate::warning::{Doubt, Warning};
 
 /// Cells from a junction to the opposite edge below which a sheet is too soft in its own plane.
 ///
@@ -64,6 +66,23 @@ pub(super) fn shallow_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String> {
         place(&tied.centre(at)),
         plural(count, "edge"),
     ))
+}
+
+/// Part of the energy that hosts of ties may leave out.
+const LOST: f64 = 0.02;
+
+/// Couples that tied edges hand over inside cells of their host, for the forces last evaluated.
+pub(crate) fn between_lines(shell: &Shell) -> Option<Warning> {
+    let loss = shell.tie_loss().filter(|loss| loss.share > LOST)?;
+    let message = format!(
+        "edges tied inside cells hand over couples that those do not see, most of them at {}: {:.1} % of the energy is missing, and \
+         displacements under loads are so much too small (bound {} %); put a line of the host's particles under the edge, or halve the \
+         host's cells",
+        place(&shell.reference().cloud.positions[loss.particle as usize]),
+        100.0 * loss.share,
+        100.0 * LOST
+    );
+    Some(Warning::new(Doubt::TieBetweenLines, message))
 }
 
 /// The edges of cells at which their sheet ends at a junction.
