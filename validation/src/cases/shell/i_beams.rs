@@ -58,6 +58,7 @@ fn variants() -> Vec<Variant> {
         study("torsion of St Venant, 12 a plate", Problem::Twisted, 12),
         study("torsion, root held, 8 a plate", Problem::TwistedAtRoot, 8).quick(),
         study("torsion, root held, 12 a plate", Problem::TwistedAtRoot, 12),
+        study("torsion, root held, 16 a plate", Problem::TwistedAtRoot, 16),
         // Flanges of few cells bend in their planes too easily, which a warning tells.
         study("lateral buckling, 4 a plate", Problem::Buckled, 4).quick(),
         study("lateral buckling, 8 a plate", Problem::Buckled, 8),
@@ -73,6 +74,7 @@ const MEASURED: Measured = Measured(&[
         ("bending, 4 a plate", 1.17), ("bending, 12 a plate", 0.051),
         ("torsion of St Venant, 8 a plate", 0.459), ("torsion of St Venant, 12 a plate", 0.685),
         ("torsion, root held, 8 a plate", 1.36), ("torsion, root held, 12 a plate", 1.07),
+        ("torsion, root held, 16 a plate", 0.953),
         ("lateral buckling, 4 a plate", 8.07), ("lateral buckling, 8 a plate", 2.36),
         ("lateral buckling, 12 a plate", 1.29), ("lateral buckling, bent, 12 a plate", 1.47),
     ]),
