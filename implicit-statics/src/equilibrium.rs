@@ -22,6 +22,13 @@ pub trait Equilibrium {
         None
     }
 
+    /// The six rigid motions at the present state, a row an unknown: what it does while the body moves by a unit along x, y, z and
+    /// turns by a unit about the axes through the origin, whatever supports hold. An iterative solution is built on them; None, the
+    /// default, where the system does not tell.
+    fn rigid_motions(&self) -> Option<Vec<[f64; 6]>> {
+        None
+    }
+
     /// `out = ∂U/∂q` at the present unknowns \[F, F L\], held values at level λ.
     fn internal(&mut self, level: f64, out: &mut [f64]);
 

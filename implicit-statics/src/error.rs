@@ -206,6 +206,31 @@ pub enum EquilibriumError {
         #[source]
         cause: Box<EquilibriumError>,
     },
+    /// Conjugate gradients did not converge.
+    #[error(
+        "conjugate gradients left {residual:.3e} of the load's energy norm after {iterations} iterations, must be below {bound:.1e}; allow more iterations, or use the direct solver"
+    )]
+    NotIterated {
+        /// Iterations made.
+        iterations: usize,
+        /// Residual over load, both in the norm of the preconditioner.
+        residual: f64,
+        /// Bound it had to reach.
+        bound: f64,
+    },
+    /// A direction without stiffness, or against it, in a solution that needs a positive definite tangent.
+    #[error(
+        "conjugate gradients found a motion without stiffness ({found}): supports are missing, or the state is not stable; the direct solver names the motion"
+    )]
+    Indefinite {
+        /// Where it was found.
+        found: &'static str,
+    },
+    /// The system does not tell its rigid motions, on which coarser unknowns are built.
+    #[error(
+        "this system does not tell its rigid motions, which conjugate gradients need; use the direct solver"
+    )]
+    NoRigidMotions,
     /// Eigenpairs did not converge.
     #[error(
         "{found} of {wanted} eigenpairs converged (error bound {residual:.3e}, must be below {bound:.1e}); ask for fewer modes"

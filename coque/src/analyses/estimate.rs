@@ -5,9 +5,10 @@ use std::time::{Duration, Instant};
 use explicit_dynamics::{Instant as Moment, Step};
 use implicit_statics::{SymmetricSolver, linear_response};
 
+use super::linear::solved;
 use super::march::reference_step;
 use crate::bodies::{Balanced, Marched, Model, Ready};
-use crate::scene::{Analysis, Explicit, LevelSign};
+use crate::scene::{Analysis, Explicit, LevelSign, LinearSolver};
 
 /// How long steps are timed.
 const TIMED: Duration = Duration::from_millis(300);
@@ -72,9 +73,13 @@ fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estim
         Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
         _ => Some([1.0; 2]),
     };
+    let solver = match analysis {
+        Analysis::Linear(wanted) => wanted.solver,
+        _ => LinearSolver::Direct,
+    };
     let begun = Instant::now();
-    // A tangent that cannot be factorised says so when the scene is run; its time counts all the same.
-    let _ = linear_response(body, 0.0);
+    // A tangent that cannot be solved says so when the scene is run; its time counts all the same.
+    let _ = solved(solver, body);
     let seconds_a_step = begun.elapsed().as_secs_f64();
     let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
     Estimate { steps, seconds_a_step, seconds, bytes, ..Estimate::default() }

@@ -1,6 +1,6 @@
 //! The linear answer: one factorisation at the unloaded body, and what is read along it: probes and forces.
 
-use implicit_statics::linear_response;
+use implicit_statics::{ConjugateOptions, EquilibriumError, conjugate_response, linear_response};
 use sph_core::Vec3;
 
 use super::modes::{keep_enlarged, scaled};
@@ -8,7 +8,8 @@ use super::path::loaded;
 use crate::bodies::{Balanced, Probe, Resultant};
 use crate::run::Run;
 use crate::run::outcome::Ended;
-use crate::run::record::Energies;
+use crate::run::record::{ConjugateSummary, Energies};
+use crate::scene::LinearSolver;
 
 /// Largest displacement, in reaches of the body (thicknesses), of the states between which probes and forces are
 /// differentiated.
@@ -21,15 +22,16 @@ use crate::run::record::Energies;
 const REACH: f64 = 1e-2;
 
 /// Finds the linear answer at level one and reads the curve's one row.
-pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn linear(solver: LinearSolver, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     let interrupted = Ended::Interrupted { time: 0.0, level: 0.0 };
     if run.tell(0.0, 0, 0.0, 0.0).is_break() {
         return interrupted;
     }
-    let response = match linear_response(system, 0.0) {
-        Ok(response) => response,
+    let (response, iterated) = match solved(solver, system) {
+        Ok(found) => found,
         Err(cause) => return run.unbalanced(0, 0.0, cause),
     };
+    run.record.conjugate_gradients = iterated;
     // The load that is applied, or the force that brings the prescribed motion about.
     let force = run.driven.map_or(1.0, |driven| driven.by / driven.moved(system, &response));
     let motion = scaled(&response, force);
@@ -92,6 +94,21 @@ pub(crate) fn linear(system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
         system.restore(&rest);
     }
     Ended::Done
+}
+
+/// The linear answer by the solver that is asked for, and what it took if that iterates.
+pub(super) fn solved(
+    solver: LinearSolver,
+    system: &mut dyn Balanced,
+) -> Result<(Vec<f64>, Option<ConjugateSummary>), EquilibriumError> {
+    match solver {
+        LinearSolver::Direct => Ok((linear_response(system, 0.0)?, None)),
+        LinearSolver::ConjugateGradients => {
+            let found = conjugate_response(system, 0.0, &ConjugateOptions::default())?;
+            let (iterations, residual, unknowns) = (found.iterations as u64, found.residual, found.levels);
+            Ok((found.response, Some(ConjugateSummary { iterations, residual, unknowns })))
+        }
+    }
 }
 
 /// Puts a motion of the unknowns on the state at rest, held values at a level; the positions there \[L\].

@@ -1,7 +1,9 @@
 //! Memory: what a scene will need, held against what the machine has, before anything large is made.
 
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, Formulation, Geometry, Reach, Scene, ShellScene, SolidScene};
+use crate::scene::{
+    Analysis, BodyScene, Formulation, Geometry, Linear, LinearSolver, Reach, Scene, ShellScene, SolidScene,
+};
 
 /// Memory for the program itself, its stacks and its results \[bytes\].
 const PROGRAM: f64 = 5e7;
@@ -16,6 +18,10 @@ const DISORDER: f64 = 200.0;
 /// 3·10³ and 9·10³ particles; and where kernels couple them: 9100 on 3·10³.
 const FACTOR: f64 = 1000.0;
 const KERNEL_FACTOR: f64 = 9100.0;
+
+/// A tangent and the levels of multigrid on it, a particle \[bytes\]: see docs/performance.md; and where kernels couple them.
+const MULTIGRID: f64 = 9000.0;
+const KERNEL_MULTIGRID: f64 = 80_000.0;
 
 /// Greatest memory a node of a solid while it is built and marched, without and for each bond \[bytes\]: 1900 with 35 bonds, on
 /// 16 000 nodes of a plane.
@@ -84,7 +90,12 @@ impl Scene {
         };
         let value = format!("{particles:.0} particles, which need about {}", amount(memory.needed));
         let bound = format!("few enough for the {} of memory that are free", amount(available));
-        let repair = "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)";
+        let repair = match (&self.analysis, self.body()) {
+            (Analysis::Linear(Linear { solver: LinearSolver::Direct }), BodyScene::Shell(_)) => {
+                "take fewer particles, analysis.linear.solver = \"conjugate-gradients\", or raise the limit of the process (ulimit -v, memory.max)"
+            }
+            _ => "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)",
+        };
         Err(self.body_scope().value(&format!("geometry.{key}"), value, &bound, repair))
     }
 
@@ -108,6 +119,13 @@ impl Scene {
         Some((area / (spacing * spacing)).abs()).filter(|&particles| particles <= MOST_PARTICLES)
     }
 
+    fn multigrid(&self) -> f64 {
+        match &self.shell().formulation {
+            Formulation::StressPoint(f) if f.support == Reach::Cell => MULTIGRID,
+            _ => KERNEL_MULTIGRID,
+        }
+    }
+
     /// Greatest memory of such a run \[bytes\].
     pub(crate) fn memory(&self, particles: f64) -> f64 {
         let (each, factor) = match self.body() {
@@ -117,6 +135,7 @@ impl Scene {
         };
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,
+            Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients }) => self.multigrid(),
             _ => factor * particles.max(2.0).log2(),
         };
         PROGRAM + particles * (each + factor)

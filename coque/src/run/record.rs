@@ -21,6 +21,8 @@ pub struct RunRecord {
     pub safety: f64,
     /// Time the run took, over all its sessions \[s\].
     pub wall_seconds: f64,
+    /// What conjugate gradients took; none where the tangent was factored.
+    pub conjugate_gradients: Option<ConjugateSummary>,
     /// What was applied before the analysis; none without a preload.
     pub preload: Option<PreloadSummary>,
     /// Energies at the last record.
@@ -47,6 +49,17 @@ impl RunRecord {
     pub fn not_settled(&self) -> Vec<f64> {
         self.levels.iter().filter(|level| !level.settled).map(|level| level.level).collect()
     }
+}
+
+/// What conjugate gradients took for a linear answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ConjugateSummary {
+    /// Iterations.
+    pub iterations: u64,
+    /// Residual over load at the end, both in the norm of the preconditioner: near the error in the energy norm \[–\].
+    pub residual: f64,
+    /// Unknowns of each level of multigrid, finest first.
+    pub unknowns: Vec<usize>,
 }
 
 /// How a preload was brought up; counts here are none of those of the run.

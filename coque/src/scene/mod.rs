@@ -73,7 +73,8 @@ pub use solid::geometry::{
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use solid::{Imperfection, SolidScene};
 pub use statics::{
-    ArcLength, Buckling, LevelSign, Linear, Modal, Prebuckling, Relaxation, RelaxationDamping, Static, Stop,
+    ArcLength, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation, RelaxationDamping,
+    Static, Stop,
 };
 pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Spring, Support, SupportKind, Symmetry, Turned};
 pub use velocity::{Spin, Velocity};

@@ -24,7 +24,23 @@ pub struct Static {
 /// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Linear {}
+pub struct Linear {
+    /// How the tangent is solved.
+    #[serde(default)]
+    pub solver: LinearSolver,
+}
+
+/// How a linear answer is solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LinearSolver {
+    /// By a factor of the tangent: the fastest as long as it finds room.
+    #[default]
+    Direct,
+    /// Of a shell, by conjugate gradients with multigrid, in half of the memory at 10⁵ particles and less beyond: some twenty iterations
+    /// where particles stand no farther apart than the shell is thick, and some sixteen for each thickness beyond.
+    ConjugateGradients,
+}
 
 /// A path of equilibria past limit and turning points; ends by exactly one of `until` and `stop`.
 ///

@@ -157,6 +157,25 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         Some((0..self.shell.len()).flat_map(of).collect())
     }
 
+    fn rigid_motions(&self) -> Option<Vec<[f64; 6]>> {
+        let state = &self.shell.state;
+        let of = |a: usize| {
+            let (basis, group) = (self.basis(a), self.shell.junctions.of(a));
+            let [x, d] = [0, 3].map(|first| Vec3::from_fn(|k, _| state[a][first + k]));
+            let x = group.and_then(|group| group.far_pole(state)).unwrap_or(x);
+            (0..basis.count).map(move |i| {
+                let e = basis.directions[i];
+                let (move_by, turn_by) = match (i < basis.translations, group) {
+                    (true, _) => (e, x.cross(&e)),
+                    (false, None) => (Vec3::zeros(), d.cross(&e) / basis.rates[i]),
+                    (false, Some(_)) => (Vec3::zeros(), e / basis.rates[i]),
+                };
+                std::array::from_fn(|k| if k < 3 { move_by[k] } else { turn_by[k - 3] })
+            })
+        };
+        Some((0..self.shell.len()).flat_map(of).collect())
+    }
+
     fn keeps_factor(&self) -> bool {
         true
     }

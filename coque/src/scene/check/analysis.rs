@@ -3,9 +3,9 @@
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::error::SceneError;
 use crate::scene::levels::Levels;
-use crate::scene::problem::Scene;
+use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static, Stop};
+use crate::scene::statics::{ArcLength, Buckling, Linear, LinearSolver, Modal, Relaxation, Static, Stop};
 
 type Checked = Result<(), SceneError>;
 
@@ -27,7 +27,7 @@ impl Scene {
     pub(super) fn check_analysis(&self) -> Checked {
         match &self.analysis {
             Analysis::Explicit(explicit) => self.check_explicit(explicit)?,
-            Analysis::Linear(Linear {}) => {}
+            Analysis::Linear(Linear { solver }) => self.check_solver(*solver)?,
             Analysis::Static(Static { levels, tolerance, iterations }) => {
                 self.check_levels("analysis.static.levels", levels)?;
                 self.check_newton("analysis.static", *tolerance, *iterations)?;
@@ -55,6 +55,16 @@ impl Scene {
             self.check_tangent()?;
         }
         if kind.wants_driver { self.check_driver() } else { Ok(()) }
+    }
+
+    /// Coarser unknowns are built on rigid motions, which only shells tell.
+    fn check_solver(&self, solver: LinearSolver) -> Checked {
+        if solver == LinearSolver::Direct || matches!(self.body(), BodyScene::Shell(_)) {
+            return Ok(());
+        }
+        let (at, given) = ("analysis.linear.solver", "\"conjugate-gradients\"");
+        let bound = "\"direct\" where the body is no shell";
+        Err(SceneError::Choice(self.scope().fault(at, given, bound, "leave it out")))
     }
 
     fn check_explicit(&self, explicit: &Explicit) -> Checked {
