@@ -283,7 +283,9 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
     let effort = match summary.analysis.as_str() {
         "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),
         "static" | "arc-length" => format!(", {} Newton iterations", summary.record.newton_iterations),
-        _ => String::new(),
+        _ => summary.record.conjugate_gradients.as_ref().map_or_else(String::new, |took| {
+            format!(", {} iterations of conjugate gradients", took.iterations)
+        }),
     };
     say(&format!(
         "{} steps in {:.2} s{effort}; results in {}",
