@@ -145,6 +145,7 @@ mod section;
 mod section_pack;
 mod strain;
 mod strains;
+mod stressed_pack;
 mod tangent;
 
 pub use integrated_section::IntegratedSection;
@@ -160,4 +161,5 @@ pub use strain::{
     GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
 };
 pub use strains::{Resultants, Strains};
+pub use stressed_pack::StressedPack;
 pub use tangent::{Matrix8, Matrix15, ZERO8, congruence};

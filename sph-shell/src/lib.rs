@@ -264,6 +264,7 @@ mod dispatch;
 mod error;
 mod formulation;
 mod gather;
+mod initial_stress;
 mod junction;
 mod lumped;
 mod packs;
@@ -309,6 +310,7 @@ pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
+pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
 pub use reference::Reference;
@@ -336,6 +338,8 @@ pub struct Shell {
     /// Particles that hang on cells of other sheets; empty without ties.
     ties: Ties,
     loads: Vec<AppliedLoad>,
+    /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
+    stresses: Vec<[f64; 6]>,
     springs: Vec<Spring>,
     /// Forces of the springs on each particle; empty without springs.
     sprung: Vec<Row>,

@@ -42,6 +42,8 @@ pub struct PointSection {
     pub height: f64,
     /// Whether stresses run linearly through the thickness.
     pub homogeneous: bool,
+    /// Resultants of the unstrained point, `N11, N22, N12` \[F/L\] and `M11, M22, M12` about the particles \[F\].
+    pub initial: [f64; 6],
 }
 
 /// Stiffness scales of the section at each sampling point.
@@ -112,11 +114,13 @@ impl Regions {
         Scales { uniform, own: own.collect() }
     }
 
+    /// Whether there are any.
+    pub fn any(&self) -> bool {
+        !self.regions.is_empty()
+    }
+
     /// The sections of each pack of points.
     pub fn packs(&self, base: &dyn Section, order: &[[u32; LANES]]) -> Vec<SectionPack> {
-        if self.regions.is_empty() {
-            return Vec::new();
-        }
         let pack = |points: &[u32; LANES]| {
             let regions = points.map(|p| self.at(p as usize));
             let sections = regions.map(|region| region.map_or(base, |region| &*region.section));
@@ -129,7 +133,8 @@ impl Regions {
     pub fn read(&self, base: &dyn Section, point: usize) -> PointSection {
         let (section, height) =
             self.at(point).map_or((base, 0.0), |region| (&*region.section, region.height));
-        PointSection { thickness: section.scales().thickness, height, homogeneous: section.homogeneous() }
+        let (thickness, homogeneous) = (section.scales().thickness, section.homogeneous());
+        PointSection { thickness, height, homogeneous, initial: [0.0; 6] }
     }
 
     /// Puts masses, rotary inertias and the speed of sound of several sections in the place of those of one.

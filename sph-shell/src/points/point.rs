@@ -6,7 +6,7 @@ use std::any::Any;
 
 use shell_kinematics::{
     IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
-    SectionPack, StrainMeasure, Strains, StrainsOf, StretchCorrected,
+    StrainMeasure, Strains, StrainsOf, StretchCorrected,
 };
 
 use crate::control::arcs::ArcPack;
@@ -53,7 +53,7 @@ pub(crate) struct Point<'a, R = Baseline> {
     pub arcs: Option<&'a ArcPack>,
     pub cell: Option<&'a CellPack>,
     /// Their sections, where not all points have the same.
-    pub section: Option<&'a SectionPack>,
+    pub section: Option<&'a dyn Section>,
 }
 
 /// Four points in a state: from their vectors to their strains.

@@ -38,7 +38,7 @@ impl Shell {
 
     /// The section of four points.
     pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
-        point.section.map_or(&*self.section, |own| own)
+        point.section.unwrap_or(&*self.section)
     }
 
     /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of
