@@ -8,18 +8,6 @@
 //!
 //! of the unstrained point: `N = N₀ + A e_m + B κ` ([`StressedPack`]). They need not be in balance. A balance is what statics finds
 //! first, as it does of a preload ([`LoadCase::Preload`]); a march sets out from the unstrained shell.
-//!
-//! # What one point does not see
-//!
-//! The pattern h of a cell has no gradient in its middle, so a stress does not act on it there. Of the bilinear motion `u = q ψ` with
-//! ψ = h at the corners of a parallelogram the energy `½ ∫ N₀αβ u,α·u,β dA` is
-//!
-//! ```text
-//! ½ k_N |q|²        k_N = (16/3w) (N₀11 M_ηη + N₀22 M_ξξ − 2 N₀12 M_ξη)          M the means of ξ², η², ξη over the corners
-//! ```
-//!
-//! In tension, k_N > 0, the control of the cell holds positions by so much more, `½ k_N (s1² + s2² + s3²)`. A thin membrane has little else:
-//! its own control is of the size `G t³/w`, and without k_N patterns would swing far below the first mode.
 
 use shell_kinematics::{LANES, SectionPack, StressedPack};
 use sph_core::Vec3;
@@ -27,11 +15,9 @@ use sph_core::Vec3;
 use crate::Shell;
 use crate::conditions::case::LoadCase;
 use crate::conditions::spread::check_cells;
-use crate::control::cells::CellPack;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
-use crate::points::scheme::{Scheme, Sections};
-use crate::shared::Shared;
+use crate::points::scheme::Sections;
 use crate::statics::static_shell::StaticShell;
 
 /// A direction closer to the normal than this has none in the surface.
@@ -98,14 +84,6 @@ impl Shell {
             StressedPack::new(section, points.map(|p| sums[p as usize]))
         };
         self.points.sections = Sections::Stressed(order.iter().zip(sections).map(under).collect());
-        if let Scheme::Cells { control, .. } = &mut self.points.scheme {
-            let stiffened = order.iter().enumerate().map(|(index, points)| {
-                let mut pack = control.get(index).clone();
-                pack.stiffen(&self.reference, points, &sums);
-                pack
-            });
-            *control = Shared::new(stiffened.collect::<Vec<_>>(), CellPack::numbers);
-        }
         self.stresses = sums;
         Ok(())
     }
@@ -113,6 +91,21 @@ impl Shell {
     /// Whether some cells are under stress before they are strained.
     pub fn is_stressed(&self) -> bool {
         !self.stresses.is_empty()
+    }
+
+    /// Tension of the unstrained shell, of all directions \[F/L\], and bending stiffness \[F L\], means over its area; none where it is not in
+    /// tension.
+    pub fn mean_tension(&self) -> Option<[f64; 2]> {
+        let points = &self.reference.operator.points;
+        let mut sums = [0.0; 3];
+        for (p, resultants) in self.stresses.iter().enumerate() {
+            let weight = points[p].weight;
+            let bending = self.regions.bending(&*self.section, p);
+            let more = [1.0, 0.5 * (resultants[0] + resultants[1]), bending];
+            sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += weight * more);
+        }
+        let [area, tension, bending] = sums;
+        (tension > 0.0).then(|| [tension / area, bending / area])
     }
 
     /// Where the projection of a direction on a cell at rest lies in the frame of its point, a unit vector.
@@ -123,9 +116,14 @@ impl Shell {
         (size > ACROSS * axis.norm()).then(|| [a / size, b / size])
     }
 
+    /// Lets the level of the analysis bring the initial stress up, as it does loads, instead of a preload; without time.
+    pub fn count_stress_by_level(&mut self) {
+        self.stress_case = LoadCase::Loading;
+    }
+
     /// Leaves so much of the initial stress as belongs to a level of the case that is under way.
     pub(crate) fn put_stress(&mut self, level: f64) {
-        self.set_stress_share(LoadCase::Preload.factor(self.case, level));
+        self.set_stress_share(self.stress_case.factor(self.case, level));
     }
 
     fn set_stress_share(&mut self, share: f64) {
@@ -164,6 +162,11 @@ impl Shell {
 }
 
 impl<S: std::ops::DerefMut<Target = Shell>> StaticShell<S> {
+    /// Whether the level of the analysis brings the initial stress up.
+    pub fn stress_counted_by_level(&self) -> bool {
+        self.shell.stress_case == LoadCase::Loading
+    }
+
     /// Part of the forces of the initial stress that nothing in the unstrained shell balances \[–\]; zero without stress.
     ///
     /// Wants the unstrained shell as its present state, whose internal forces it evaluates.

@@ -340,6 +340,8 @@ pub struct Shell {
     loads: Vec<AppliedLoad>,
     /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
     stresses: Vec<[f64; 6]>,
+    /// The load case to which the initial stress belongs.
+    stress_case: LoadCase,
     springs: Vec<Spring>,
     /// Forces of the springs on each particle; empty without springs.
     sprung: Vec<Row>,

@@ -137,6 +137,11 @@ impl Regions {
         PointSection { thickness, height, homogeneous, initial: [0.0; 6] }
     }
 
+    /// Bending stiffness of the section at a point \[F L\].
+    pub fn bending(&self, base: &dyn Section, point: usize) -> f64 {
+        self.at(point).map_or(base, |region| &*region.section).scales().bending
+    }
+
     /// Puts masses, rotary inertias and the speed of sound of several sections in the place of those of one.
     pub fn weigh(&self, base: &dyn Section, density: f64, reference: &mut Reference) {
         // Thickness, height and mass by area of each cell.

@@ -114,6 +114,7 @@ impl Shell {
             loads: parts.loads,
             case: LoadCase::Loading,
             stresses: Vec::new(),
+            stress_case: LoadCase::Preload,
             springs: Vec::new(),
             sprung: Vec::new(),
             wetted: None,

@@ -72,22 +72,26 @@ fn a_plate_in_tension_sings_higher_and_pressed_lower() {
     assert!(errors[2] < 3e-3 && errors[0] > 3.0 * errors[1] && errors[1] > 3.0 * errors[2], "{errors:?}");
 }
 
-/// Of a membrane so thin that bending is nothing to its tension the lowest modes are those of the wave equation, in order: no pattern of the cells is
-/// among them.
+/// Of a membrane so thin that bending is nothing to its tension the lowest modes are those of the wave equation, in order. The pattern
+/// of a cell has no gradient in its middle, and tension does not hold it: with 24 cells along the sheet the eighth mode is one of patterns, with 48
+/// cells none of the first twenty is. On uneven cells patterns are softer yet.
 #[test]
 fn a_thin_membrane_has_the_modes_of_a_membrane() {
     let thickness = 1e-3;
-    let force = [YOUNG * thickness * 1e-3, 2.0 * YOUNG * thickness * 1e-3];
-    let mut waves: Vec<f64> =
-        (1..12).flat_map(|m| (1..12).map(move |n| exact(thickness, force, [m.into(), n.into()]))).collect();
-    waves.sort_by(f64::total_cmp);
-    for (name, cloud, bound) in
-        [("lattice", flat([25, 21], [10.0, 8.0]), 0.03), ("scattered", scattered_flat(0.4, [10.0, 8.0]), 0.05)]
-    {
-        let found = squares(&cloud, thickness, force, 10);
+    for (name, cloud, stretch, count) in [
+        ("24 cells", flat([25, 21], [10.0, 8.0]), 1e-3, 7),
+        ("48 cells", flat([49, 41], [10.0, 8.0]), 1e-3, 20),
+        ("scattered", scattered_flat(0.25, [10.0, 8.0]), 1e-4, 8),
+    ] {
+        let force = [YOUNG * thickness * stretch, 2.0 * YOUNG * thickness * stretch];
+        let all = (1..12).flat_map(|m| (1..12).map(move |n| [m.into(), n.into()]));
+        let mut waves: Vec<f64> = all.map(|waves| exact(thickness, force, waves)).collect();
+        waves.sort_by(f64::total_cmp);
+        let found = squares(&cloud, thickness, force, count + 1);
         let off: Vec<f64> = found.iter().zip(&waves).map(|(f, w)| f / w - 1.0).collect();
         println!("{name}: {off:.4?}");
-        assert!(off.iter().all(|off| off.abs() < bound), "{name}: {off:?}");
+        assert!(off[..count].iter().all(|off| off.abs() < 0.06), "{name}: {off:?}");
+        assert!(count > 7 || off[count] < -0.1, "{name}: {off:?}");
     }
 }
 
@@ -128,6 +132,8 @@ fn tension_across_delays_buckling() {
     let sides = cloud.sides.clone().unwrap();
     let level = |tension: f64| {
         let held = |directions: &[Vec3], director| Held { displacement: directions.to_vec(), director: Some(director) };
+        let ends = |side: Side| [sides.edge(side)[0], *sides.edge(side).last().unwrap()];
+        let corners: Vec<u32> = [Side::U0, Side::U1].into_iter().flat_map(ends).collect();
         let inner = |side: Side| -> Vec<u32> {
             let edge = sides.edge(side);
             edge[1..edge.len() - 1].to_vec()
@@ -135,6 +141,7 @@ fn tension_across_delays_buckling() {
         let supports = vec![
             supported(sides.edge(Side::U0).to_vec(), held(&[X, Z], Y)),
             supported(sides.edge(Side::U1).to_vec(), held(&[Z], Y)),
+            supported(corners.clone(), Held { displacement: vec![Y], director: None }),
             supported(inner(Side::V0), held(&[Y, Z], X)),
             supported(inner(Side::V1), held(&[Y, Z], X)),
         ];
@@ -146,7 +153,7 @@ fn tension_across_delays_buckling() {
         let mut shell = Shell::new(beam_parts(cloud.clone(), thickness, supports, vec![load])).unwrap();
         shell.stress(&[everywhere(&cloud, [0.0, tension / thickness, 0.0])]).unwrap();
         let mut system = StaticShell::new(shell);
-        println!("unbalanced {:.1e}", system.unbalanced_stress());
+        assert!(system.unbalanced_stress() < 1e-14);
         linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap().modes[0].level
     };
     let exact = |tension: f64| {

@@ -59,6 +59,7 @@ pub use shell::material::{
     Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
 };
 pub use shell::mesh::Mesh;
+pub use shell::initial_stress::InitialStress;
 pub use shell::parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};

@@ -46,7 +46,6 @@
 use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces};
 use sph_core::{SamplingOperator, Vec3};
 
-use crate::reference::Reference;
 use crate::regions::Scales;
 use crate::registers::Registers;
 
@@ -170,27 +169,6 @@ impl CellPack {
             }
         }
         pack
-    }
-
-    /// Adds the stiffness of the pattern under resultants `N11, N22, N12, …` of the unstrained points, where they pull it straight:
-    /// k_N of `initial_stress.rs`.
-    pub fn stiffen(&mut self, reference: &Reference, points: &[u32; LANES], resultants: &[[f64; 6]]) {
-        let mut added = [0.0; LANES];
-        for ((added, &p), quarter) in added.iter_mut().zip(points).zip(self.quarter.lanes()) {
-            let (point, stencil) = (&reference.operator.points[p as usize], reference.operator.stencil(p as usize));
-            if quarter == 0.0 {
-                continue;
-            }
-            let [mut xx, mut yy, mut xy] = [0.0; 3];
-            for &b in stencil.particles {
-                let arm = reference.cloud.positions[b as usize] - point.position;
-                let (xi, eta) = (arm.dot(&point.frame.t1), arm.dot(&point.frame.t2));
-                (xx, yy, xy) = (xx + 0.25 * xi * xi, yy + 0.25 * eta * eta, xy + 0.25 * xi * eta);
-            }
-            let [n11, n22, n12, ..] = resultants[p as usize];
-            *added = (16.0 / 3.0 / point.weight * (n11 * yy + n22 * xx - 2.0 * n12 * xy)).max(0.0);
-        }
-        self.stiffness[0] += Pack::new(added);
     }
 
     /// All constants.

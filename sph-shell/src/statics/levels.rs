@@ -81,7 +81,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// Takes what a unit of level adds to the forces of the initial stress along the unknowns.
     pub(super) fn subtract_stress_rate(&mut self, level: f64, out: &mut [f64]) {
-        if self.shell.case != LoadCase::Preload || !self.shell.is_stressed() {
+        if self.shell.case != self.shell.stress_case || !self.shell.is_stressed() {
             return;
         }
         let rows = self.shell.forces_of_stress(level);

@@ -58,6 +58,7 @@ impl Scene {
         }
         self.check_ties(shell, s)?;
         self.check_rigid(shell, s)?;
+        self.check_initial_stress(shell, s)?;
         if !shell.has_parts() {
             return Ok(());
         }
