@@ -69,7 +69,8 @@ impl Shell {
                     None => [1.0, 0.0],
                 };
                 let section = self.section_at(cell as usize);
-                let [mean, faces] = [stress.membrane, stress.bending].map(|s| InitialStress::turned(s, along));
+                let [mean, faces] =
+                    [stress.membrane, stress.bending].map(|s| InitialStress::turned(s, along));
                 let sum = &mut sums[cell as usize];
                 for i in 0..3 {
                     let force = section.thickness * mean[i];
@@ -141,7 +142,8 @@ impl Shell {
         });
         self.put_stress(level);
         self.evaluate_internal(false);
-        let difference = |(with, without): (&[f64; 6], &[f64; 6])| std::array::from_fn(|k| with[k] - without[k]);
+        let difference =
+            |(with, without): (&[f64; 6], &[f64; 6])| std::array::from_fn(|k| with[k] - without[k]);
         all.iter().zip(&none).map(difference).collect()
     }
 

@@ -9,9 +9,9 @@
 //!
 //! A_ac the part of the particle's area in cell c ([`crate::spread`]), w_c the area of the cell, e_c the height of the middle of the section over the
 //! particles. What a height couples of velocity and rate of the director, `ρ t e ẋ·ḋ`, is left out: masses stay diagonal.
-//! Without time nothing is left out.
+//! Without time nothing is left out. A region may have a strain measure of its own ([`StrainPack`]), which masses and stable step do not know.
 
-use shell_kinematics::{LANES, Section, SectionPack, SectionScales};
+use shell_kinematics::{LANES, Section, SectionPack, SectionScales, StrainMeasure, StrainPack};
 use sph_core::Vec3;
 
 use crate::conditions::spread::{check_cells, spread};
@@ -31,6 +31,8 @@ pub struct Region {
     pub height: f64,
     /// Direction whose projection on the surface is the section's first axis; without, the section must not care.
     pub axis: Option<Vec3>,
+    /// Their strain measure; without, that of the shell.
+    pub strain: Option<&'static dyn StrainMeasure>,
 }
 
 /// What is read of the section at a point.
@@ -127,6 +129,16 @@ impl Regions {
             SectionPack::new(sections, regions.map(|region| region.map_or(0.0, |region| region.height)))
         };
         order.iter().map(pack).collect()
+    }
+
+    /// The strain measures of each pack of points; none where all have that of the shell.
+    pub fn strains(&self, base: &'static dyn StrainMeasure, order: &[[u32; LANES]]) -> Vec<StrainPack> {
+        let own = |region: &Region| region.strain.unwrap_or(base);
+        if self.regions.iter().all(|region| own(region).name() == base.name()) {
+            return Vec::new();
+        }
+        let of = |&p: &u32| self.at(p as usize).map_or(base, own);
+        order.iter().map(|points| StrainPack::new(points.each_ref().map(of))).collect()
     }
 
     /// What is read of the section at a point.

@@ -88,6 +88,7 @@ impl Shell {
         let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
         if regions.any() {
             points.sections = Sections::Own(regions.packs(base, &points.packs.order));
+            points.strains = regions.strains(parts.strain, &points.packs.order);
         }
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {

@@ -14,11 +14,11 @@ use common::{
 use explicit_dynamics::Clock;
 use implicit_statics::{Control, End, Equilibrium, NewtonOptions, PathOptions, Start, follow};
 use nalgebra::Rotation3;
-use shell_kinematics::{Isotropic, IsotropicSection, strain_measures};
+use shell_kinematics::{GreenLagrange, Isotropic, IsotropicSection, strain_measures};
 use sph_core::{Cloud, Side, Vec3};
 use sph_shell::{
-    Clamped, Formulation, Held, InitialStress, LoadCase, Parts, PointResult, Reach, Region, Shell, ShellError,
-    StaticShell,
+    Clamped, Formulation, Held, InitialStress, LoadCase, Parts, PointResult, Reach, Region, Shell,
+    ShellError, StaticShell,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -40,6 +40,7 @@ fn mixed(cloud: Cloud, parts: impl Fn(Cloud) -> Parts) -> Shell {
         density: DENSITY,
         height: 0.15,
         axis: Some(X),
+        strain: Some(&GreenLagrange),
     };
     let one = everywhere(&cloud, [40.0, -10.0, 15.0], [-30.0, 5.0, 8.0]);
     let corner = InitialStress {
@@ -180,9 +181,7 @@ fn it_is_read_as_it_was_given_whatever_the_axes_of_the_cells() {
 #[test]
 fn a_constant_stress_is_in_balance_where_the_edges_are_held() {
     for cloud in [flat([6, 5], [2.0, 1.5]), scattered_flat(0.3, [2.0, 1.5])] {
-        let rim = common::at(&cloud, |x| {
-            x.x.min(2.0 - x.x).min(x.y).min(1.5 - x.y) < 1e-9
-        });
+        let rim = common::at(&cloud, |x| x.x.min(2.0 - x.x).min(x.y).min(1.5 - x.y) < 1e-9);
         let share = |particles: &[u32], held: bool| {
             let supports = if held { vec![supported(particles.to_vec(), Clamped)] } else { Vec::new() };
             let stress = everywhere(&cloud, [3.0, -1.0, 2.0], [1.0, 2.0, -0.5]);
@@ -203,11 +202,7 @@ fn determinate(cloud: &Cloud) -> Vec<sph_shell::Supported> {
     let held = |a: u32, directions: &[Vec3]| {
         supported(vec![a], Held { displacement: directions.to_vec(), director: None })
     };
-    vec![
-        held(left[0], &[X, Y, Z]),
-        held(right[0], &[Y, Z]),
-        held(*left.last().unwrap(), &[Z]),
-    ]
+    vec![held(left[0], &[X, Y, Z]), held(right[0], &[Y, Z]), held(*left.last().unwrap(), &[Z])]
 }
 
 /// `e = −A⁻¹ N₀` in the plane relieves a plate that nothing holds: no force is left anywhere.
@@ -260,9 +255,14 @@ fn a_strip_rolls_up_by_the_stress_across_its_thickness() {
     let radius = 1.0 / curvature;
     println!("{place} {radius}");
     let left = results(system.shell()).iter().fold(0.0_f64, |m, found| {
-        m.max(found.moment[0].abs() / (bending * curvature)).max(found.force[0].abs() * thickness / (bending * curvature))
+        m.max(found.moment[0].abs() / (bending * curvature))
+            .max(found.force[0].abs() * thickness / (bending * curvature))
     });
-    println!("left {left:.1e}, tip off by {:.1e} {:.1e}", place.x / radius - 1.0, place.z.abs() / radius - 1.0);
+    println!(
+        "left {left:.1e}, tip off by {:.1e} {:.1e}",
+        place.x / radius - 1.0,
+        place.z.abs() / radius - 1.0
+    );
     assert!(left < 1e-6, "{left}");
     assert!((place.x / radius - 1.0).abs() < 1e-3 && (place.z.abs() / radius - 1.0).abs() < 1e-3, "{place}");
 }

@@ -7,13 +7,9 @@ mod common;
 use std::f64::consts::PI;
 
 use common::{DENSITY, POISSON, X, Y, YOUNG, Z, beam_parts, flat, parts, scattered_flat, supported};
-use implicit_statics::{
-    BucklingOptions, EquilibriumError, linear_buckling, natural_modes, unwatched,
-};
+use implicit_statics::{BucklingOptions, EquilibriumError, linear_buckling, natural_modes, unwatched};
 use sph_core::{Cloud, Side, Vec3};
-use sph_shell::{
-    Force, Formulation, Held, InitialStress, Load, Parts, Reach, Shell, StaticShell, Supported,
-};
+use sph_shell::{Force, Formulation, Held, InitialStress, Load, Parts, Reach, Shell, StaticShell, Supported};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
@@ -114,7 +110,8 @@ fn a_plate_buckles_where_its_stress_reaches_the_critical_one() {
         let mut shell = Shell::new(Parts { supports, ..parts(cloud.clone(), CELL, thickness) }).unwrap();
         let stress = -part * reached * critical / thickness;
         shell.stress(&[everywhere(&cloud, [stress, stress, 0.0])]).unwrap();
-        let found = linear_buckling(&mut StaticShell::new(shell), 0.0, &BucklingOptions::new(1), &mut unwatched);
+        let found =
+            linear_buckling(&mut StaticShell::new(shell), 0.0, &BucklingOptions::new(1), &mut unwatched);
         match found {
             Err(EquilibriumError::Unstable { negative, .. }) => negative,
             _ => 0,
@@ -131,7 +128,10 @@ fn tension_across_delays_buckling() {
     let bending = YOUNG * thickness.powi(3) / 12.0;
     let sides = cloud.sides.clone().unwrap();
     let level = |tension: f64| {
-        let held = |directions: &[Vec3], director| Held { displacement: directions.to_vec(), director: Some(director) };
+        let held = |directions: &[Vec3], director| Held {
+            displacement: directions.to_vec(),
+            director: Some(director),
+        };
         let ends = |side: Side| [sides.edge(side)[0], *sides.edge(side).last().unwrap()];
         let corners: Vec<u32> = [Side::U0, Side::U1].into_iter().flat_map(ends).collect();
         let inner = |side: Side| -> Vec<u32> {

@@ -54,6 +54,8 @@ pub(crate) struct Point<'a, R = Baseline> {
     pub cell: Option<&'a CellPack>,
     /// Their sections, where not all points have the same.
     pub section: Option<&'a dyn Section>,
+    /// Their strain measures, where not all points have the same.
+    pub strain: Option<&'a dyn StrainMeasure>,
 }
 
 /// Four points in a state: from their vectors to their strains.
@@ -104,14 +106,15 @@ impl<'a> Point<'a> {
             arcs: None,
             cell: None,
             section: None,
+            strain: None,
         }
     }
 
     /// The same points in other registers.
     #[inline(always)]
     pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
-        let Self { place, pack, particles, entries, shear, arcs, cell, section, .. } = self;
-        Point { registers, place, pack, particles, entries, shear, arcs, cell, section }
+        let Self { place, pack, particles, entries, shear, arcs, cell, section, strain, .. } = self;
+        Point { registers, place, pack, particles, entries, shear, arcs, cell, section, strain }
     }
 }
 

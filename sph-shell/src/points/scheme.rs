@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{LANES, Section, SectionPack, StressedPack};
+use shell_kinematics::{LANES, Section, SectionPack, StrainPack, StressedPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -24,6 +24,8 @@ pub(crate) struct Points {
     pub shear: Vec<ShearPack>,
     pub scheme: Scheme,
     pub sections: Sections,
+    /// Strain measures of each pack; empty if all points have the same.
+    pub strains: Vec<StrainPack>,
 }
 
 /// Sections of each pack.
@@ -138,7 +140,7 @@ impl Points {
         if let Scheme::Cells { arcs, .. } = &mut scheme {
             (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section);
         }
-        Ok((Self { packs, shear, scheme, sections: Sections::One }, loss))
+        Ok((Self { packs, shear, scheme, sections: Sections::One, strains: Vec::new() }, loss))
     }
 
     /// The points of a pack, with what corrects their strains.
@@ -153,6 +155,7 @@ impl Points {
             arcs,
             cell,
             section: self.sections.get(index),
+            strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
         }
     }
@@ -184,7 +187,10 @@ impl Points {
 
     /// Bytes of all that a step touches.
     pub fn bytes(&self) -> usize {
-        let layout = self.packs.bytes() + size_of_val(&self.shear[..]) + self.sections.bytes();
+        let layout = self.packs.bytes()
+            + size_of_val(&self.shear[..])
+            + self.sections.bytes()
+            + size_of_val(&self.strains[..]);
         let scheme = match &self.scheme {
             Scheme::Cells { control, arcs, .. } => control.bytes() + size_of_val(&arcs[..]),
             Scheme::Wide { control, lists, .. } => control.bytes() + lists.bytes(),

@@ -73,20 +73,22 @@ impl<'a> Sweep<'a> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
-        let strain = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
+        let one = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
+        let alike = self.points.strains.is_empty();
         for (index, energy) in packs.zip(energies) {
             let (pack, section) = (index..index + 1, &sections[index]);
             let energy = std::slice::from_mut(energy);
-            match (strain, self.energy) {
+            let own = || if alike { self.law.strain } else { &self.points.strains[index] };
+            match (one.filter(|_| alike), self.energy) {
                 (Some(strain), false) => {
                     self.cells::<false, _, _, _>(Baseline, PointLaw { strain, section }, pack, ring, energy);
                 }
                 (_, false) => {
-                    let law = PointLaw { strain: self.law.strain, section };
+                    let law = PointLaw { strain: own(), section };
                     self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
                 }
                 (_, true) => {
-                    let law = PointLaw { strain: self.law.strain, section };
+                    let law = PointLaw { strain: own(), section };
                     self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
                 }
             }

@@ -110,7 +110,7 @@ impl Scene {
         let parts = Parts {
             cloud,
             section: sections.base,
-            strain: builder.strain()?,
+            strain: sections.strain,
             material_axis: sections.axis,
             density: sections.density,
             formulation: builder.formulation(),

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::formulation::Formulation;
 use super::material::{Material, Section};
 use crate::scene::per_axis::PerAxis;
 
@@ -19,6 +20,8 @@ pub struct ShellPart {
     /// Height of the middle of its thickness over the particles, along their normals \[L\].
     #[serde(default)]
     pub offset: f64,
+    /// Measure of the curvature, as `stress-point.curvature`; stencils are one a shell.
+    pub formulation: Option<Formulation>,
 }
 
 /// A mass lumped at the particles of a set, such as that of an engine on its feet.

@@ -37,7 +37,9 @@ pub(super) fn among_modes(look: &Look<'_>) -> Option<String> {
     }
     let waves = |modes: usize| 4.0 * PI * modes as f64 / area;
     let square = |modes: usize| {
-        PATTERNS * (tension * bending).sqrt() / spacing.powi(3) / (waves(modes) * (tension + bending * waves(modes)))
+        PATTERNS * (tension * bending).sqrt()
+            / spacing.powi(3)
+            / (waves(modes) * (tension + bending * waves(modes)))
     };
     let last = square(modal.modes);
     (last < 1.0).then(|| {

@@ -66,7 +66,8 @@ impl Scene {
         }
         let energy = self.curve.iter().position(|column| column.of == Measured::Energy);
         if let Some(i) = energy.filter(|_| self.stress_drives()) {
-            let bound = "none where the level counts an initial stress, whose part in it the column does not know";
+            let bound =
+                "none where the level counts an initial stress, whose part in it the column does not know";
             let fault = self.scope().fault(
                 &format!("curve[{i}].of"),
                 "\"energy\"",

@@ -8,6 +8,8 @@ use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
 use crate::scene::shell::parts::{LumpedMass, ShellTie};
 
+use super::formulation::check_formulation;
+
 type Checked = Result<(), SceneError>;
 
 impl ShellScene {
@@ -42,10 +44,24 @@ impl ShellScene {
         if let Some(part) = self.parts.get(number) {
             own.material = part.material.clone().unwrap_or(own.material);
             own.section = part.section.clone().unwrap_or(own.section);
+            own.formulation = part.formulation.clone().unwrap_or(own.formulation);
         }
         own.parts = Vec::new();
         own
     }
+}
+
+/// A part has the curvature of its cells for itself; stencils tie particles across its border.
+fn check_formulation_of_part(formulation: &Formulation, own: &Scope<'_>) -> Checked {
+    let word = formulation.word();
+    let key = match formulation {
+        Formulation::StressPoint(f) if f.support != Reach::Cell => "formulation.stress-point.support".into(),
+        Formulation::StressPoint(_) => return check_formulation(formulation, own),
+        _ => format!("formulation.{word}"),
+    };
+    let bound = "none in a part: stencils make the neighbours of a particle, which has one list of them on both sides of a border";
+    let repair = "give the part formulation.stress-point.curvature alone, or the whole shell its sampling";
+    Err(SceneError::Choice(own.fault(&key, "a sampling of its own", bound, repair)))
 }
 
 impl Scene {
@@ -76,13 +92,18 @@ impl Scene {
         for (i, part) in shell.parts.iter().enumerate() {
             let own = s.below(&format!("parts[{i}]"));
             self.check_set_name(&own.path("on"), &part.on)?;
-            if part.material.is_none() && part.section.is_none() && part.offset == 0.0 {
-                let repair = "give the part a material, a section or an offset, or remove it";
-                let (path, bound) = (format!("parts[{i}]"), "`material`, `section` or `offset`");
+            let nothing = part.material.is_none() && part.section.is_none() && part.formulation.is_none();
+            if nothing && part.offset == 0.0 {
+                let repair = "give the part a material, a section, an offset or a formulation, or remove it";
+                let (path, bound) =
+                    (format!("parts[{i}]"), "`material`, `section`, `offset` or `formulation`");
                 return Err(SceneError::Choice(s.fault(&path, "nothing of its own", bound, repair)));
             }
             own.sized("offset", part.offset)?;
             shell.in_part(i).check_material(&own)?;
+            part.formulation
+                .as_ref()
+                .map_or(Ok(()), |formulation| check_formulation_of_part(formulation, &own))?;
         }
         Ok(())
     }
