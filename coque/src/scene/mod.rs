@@ -60,7 +60,7 @@ pub use shell::material::{
     Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
 };
 pub use shell::mesh::Mesh;
-pub use shell::parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
+pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{LANES, Pack, Pack3, SectionOf, StrainsOf, StretchCorrected};
+use shell_kinematics::{LANES, Pack, Pack3, SectionOf, StrainMeasure, StrainsOf, StretchCorrected};
 
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
@@ -73,24 +73,44 @@ impl<'a> Sweep<'a> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
-        let one = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
-        let alike = self.points.strains.is_empty();
+        if !self.points.strains.is_empty() {
+            return self.cells_of_strains(sections, packs, ring, energies);
+        }
+        let strain = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
         for (index, energy) in packs.zip(energies) {
             let (pack, section) = (index..index + 1, &sections[index]);
             let energy = std::slice::from_mut(energy);
-            let own = || if alike { self.law.strain } else { &self.points.strains[index] };
-            match (one.filter(|_| alike), self.energy) {
+            match (strain, self.energy) {
                 (Some(strain), false) => {
                     self.cells::<false, _, _, _>(Baseline, PointLaw { strain, section }, pack, ring, energy);
                 }
                 (_, false) => {
-                    let law = PointLaw { strain: own(), section };
+                    let law = PointLaw { strain: self.law.strain, section };
                     self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
                 }
                 (_, true) => {
-                    let law = PointLaw { strain: own(), section };
+                    let law = PointLaw { strain: self.law.strain, section };
                     self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
                 }
+            }
+        }
+    }
+
+    /// The same with strain measures of their own.
+    fn cells_of_strains<S: SectionOf<Pack>>(
+        &self,
+        sections: &[S],
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        for (index, energy) in packs.zip(energies) {
+            let strain: &dyn StrainMeasure = &self.points.strains[index];
+            let law = PointLaw { strain, section: &sections[index] };
+            let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
+            match self.energy {
+                false => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
+                true => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
             }
         }
     }

@@ -59,7 +59,8 @@ impl Builder<'_> {
         for (i, part) in shell.parts.iter().enumerate() {
             let (at, cells) = (scope.below(&format!("parts[{i}]")), std::mem::take(&mut own[i + 1]));
             let found = self.alike(&shell.in_part(i), &at, cells, cloud, imported)?;
-            let curvature = part.formulation.as_ref().map(|own| format!(", {} curvature", own.curvature()));
+            let curvature = part.formulation.as_ref().and_then(|own| own.curvature());
+            let curvature = curvature.map(|name| format!(", {name} curvature"));
             let lines = described(&part.on, part.offset, &found).into_iter();
             said.extend(lines.map(|line| line + curvature.as_deref().unwrap_or_default()));
             all.extend(found.into_iter().map(|alike| Alike { height: alike.height + part.offset, ..alike }));

@@ -6,9 +6,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
-use crate::scene::shell::parts::{LumpedMass, ShellTie};
-
-use super::formulation::check_formulation;
+use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
 
 type Checked = Result<(), SceneError>;
 
@@ -44,7 +42,10 @@ impl ShellScene {
         if let Some(part) = self.parts.get(number) {
             own.material = part.material.clone().unwrap_or(own.material);
             own.section = part.section.clone().unwrap_or(own.section);
-            own.formulation = part.formulation.clone().unwrap_or(own.formulation);
+            let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
+            if let (Formulation::StressPoint(points), Some(curvature)) = (&mut own.formulation, curvature) {
+                points.curvature = curvature.into();
+            }
         }
         own.parts = Vec::new();
         own
@@ -52,16 +53,17 @@ impl ShellScene {
 }
 
 /// A part has the curvature of its cells for itself; stencils tie particles across its border.
-fn check_formulation_of_part(formulation: &Formulation, own: &Scope<'_>) -> Checked {
-    let word = formulation.word();
-    let key = match formulation {
-        Formulation::StressPoint(f) if f.support != Reach::Cell => "formulation.stress-point.support".into(),
-        Formulation::StressPoint(_) => return check_formulation(formulation, own),
-        _ => format!("formulation.{word}"),
-    };
-    let bound = "none in a part: stencils make the neighbours of a particle, which has one list of them on both sides of a border";
-    let repair = "give the part formulation.stress-point.curvature alone, or the whole shell its sampling";
-    Err(SceneError::Choice(own.fault(&key, "a sampling of its own", bound, repair)))
+fn check_formulation_of_part(formulation: &PartFormulation, own: &Scope<'_>) -> Checked {
+    if let Some(key) = formulation.of_whole_shell() {
+        let bound = "none in a part: it makes the neighbours of a particle, which has one list of them on both sides of a border";
+        let repair =
+            "give the part formulation.stress-point.curvature alone, or the whole shell its sampling";
+        let fault = own.fault(&format!("formulation.{key}"), "a sampling of its own", bound, repair);
+        return Err(SceneError::Choice(fault));
+    }
+    let measures = shell_kinematics::strain_measures().map(|measure| measure.name());
+    let curvature = formulation.curvature().unwrap_or(measures[0]);
+    own.word("formulation.stress-point.curvature", curvature, &measures)
 }
 
 impl Scene {
@@ -92,7 +94,11 @@ impl Scene {
         for (i, part) in shell.parts.iter().enumerate() {
             let own = s.below(&format!("parts[{i}]"));
             self.check_set_name(&own.path("on"), &part.on)?;
-            let nothing = part.material.is_none() && part.section.is_none() && part.formulation.is_none();
+            if let Some(formulation) = &part.formulation {
+                check_formulation_of_part(formulation, &own)?;
+            }
+            let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
+            let nothing = part.material.is_none() && part.section.is_none() && curvature.is_none();
             if nothing && part.offset == 0.0 {
                 let repair = "give the part a material, a section, an offset or a formulation, or remove it";
                 let (path, bound) =
@@ -101,9 +107,6 @@ impl Scene {
             }
             own.sized("offset", part.offset)?;
             shell.in_part(i).check_material(&own)?;
-            part.formulation
-                .as_ref()
-                .map_or(Ok(()), |formulation| check_formulation_of_part(formulation, &own))?;
         }
         Ok(())
     }
