@@ -29,13 +29,17 @@ pub fn case() -> Case {
             .set("initial_stress.0.membrane", "[-1e6, -1e6, 0.0]")
             .set("analysis", "{ buckling = { modes = 1 } }")
     };
-    let strip =
-        |counts| Variant::new(STATIC, STRIP, "plate", counts).quick().on("strip rolled by its stress");
+    // What is left of the stress is rounding, and no figure to keep.
+    let curve = "[{ name = 'w_end', of = 'displacement', on = 'u1', direction = [0, 0, 1] }]";
+    let strip = |counts| {
+        let strip = Variant::new(STATIC, STRIP, "plate", counts).quick();
+        strip.set("curve", curve).on("strip rolled by its stress")
+    };
     Case {
         name: "initial-stress",
         title: "Plate and strip under initial stress",
         about: "Stress of the unloaded shell: the frequencies of a plate on hinged edges in tension, the stress at which it buckles, and a \
-                strip that a stress through its thickness rolls up to a quarter of a circle, free of all stress.",
+                strip that a stress through its thickness rolls up to a quarter of a circle.",
         citation: "closed forms of the theory of plates and beams",
         variants: vec![
             plate([21, 17]).judged(|run, _| sung(run, 20.0)),
@@ -88,14 +92,9 @@ fn buckled(run: &Run, cells: f64) -> Result<Vec<Metric>, JudgeError> {
 fn rolled(run: &Run, cells: f64) -> Result<Vec<Metric>, JudgeError> {
     let radius = 2.0 * LENGTH / PI;
     let percent = run.last("w_end")?.map(|found| 100.0 * (found / -radius - 1.0));
-    let left = run.last("stress")?.map(|left| 100.0 * left / 314_159_265.0);
+    // .0064 % with 40 cells.
+    let reason = "three times what chords in place of arcs leave between the particles, of second order";
     Ok(vec![
-        // .0064 % with 40 cells.
-        Metric::error("end of the strip", percent, "%").within(
-            3.0 * 0.0064 * (40.0 / cells).powi(2),
-            "three times what chords in place of arcs leave between the particles, of second order",
-        ),
-        Metric::error("stress left", left, "%")
-            .within(1e-6, "every cell can take the curvature that relieves it: Newton's tolerance is left"),
+        Metric::error("end of the strip", percent, "%").within(3.0 * 0.0064 * (40.0 / cells).powi(2), reason),
     ])
 }
