@@ -7,8 +7,8 @@ mod common;
 use std::ops::ControlFlow;
 
 use common::{
-    AXIS, DENSITY, POISSON, RandomNumbers, YOUNG, curved, disordered_curved, flat, parts, scattered_curved,
-    shake, unsymmetric,
+    AXIS, DENSITY, POISSON, YOUNG, curved, derivatives_agree, disordered_curved, flat, parts,
+    scattered_curved, shake, unsymmetric,
 };
 use explicit_dynamics::{Amplitude, Clock, Dynamics};
 use implicit_statics::{
@@ -82,32 +82,7 @@ fn tangent_and_forces_are_derivatives_of_the_energy() {
     for cloud in [curved([7, 6]), disordered_curved([7, 6]), scattered_curved(0.45)] {
         let mut body = mixed(cloud);
         shake(&mut body, 0.05, 17);
-        let mut system = StaticShell::new(body);
-        let n = system.unknowns();
-        let pattern = system.pattern();
-        let mut values = vec![0.0; pattern.len()];
-        system.tangent(0.0, &mut values);
-        let mut force = vec![0.0; n];
-        system.internal(0.0, &mut force);
-        let mut dice = RandomNumbers(3);
-        let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
-        let home = system.save();
-        let h = 2e-4;
-        let mut at = |factor: f64| {
-            system.restore(&home);
-            let step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-            system.update(&step);
-            system.energy()
-        };
-        let [a, b, c, d, e] = [at(-2.0), at(-1.0), at(0.0), at(1.0), at(2.0)];
-        let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
-        let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
-        let twice = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 2.0 };
-        let exact: f64 = pattern.iter().zip(&values).map(|(ij, k)| twice(ij) * k * v[ij.0] * v[ij.1]).sum();
-        let along: f64 = force.iter().zip(&v).map(|(f, v)| f * v).sum();
-        // Truncation h⁴, round-off 1e-16 U/h².
-        assert!((second / exact - 1.0).abs() < 1e-6, "{second} {exact}");
-        assert!((first / along - 1.0).abs() < 1e-7, "{first} {along}");
+        derivatives_agree(&mut StaticShell::new(body), 0.0, "regions");
     }
 }
 
