@@ -44,6 +44,10 @@ pub enum Doubt {
     ThinProfile,
     /// Sections high over their particles where masses count.
     OffsetInertia,
+    /// Patterns of single cells among the modes of a sheet in tension.
+    PatternModes,
+    /// A run that sets out under stresses that nothing balances.
+    NotAtRest,
     /// Cells with sharp corners.
     SharpCorners,
     /// Many triangles round one particle.
@@ -111,6 +115,8 @@ impl Doubt {
             Self::ShallowSheet => "shallow-sheet",
             Self::ThinProfile => "thin-profile",
             Self::OffsetInertia => "offset-inertia",
+            Self::PatternModes => "pattern-modes",
+            Self::NotAtRest => "not-at-rest",
             Self::SharpCorners => "sharp-corners",
             Self::Pole => "pole",
             Self::HeldLoad => "held-load",
@@ -166,6 +172,8 @@ mod tests {
             Doubt::FewerModes,
             Doubt::StrongForm,
             Doubt::NodalLocking,
+            Doubt::PatternModes,
+            Doubt::NotAtRest,
             Doubt::WideThin,
             Doubt::UnevenCells,
             Doubt::CoarseBending,

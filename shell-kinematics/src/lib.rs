@@ -86,6 +86,9 @@
 //! stiffness where the membrane follows free of force, as a mean over directions; the membrane scale is that of the
 //! stiffest ply in its stiffest direction, so that no wave is faster.
 //!
+//! Four sections lie side by side in a [`SectionPack`], each at its height; under resultants `N₀, M₀` where nothing is strained in a
+//! [`StressedPack`]. Four strain measures do in a [`StrainPack`].
+//!
 //! # Back: placement forces
 //!
 //! With s the forces on the products (membrane, curvature b, shear q),
@@ -132,6 +135,8 @@
 //! | isotropic, integrated and layered sections of one material agree | `sections_of_one_isotropic_material_agree`, `isotropic_plies_are_the_isotropic_section` (tests/layered.rs) |
 //! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | sections side by side are those alone, at any height | `sections_side_by_side_are_those_alone` (tests/layered.rs) |
+//! | initial resultants add to those of the section, with their work | `resultants_under_stress_are_the_derivative_of_the_energy` (tests/packs.rs) |
+//! | measures side by side are those alone | `measures_side_by_side_are_those_alone` (tests/packs.rs) |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -144,7 +149,9 @@ mod rotation;
 mod section;
 mod section_pack;
 mod strain;
+mod strain_pack;
 mod strains;
+mod stressed_pack;
 mod tangent;
 
 pub use integrated_section::IntegratedSection;
@@ -159,5 +166,7 @@ pub use section_pack::SectionPack;
 pub use strain::{
     GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
 };
+pub use strain_pack::StrainPack;
 pub use strains::{Resultants, Strains};
+pub use stressed_pack::StressedPack;
 pub use tangent::{Matrix8, Matrix15, ZERO8, congruence};

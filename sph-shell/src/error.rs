@@ -181,6 +181,19 @@ pub enum ShellError {
     /// Regions where strains are not sampled in cells.
     #[error("several sections want strains sampled in cells; use the formulation by cells")]
     RegionsWithoutCells,
+    /// Initial stresses where strains are not sampled in cells.
+    #[error("an initial stress wants strains sampled in cells; use the formulation by cells")]
+    StressOfWideStencils,
+    /// A direction of an initial stress that has none in the surface.
+    #[error(
+        "the axis of initial stress {number} stands on the surface in cell {cell}; take a direction that lies along the surface in all of its cells"
+    )]
+    StressAxis {
+        /// Number of the stress.
+        number: usize,
+        /// The cell.
+        cell: u32,
+    },
     /// A load or support on nothing.
     #[error("{0} acts on an empty set; name a set that holds at least one particle or cell")]
     EmptySet(&'static str),

@@ -13,6 +13,7 @@
 //! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
+//! | stresses of the unstrained shell | `initial_stress.rs`, [`Shell::stress`] |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
@@ -171,6 +172,9 @@
 //! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
 //! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
 //!
+//! A region may have a strain measure of its own ([`Region::strain`]). [`Shell::stress`] puts stresses on the unstrained shell ([`InitialStress`]): in
+//! statics a preload, or counted by the level; in the march there from the start.
+//!
 //! [`Shell::lump`] adds masses to particles, which do not turn with the director.
 //!
 //! # Supports and loads
@@ -248,6 +252,9 @@
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
 //! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
+//! | two strain measures in one strip | `two_measures_in_one_strip_turn_as_each_says` (tests/regions.rs) |
+//! | initial stress: derivatives, relief, rolling up, rest where edges are held, energy and bits in time | tests/initial_stress.rs |
+//! | plates and membranes under initial stress vibrate and buckle as closed forms say | tests/prestressed.rs |
 //! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |
 //! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
@@ -264,6 +271,7 @@ mod dispatch;
 mod error;
 mod formulation;
 mod gather;
+mod initial_stress;
 mod junction;
 mod lumped;
 mod packs;
@@ -309,6 +317,7 @@ pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
 pub use formulation::{Formulation, Reach};
+pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
 pub use reference::Reference;
@@ -337,6 +346,10 @@ pub struct Shell {
     /// Particles that hang on cells of other sheets; empty without ties.
     ties: Ties,
     loads: Vec<AppliedLoad>,
+    /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
+    stresses: Vec<[f64; 6]>,
+    /// The load case to which the initial stress belongs.
+    stress_case: LoadCase,
     springs: Vec<Spring>,
     /// Forces of the springs on each particle; empty without springs.
     sprung: Vec<Row>,

@@ -9,9 +9,9 @@
 //!
 //! A_ac the part of the particle's area in cell c ([`crate::spread`]), w_c the area of the cell, e_c the height of the middle of the section over the
 //! particles. What a height couples of velocity and rate of the director, `ρ t e ẋ·ḋ`, is left out: masses stay diagonal.
-//! Without time nothing is left out.
+//! Without time nothing is left out. A region may have a strain measure of its own ([`StrainPack`]), which masses and stable step do not know.
 
-use shell_kinematics::{LANES, Section, SectionPack, SectionScales};
+use shell_kinematics::{LANES, Section, SectionPack, SectionScales, StrainMeasure, StrainPack};
 use sph_core::Vec3;
 
 use crate::conditions::spread::{check_cells, spread};
@@ -31,6 +31,8 @@ pub struct Region {
     pub height: f64,
     /// Direction whose projection on the surface is the section's first axis; without, the section must not care.
     pub axis: Option<Vec3>,
+    /// Their strain measure; without, that of the shell.
+    pub strain: Option<&'static dyn StrainMeasure>,
 }
 
 /// What is read of the section at a point.
@@ -42,6 +44,8 @@ pub struct PointSection {
     pub height: f64,
     /// Whether stresses run linearly through the thickness.
     pub homogeneous: bool,
+    /// Resultants of the unstrained point, `N11, N22, N12` \[F/L\] and `M11, M22, M12` about the particles \[F\].
+    pub initial: [f64; 6],
 }
 
 /// Stiffness scales of the section at each sampling point.
@@ -112,11 +116,13 @@ impl Regions {
         Scales { uniform, own: own.collect() }
     }
 
+    /// Whether there are any.
+    pub fn any(&self) -> bool {
+        !self.regions.is_empty()
+    }
+
     /// The sections of each pack of points.
     pub fn packs(&self, base: &dyn Section, order: &[[u32; LANES]]) -> Vec<SectionPack> {
-        if self.regions.is_empty() {
-            return Vec::new();
-        }
         let pack = |points: &[u32; LANES]| {
             let regions = points.map(|p| self.at(p as usize));
             let sections = regions.map(|region| region.map_or(base, |region| &*region.section));
@@ -125,11 +131,27 @@ impl Regions {
         order.iter().map(pack).collect()
     }
 
+    /// The strain measures of each pack of points; none where all have that of the shell.
+    pub fn strains(&self, base: &'static dyn StrainMeasure, order: &[[u32; LANES]]) -> Vec<StrainPack> {
+        let own = |region: &Region| region.strain.unwrap_or(base);
+        if self.regions.iter().all(|region| own(region).name() == base.name()) {
+            return Vec::new();
+        }
+        let of = |&p: &u32| self.at(p as usize).map_or(base, own);
+        order.iter().map(|points| StrainPack::new(points.each_ref().map(of))).collect()
+    }
+
     /// What is read of the section at a point.
     pub fn read(&self, base: &dyn Section, point: usize) -> PointSection {
         let (section, height) =
             self.at(point).map_or((base, 0.0), |region| (&*region.section, region.height));
-        PointSection { thickness: section.scales().thickness, height, homogeneous: section.homogeneous() }
+        let (thickness, homogeneous) = (section.scales().thickness, section.homogeneous());
+        PointSection { thickness, height, homogeneous, initial: [0.0; 6] }
+    }
+
+    /// Bending stiffness of the section at a point \[F L\].
+    pub fn bending(&self, base: &dyn Section, point: usize) -> f64 {
+        self.at(point).map_or(base, |region| &*region.section).scales().bending
     }
 
     /// Puts masses, rotary inertias and the speed of sound of several sections in the place of those of one.

@@ -16,7 +16,7 @@ use crate::gather::Places;
 use crate::junction::group::Junctions;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
-use crate::points::scheme::{Points, Scheme};
+use crate::points::scheme::{Points, Scheme, Sections};
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
 use crate::regions::{PointSection, Region, Regions};
@@ -86,7 +86,10 @@ impl Shell {
         let junctions = Junctions::new(&reference, [&reference.masses, &reference.inertias], |_| true)?;
         let scales = regions.scales(base);
         let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
-        points.sections = regions.packs(base, &points.packs.order);
+        if regions.any() {
+            points.sections = Sections::Own(regions.packs(base, &points.packs.order));
+            points.strains = regions.strains(parts.strain, &points.packs.order);
+        }
         let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
         let fused = match points.scheme {
             Scheme::Cells { .. } => {
@@ -111,6 +114,8 @@ impl Shell {
             ties: Ties::default(),
             loads: parts.loads,
             case: LoadCase::Loading,
+            stresses: Vec::new(),
+            stress_case: LoadCase::Preload,
             springs: Vec::new(),
             sprung: Vec::new(),
             wetted: None,
@@ -153,12 +158,13 @@ impl Shell {
 
     /// Whether some cells have sections of their own.
     pub fn has_regions(&self) -> bool {
-        !self.points.sections.is_empty()
+        self.regions.any()
     }
 
     /// What is read of the section at a sampling point.
     pub fn section_at(&self, point: usize) -> PointSection {
-        self.regions.read(&*self.section, point)
+        let initial = self.stresses.get(point).copied().unwrap_or_default();
+        PointSection { initial, ..self.regions.read(&*self.section, point) }
     }
 
     /// What chords of uneven curved cells do to the membrane; nothing on lattices of developable surfaces.

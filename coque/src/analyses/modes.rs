@@ -36,7 +36,9 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
     let fastest = 2.0 / run.record.stable_step;
     let mut watch = watch(&mut *run.progress);
     let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
-    if matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. })) {
+    let floats =
+        matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. }));
+    if floats {
         for shift in SHIFTS {
             spectrum = natural_modes(system, 0.0, count, -shift * fastest * fastest, &mut watch);
             if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
@@ -49,6 +51,15 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
+    let unstable = modes.iter().filter(|mode| mode.eigenvalue < 0.0).count();
+    if unstable > 0 && !floats {
+        let message = format!(
+            "the state that vibrates is not stable: of the modes found {unstable} have a square of the frequency below zero, least {:.3e}, and \
+             stand in the curve with the frequency 0; lower the stress or the preload, or look for the critical one with [analysis.buckling]",
+            modes.iter().map(|mode| mode.eigenvalue).fold(0.0, f64::min)
+        );
+        run.record.warn(Doubt::Unstable, message);
+    }
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
         run.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU, mode.residual]);

@@ -15,6 +15,8 @@ pub(crate) struct PointAtRest {
     pub section: [f64; 2],
     /// Area \[L²\].
     pub area: f64,
+    /// Resultants of the unstrained point, as in [`sph_shell::PointSection`].
+    pub initial: [f64; 6],
 }
 
 /// Points at which a column is measured.
@@ -32,7 +34,7 @@ impl Sampled {
     }
 
     fn value(&self, point: &PointAtRest, numbers: &[f64; POINT_NUMBERS]) -> f64 {
-        let PointAtRest { along: [a, b], section, area } = *point;
+        let PointAtRest { along: [a, b], section, area, initial } = *point;
         let three = |first: usize| [numbers[first], numbers[first + 1], numbers[first + 2]];
         let (force, moment) = (three(8), three(11));
         let along = |[t11, t22, t12]: [f64; 3]| a * a * t11 + b * b * t22 + 2.0 * a * b * t12;
@@ -45,7 +47,12 @@ impl Sampled {
             (Measured::MembraneForce, _) => along(force),
             (Measured::BendingMoment, _) => along(moment),
             (Measured::ShearForce, _) => a * numbers[14] + b * numbers[15],
-            _ => 0.5 * area * (0..8).map(|i| numbers[i] * numbers[8 + i]).sum::<f64>(),
+            // N₀·e + M₀·κ and half of what the others do; counted from the unstrained point.
+            _ => {
+                let work: f64 = (0..8).map(|i| numbers[i] * numbers[8 + i]).sum();
+                let more: f64 = (0..6).map(|i| numbers[i] * initial[i]).sum();
+                0.5 * area * (work + more)
+            }
         }
     }
 }

@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 44] = [
+const TEMPLATES: [(&str, &str); 46] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -79,6 +79,7 @@ const TEMPLATES: [(&str, &str); 44] = [
     ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
     ("plate-solid", include_str!("../../../scenes/plate-solid.toml")),
     ("pulled-strip", include_str!("../../../scenes/pulled-strip.toml")),
+    ("relieved-strip", include_str!("../../../scenes/relieved-strip.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
@@ -88,6 +89,7 @@ const TEMPLATES: [(&str, &str); 44] = [
     ("stiffened-panel-abaqus", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.toml")),
     ("stiffened-panel-gmsh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml")),
     ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
+    ("tensioned-plate", include_str!("../../../scenes/tensioned-plate.toml")),
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
     ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
     ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),

@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, suggest};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 21] = [
+const WORDS: [&str; 22] = [
     "title",
     "units",
     "geometry",
@@ -22,6 +22,7 @@ const WORDS: [&str; 21] = [
     "masses",
     "ties",
     "rigid",
+    "initial_stress",
     "formulation",
     "velocity",
     "placed",

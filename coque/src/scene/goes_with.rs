@@ -1,4 +1,4 @@
-//! Which support, load and velocity goes with which analysis: small scenes of each, read and built.
+//! Which support, load, initial stress and velocity goes with which analysis: small scenes of each, read and built.
 
 use super::analysis_kind::{ANALYSES, AnalysisKind};
 use super::problem::Scene;
@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 29] = [
+const ROWS: [(&str, &str, &str); 31] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -49,6 +49,8 @@ const ROWS: [(&str, &str, &str); 29] = [
         "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }, preload = true",
     ),
     ("`preload` of a load", "preload", "on = 'u1', force = { total = [0, 0, 1] }, preload = true"),
+    ("`initial_stress`", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
+    ("`initial_stress`, nothing beside it", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
@@ -95,7 +97,7 @@ pub(super) fn goes_with() -> String {
         let cell = |kind: &AnalysisKind| {
             let plain = builds(kind, name, table, says);
             let in_time = || {
-                table != "velocity"
+                !["velocity", "initial_stress"].contains(&table)
                     && builds(kind, name, table, &format!("{says}, amplitude = {{ ramp = 1 }}"))
             };
             match () {
@@ -128,14 +130,17 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     };
     let mut supports = vec![format!("{{ on = '{held}', clamped = {{}} }}")];
     let mut loads = Vec::new();
-    let mut velocity = String::new();
+    let mut own = String::new();
     match table {
         "supports" => supports.push(format!("{{ {says} }}")),
         "loads" | "preload" => loads.push(format!("{{ {says} }}")),
-        _ if of_solid => velocity = format!("bodies.block.solid.velocity = {{ {says} }}"),
-        _ => velocity = format!("velocity = {{ {says} }}"),
+        "initial_stress" => own = format!("initial_stress = [{{ {says} }}]"),
+        _ if of_solid => own = format!("bodies.block.solid.velocity = {{ {says} }}"),
+        _ => own = format!("velocity = {{ {says} }}"),
     }
-    let alone = table == "loads" || (name.starts_with("`moved`") && !name.ends_with("beside a load"));
+    let alone = table == "loads"
+        || name.ends_with("stress`, nothing beside it")
+        || (name.starts_with("`moved`") && !name.ends_with("beside a load"));
     if !alone {
         loads.push(format!("{{ on = '{loaded}', force = {{ total = [0, 0, 1] }} }}"));
     }
@@ -151,7 +156,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         {sets}
         supports = [{}]
         loads = [{}]
-        {velocity}",
+        {own}",
         kind.word,
         supports.join(", "),
         loads.join(", ")

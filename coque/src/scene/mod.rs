@@ -54,12 +54,13 @@ pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm}
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
+pub use shell::initial_stress::InitialStress;
 pub(crate) use shell::material::MaterialSection;
 pub use shell::material::{
     Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
 };
 pub use shell::mesh::Mesh;
-pub use shell::parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
+pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

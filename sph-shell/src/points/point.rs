@@ -6,7 +6,7 @@ use std::any::Any;
 
 use shell_kinematics::{
     IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
-    SectionPack, StrainMeasure, Strains, StrainsOf, StretchCorrected,
+    StrainMeasure, Strains, StrainsOf, StretchCorrected,
 };
 
 use crate::control::arcs::ArcPack;
@@ -53,7 +53,9 @@ pub(crate) struct Point<'a, R = Baseline> {
     pub arcs: Option<&'a ArcPack>,
     pub cell: Option<&'a CellPack>,
     /// Their sections, where not all points have the same.
-    pub section: Option<&'a SectionPack>,
+    pub section: Option<&'a dyn Section>,
+    /// Their strain measures, where not all points have the same.
+    pub strain: Option<&'a dyn StrainMeasure>,
 }
 
 /// Four points in a state: from their vectors to their strains.
@@ -104,14 +106,15 @@ impl<'a> Point<'a> {
             arcs: None,
             cell: None,
             section: None,
+            strain: None,
         }
     }
 
     /// The same points in other registers.
     #[inline(always)]
     pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
-        let Self { place, pack, particles, entries, shear, arcs, cell, section, .. } = self;
-        Point { registers, place, pack, particles, entries, shear, arcs, cell, section }
+        let Self { place, pack, particles, entries, shear, arcs, cell, section, strain, .. } = self;
+        Point { registers, place, pack, particles, entries, shear, arcs, cell, section, strain }
     }
 }
 

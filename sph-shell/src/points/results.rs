@@ -38,7 +38,7 @@ impl Shell {
 
     /// The section of four points.
     pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
-        point.section.map_or(&*self.section, |own| own)
+        point.section.unwrap_or(&*self.section)
     }
 
     /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of
@@ -48,7 +48,7 @@ impl Shell {
         for (index, points) in self.points.packs.order.iter().enumerate() {
             let point = self.points.point(index);
             let PointState { placement: p, strains, .. } =
-                point.strained::<true, _>(self.strain, &self.state);
+                point.strained::<true, _>(point.strain.unwrap_or(self.strain), &self.state);
             let stress = self.section_of(&point).resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{LANES, SectionPack};
+use shell_kinematics::{LANES, Section, SectionPack, StrainPack, StressedPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -23,8 +23,40 @@ pub(crate) struct Points {
     /// Shear on uneven stencils; empty on lattices of developable surfaces.
     pub shear: Vec<ShearPack>,
     pub scheme: Scheme,
-    /// Sections of each pack; empty if all points have the same.
-    pub sections: Vec<SectionPack>,
+    pub sections: Sections,
+    /// Strain measures of each pack; empty if all points have the same.
+    pub strains: Vec<StrainPack>,
+}
+
+/// Sections of each pack.
+#[derive(Clone, Debug)]
+pub(crate) enum Sections {
+    /// None: all points have that of the shell.
+    One,
+    /// Those of its points.
+    Own(Vec<SectionPack>),
+    /// The same, under stress before they are strained.
+    Stressed(Vec<StressedPack>),
+}
+
+impl Sections {
+    /// Those of a pack, where it has its own.
+    #[inline(always)]
+    pub fn get(&self, pack: usize) -> Option<&dyn Section> {
+        match self {
+            Self::One => None,
+            Self::Own(packs) => packs.get(pack).map(|own| own as _),
+            Self::Stressed(packs) => packs.get(pack).map(|own| own as _),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::One => 0,
+            Self::Own(packs) => size_of_val(&packs[..]),
+            Self::Stressed(packs) => size_of_val(&packs[..]),
+        }
+    }
 }
 
 /// What a formulation does beside the strains of its points.
@@ -108,7 +140,7 @@ impl Points {
         if let Scheme::Cells { arcs, .. } = &mut scheme {
             (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section);
         }
-        Ok((Self { packs, shear, scheme, sections: Vec::new() }, loss))
+        Ok((Self { packs, shear, scheme, sections: Sections::One, strains: Vec::new() }, loss))
     }
 
     /// The points of a pack, with what corrects their strains.
@@ -123,6 +155,7 @@ impl Points {
             arcs,
             cell,
             section: self.sections.get(index),
+            strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
         }
     }
@@ -154,7 +187,10 @@ impl Points {
 
     /// Bytes of all that a step touches.
     pub fn bytes(&self) -> usize {
-        let layout = self.packs.bytes() + size_of_val(&self.shear[..]) + size_of_val(&self.sections[..]);
+        let layout = self.packs.bytes()
+            + size_of_val(&self.shear[..])
+            + self.sections.bytes()
+            + size_of_val(&self.strains[..]);
         let scheme = match &self.scheme {
             Scheme::Cells { control, arcs, .. } => control.bytes() + size_of_val(&arcs[..]),
             Scheme::Wide { control, lists, .. } => control.bytes() + lists.bytes(),

@@ -3,13 +3,13 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{LANES, Pack3, SectionOf, StrainsOf, StretchCorrected};
+use shell_kinematics::{LANES, Pack, Pack3, SectionOf, StrainMeasure, StrainsOf, StretchCorrected};
 
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
 use crate::packs::{Packs, PointPack, Row};
 use crate::points::point::{Point, PointForces, PointLaw, signed};
-use crate::points::scheme::Points;
+use crate::points::scheme::{Points, Sections};
 use crate::registers::{Baseline, Registers};
 
 /// Packs under which a sweep is not split further between threads.
@@ -52,8 +52,10 @@ impl<'a> Sweep<'a> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
-        if !self.points.sections.is_empty() {
-            return self.cells_of_sections(packs, ring, energies);
+        match &self.points.sections {
+            Sections::One => {}
+            Sections::Own(own) => return self.cells_of_sections(own, packs, ring, energies),
+            Sections::Stressed(own) => return self.cells_of_sections(own, packs, ring, energies),
         }
         match (self.law.default_pair(), self.energy) {
             (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
@@ -64,10 +66,19 @@ impl<'a> Sweep<'a> {
 
     /// Packs with sections of their own, one after the other.
     #[inline(always)]
-    fn cells_of_sections(&self, packs: Range<usize>, ring: &mut Ring, energies: &mut [f64]) {
+    fn cells_of_sections<S: SectionOf<Pack>>(
+        &self,
+        sections: &[S],
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        if !self.points.strains.is_empty() {
+            return self.cells_of_strains(sections, packs, ring, energies);
+        }
         let strain = (self.law.strain as &dyn Any).downcast_ref::<StretchCorrected>();
         for (index, energy) in packs.zip(energies) {
-            let (pack, section) = (index..index + 1, &self.points.sections[index]);
+            let (pack, section) = (index..index + 1, &sections[index]);
             let energy = std::slice::from_mut(energy);
             match (strain, self.energy) {
                 (Some(strain), false) => {
@@ -81,6 +92,25 @@ impl<'a> Sweep<'a> {
                     let law = PointLaw { strain: self.law.strain, section };
                     self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
                 }
+            }
+        }
+    }
+
+    /// The same with strain measures of their own.
+    fn cells_of_strains<S: SectionOf<Pack>>(
+        &self,
+        sections: &[S],
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        for (index, energy) in packs.zip(energies) {
+            let strain: &dyn StrainMeasure = &self.points.strains[index];
+            let law = PointLaw { strain, section: &sections[index] };
+            let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
+            match self.energy {
+                false => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
+                true => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
             }
         }
     }

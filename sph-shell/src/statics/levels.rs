@@ -26,6 +26,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Puts prescribed values where a level has them.
     pub(super) fn put(&mut self, level: f64) {
         let shell = &mut *self.shell;
+        shell.put_stress(level);
         for &a in &self.moved {
             let number = shell.constraint_of[a as usize] as usize - 1;
             if let Some(told) = shell.constraints[number].told() {
@@ -76,6 +77,17 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         }
         rows
+    }
+
+    /// Takes what a unit of level adds to the forces of the initial stress along the unknowns.
+    pub(super) fn subtract_stress_rate(&mut self, level: f64, out: &mut [f64]) {
+        if self.shell.case != self.shell.stress_case || !self.shell.is_stressed() {
+            return;
+        }
+        let rows = self.shell.forces_of_stress(level);
+        let mut rate = vec![0.0; out.len()];
+        self.project(|a| rows[a], &mut rate);
+        out.iter_mut().zip(&rate).for_each(|(sum, part)| *sum -= part);
     }
 
     pub(super) fn external_at(&mut self, level: f64) {

@@ -101,7 +101,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     }
 
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
-    fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
+    pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
             let (row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
             match self.carried.get(a) {
@@ -198,11 +198,12 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         if self.moved.is_empty() {
             self.shell.evaluate_load_rate();
             self.project(|a| self.shell.external_force(a), out);
-            return self.add_body_loads(out);
+        } else {
+            let rows = self.level_rates(level);
+            self.project(|a| rows[a], out);
         }
-        let rows = self.level_rates(level);
-        self.project(|a| rows[a], out);
         self.add_body_loads(out);
+        self.subtract_stress_rate(level, out);
     }
 
     fn held_values_move(&self) -> bool {

@@ -96,9 +96,10 @@ impl Assembly<'_> {
         let mut stencil = Stencil::default();
         for index in (0..self.shell.points.packs.points.len()).filter(|&i| self.pattern.touches(i, rows)) {
             let point = self.shell.points.point(index);
-            let tangent = match point.section {
-                Some(section) => self.point_tangent(&point, PointLaw { strain: law.strain, section }),
-                None => self.point_tangent(&point, law),
+            let tangent = match (point.section, point.strain) {
+                (Some(section), Some(strain)) => self.point_tangent(&point, PointLaw { strain, section }),
+                (Some(section), None) => self.point_tangent(&point, PointLaw { strain: law.strain, section }),
+                (None, _) => self.point_tangent(&point, law),
             };
             stencil.take(&point);
             scatter(&tangent, &stencil, self.pattern.targets(index), first, blocks);

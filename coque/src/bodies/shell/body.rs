@@ -9,6 +9,7 @@ use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 use super::doubts::between_lines;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
+use super::stress::unbalanced;
 use crate::bodies::body::{Balanced, Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{Evaluated, Resultant, Shown};
@@ -135,7 +136,7 @@ impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
     }
 
     fn begin_preload(&mut self) -> bool {
-        let any = self.has_preload();
+        let any = self.has_preload() || !self.stress_counted_by_level() && unbalanced(self);
         if any {
             self.set_case(LoadCase::Preload);
         }

@@ -41,7 +41,8 @@ impl Scene {
             shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
         }
         let description = describe(self, &shell, surface.as_ref(), said);
-        let warnings = doubts_of(self, turn, &shell);
+        let mut warnings = doubts_of(self, turn, &shell);
+        warnings.extend(self.doubt_of_start(&mut shell));
         let cloud = &shell.reference().cloud;
         let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
         let judge = move |cells: &[Cell], shapes: &[Shape]| doubts_of_shapes(cells, loss, area, shapes);
@@ -109,7 +110,7 @@ impl Scene {
         let parts = Parts {
             cloud,
             section: sections.base,
-            strain: builder.strain()?,
+            strain: sections.strain,
             material_axis: sections.axis,
             density: sections.density,
             formulation: builder.formulation(),
@@ -124,6 +125,7 @@ impl Scene {
         shell.spring(springs).map_err(|e| builder.refusal(&e))?;
         shell.rigid(&rigid).map_err(|e| builder.refusal(&e))?;
         builder.refuse_coupled(&rigid, &shell)?;
+        builder.stress(&cells, &mut shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;
         self.refuse_freedoms(shell.freedoms())?;

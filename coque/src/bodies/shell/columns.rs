@@ -71,8 +71,9 @@ impl Builder<'_> {
                 }
                 along = [a / size, b / size];
             }
+            let initial = section.initial;
             let section = [section.thickness, section.height];
-            Ok(PointAtRest { along, section, area: point.weight })
+            Ok(PointAtRest { along, section, area: point.weight, initial })
         };
         let points = points.iter().map(at_rest).collect::<Result<_, SceneError>>()?;
         Ok(Sampled { of: column.of, face: column.face, points })

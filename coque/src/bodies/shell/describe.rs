@@ -96,6 +96,13 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
         true => format!("{} rigid, with a mass of {}", body.on, body.mass),
         false => format!("{} rigid", body.on),
     }));
+    let course = match () {
+        () if scene.stress_drives() => "counted by the level",
+        () if scene.analysis.kind().passes_time => "let go at the start",
+        () => "balanced before the analysis",
+    };
+    let stresses = &scene.shell().initial_stress;
+    modelled.extend(stresses.iter().map(|stress| format!("initial stress of {}, {course}", stress.on)));
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| line(word, &support.on, support.preload)));
     }

@@ -2,6 +2,7 @@
 
 use shell_kinematics::{
     IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply, Section,
+    StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -112,11 +113,16 @@ impl Builder<'_> {
         }
     }
 
-    pub(crate) fn strain(&self) -> Result<&'static dyn shell_kinematics::StrainMeasure, SceneError> {
-        let name = self.scene.shell().formulation.curvature();
-        let path = format!("formulation.{}.curvature", self.scene.shell().formulation.word());
-        shell_kinematics::strain_measure(name)
-            .ok_or_else(|| self.scene.body_error(&path, &format!("no strain measure is called {name}")))
+    /// The strain measure of a shell, or of one of its parts, whose keys stand below `s`.
+    pub(crate) fn strain(
+        &self,
+        shell: &scene::ShellScene,
+        s: &Scope<'_>,
+    ) -> Result<&'static dyn StrainMeasure, SceneError> {
+        let name = shell.formulation.curvature();
+        let path = s.path(&format!("formulation.{}.curvature", shell.formulation.word()));
+        let unknown = || self.scene.model_error(&path, &format!("no strain measure is called {name}"));
+        shell_kinematics::strain_measure(name).ok_or_else(unknown)
     }
 
     pub(crate) fn formulation(&self) -> Formulation {

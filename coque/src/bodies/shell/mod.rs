@@ -18,5 +18,6 @@ mod places;
 mod refusal;
 mod rigid;
 mod sections;
+mod stress;
 mod thickness;
 mod velocity;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use shell_kinematics::StrainMeasure;
 use sph_core::{Cloud, Vec3};
 use sph_shell::Region;
 
@@ -23,6 +24,7 @@ struct Alike {
     density: f64,
     height: f64,
     axis: Option<Vec3>,
+    strain: &'static dyn StrainMeasure,
 }
 
 impl Builder<'_> {
@@ -45,6 +47,7 @@ impl Builder<'_> {
                 base,
                 density,
                 axis,
+                strain: self.strain(shell, &scope)?,
                 regions: Vec::new(),
                 areal: Vec::new(),
                 said: Vec::new(),
@@ -56,7 +59,10 @@ impl Builder<'_> {
         for (i, part) in shell.parts.iter().enumerate() {
             let (at, cells) = (scope.below(&format!("parts[{i}]")), std::mem::take(&mut own[i + 1]));
             let found = self.alike(&shell.in_part(i), &at, cells, cloud, imported)?;
-            said.extend(described(&part.on, part.offset, &found));
+            let curvature = part.formulation.as_ref().and_then(|own| own.curvature());
+            let curvature = curvature.map(|name| format!(", {name} curvature"));
+            let lines = described(&part.on, part.offset, &found).into_iter();
+            said.extend(lines.map(|line| line + curvature.as_deref().unwrap_or_default()));
             all.extend(found.into_iter().map(|alike| Alike { height: alike.height + part.offset, ..alike }));
         }
         let rest = std::mem::take(&mut own[0]);
@@ -75,15 +81,17 @@ impl Builder<'_> {
         let on_particles = all.iter().enumerate().filter(|(_, alike)| alike.height == 0.0);
         let most = on_particles.max_by_key(|(i, alike)| (alike.cells.len(), usize::MAX - i)).map(|(i, _)| i);
         let first = &all[most.unwrap_or_default()];
-        let (base, density, axis) = (self.section(&first.stuff, &scope)?, first.density, first.axis);
+        let (base, density, axis, strain) =
+            (self.section(&first.stuff, &scope)?, first.density, first.axis, first.strain);
         if let Some(most) = most {
             all.remove(most);
         }
-        let region = |Alike { cells, stuff, density, height, axis, .. }: Alike| {
-            Ok(Region { cells, section: self.section(&stuff, &scope)?, density, height, axis })
+        let region = |Alike { cells, stuff, density, height, axis, strain, .. }: Alike| {
+            let section = self.section(&stuff, &scope)?;
+            Ok(Region { cells, section, density, height, axis, strain: Some(strain) })
         };
         let regions = all.into_iter().map(region).collect::<Result<_, SceneError>>()?;
-        Ok(Sections { base, density, axis, regions, areal, said })
+        Ok(Sections { base, density, axis, strain, regions, areal, said })
     }
 
     /// Cells of no part, then those of each part.
@@ -131,6 +139,7 @@ impl Builder<'_> {
     ) -> Result<Vec<Alike>, SceneError> {
         let density = shell.material.density().unwrap_or_default();
         let axis = self.material_axis(&shell.section);
+        let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
             MaterialSection::Homogeneous(_, section)
@@ -145,12 +154,13 @@ impl Builder<'_> {
                     density,
                     height: 0.0,
                     axis,
+                    strain,
                 };
                 Ok(cells.into_iter().zip(thickness).map(one).collect())
             }
             _ => {
                 let stuff = self.stuff(shell, at)?;
-                Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis }])
+                Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis, strain }])
             }
         }
     }
@@ -185,6 +195,7 @@ impl Builder<'_> {
             }
         }
         let mut all = Vec::new();
+        let strain = self.strain(shell, at)?;
         for cells in of_sections.into_values() {
             let Some((_, given, material)) = found(cells[0]) else { continue };
             let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
@@ -210,7 +221,7 @@ impl Builder<'_> {
             let stuff = Stuff::isotropic(moduli, thickness, gauss_points);
             let stuff = stuff.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
             let (group, height) = (Some(given.group.clone()), given.offset * thickness);
-            all.push(Alike { group, cells, stuff, density, height, axis: None });
+            all.push(Alike { group, cells, stuff, density, height, axis: None, strain });
         }
         Ok(all)
     }

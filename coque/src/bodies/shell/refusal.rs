@@ -63,6 +63,8 @@ impl Builder<'_> {
             | ShellError::RigidHangs { .. }
             | ShellError::RigidInPart { .. } => of_body("rigid"),
             ShellError::TwoRegions { .. } => of_body("parts"),
+            ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
+            ShellError::StressOfWideStencils => of_body("initial_stress"),
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. } => "supports".into(),
             ShellError::RegionsWithoutCells => of_body("formulation"),

@@ -1,6 +1,6 @@
 //! What the cells of a shell are made of: one section for most, others for those that differ.
 
-use shell_kinematics::Section;
+use shell_kinematics::{Section, StrainMeasure};
 use sph_core::Vec3;
 use sph_shell::Region;
 
@@ -12,6 +12,8 @@ pub(crate) struct Sections {
     pub density: f64,
     /// Its first axis.
     pub axis: Option<Vec3>,
+    /// Its strain measure.
+    pub strain: &'static dyn StrainMeasure,
     /// The others.
     pub regions: Vec<Region>,
     /// Mass by area of each cell \[M/L²\]; none where all are alike.

@@ -9,7 +9,10 @@ use crate::scene::statics::Prebuckling;
 impl Scene {
     /// Whether anything is applied before the analysis.
     pub(crate) fn has_preload(&self) -> bool {
-        self.loads.iter().any(|load| load.preload) || self.supports.iter().any(|support| support.preload)
+        let stressed = self.as_shell().is_some_and(|shell| !shell.initial_stress.is_empty());
+        let applied =
+            self.loads.iter().any(|load| load.preload) || self.supports.iter().any(|support| support.preload);
+        applied || stressed && self.analysis.kind().preloads && !self.stress_drives()
     }
 
     /// Refuses a preload where nothing could apply or hold it.

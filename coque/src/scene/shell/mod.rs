@@ -2,6 +2,7 @@
 
 pub(crate) mod formulation;
 pub(crate) mod geometry;
+pub(crate) mod initial_stress;
 pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
@@ -11,6 +12,7 @@ use serde::Deserialize;
 
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
+use initial_stress::InitialStress;
 use material::{Material, Section};
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
 
@@ -40,6 +42,9 @@ pub struct ShellScene {
     /// Sets that move as one rigid body each.
     #[serde(default)]
     pub rigid: Vec<RigidBody>,
+    /// Stresses of cells before anything is strained.
+    #[serde(default)]
+    pub initial_stress: Vec<InitialStress>,
     /// The particle method; left out, `stress-point`.
     #[serde(default)]
     pub formulation: Formulation,
@@ -70,7 +75,7 @@ impl ShellScene {
     }
 
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 11] = [
+    pub(crate) const WORDS: [&'static str; 12] = [
         "geometry",
         "orientation",
         "material",
@@ -79,6 +84,7 @@ impl ShellScene {
         "masses",
         "ties",
         "rigid",
+        "initial_stress",
         "formulation",
         "placed",
         "velocity",

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use super::material::{Material, Section};
 use crate::scene::per_axis::PerAxis;
@@ -19,6 +20,51 @@ pub struct ShellPart {
     /// Height of the middle of its thickness over the particles, along their normals \[L\].
     #[serde(default)]
     pub offset: f64,
+    /// What of the particle method belongs to its cells alone; stencils are one a shell.
+    pub formulation: Option<PartFormulation>,
+}
+
+/// The particle method of a part; what a shell has one of is read to be refused with its reason.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct PartFormulation {
+    /// Strains at one point per cell.
+    pub stress_point: Option<PartStressPoint>,
+    #[schemars(skip)]
+    pub(crate) nodal: Option<IgnoredAny>,
+    #[schemars(skip)]
+    pub(crate) strong_form: Option<IgnoredAny>,
+}
+
+/// Options of a part's sampling points.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartStressPoint {
+    /// Measure of the curvature; left out, that of the shell.
+    pub curvature: Option<String>,
+    #[schemars(skip)]
+    pub(crate) support: Option<IgnoredAny>,
+    #[schemars(skip)]
+    pub(crate) kernel: Option<IgnoredAny>,
+}
+
+impl PartFormulation {
+    /// Measure of the curvature, where the part has its own.
+    pub(crate) fn curvature(&self) -> Option<&str> {
+        self.stress_point.as_ref()?.curvature.as_deref()
+    }
+
+    /// The first key of what only a whole shell has.
+    pub(crate) fn of_whole_shell(&self) -> Option<&'static str> {
+        let point = self.stress_point.as_ref();
+        let given = [
+            (self.nodal.is_some(), "nodal"),
+            (self.strong_form.is_some(), "strong-form"),
+            (point.is_some_and(|point| point.support.is_some()), "stress-point.support"),
+            (point.is_some_and(|point| point.kernel.is_some()), "stress-point.kernel"),
+        ];
+        given.into_iter().find(|(given, _)| *given).map(|(_, key)| key)
+    }
 }
 
 /// A mass lumped at the particles of a set, such as that of an engine on its feet.

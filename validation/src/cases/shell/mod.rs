@@ -10,6 +10,7 @@ pub mod hemisphere;
 pub mod hemisphere_large;
 mod hook;
 mod i_beams;
+mod initial_stress;
 mod junctions;
 pub mod open_cylinder;
 pub mod panel;
@@ -50,7 +51,10 @@ pub fn all() -> Vec<Case> {
         "Frames and sections",
         [junctions::case(), i_beams::case(), hook::case(), tubes::case(), bracket::case(), heavy_end::case()],
     ));
-    cases.extend(family("Plates", [plate::case(), plate_frequencies::case(), stepped_plate::case()]));
+    cases.extend(family(
+        "Plates",
+        [plate::case(), plate_frequencies::case(), stepped_plate::case(), initial_stress::case()],
+    ));
     cases.extend(family(
         "Stability of shells",
         [buckling::case(), shortened::case(), clamped_cap::case(), external_pressure::case()],

@@ -2,6 +2,7 @@
 
 mod formulation;
 mod geometry;
+mod initial_stress;
 mod material;
 mod parts;
 mod placed;

@@ -6,7 +6,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
-use crate::scene::shell::parts::{LumpedMass, ShellTie};
+use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
 
 type Checked = Result<(), SceneError>;
 
@@ -42,10 +42,28 @@ impl ShellScene {
         if let Some(part) = self.parts.get(number) {
             own.material = part.material.clone().unwrap_or(own.material);
             own.section = part.section.clone().unwrap_or(own.section);
+            let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
+            if let (Formulation::StressPoint(points), Some(curvature)) = (&mut own.formulation, curvature) {
+                points.curvature = curvature.into();
+            }
         }
         own.parts = Vec::new();
         own
     }
+}
+
+/// A part has the curvature of its cells for itself; stencils tie particles across its border.
+fn check_formulation_of_part(formulation: &PartFormulation, own: &Scope<'_>) -> Checked {
+    if let Some(key) = formulation.of_whole_shell() {
+        let bound = "none in a part: it makes the neighbours of a particle, which has one list of them on both sides of a border";
+        let repair =
+            "give the part formulation.stress-point.curvature alone, or the whole shell its sampling";
+        let fault = own.fault(&format!("formulation.{key}"), "a sampling of its own", bound, repair);
+        return Err(SceneError::Choice(fault));
+    }
+    let measures = shell_kinematics::strain_measures().map(|measure| measure.name());
+    let curvature = formulation.curvature().unwrap_or(measures[0]);
+    own.word("formulation.stress-point.curvature", curvature, &measures)
 }
 
 impl Scene {
@@ -58,6 +76,7 @@ impl Scene {
         }
         self.check_ties(shell, s)?;
         self.check_rigid(shell, s)?;
+        self.check_initial_stress(shell, s)?;
         if !shell.has_parts() {
             return Ok(());
         }
@@ -75,9 +94,15 @@ impl Scene {
         for (i, part) in shell.parts.iter().enumerate() {
             let own = s.below(&format!("parts[{i}]"));
             self.check_set_name(&own.path("on"), &part.on)?;
-            if part.material.is_none() && part.section.is_none() && part.offset == 0.0 {
-                let repair = "give the part a material, a section or an offset, or remove it";
-                let (path, bound) = (format!("parts[{i}]"), "`material`, `section` or `offset`");
+            if let Some(formulation) = &part.formulation {
+                check_formulation_of_part(formulation, &own)?;
+            }
+            let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
+            let nothing = part.material.is_none() && part.section.is_none() && curvature.is_none();
+            if nothing && part.offset == 0.0 {
+                let repair = "give the part a material, a section, an offset or a formulation, or remove it";
+                let (path, bound) =
+                    (format!("parts[{i}]"), "`material`, `section`, `offset` or `formulation`");
                 return Err(SceneError::Choice(s.fault(&path, "nothing of its own", bound, repair)));
             }
             own.sized("offset", part.offset)?;
