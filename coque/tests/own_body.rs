@@ -53,7 +53,7 @@ fn every_analysis_finds_the_stretched_chain() {
     for (name, analysis, bound) in [
         ("static", statics, 1e-12),
         ("relaxation", Analysis::Relaxation(relaxed), 1e-6),
-        ("linear", Analysis::Linear(Linear {}), 1e-9),
+        ("linear", Analysis::Linear(Linear::default()), 1e-9),
         ("march", transient(), 1e-4),
     ] {
         let outcome = model(analysis).run(&mut Silent);

@@ -6,14 +6,16 @@
 //! | `iteration` | one Newton iteration of a hinged panel: forces, tangent, factor, solve |
 //! | `panel` | the panel pushed in through its limit point in LEVELS levels |
 //! | `linear` | a linear answer of a clamped plate, with the peak of memory |
+//! | `iterated` | the same by conjugate gradients |
 //! | `modes`, `buckling` | ten modes, ten buckling loads of that plate |
 
 use std::ops::ControlFlow;
 
 use explicit_dynamics::Amplitude;
 use implicit_statics::{
-    BucklingOptions, Control, CriticalOptions, Equilibrium, Newton, NewtonOptions, PathOptions, Start,
-    SymmetricSolver, linear_buckling, linear_response, natural_modes, unwatched,
+    BucklingOptions, ConjugateOptions, Control, CriticalOptions, Equilibrium, Newton, NewtonOptions,
+    PathOptions, Start, SymmetricSolver, conjugate_response, linear_buckling, linear_response, natural_modes,
+    unwatched,
 };
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, Cylinder, EndWeights, Plate, Side, Vec3, lattice};
@@ -151,9 +153,16 @@ fn through(side: usize, levels: usize) {
     println!("{iterations} iterations, largest force {largest:.12e}, last {:.12e}", loads[levels - 1]);
 }
 
-fn linear(side: usize) {
+fn linear(side: usize, iterated: bool) {
     let mut body = timed("body", || plate(side));
-    let answer = timed("answer", || linear_response(&mut body, 0.0).expect("regular"));
+    let answer = timed("answer", || {
+        if !iterated {
+            return linear_response(&mut body, 0.0).expect("regular");
+        }
+        let found = conjugate_response(&mut body, 0.0, &ConjugateOptions::default()).expect("convergence");
+        println!("{} iterations, unknowns of the levels {:?}", found.iterations, found.levels);
+        found.response
+    });
     let largest = answer.iter().copied().fold(0.0, f64::max);
     println!("{} unknowns, largest {largest:.12e}", answer.len());
     let status = std::fs::read_to_string("/proc/self/status").expect("Linux");
@@ -184,13 +193,15 @@ fn main() {
     match arguments.first().map(String::as_str) {
         Some("iteration") => iteration(number(1, 21)),
         Some("panel") => through(number(1, 21), number(2, 60)),
-        Some("linear") => linear(number(1, 100)),
+        Some("linear") => linear(number(1, 100), false),
+        Some("iterated") => linear(number(1, 100), true),
         Some("modes") => modes(number(1, 50)),
         Some("buckling") => buckling(number(1, 50)),
         _ => {
             iteration(21);
             through(21, 60);
-            linear(50);
+            linear(50, false);
+            linear(50, true);
             modes(30);
             buckling(30);
         }

@@ -22,7 +22,7 @@ pub struct Static {
 }
 
 /// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Linear {
     /// How the tangent is solved.
