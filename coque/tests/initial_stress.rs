@@ -108,6 +108,27 @@ fn patterns_among_the_modes_are_told() {
     assert!(doubts(&done(run("tensioned-plate.toml", &[thin, modes("10")]))).is_empty());
     let told = done(run("tensioned-plate.toml", &[thin, modes("20")]));
     assert_eq!(doubts(&told), [Doubt::PatternModes]);
+    // The same mean tension by a motion of one edge, the others free to slide along it.
+    let sliding = "[[0, 1, 0], [0, 0, 1]]";
+    let pulled = |count: &'static str| {
+        done(run(
+            "tensioned-plate.toml",
+            &[
+                thin,
+                modes(count),
+                ("initial_stress", "[]"),
+                ("supports[1].held.displacement", sliding),
+                ("supports[2].held.displacement", sliding),
+                ("supports[3].held.displacement", sliding),
+                (
+                    "supports[+]",
+                    "{ on = \"u1\", moved = { direction = [1, 0, 0], by = 2.25e-4 }, preload = true }",
+                ),
+            ],
+        ))
+    };
+    assert!(doubts(&pulled("10")).is_empty());
+    assert_eq!(doubts(&pulled("20")), [Doubt::PatternModes]);
 }
 
 /// A part with a measure of its own is built and said; one over all of a shell is the shell.

@@ -17,6 +17,7 @@ use crate::conditions::case::LoadCase;
 use crate::conditions::spread::check_cells;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
+use crate::points::results::PointResult;
 use crate::points::scheme::Sections;
 use crate::statics::static_shell::StaticShell;
 
@@ -94,15 +95,17 @@ impl Shell {
         !self.stresses.is_empty()
     }
 
-    /// Tension of the unstrained shell, of all directions \[F/L\], and bending stiffness \[F L\], means over its area; none where it is not in
-    /// tension.
+    /// Tension of the present state, of all directions \[F/L\], and bending stiffness \[F L\], means over the area at rest; none where it is
+    /// not in tension.
     pub fn mean_tension(&self) -> Option<[f64; 2]> {
         let points = &self.reference.operator.points;
+        let mut results = vec![PointResult::default(); points.len()];
+        self.point_results(&mut results);
         let mut sums = [0.0; 3];
-        for (p, resultants) in self.stresses.iter().enumerate() {
+        for (p, PointResult { force, .. }) in results.iter().enumerate() {
             let weight = points[p].weight;
             let bending = self.regions.bending(&*self.section, p);
-            let more = [1.0, 0.5 * (resultants[0] + resultants[1]), bending];
+            let more = [1.0, 0.5 * (force[0] + force[1]), bending];
             sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += weight * more);
         }
         let [area, tension, bending] = sums;

@@ -33,6 +33,9 @@ const MOVED: f64 = 0.05;
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     run.record.stable_step = system.stable_step();
+    if run.record.preload.is_some() {
+        run.record.warnings.extend(system.doubtful_modes(count));
+    }
     let fastest = 2.0 / run.record.stable_step;
     let mut watch = watch(&mut *run.progress);
     let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);

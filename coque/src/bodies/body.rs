@@ -101,6 +101,11 @@ pub trait Balanced: Body + Equilibrium {
         0.0
     }
 
+    /// What is doubtful about so many modes of vibration about the state that a preload left.
+    fn doubtful_modes(&self, _count: usize) -> Option<Warning> {
+        None
+    }
+
     /// Begins the preload: levels count what belongs to it, all else is left off. False, and nothing done, where nothing does.
     fn begin_preload(&mut self) -> bool {
         false

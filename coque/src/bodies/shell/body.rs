@@ -6,10 +6,11 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
-use super::doubts::between_lines;
+use super::doubts::{among_preloaded_modes, between_lines};
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::stress::unbalanced;
+use crate::Warning;
 use crate::bodies::body::{Balanced, Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{Evaluated, Resultant, Shown};
@@ -133,6 +134,10 @@ impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
 
     fn skew_load_share(&self) -> f64 {
         StaticShell::skew_load_share(self)
+    }
+
+    fn doubtful_modes(&self, count: usize) -> Option<Warning> {
+        among_preloaded_modes(self.shell(), count)
     }
 
     fn begin_preload(&mut self) -> bool {

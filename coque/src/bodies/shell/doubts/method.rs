@@ -66,7 +66,7 @@ pub(super) fn wide(look: &Look<'_>) -> Option<String> {
 }
 
 /// Mean of |A − A′|/(A + A′) over pairs of neighbouring cells \[–\].
-fn unevenness(look: &Look<'_>) -> f64 {
+pub(super) fn unevenness(look: &Look<'_>) -> f64 {
     let (mut sum, mut pairs) = (0.0, 0_usize);
     let areas = &look.sheet.areas;
     for (c, cells) in look.across.iter().enumerate() {

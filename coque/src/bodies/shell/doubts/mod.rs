@@ -24,6 +24,7 @@ use crate::bodies::Shape;
 use crate::scene::Scene;
 use crate::warning::{Doubt, Warning};
 use look::Look;
+pub(crate) use patterns::among_preloaded_modes;
 use sheet::Sheet;
 pub(crate) use tied::between_lines;
 
