@@ -172,6 +172,14 @@ pub enum ShellError {
         /// The moment \[M L²\].
         least: f64,
     },
+    /// Supports of a rigid set that contradict each other.
+    #[error("the supports of rigid set {set} cannot all be: {what}")]
+    RigidOpposed {
+        /// Number of the set.
+        set: usize,
+        /// Which they are, and the repair.
+        what: &'static str,
+    },
     /// A cell in two regions.
     #[error("cell {cell} lies in two regions; take it out of one of them")]
     TwoRegions {

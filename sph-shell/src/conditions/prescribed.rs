@@ -156,21 +156,32 @@ impl Told<'_> {
     /// Square of the force that brings it about at the director `d`, from `[∂U/∂x, ∂U/∂d]`, turns counted as arcs \[F²\].
     pub fn force(&self, row: &Row, d: &Vec3, arc: f64) -> f64 {
         let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
-        let pull = self.motion.map_or(0.0, |motion| {
-            let along = motion.parts(&self.rest.0).filter_map(|part| part.try_normalize(0.0));
-            along.map(|along| along.dot(&part(0))).reduce(f64::hypot).unwrap_or(0.0)
-        });
+        let pull = self.pull(&part(0));
         let turn = self.rotation.map_or(0.0, |rotation| rotation.axis.cross(d).dot(&part(3)) / arc);
         pull * pull + turn * turn
     }
 
-    /// Derivative of `[x, d]` with respect to the level of the case that is under way, at a level and the director `d` there.
-    pub fn rate(&self, level: f64, d: &Vec3, under_way: LoadCase) -> Row {
+    /// The part of a force along the ways of the motion \[F\].
+    pub fn pull(&self, force: &Vec3) -> f64 {
+        let Some(motion) = self.motion else { return 0.0 };
+        let along = motion.parts(&self.rest.0).filter_map(|part| part.try_normalize(0.0));
+        along.map(|along| along.dot(force)).reduce(f64::hypot).unwrap_or(0.0)
+    }
+
+    /// Derivative of place and rotation with respect to the level of the case that is under way, at a level \[L, rad\].
+    pub fn motion_rate(&self, level: f64, under_way: LoadCase) -> [Vec3; 2] {
         let u = self.motion.map_or(Vec3::zeros(), |motion| motion.rate(&self.rest.0, level, under_way));
         let turning = self.rotation.filter(|rotation| rotation.case == under_way);
-        let w = turning.map_or(Vec3::zeros(), |rotation| {
-            rotation.axis.cross(d) * (rotation.angle * rotation.amplitude.value(0.0))
+        let spin = turning.map_or(Vec3::zeros(), |rotation| {
+            rotation.axis * (rotation.angle * rotation.amplitude.value(0.0))
         });
+        [u, spin]
+    }
+
+    /// Derivative of `[x, d]` with respect to the level of the case that is under way, at a level and the director `d` there.
+    pub fn rate(&self, level: f64, d: &Vec3, under_way: LoadCase) -> Row {
+        let [u, spin] = self.motion_rate(level, under_way);
+        let w = spin.cross(d);
         [u.x, u.y, u.z, w.x, w.y, w.z]
     }
 }

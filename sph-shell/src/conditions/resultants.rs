@@ -71,9 +71,10 @@ impl Shell {
             let force = Vec3::from(force) - Vec3::from(held.free_translation(force));
             let arm = self.position(a) - about;
             if let Some(group) = self.junctions.of(a) {
-                // A group bears a torque, a body about its pole.
+                // A group bears a torque: of the moment about its pole what the force at the reference point of a body leaves.
                 sum.add(group.pole(&self.state) - about, force, Vec3::zeros(), Vec3::zeros());
-                sum.moment += couple - held.free_spin(couple);
+                let swung = group.lever(&self.state).map_or(Vec3::zeros(), |lever| lever.torque(&force));
+                sum.moment += couple - held.free_spin(couple - swung);
                 continue;
             }
             let d = self.director(a);

@@ -1,6 +1,6 @@
 //! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
 
-use explicit_dynamics::{Amplitude, Step};
+use explicit_dynamics::{Amplitude, Instant, Step};
 use sph_core::{Cloud, Vec3};
 
 use crate::conditions::case::LoadCase;
@@ -317,6 +317,22 @@ impl Constraint {
     /// Mean velocity of the prescribed motion over a step \[L/T\].
     pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
         Some(self.motion.as_ref()?.velocity(&self.rest.0, step.from, step.to))
+    }
+
+    /// Where the position at rest is to be, at an instant of the case that is under way \[L\].
+    pub(crate) fn reference_at(&self, at: Instant, under_way: LoadCase) -> Vec3 {
+        let rest = self.rest.0;
+        self.motion.as_ref().map_or(rest, |motion| rest + motion.at(&rest, at, under_way))
+    }
+
+    /// A vector at rest as the prescribed rotation turns it, if there is one.
+    pub(crate) fn turned(&self, rest: &Vec3, at: Instant, under_way: LoadCase) -> Option<Vec3> {
+        Some(self.rotation.as_ref()?.at(rest, at, under_way))
+    }
+
+    /// Orthonormal directions in which the position is held.
+    pub(crate) fn held(&self) -> &[Vec3] {
+        &self.held[..self.count]
     }
 
     /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].

@@ -33,7 +33,10 @@ pub struct StaticShell<S = Box<Shell>> {
 impl StaticShell {
     /// Numbers the free degrees of freedom of a shell. What its supports move goes with the level.
     pub fn new(shell: Shell) -> Self {
-        let moved = (0..shell.len()).filter(|&a| shell.constraint(a).is_some_and(|c| c.told().is_some()));
+        // The first particle of a rigid body stands for all of it.
+        let own = |a: usize| shell.body_of(a).is_none_or(|group| group.first() == a);
+        let told = |a: usize| shell.constraint(a).is_some_and(|c| c.told().is_some());
+        let moved = (0..shell.len()).filter(|&a| told(a) && own(a));
         let moved = moved.map(|a| a as u32).collect();
         Self { moved, ..Self::lent(Box::new(shell)) }
     }
@@ -91,7 +94,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
     fn add_body_loads(&self, out: &mut [f64]) {
         for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
-            let (a, load) = (group.first(), self.shell.body_load(group.first()));
+            let a = group.first();
+            let load = group.along_unknowns(&self.shell.state, self.shell.body_load(a));
             let present = self.basis(a);
             let basis = self.carried.get(a).unwrap_or(&present);
             let mut own = [0.0; 6];
@@ -103,7 +107,10 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            let (row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            let (mut row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            if let Some(group) = self.shell.body_of(a).filter(|group| group.first() == a) {
+                row = group.along_unknowns(&self.shell.state, row);
+            }
             match self.carried.get(a) {
                 Some(basis) => basis.project(&row, out),
                 None => self.basis(a).project(&row, out),
@@ -213,6 +220,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn driving_force(&self) -> f64 {
         let told = |&a: &u32| {
             let a = a as usize;
+            if self.shell.body_of(a).is_some() {
+                return Some(self.shell.force_on_body(a, self.dofs.arc));
+            }
             let told = self.shell.constraint(a)?.told()?;
             Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
         };

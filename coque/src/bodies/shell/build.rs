@@ -124,7 +124,6 @@ impl Scene {
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
         shell.spring(springs).map_err(|e| builder.refusal(&e))?;
         shell.rigid(&rigid).map_err(|e| builder.refusal(&e))?;
-        builder.refuse_coupled(&rigid, &shell)?;
         builder.stress(&cells, &mut shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;

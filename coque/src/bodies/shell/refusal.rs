@@ -57,6 +57,11 @@ impl Builder<'_> {
             &(ShellError::RigidOnALine { set } | ShellError::RigidInertia { set, .. }) => {
                 of_body(&format!("rigid[{set}]"))
             }
+            &ShellError::RigidOpposed { set, .. } => {
+                let on = self.scene.shell().rigid.get(set).map(|body| body.on.as_str());
+                let number = supports().find(|(_, s)| Some(s.on.as_str()) == on && s.motion().is_some());
+                number.map_or("supports".into(), |(i, _)| format!("supports[{i}]"))
+            }
             ShellError::RigidOfWideStencils
             | ShellError::RigidTwice { .. }
             | ShellError::RigidHeld { .. }

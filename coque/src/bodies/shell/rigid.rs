@@ -56,15 +56,17 @@ fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie], rigid: &[RigidSe
 
 /// What the supports of a rigid body hold.
 fn holds_of_body(body: &RigidSet) -> Vec<Hold> {
-    let mut all: Vec<Hold> =
-        body.holds.translations.iter().map(|e| Hold::DisplacementAt(body.at, *e)).collect();
-    match body.holds.director {
-        DirectorHold::Free => {}
-        DirectorHold::InPlane(n) => {
-            let frame = sph_core::Frame::from_normal(n);
-            all.extend([frame.t1, frame.t2].map(Hold::Turn));
+    let mut all = Vec::new();
+    for holds in &body.holds {
+        all.extend(holds.translations.iter().map(|e| Hold::DisplacementAt(body.at, *e)));
+        match holds.director {
+            DirectorHold::Free => {}
+            DirectorHold::InPlane(n) => {
+                let frame = sph_core::Frame::from_normal(n);
+                all.extend([frame.t1, frame.t2].map(Hold::Turn));
+            }
+            DirectorHold::Fixed => all.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(Hold::Turn)),
         }
-        DirectorHold::Fixed => all.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(Hold::Turn)),
     }
     all
 }
