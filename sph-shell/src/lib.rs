@@ -308,7 +308,7 @@ pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
 pub use conditions::spread::spread;
-pub use conditions::springs::Spring;
+pub use conditions::springs::{BodySpring, Spring, SpringBetween, Springs, TurnSpring};
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
@@ -350,8 +350,8 @@ pub struct Shell {
     stresses: Vec<[f64; 6]>,
     /// The load case to which the initial stress belongs.
     stress_case: LoadCase,
-    springs: Vec<Spring>,
-    /// Forces of the springs on each particle; empty without springs.
+    springs: Springs,
+    /// Forces of the springs on each particle; empty without springs on particles.
     sprung: Vec<Row>,
     /// The load case that is under way.
     case: LoadCase,

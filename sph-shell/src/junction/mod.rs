@@ -26,4 +26,5 @@ mod prescribed;
 pub(crate) mod rigid;
 mod rotation;
 mod spectrum;
+mod springs;
 mod statics;

@@ -194,19 +194,21 @@ impl Shell {
         [bodies().count(), bodies().map(|group| group.particles.len()).sum()]
     }
 
-    /// Evaluates the loads on rigid bodies, each load times a factor.
-    pub(crate) fn evaluate_bodies(&mut self, scale: impl Fn(&AppliedLoad) -> f64) {
-        let Self { junctions, state, loads, .. } = self;
-        for group in &mut junctions.groups {
-            let triad = group.body.is_some().then(|| group.triad(state));
-            let (Some(body), Some(triad)) = (&mut group.body, triad) else { continue };
-            let mut sum = [Vec3::zeros(); 2];
-            for applied in loads.iter() {
+    /// Evaluates the loads on rigid bodies, each load times a factor, with what springs exert on them where that is wanted.
+    pub(crate) fn evaluate_bodies(&mut self, springs: bool, scale: impl Fn(&AppliedLoad) -> f64) {
+        for number in 0..self.junctions.groups.len() {
+            let group = &self.junctions.groups[number];
+            let Some(body) = &group.body else { continue };
+            let triad = group.triad(&self.state);
+            let mut sum = if springs { self.springs_on_body(body.number) } else { [Vec3::zeros(); 2] };
+            for applied in &self.loads {
                 let Some(own) = applied.load.on_body(body.number, body.mass) else { continue };
                 let factor = scale(applied);
                 sum.iter_mut().zip(own).for_each(|(sum, part)| *sum += part * factor);
             }
-            body.take(&triad, sum);
+            if let Some(body) = &mut self.junctions.groups[number].body {
+                body.take(&triad, sum);
+            }
         }
     }
 
@@ -240,7 +242,7 @@ impl Shell {
             .collect()
     }
 
-    /// Force and torque of the loads on the rigid body that a particle stands for.
+    /// Force and torque of the loads and springs on the rigid body that a particle stands for.
     pub(crate) fn body_load(&self, particle: usize) -> [f64; 6] {
         let group = self.junctions.of(particle).filter(|group| group.first() == particle);
         group.and_then(|group| group.body.as_ref()).map_or([0.0; 6], |body| body.external)

@@ -29,7 +29,12 @@ impl Shell {
         if group.first() != a {
             return [0.0; 6];
         }
-        self.without_held(group, self.mass_scaled(group, group.gather(&self.state, row)))
+        self.free_row_of_group(group, group.gather(&self.state, row))
+    }
+
+    /// The same of force and torque about the pole.
+    pub(crate) fn free_row_of_group(&self, group: &Group, row: Row) -> Row {
+        self.without_held(group, self.mass_scaled(group, row))
     }
 
     /// What is out of balance of a group, in the same way.
@@ -38,7 +43,7 @@ impl Shell {
             return [0.0; 6];
         }
         let (sum, load) = (group.gather(&self.state, lack), self.body_load(a));
-        self.without_held(group, self.mass_scaled(group, std::array::from_fn(|k| sum[k] + load[k])))
+        self.free_row_of_group(group, std::array::from_fn(|k| sum[k] + load[k]))
     }
 
     /// `[√m v, √I ω]` of a group.

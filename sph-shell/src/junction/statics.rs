@@ -1,5 +1,7 @@
 //! Groups without time: six unknowns each, their place among the blocks of the tangent, and their motion.
 
+use std::ops::DerefMut;
+
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
@@ -10,6 +12,7 @@ use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::Basis;
+use crate::statics::static_shell::StaticShell;
 
 impl Junctions {
     /// Adds the pairs of first particles to the pairs of particles that share a block, row by row.
@@ -185,5 +188,20 @@ impl Shell {
     /// Mass of a particle or of the group it stands for \[M\].
     pub(crate) fn moving_mass(&self, particle: usize) -> f64 {
         self.junctions.of(particle).map_or(self.moving_masses()[0][particle], |group| group.mass)
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
+    pub(crate) fn add_body_loads(&self, out: &mut [f64]) {
+        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
+            let a = group.first();
+            let load = group.along_unknowns(&self.shell.state, self.shell.body_load(a));
+            let present = self.basis(a);
+            let basis = self.carried.get(a).unwrap_or(&present);
+            let mut own = [0.0; 6];
+            basis.project(&load, &mut own[..basis.count]);
+            out[self.dofs.of(a)].iter_mut().zip(own).for_each(|(sum, part)| *sum += part);
+        }
     }
 }

@@ -91,19 +91,6 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.basis(particle, self.dofs.arc)
     }
 
-    /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
-    fn add_body_loads(&self, out: &mut [f64]) {
-        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
-            let a = group.first();
-            let load = group.along_unknowns(&self.shell.state, self.shell.body_load(a));
-            let present = self.basis(a);
-            let basis = self.carried.get(a).unwrap_or(&present);
-            let mut own = [0.0; 6];
-            basis.project(&load, &mut own[..basis.count]);
-            out[self.dofs.of(a)].iter_mut().zip(own).for_each(|(sum, part)| *sum += part);
-        }
-    }
-
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
@@ -391,6 +378,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
         shell.junctions.tie(&shell.state, &self.pattern, &mut self.blocks, 1.0);
         shell.junctions.add_rotation_blocks(&shell.state, &self.pattern, &mut self.blocks, lack);
+        shell.add_body_spring_blocks(&self.pattern, &mut self.blocks);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.
         let radial = |a: usize| match shell.junctions.of(a) {
             Some(_) => 0.0,

@@ -71,7 +71,14 @@ impl Builder<'_> {
             ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
             ShellError::StressOfWideStencils => of_body("initial_stress"),
             ShellError::Mass { .. } => of_body("masses"),
-            ShellError::Spring { .. } => "supports".into(),
+            ShellError::Spring { .. }
+            | ShellError::SpringOnItself { .. }
+            | ShellError::SpringOfBody { .. } => "supports".into(),
+            ShellError::SpringAlongDirector { .. } => {
+                let turning = |s: &Support| s.spring.as_ref().is_some_and(|spring| spring.axis.is_some());
+                let number = supports().find(|(_, support)| turning(support));
+                number.map_or("supports".into(), |(i, _)| format!("supports[{i}].spring.axis"))
+            }
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::NoSuchParticle { .. }
             | ShellError::NoSuchCell { .. }

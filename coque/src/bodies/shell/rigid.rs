@@ -1,36 +1,41 @@
 //! Which rigid motions the supports of a shell leave free.
 
 use sph_core::{Cloud, Vec3};
-use sph_shell::{DirectorHold, Holds, RigidSet, Spring, Tie};
+use sph_shell::{DirectorHold, Holds, RigidSet, Springs, Tie};
 
-use crate::bodies::rigid::{Hold, free_of};
+use super::sprung;
+use crate::bodies::rigid::{Hold, free_of_pieces};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
-/// move by itself.
+/// move by itself, unless springs join it to others.
 pub(crate) fn free_motions(
     cloud: &Cloud,
     supports: &[(Vec<u32>, Holds)],
     ties: &[Tie],
     rigid: &[RigidSet],
+    springs: &Springs,
 ) -> Vec<String> {
     let pieces = tied(cloud.pieces(), cloud, ties, rigid);
+    let sprung = sprung::holds(springs, cloud, rigid);
     let of_piece = |piece: &Vec<u32>| {
         let mut holds = holds_of(cloud, piece, supports);
-        let first = |body: &&RigidSet| body.particles.iter().any(|a| piece.binary_search(a).is_ok());
+        let own = |a: &u32| piece.binary_search(a).is_ok();
+        let first = |body: &&RigidSet| body.particles.iter().any(own);
         holds.extend(rigid.iter().filter(first).flat_map(holds_of_body));
-        let free = free_of(&cloud.positions, piece, &holds);
-        if pieces.len() == 1 {
-            return free;
-        }
-        free.into_iter().map(|motion| format!("{motion} of the sheet with particle {}", piece[0])).collect()
+        holds.extend(sprung.iter().filter(|(a, _)| own(a)).map(|(_, hold)| *hold));
+        holds
     };
-    pieces.iter().flat_map(of_piece).collect()
-}
-
-/// A spring as what keeps its particles from moving away along it.
-pub(super) fn holds(spring: &Spring) -> (Vec<u32>, Holds) {
-    let translations = vec![spring.direction.normalize()];
-    (spring.stiffness.iter().map(|s| s.0).collect(), Holds { translations, ..Holds::default() })
+    let holds: Vec<Vec<Hold>> = pieces.iter().map(of_piece).collect();
+    let links = sprung::links(springs, cloud, rigid);
+    let free = free_of_pieces(&cloud.positions, &pieces, &holds, &links);
+    if pieces.len() == 1 {
+        return free.into_iter().flatten().collect();
+    }
+    let named = |(piece, free): (&Vec<u32>, Vec<String>)| {
+        let first = piece[0];
+        free.into_iter().map(move |motion| format!("{motion} of the sheet with particle {first}"))
+    };
+    pieces.iter().zip(free).flat_map(named).collect()
 }
 
 /// Pieces that ties and rigid bodies make one.
@@ -92,11 +97,11 @@ fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec
 mod tests {
     use super::*;
     use sph_core::{Cell, EndWeights, Plate, lattice};
-    use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
+    use sph_shell::{Clamped, Held, Hinged, SpringBetween, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
-        free_motions(&cloud, supports, &[], &[])
+        free_motions(&cloud, supports, &[], &[], &Springs::default())
     }
 
     #[test]
@@ -151,9 +156,23 @@ mod tests {
         cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 15))));
         let cloud = Cloud::from_cells(positions, None, cells).unwrap();
         let clamp = |first| (vec![first, first + 1, first + 2], Clamped.holds());
-        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[], &[]).is_empty());
-        let free = free_motions(&cloud, &[clamp(0)], &[], &[]);
+        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[], &[], &Springs::default()).is_empty());
+        let free = free_motions(&cloud, &[clamp(0)], &[], &[], &Springs::default());
         assert_eq!(free.len(), 6);
         assert_eq!(free[0], "translation along x of the sheet with particle 15");
+        // Springs along z between particles over each other leave what they do not see.
+        let stiffness = [(0, 15), (2, 17), (12, 27)].map(|(a, b)| ([a, b], 1.0)).to_vec();
+        let along = |directions: &[Vec3]| Springs {
+            between: directions
+                .iter()
+                .map(|&direction| SpringBetween { stiffness: stiffness.clone(), direction })
+                .collect(),
+            ..Springs::default()
+        };
+        let free = free_motions(&cloud, &[clamp(0)], &[], &[], &along(&[Vec3::z()]));
+        let what = ["translation along x", "translation along y", "rotation about z"];
+        assert_eq!(free, what.map(|motion| format!("{motion} of the sheet with particle 15")));
+        let all = along(&[Vec3::x(), Vec3::y(), Vec3::z()]);
+        assert!(free_motions(&cloud, &[clamp(0)], &[], &[], &all).is_empty());
     }
 }
