@@ -285,7 +285,7 @@ fn a_pendulum_swings_as_long_as_the_elliptic_integral_says() {
             let (mut before, mut found) = (0.0, 0.0);
             for number in 0..2 * count {
                 swing.step();
-                let now = swing.shell.director_rate(0).dot(&swing.shell.director(0).cross(&Y)) * -1.0;
+                let now = swing.shell.director_rate(0).dot(&Y.cross(&swing.shell.director(0)));
                 if number > count / 2 && now * before <= 0.0 {
                     // Rates lie half a step behind places.
                     found = (f64::from(number) + before / (before - now) - 0.5) * dt;

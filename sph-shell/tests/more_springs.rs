@@ -198,7 +198,7 @@ fn a_strip_in_an_elastic_clamp_is_the_beam() {
     let lack = |x: f64| {
         let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
         // w = A sin + C sinh + B (cos − cosh), B = −κ (A + C)/2x.
-        let row = |of_a: [f64; 2], of_b: [f64; 2]| of_a.map(|a| a - kappa / (2.0 * x) * of_b);
+        let row = |of_a: [f64; 2], of_b: f64| of_a.map(|a| a - kappa / (2.0 * x) * of_b);
         let second = row([-sin, sinh], -cos - cosh);
         let third = row([-cos, cosh], sin - sinh);
         second[0] * third[1] - second[1] * third[0]

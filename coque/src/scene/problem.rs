@@ -171,11 +171,7 @@ impl Scene {
     pub(super) fn drop_body_names(&mut self) {
         let alone = self.bodies.len() == 1 && self.source.has(BODIES);
         let Some(body) = self.bodies.keys().next().filter(|_| alone) else { return };
-        let ends = |support: &'_ mut Support| -> Vec<_> {
-            let Support { on, spring, .. } = support;
-            std::iter::once(on).chain(spring.as_mut().and_then(|spring| spring.to.as_mut())).collect()
-        };
-        let supports = self.supports.iter_mut().flat_map(ends);
+        let supports = self.supports.iter_mut().flat_map(Support::sets_mut);
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
         for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {

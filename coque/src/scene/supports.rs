@@ -117,7 +117,7 @@ pub struct Spring {
     pub direction: Option<[f64; 3]>,
     /// Axis of the turn from rest that is resisted, below half a turn; its length does not matter.
     pub axis: Option<[f64; 3]>,
-    /// Stiffness of the whole set: force by displacement \[F/L\], about an axis moment by radian \[F L\].
+    /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
     pub stiffness: f64,
     /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
     /// their reference points. Left out, the ground.
@@ -169,6 +169,12 @@ impl Support {
         .zip(Self::WORDS)
         .filter_map(|(kind, word)| kind.map(|kind| (word, kind)))
         .collect()
+    }
+
+    /// Names of the sets on which it acts.
+    pub(super) fn sets_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        let other = self.spring.as_mut().and_then(|spring| spring.to.as_mut());
+        std::iter::once(&mut self.on).chain(other)
     }
 
     /// Its prescribed motion, if it is one: key, and size at level one \[L, degrees\].

@@ -4,7 +4,7 @@
 //! All particles are put from these two, so that the body keeps its shape at any level.
 
 use explicit_dynamics::Instant;
-use sph_core::Vec3;
+use nalgebra::Matrix3;
 
 use crate::Shell;
 use crate::junction::group::{Group, director, place};
@@ -19,19 +19,20 @@ impl Shell {
     /// Puts the body that a particle stands for where a level has it.
     pub(crate) fn put_body(&mut self, particle: usize, level: f64) {
         let at = Instant { time: 0.0, level };
-        let Some(constraint) = self.constraint(particle) else { return };
-        let Some(group) = self.body_of(particle).filter(|group| group.first() == particle) else { return };
+        let Self { junctions, constraints, constraint_of, state, case, .. } = self;
+        let constraint = constraint_of[particle].checked_sub(1).map(|i| &constraints[i as usize]);
+        let group = junctions.of(particle).filter(|group| group.first() == particle);
+        let (Some(constraint), Some(group)) = (constraint, group) else { return };
         let Some(body) = &group.body else { return };
-        let turned = |v: Vec3| constraint.turned(&v, at, self.case);
-        let columns: Option<Vec<Vec3>> = body.rest.column_iter().map(|v| turned(v.into())).collect();
-        let triad = columns.map_or_else(|| group.triad(&self.state), |c| nalgebra::Matrix3::from_columns(&c));
-        let pole = group.pole(&self.state);
-        let target = constraint.reference_at(at, self.case);
+        let turned = [0, 1, 2].map(|i| constraint.turned(&body.rest.column(i).into(), at, *case));
+        let triad = match turned {
+            [Some(d), Some(e), Some(c)] => Matrix3::from_columns(&[d, e, c]),
+            _ => group.triad(state),
+        };
+        let pole = group.pole(state);
+        let target = constraint.reference_at(at, *case);
         let pole = pole + body.held * (target - pole - body.arm(&triad));
-        let rows: Vec<(u32, Row)> = group.placed(&pole, &triad).collect();
-        for (a, row) in rows {
-            self.state[a as usize] = row;
-        }
+        group.placed(&pole, &triad).for_each(|(a, row)| state[a as usize] = row);
     }
 
     /// Square of the force that brings about what is prescribed to the body that a particle stands for, turns counted as arcs \[F²\].

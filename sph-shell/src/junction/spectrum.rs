@@ -82,27 +82,30 @@ impl Shell {
             return [v[0], v[1], v[2], w.x, w.y, w.z];
         };
         let arm = body.arm(&group.triad(&self.state));
+        let [x, y, z] = [Vec3::x(), Vec3::y(), Vec3::z()];
         let turns = match constraint.director {
-            DirectorHold::Free => Vec::new(),
+            DirectorHold::Free => [None; 3],
             DirectorHold::InPlane(n) => {
                 let frame = sph_core::Frame::from_normal(n);
-                vec![frame.t1, frame.t2]
+                [Some(frame.t1), Some(frame.t2), None]
             }
-            DirectorHold::Fixed => vec![Vec3::x(), Vec3::y(), Vec3::z()],
+            DirectorHold::Fixed => [Some(x), Some(y), Some(z)],
         };
         let places = constraint.held().iter().map(|n| (*n, arm.cross(n)));
-        let all = places.chain(turns.into_iter().map(|e| (Vec3::zeros(), e)));
-        let mut basis: Vec<Vector6<f64>> = Vec::new();
+        let all = places.chain(turns.into_iter().flatten().map(|e| (Vec3::zeros(), e)));
+        let (mut basis, mut count) = ([Vector6::zeros(); 6], 0);
         for (n, moment) in all {
             let mut held =
                 Vector6::from(self.mass_scaled(group, [n.x, n.y, n.z, moment.x, moment.y, moment.z]));
             let size = held.norm();
-            basis.iter().for_each(|known| held -= known * known.dot(&held));
+            basis[..count].iter().for_each(|known| held -= known * known.dot(&held));
             if held.norm() > DEPENDENT * size {
-                basis.push(held.normalize());
+                basis[count] = held.normalize();
+                count += 1;
             }
         }
-        let free = basis.iter().fold(Vector6::from(row), |left, known| left - known * known.dot(&left));
+        let free =
+            basis[..count].iter().fold(Vector6::from(row), |left, known| left - known * known.dot(&left));
         free.into()
     }
 }
