@@ -1,10 +1,9 @@
 //! Which rigid motions the supports of a shell leave free.
 
 use sph_core::{Cloud, Vec3};
-use sph_shell::{DirectorHold, Holds, RigidSet, Springs, Tie};
+use sph_shell::{BodySpring, DirectorHold, Holds, RigidSet, Spring, SpringBetween, Springs, Tie, TurnSpring};
 
-use super::sprung;
-use crate::bodies::rigid::{Hold, free_of_pieces};
+use crate::bodies::rigid::{End, Hold, Link, free_of_pieces};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
 /// move by itself, unless springs join it to others.
@@ -16,7 +15,7 @@ pub(crate) fn free_motions(
     springs: &Springs,
 ) -> Vec<String> {
     let pieces = tied(cloud.pieces(), cloud, ties, rigid);
-    let sprung = sprung::holds(springs, cloud, rigid);
+    let sprung = sprung_holds(springs, cloud, rigid);
     let of_piece = |piece: &Vec<u32>| {
         let mut holds = holds_of(cloud, piece, supports);
         let own = |a: &u32| piece.binary_search(a).is_ok();
@@ -26,7 +25,7 @@ pub(crate) fn free_motions(
         holds
     };
     let holds: Vec<Vec<Hold>> = pieces.iter().map(of_piece).collect();
-    let links = sprung::links(springs, cloud, rigid);
+    let links = links(springs, cloud, rigid);
     let free = free_of_pieces(&cloud.positions, &pieces, &holds, &links);
     if pieces.len() == 1 {
         return free.into_iter().flatten().collect();
@@ -36,6 +35,48 @@ pub(crate) fn free_motions(
         free.into_iter().map(move |motion| format!("{motion} of the sheet with particle {first}"))
     };
     pieces.iter().zip(free).flat_map(named).collect()
+}
+
+/// What springs to the ground hold, particle by particle, and of bodies with a particle of theirs.
+fn sprung_holds(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<(u32, Hold)> {
+    let mut all = Vec::new();
+    for Spring { stiffness, direction } in &springs.ground {
+        all.extend(stiffness.iter().map(|&(a, _)| (a, Hold::Displacement(a, direction.normalize()))));
+    }
+    for TurnSpring { stiffness, axis } in &springs.turning {
+        let axis = axis.normalize();
+        all.extend(stiffness.iter().map(|&(a, _)| {
+            let d = cloud.frames[a as usize].n;
+            (a, Hold::Turn(axis - d * d.dot(&axis)))
+        }));
+    }
+    for spring in &springs.of_bodies {
+        if let BodySpring::Turning { body, axis, .. } = spring {
+            let first = rigid.get(*body).and_then(|set| set.particles.first());
+            all.extend(first.map(|&a| (a, Hold::Turn(axis.normalize()))));
+        }
+    }
+    all
+}
+
+/// What springs between sets join.
+fn links(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<Link> {
+    let mut all = Vec::new();
+    let place = |particle: u32| End { particle, at: cloud.positions[particle as usize] };
+    for SpringBetween { stiffness, direction } in &springs.between {
+        let link =
+            |&(pair, _): &([u32; 2], f64)| Link { ends: pair.map(place), along: direction.normalize() };
+        all.extend(stiffness.iter().map(link));
+    }
+    for spring in &springs.of_bodies {
+        let BodySpring::Between { bodies, direction, .. } = spring else { continue };
+        let end = |set: &RigidSet| Some(End { particle: *set.particles.first()?, at: set.at });
+        let ends = bodies.map(|body| rigid.get(body).and_then(end));
+        if let [Some(one), Some(two)] = ends {
+            all.push(Link { ends: [one, two], along: direction.normalize() });
+        }
+    }
+    all
 }
 
 /// Pieces that ties and rigid bodies make one.
@@ -97,7 +138,7 @@ fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec
 mod tests {
     use super::*;
     use sph_core::{Cell, EndWeights, Plate, lattice};
-    use sph_shell::{Clamped, Held, Hinged, SpringBetween, Support, SymmetryPlane};
+    use sph_shell::{Clamped, Held, Hinged, Support, SymmetryPlane};
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();

@@ -1,11 +1,10 @@
-//! Springs of a shell: who shares them, which places of two sets are pairs, which rigid motions they hold.
+//! Springs of a shell: who shares them, which places of two sets are pairs.
 
 use sph_core::{Cloud, EndWeights};
-use sph_shell::{BodySpring, RigidSet, Spring, SpringBetween, Springs, TurnSpring};
+use sph_shell::{BodySpring, Spring, SpringBetween, Springs, TurnSpring};
 
 use super::build::Builder;
 use super::imported::Imported;
-use crate::bodies::rigid::{End, Hold, Link};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
 use crate::scene::error::SceneError;
@@ -91,46 +90,4 @@ impl Builder<'_> {
         }
         Ok(pairs)
     }
-}
-
-/// What springs to the ground hold, particle by particle, and of bodies with a particle of theirs.
-pub(super) fn holds(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<(u32, Hold)> {
-    let mut all = Vec::new();
-    for Spring { stiffness, direction } in &springs.ground {
-        all.extend(stiffness.iter().map(|&(a, _)| (a, Hold::Displacement(a, direction.normalize()))));
-    }
-    for TurnSpring { stiffness, axis } in &springs.turning {
-        let axis = axis.normalize();
-        all.extend(stiffness.iter().map(|&(a, _)| {
-            let d = cloud.frames[a as usize].n;
-            (a, Hold::Turn(axis - d * d.dot(&axis)))
-        }));
-    }
-    for spring in &springs.of_bodies {
-        if let BodySpring::Turning { body, axis, .. } = spring {
-            let first = rigid.get(*body).and_then(|set| set.particles.first());
-            all.extend(first.map(|&a| (a, Hold::Turn(axis.normalize()))));
-        }
-    }
-    all
-}
-
-/// What springs between sets join.
-pub(super) fn links(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<Link> {
-    let mut all = Vec::new();
-    let place = |particle: u32| End { particle, at: cloud.positions[particle as usize] };
-    for SpringBetween { stiffness, direction } in &springs.between {
-        let link =
-            |&(pair, _): &([u32; 2], f64)| Link { ends: pair.map(place), along: direction.normalize() };
-        all.extend(stiffness.iter().map(link));
-    }
-    for spring in &springs.of_bodies {
-        let BodySpring::Between { bodies, direction, .. } = spring else { continue };
-        let end = |set: &RigidSet| Some(End { particle: *set.particles.first()?, at: set.at });
-        let ends = bodies.map(|body| rigid.get(body).and_then(end));
-        if let [Some(one), Some(two)] = ends {
-            all.push(Link { ends: [one, two], along: direction.normalize() });
-        }
-    }
-    all
 }
