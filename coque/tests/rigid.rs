@@ -210,16 +210,18 @@ fn a_body_is_moved_in_every_analysis() {
     assert!(force.abs() > 1.0 && (last(&path, "R") / force - 1.0).abs() < 1e-8, "{force}");
     let pushed = format!("[{{ on = 'u1', force = {{ total = [0, 0, {force}] }} }}]");
     let pushed = strip(&[free[1], ("supports", "[{ on = 'u0', clamped = {} }]"), ("loads", &pushed)]);
-    assert!(
-        (last(&pushed, "w") / last(&solve(moved, &[]), "w") - 1.0).abs() < 1e-8,
-        "{}",
-        last(&pushed, "w")
-    );
+    let (found, wanted) = (last(&pushed, "internal"), last(&solve(moved, &[]), "internal"));
+    println!("pushed: {:.1e}", found / wanted - 1.0);
+    assert!((found / wanted - 1.0).abs() < 1e-8, "{found} {wanted}");
     // Modes: what is prescribed stands still, here along one direction beside the centre of mass.
     let held = "held = { displacement = [[0, 0, 1]] }";
     let modes = [("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")];
     let (one, two) = (solve(moved, &modes), solve(held, &modes));
-    assert_eq!(column(&one, "circular_frequency"), column(&two, "circular_frequency"));
+    let [one, two] = [one, two].map(|modes| column(&modes, "circular_frequency"));
+    let apart = one.iter().zip(&two).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
+    println!("modes: {apart:.1e}");
+    // The particles of what is prescribed are put anew, to round-off.
+    assert!(one.len() == 3 && apart < 1e-12, "{one:?} {two:?}");
     // In time.
     let smooth = format!("{turned}, amplitude = {{ smooth = 0.05 }}");
     let angle = "[{ name = 'a', of = 'rotation', on = 'u1', direction = [0, 1, 0] }]";
