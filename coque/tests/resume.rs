@@ -131,6 +131,30 @@ fn a_fluid_and_what_is_in_it_go_on_to_the_same_bits() {
     stopped_again_and_again("fluid-first", SHELL_GATE, &[replaced[0], first], 4);
 }
 
+/// Where the level counts the stress, where it is found before a load, where it is let go in time.
+#[test]
+fn runs_under_an_initial_stress_go_on_to_the_same_bits() {
+    let strip = text("relieved-strip.toml");
+    let slight = ("initial_stress[0].bending", "[-3e7, 0.0, 0.0]");
+    let load = ("loads", "[{ on = \"u1\", force = { total = [0, 0, 1e-3] } }]");
+    let march = "{ explicit = { transient = { duration = 2e-3, record_every = 2e-4 } } }";
+    stopped_again_and_again("relieved", &strip, &[], 2);
+    stopped_again_and_again("relieved-before", &strip, &[slight, load], 2);
+    stopped_again_and_again("let-go", &strip, &[slight, ("analysis", march)], 3);
+}
+
+/// A rigid end that is turned, hinged beside its mass, with springs: its pose and motion are told by its particles.
+#[test]
+fn runs_with_rigid_sets_go_on_to_the_same_bits() {
+    let strip = text("twisted-strip.toml");
+    let rigid = ("rigid", "[{ on = \"u1\", at = [8.5, 0.3, 0.4], mass = 10.0, inertia = 1.0 }]");
+    let hinged = "[{ on = 'u0', clamped = {} }, { on = 'u1', moved = { direction = [0, 0, 1], by = 0.1 }, amplitude = { smooth = 0.01 } }, \
+                  { on = 'u1', spring = { axis = [1, 0, 0], stiffness = 100 } }]";
+    let march = ("analysis", "{ explicit = { transient = { duration = 5e-3, record_every = 5e-4 } } }");
+    stopped_again_and_again("turned-body", &strip, &[rigid], 2);
+    stopped_again_and_again("moved-body", &strip, &[rigid, march, ("supports", hinged)], 3);
+}
+
 #[test]
 fn quasi_static_runs_go_on_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");

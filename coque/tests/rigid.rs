@@ -158,21 +158,74 @@ fn what_a_body_cannot_have_is_refused() {
     assert!(held.contains("support of its own") && held.contains("rigid"), "{held}");
     let moved = refused(&[(
         "supports",
-        "[{ on = 'u0', clamped = {} }, { on = 'u1', moved = { direction = [1, 0, 0], by = 1 } }]",
+        "[{ on = 'u0', clamped = {} }, { on = 'u1', clamped = {} }, { on = 'u1', moved = { direction = [1, 0, 0], by = 1 } }]",
     )]);
-    assert!(moved.contains("supports[1].moved"), "{moved}");
+    assert!(moved.contains("another holds"), "{moved}");
     let alone = refused(&[("rigid", "[{ on = 'u1v1' }]"), ("supports", "[{ on = 'u0', clamped = {} }]")]);
     assert!(alone.contains("side by side"), "{alone}");
     let mass = refused(&[("rigid", "[{ on = 'u1', mass = -1 }]")]);
     assert!(mass.contains("rigid[0].mass"), "{mass}");
     let wide = refused(&[("formulation", "{ stress-point = { support = 1.4 } }")]);
     assert!(wide.contains("rigid[0]"), "{wide}");
-    let guided = "[{ on = 'u0', clamped = {} }, { on = 'u1', held = { displacement = [[0, 0, 1]] } }]";
-    let coupled = refused(&[
-        ("supports", guided),
-        ("loads", "[]"),
-        ("curve", "[]"),
-        ("analysis", "{ modal = { modes = 2 } }"),
-    ]);
-    assert!(coupled.contains("centre of mass"), "{coupled}");
+}
+
+/// A body that is turned, or moved, in every analysis: the columns of the same set without `rigid`, and of one analysis as of the other.
+#[test]
+fn a_body_is_moved_in_every_analysis() {
+    let supports = |motion: &str| format!("[{{ on = 'u0', clamped = {{}} }}, {{ on = 'u1', {motion} }}]");
+    let free = [("loads", "[]"), ("rigid", "[{ on = 'u1', at = [2.3, 0.25, 0.2], mass = 4, inertia = 1 }]")];
+    let solve = |motion: &str, more: Replaced| {
+        let supports = supports(motion);
+        let all: Vec<(&str, &str)> =
+            [("supports", supports.as_str())].into_iter().chain(free).chain(more.iter().copied()).collect();
+        strip(&all)
+    };
+    let turned = "turned = { axis = [0, 1, 0], point = [1.9, 0.25, 0.1], by = 5 }";
+    let plain = solve(turned, &[("rigid", "[]")]);
+    let path = "{ arc-length = { until = 1, radius = 0.2 } }";
+    // The path ends at Newton's tolerance, 1e-9 of the largest forces that it met.
+    for (analysis, bound) in
+        [("{ static = { levels = 1 } }", 1e-9), (path, 2e-7), ("{ relaxation = { levels = 1 } }", 2e-4)]
+    {
+        let body = solve(turned, &[("analysis", analysis)]);
+        for name in ["w", "R", "M", "M0"] {
+            let (found, wanted) = (last(&body, name), last(&plain, name));
+            println!("{analysis} {name}: {:.1e}", found / wanted - 1.0);
+            assert!((found / wanted - 1.0).abs() < bound, "{analysis} {name}: {found} {wanted}");
+        }
+    }
+    let error = |by: &str| {
+        let slight = turned.replace("by = 5", by);
+        let (linear, still) = (solve(&slight, &[("analysis", "{ linear = {} }")]), solve(&slight, &[]));
+        (last(&linear, "M") / last(&still, "M") - 1.0).abs()
+    };
+    let errors = ["by = 1e-3", "by = 1e-4"].map(error);
+    println!("linear: {errors:?}");
+    // The turn stretches the strip as well, and its tension stiffens it in proportion to the angle.
+    assert!(errors[0] < 1e-3 && (errors[0] / errors[1] - 10.0).abs() < 0.1, "{errors:?}");
+    // One direction at the reference point: the rest of the body goes as it will.
+    let moved = "moved = { direction = [0, 0, 1], by = 0.1 }";
+    let path = solve(moved, &[("analysis", "{ arc-length = { until = 1, radius = 0.2 } }")]);
+    let force = last(&solve(moved, &[]), "R");
+    assert!(force.abs() > 1.0 && (last(&path, "R") / force - 1.0).abs() < 1e-8, "{force}");
+    let pushed = format!("[{{ on = 'u1', force = {{ total = [0, 0, {force}] }} }}]");
+    let pushed = strip(&[free[1], ("supports", "[{ on = 'u0', clamped = {} }]"), ("loads", &pushed)]);
+    let (found, wanted) = (last(&pushed, "internal"), last(&solve(moved, &[]), "internal"));
+    println!("pushed: {:.1e}", found / wanted - 1.0);
+    assert!((found / wanted - 1.0).abs() < 1e-8, "{found} {wanted}");
+    // Modes: what is prescribed stands still, here along one direction beside the centre of mass.
+    let held = "held = { displacement = [[0, 0, 1]] }";
+    let modes = [("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")];
+    let (one, two) = (solve(moved, &modes), solve(held, &modes));
+    let [one, two] = [one, two].map(|modes| column(&modes, "circular_frequency"));
+    let apart = one.iter().zip(&two).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
+    println!("modes: {apart:.1e}");
+    // The particles of what is prescribed are put anew, to round-off.
+    assert!(one.len() == 3 && apart < 1e-12, "{one:?} {two:?}");
+    // In time.
+    let smooth = format!("{turned}, amplitude = {{ smooth = 0.05 }}");
+    let angle = "[{ name = 'a', of = 'rotation', on = 'u1', direction = [0, 1, 0] }]";
+    let march = "{ explicit.transient = { duration = 0.06, record_every = 0.01 } }";
+    let swung = solve(&smooth, &[("analysis", march), ("curve", angle)]);
+    assert!((last(&swung, "a") - 5.0_f64.to_radians()).abs() < 1e-12, "{}", last(&swung, "a"));
 }

@@ -1,4 +1,4 @@
-//! Sets that turn as one body, springs to the ground and velocities of sets, in scenes.
+//! Sets that turn as one body, springs and velocities of sets, in scenes.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -105,6 +105,75 @@ fn a_set_sets_out_alone() {
     assert!(scene("haff").err().unwrap().to_string().contains("haff"));
 }
 
+const STRIP: &str = r#"
+title = "Strip on springs"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [10.0, 1.0], particles = [21, 3] }
+orientation = { axis = [1, 2, 3], degrees = 40.0 }
+material.elastic = { young = 12e5, poisson = 0.0, density = 1000.0 }
+section.homogeneous.thickness = 0.1
+supports = [{ on = "u0", hinged = {} }, { on = "u0", spring = { axis = [0, 2, 0], stiffness = 30.0 } }]
+loads = [{ on = "u1", force = { total = [0, 0, 0.01] } }]
+curve = [{ name = "w", of = "displacement", on = "u1", direction = [0, 0, 1] },
+         { name = "u", of = "displacement", on = "u1", direction = [1, 0, 0] },
+         { name = "F", of = "reaction", on = "u1", direction = [1, 0, 0] },
+         { name = "M", of = "reaction-moment", on = "u0", direction = [0, 1, 0] }]
+analysis.linear = {}
+"#;
+
+fn sprung(replaced: Replaced) -> Outcome {
+    done(ran(overridden(STRIP, "strip.toml", replaced)))
+}
+
+/// Hinged, with a spring against turning on the directors of its edge, or on the edge as a rigid set: `FL³/3EI + FL²/k`.
+#[test]
+fn a_strip_on_a_spring_against_turning_gives_way_by_its_angle() {
+    let (stiff, force, length) = (12e5 * 1e-3 / 12.0, 0.01, 10.0_f64);
+    let wanted = force * length.powi(3) / (3.0 * stiff) + force * length * length / 30.0;
+    let body = [("rigid", "[{ on = \"u0\" }]")];
+    let held = "[{ on = \"u0\", held = { displacement = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], director = [[0, 1, 0]] } }, \
+                { on = \"u0\", spring = { axis = [0, 2, 0], stiffness = 30.0 } }]";
+    for more in [&[][..], &[body[0], ("supports", held)]] {
+        for (analysis, bound) in [("{ linear = {} }", 1e-3), ("{ static = { levels = 1 } }", 1e-3)] {
+            let found = sprung(&[&[("analysis", analysis)], more].concat());
+            let (error, moment) =
+                (last(&found, "w") / wanted - 1.0, last(&found, "M") / (force * length) - 1.0);
+            println!("{analysis}: {error:.1e} {moment:.1e}");
+            // Of the lattice and of shear; the large motion shortens the arm by its square, 1e-5.
+            assert!(error.abs() < bound && moment.abs() < 1e-4, "{analysis}: {error} {moment}");
+        }
+        let modes = sprung(&[&[("analysis", "{ modal = { modes = 1 } }"), ("curve", "[]")], more].concat());
+        let square = column(&modes, "circular_frequency")[0].powi(2);
+        // κ = kL/EI = 3: the root of the beam's determinant.
+        let exact = 1.513_380_f64.powi(4) * stiff / (1000.0 * 0.1 * length.powi(4));
+        println!("{}", (square / exact).sqrt().sqrt() * 1.513_380);
+        assert!((square / exact - 1.0).abs() < 4e-3, "{}", square / exact);
+    }
+}
+
+/// Pulled along its length with springs of its own stiffness from end to end: half of the force goes through them, pair by pair or from the
+/// reference point of one rigid end to that of the other.
+#[test]
+fn springs_from_end_to_end_bear_half_of_the_force() {
+    let stiff = 12e5 * 0.1 / 10.0;
+    let supports = format!(
+        "[{{ on = \"u0\", clamped = {{}} }}, {{ on = \"all\", held = {{ displacement = [[0, 1, 0], [0, 0, 1]], director = [[1, 0, 0]] }} }}, \
+         {{ on = \"u1\", spring = {{ direction = [1, 0, 0], stiffness = {stiff}, to = \"u0\" }} }}]"
+    );
+    let rigid = format!(
+        "[{{ on = \"u0\", clamped = {{}} }}, {{ on = \"u1\", held = {{ displacement = [[0, 1, 0], [0, 0, 1]], director = [[1, 0, 0]] }} }}, \
+         {{ on = \"u1\", spring = {{ direction = [1, 0, 0], stiffness = {stiff}, to = \"u0\" }} }}]"
+    );
+    let loads = "[{ on = \"u1\", force = { total = [2, 0, 0] } }]";
+    let bodies = "[{ on = \"u0\" }, { on = \"u1\", at = [10.5, 0.5, 0.0] }]";
+    for (supports, bodies) in [(supports, "[]"), (rigid, bodies)] {
+        let found = sprung(&[("supports", &supports), ("loads", loads), ("rigid", bodies)]);
+        let (way, force) = (last(&found, "u") * 2.0 * stiff / 2.0 - 1.0, last(&found, "F") + 1.0);
+        println!("{way:.1e} {force:.1e}");
+        assert!(way.abs() < 1e-9 && force.abs() < 1e-9, "{way} {force}");
+    }
+}
+
 #[test]
 fn what_no_spring_or_turn_can_be_is_refused() {
     let refused = |replaced: Replaced| match overridden(PLATE, "plate.toml", replaced)
@@ -117,6 +186,22 @@ fn what_no_spring_or_turn_can_be_is_refused() {
     for (path, value, says) in [
         (spring, "{ direction = [0, 0, 1], stiffness = 0 }", "supports[1].spring.stiffness"),
         (spring, "{ direction = [0, 0, 0], stiffness = 1 }", "supports[1].spring.direction"),
+        (
+            spring,
+            "{ direction = [0, 0, 1], axis = [1, 0, 0], stiffness = 1 }",
+            "exactly one direction or axis",
+        ),
+        (spring, "{ stiffness = 1 }", "no direction or axis"),
+        (spring, "{ axis = [0, 0, 0], stiffness = 1 }", "supports[1].spring.axis"),
+        (
+            "supports[+]",
+            "{ on = \"v0\", spring = { axis = [0, 0, 1], stiffness = 1 } }",
+            "lies along the director",
+        ),
+        (spring, "{ axis = [1, 0, 0], stiffness = 1, to = \"v1\" }", "stands on the ground"),
+        (spring, "{ direction = [0, 0, 1], stiffness = 1, to = \"v0\" }", "another set than `on`"),
+        (spring, "{ direction = [0, 0, 1], stiffness = 1, to = \"v2\" }", "which is no set"),
+        (spring, "{ direction = [0, 0, 1], stiffness = 1, to = \"u0\" }", "5 places"),
         ("supports[1].amplitude", "{ ramp = 1 }", "only `moved`, `rotated` and `turned` have a course"),
         (
             "supports[+]",

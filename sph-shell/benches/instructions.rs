@@ -8,7 +8,7 @@ use std::process::Command;
 use explicit_dynamics::Clock;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
-use sph_shell::{Formulation, Parts, Reach, Shell};
+use sph_shell::{Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, TurnSpring};
 
 const SIDE: usize = 30;
 const STEPS: [u64; 2] = [10, 60];
@@ -21,22 +21,49 @@ fn formulations() -> [Formulation; 3] {
     ]
 }
 
+/// Springs on all particles of the first formulation, by kind.
+const SPRUNG: [&str; 3] = ["springs to the ground", "springs against turning", "springs between halves"];
+
+/// Those springs; none beyond the kinds.
+fn springs(kind: usize) -> Springs {
+    let count = (SIDE * SIDE) as u32;
+    let all = || (0..count).map(|a| (a, 1e-3)).collect();
+    let pairs = (0..count / 2).map(|a| ([a, a + count / 2], 1e-3)).collect();
+    match kind {
+        0 => vec![Spring { stiffness: all(), direction: Vec3::z() }].into(),
+        1 => {
+            Springs { turning: vec![TurnSpring { stiffness: all(), axis: Vec3::x() }], ..Springs::default() }
+        }
+        2 => {
+            let between = vec![SpringBetween { stiffness: pairs, direction: Vec3::z() }];
+            Springs { between, ..Springs::default() }
+        }
+        _ => Springs::default(),
+    }
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if let [_, child, which, steps] = &arguments[..]
         && child == "--child"
     {
-        march(formulations()[which.parse::<usize>().expect("a number")], steps.parse().expect("a number"));
+        let which = which.parse::<usize>().expect("a number");
+        let (kind, formulation) = match which.checked_sub(formulations().len()) {
+            None => (SPRUNG.len(), formulations()[which]),
+            Some(kind) => (kind, formulations()[0]),
+        };
+        march(formulation, springs(kind), steps.parse().expect("a number"));
         return;
     }
-    for (which, formulation) in formulations().iter().enumerate() {
+    let names = formulations().map(|formulation| format!("{formulation:?}"));
+    for (which, name) in names.into_iter().chain(SPRUNG.map(String::from)).enumerate() {
         let counts = STEPS.map(|steps| count(which, steps));
         let [Some(few), Some(many)] = counts else {
             println!("instruction counts skipped: valgrind is not here, or it did not report a count");
             return;
         };
         let particle_steps = (STEPS[1] - STEPS[0]) * (SIDE * SIDE) as u64;
-        println!("{formulation:?}: {} instructions a particle-step", (many - few) / particle_steps);
+        println!("{name}: {} instructions a particle-step", (many - few) / particle_steps);
     }
 }
 
@@ -53,7 +80,7 @@ fn count(which: usize, steps: u64) -> Option<u64> {
     line.rsplit(' ').next()?.parse().ok()
 }
 
-fn march(formulation: Formulation, steps: u64) {
+fn march(formulation: Formulation, springs: Springs, steps: u64) {
     let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
         .expect("a sound lattice");
     let material = Isotropic::new(1e6, 0.3).expect("a sound material");
@@ -69,6 +96,7 @@ fn march(formulation: Formulation, steps: u64) {
         threads: 1,
     })
     .expect("a sound shell");
+    shell.spring(springs).expect("sound springs");
     for a in 0..shell.len() {
         let x = shell.position(a);
         shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());

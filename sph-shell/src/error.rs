@@ -119,6 +119,34 @@ pub enum ShellError {
         /// The stiffness \[F/L\].
         stiffness: f64,
     },
+    /// A spring between a particle and itself.
+    #[error("a spring joins particle {particle} with itself; name two sets without a particle in common")]
+    SpringOnItself {
+        /// The particle.
+        particle: u32,
+    },
+    /// A spring against turning about the director.
+    #[error(
+        "the axis of a spring against turning lies along the director of particle {particle}: the sine of the angle between them is {sine:.1e}, at least {bound} is needed; take an axis along the surface"
+    )]
+    SpringAlongDirector {
+        /// The particle.
+        particle: u32,
+        /// The sine.
+        sine: f64,
+        /// What it must be.
+        bound: f64,
+    },
+    /// A spring of rigid sets that is none.
+    #[error(
+        "a spring on rigid set {set} with the stiffness {stiffness}: there must be such a set, two of them for a spring between two, and the stiffness must be positive and finite"
+    )]
+    SpringOfBody {
+        /// Number of the set.
+        set: usize,
+        /// The stiffness \[F/L, F L\].
+        stiffness: f64,
+    },
     /// A rigid set where strains are not sampled in cells.
     #[error("a rigid set wants strains sampled in cells; use the formulation by cells")]
     RigidOfWideStencils,
@@ -171,6 +199,14 @@ pub enum ShellError {
         mass: f64,
         /// The moment \[M L²\].
         least: f64,
+    },
+    /// Supports of a rigid set that contradict each other.
+    #[error("the supports of rigid set {set} cannot all be: {what}")]
+    RigidOpposed {
+        /// Number of the set.
+        set: usize,
+        /// Which they are, and the repair.
+        what: &'static str,
     },
     /// A cell in two regions.
     #[error("cell {cell} lies in two regions; take it out of one of them")]

@@ -200,7 +200,8 @@
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
 //!
-//! [`Shell::spring`] ties particles to the ground along directions: `f_a = −k_a (n·u_a) n`, whatever the level.
+//! [`Shell::spring`] holds particles elastically along directions, directors and rigid sets against turning, and joins pairs, whatever the
+//! level ([`Springs`]).
 //!
 //! [`Shell::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
 //!
@@ -242,8 +243,9 @@
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
 //! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
-//! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs |
+//! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs, tests/more_springs.rs |
 //! | rigid sets: derivatives of the energy, six zero modes, beams with a heavy end, momentum in free flight, the step, supports that balance | tests/rigid.rs, tests/rigid_march.rs |
+//! | rigid sets that are moved and turned, or held beside their centre of mass: as their particles one by one, pendulums, energy in time | tests/moved_bodies.rs, tests/hinged_bodies.rs |
 //! | masses lumped at a junction weigh and move with it | tests/junction_masses.rs |
 //! | dynamic relaxation finds what Newton's method finds | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | a polygon bends like the circle; a hourglass of directors releases nothing | `a_polygon_bends_like_the_circle`, `a_director_hourglass_releases_no_bending_energy` (tests/rolled.rs) |
@@ -308,7 +310,7 @@ pub use conditions::pressure::{Pressure, PressurePatch};
 pub use conditions::resultants::Resultant;
 pub use conditions::shares::LoadShare;
 pub use conditions::spread::spread;
-pub use conditions::springs::Spring;
+pub use conditions::springs::{BodySpring, Spring, SpringBetween, Springs, TurnSpring};
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
@@ -350,8 +352,8 @@ pub struct Shell {
     stresses: Vec<[f64; 6]>,
     /// The load case to which the initial stress belongs.
     stress_case: LoadCase,
-    springs: Vec<Spring>,
-    /// Forces of the springs on each particle; empty without springs.
+    springs: Springs,
+    /// Forces of the springs on each particle; empty without springs on particles.
     sprung: Vec<Row>,
     /// The load case that is under way.
     case: LoadCase,

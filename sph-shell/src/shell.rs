@@ -7,6 +7,7 @@ use sph_core::{Cloud, Vec3};
 use crate::Shell;
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{AppliedLoad, Body};
+use crate::conditions::springs::Springs;
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;
@@ -116,7 +117,7 @@ impl Shell {
             case: LoadCase::Loading,
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
-            springs: Vec::new(),
+            springs: Springs::default(),
             sprung: Vec::new(),
             wetted: None,
             internal_energy: 0.0,
@@ -224,23 +225,25 @@ impl Shell {
         let f = self.gathered(particle, |a| self.internal_force(a));
         let e = self.gathered(particle, |a| self.external_force(a));
         let s = self.gathered(particle, |a| self.sprung(a));
-        let b = self.body_load(particle);
-        Vec3::new(f[0] - e[0] + s[0] - b[0], f[1] - e[1] + s[1] - b[1], f[2] - e[2] + s[2] - b[2])
+        let (b, of_body) = (self.body_load(particle), self.spring_row_of_body(particle));
+        Vec3::from_fn(|k, _| f[k] - e[k] + s[k] - b[k] + of_body[k])
     }
 
-    /// The moment that the supports of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
+    /// The moment that the supports and springs of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let [f, e] = [self.internal_force(particle), self.external_force(particle)];
+        let [f, e, s] = [self.internal_force(particle), self.external_force(particle), self.sprung(particle)];
         if let Some(group) = self.junctions.of(particle) {
             if group.first() != particle {
                 return Vec3::zeros();
             }
             return self.about_first(group, &self.gathered(particle, |a| self.internal_force(a)))
                 - self.about_first(group, &self.gathered(particle, |a| self.external_force(a)))
-                - self.about_first(group, &self.body_load(particle));
+                + self.about_first(group, &self.gathered(particle, |a| self.sprung(a)))
+                - self.about_first(group, &self.body_load(particle))
+                + self.about_first(group, &self.spring_row_of_body(particle));
         }
-        self.director(particle).cross(&Vec3::new(f[3] - e[3], f[4] - e[4], f[5] - e[5]))
+        self.director(particle).cross(&Vec3::from_fn(|k, _| f[3 + k] - e[3 + k] + s[3 + k]))
     }
 
     /// Evaluates the internal forces of the present state, and the internal energy if asked for.
@@ -309,7 +312,7 @@ impl Shell {
             return;
         }
         self.put_hanging();
-        self.evaluate_bodies(&scale);
+        self.evaluate_bodies(springs, &scale);
         self.external.fill([0.0; 6]);
         let body = Body { reference: &self.reference, state: &self.state };
         for applied in &self.loads {
@@ -318,7 +321,7 @@ impl Shell {
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
-        if springs && !self.springs.is_empty() {
+        if springs && !self.sprung.is_empty() {
             self.evaluate_springs();
         }
         self.take_back_external();

@@ -58,8 +58,14 @@ fn frame(n: usize, joint: Joint) -> Shell {
             let holds =
                 Holds { translations: vec![Y], director: DirectorHold::InPlane(Y), ..Holds::default() };
             let at = Z + Y * (0.5 * WIDE);
-            body.rigid(&[RigidSet { particles: corner, at, mass: 0.0, inertia: Matrix3::zeros(), holds }])
-                .unwrap();
+            body.rigid(&[RigidSet {
+                particles: corner,
+                at,
+                mass: 0.0,
+                inertia: Matrix3::zeros(),
+                holds: vec![holds],
+            }])
+            .unwrap();
         }
         Joint::Tied => {
             let edge = corner.iter().copied().filter(|a| !head.contains(a)).collect();

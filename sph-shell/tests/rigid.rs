@@ -33,7 +33,7 @@ fn load(force: Vec3, couple: Vec3) -> Box<dyn Load> {
 }
 
 /// A curved sheet, clamped along one edge, with a heavy rigid patch of 3 × 3 particles under a force and a couple.
-fn patched(holds: Holds, force: Vec3, couple: Vec3) -> StaticShell {
+fn patched(holds: Vec<Holds>, force: Vec3, couple: Vec3) -> StaticShell {
     let cloud = curved([7, 6]);
     let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
     let particles: Vec<u32> = [2, 3, 4].into_iter().flat_map(|i| [1, 2, 3].map(|j| 6 * i + j)).collect();
@@ -54,7 +54,9 @@ fn patched(holds: Holds, force: Vec3, couple: Vec3) -> StaticShell {
 #[test]
 fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
     let about = Holds { translations: vec![X, Z], director: DirectorHold::InPlane(Y), ..Holds::default() };
-    for holds in [Holds::default(), about] {
+    let slid = Holds { translations: vec![Vec3::new(0.6, 0.0, 0.8)], ..Holds::default() };
+    let hung = Holds { translations: vec![Vec3::new(0.6, 0.0, 0.8), Y], ..Holds::default() };
+    for holds in [vec![], vec![about], vec![slid], vec![hung]] {
         let mut system = patched(holds, Vec3::new(3.0, -5.0, 2.0), Vec3::zeros());
         let n = system.unknowns();
         for seed in [3, 4] {
@@ -108,8 +110,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
 #[test]
 fn the_skew_part_of_a_couple_on_a_body_is_told() {
     let about = Holds { translations: vec![X, Z], director: DirectorHold::InPlane(Y), ..Holds::default() };
-    for (holds, couple, skew) in
-        [(Holds::default(), Y, true), (about, Y, false), (Holds::default(), Vec3::zeros(), false)]
+    for (holds, couple, skew) in [(vec![], Y, true), (vec![about], Y, false), (vec![], Vec3::zeros(), false)]
     {
         let share = patched(holds, Z, couple).skew_load_share();
         // The largest component of ½ C in some triad: from ½/√3 to ½ of C.
@@ -325,7 +326,7 @@ fn a_column_below_a_guided_cap_buckles_as_one_with_a_held_edge() {
         let set = RigidSet {
             particles: sides.edge(Side::U1).to_vec(),
             at: Vec3::new(LENGTH + 0.7, 0.5, 0.0),
-            holds,
+            holds: vec![holds],
             ..RigidSet::default()
         };
         body.rigid(&[set]).unwrap();

@@ -4,9 +4,8 @@
 
 mod common;
 
-use common::{RandomNumbers, energy, flat, free_shell, shake};
+use common::{derivatives_agree, energy, flat, free_shell, shake};
 use explicit_dynamics::LinearisedDynamics;
-use implicit_statics::Equilibrium;
 use nalgebra::{DMatrix, SymmetricEigen};
 use sph_core::Vec3;
 use sph_shell::{Formulation, Reach, Shell, StaticShell};
@@ -82,33 +81,7 @@ fn force_and_tangent_are_the_derivatives_of_the_energy() {
         let mut shell = rolled(turn);
         shake(&mut shell, 0.1, 5);
         let mut system = StaticShell::new(shell);
-        let n = system.unknowns();
-        let pattern = system.pattern();
-        let (mut force, mut values) = (vec![0.0; n], vec![0.0; pattern.len()]);
-        system.internal(0.0, &mut force);
-        system.tangent(0.0, &mut values);
-        let mut dice = RandomNumbers(4);
-        let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
-        let home = system.save();
-        let h = 2e-4;
-        let mut at = |factor: f64| {
-            system.restore(&home);
-            let step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-            system.update(&step);
-            system.energy()
-        };
-        let [a, b, c, d, e] = [at(-2.0), at(-1.0), at(0.0), at(1.0), at(2.0)];
-        let slope = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
-        let bend = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
-        let exact_slope: f64 = force.iter().zip(&v).map(|(f, v)| f * v).sum();
-        let exact_bend: f64 = pattern
-            .iter()
-            .zip(&values)
-            .map(|(&(i, j), k)| if i == j { k * v[i] * v[i] } else { 2.0 * k * v[i] * v[j] })
-            .sum();
-        // Truncation h⁴, round-off 1e-16 U/h².
-        assert!((slope / exact_slope - 1.0).abs() < 1e-8, "turn {turn}: {slope} {exact_slope}");
-        assert!((bend / exact_bend - 1.0).abs() < 1e-6, "turn {turn}: {bend} {exact_bend}");
+        derivatives_agree(&mut system, 0.0, &format!("turn {turn}"));
     }
 }
 

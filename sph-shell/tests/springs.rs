@@ -38,7 +38,7 @@ fn a_plate_on_springs_swings_as_one_mass() {
         let size = k * (1 + i) as f64 / whole;
         Spring { stiffness: (0..).zip(&masses).map(|(a, m)| (a, size * m)).collect(), direction }
     });
-    body.spring(springs.collect()).unwrap();
+    body.spring(springs.collect::<Vec<_>>()).unwrap();
     let mut system = StaticShell::new(body);
     let found = natural_modes(&mut system, 0.0, 6, 0.0, &mut unwatched).unwrap().modes;
     for i in 0..3 {

@@ -96,6 +96,12 @@ impl Scene {
         retain(&mut alone.supports, &supports);
         retain(&mut alone.loads, &loads);
         retain(&mut alone.curve, &columns);
+        // Both ends of a spring are of one body.
+        for to in alone.supports.iter_mut().filter_map(|support| support.spring.as_mut()?.to.as_mut()) {
+            if let Some(set) = to.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')) {
+                *to = set.into();
+            }
+        }
         alone.source = self.source.renumbered(renumbered);
         Ok(alone)
     }

@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 31] = [
+const ROWS: [(&str, &str, &str); 35] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -35,7 +35,15 @@ const ROWS: [(&str, &str, &str); 31] = [
     ),
     ("`rotated`", "supports", "on = 'u1', rotated = { axis = [0, 1, 0], by = 1 }"),
     ("`turned`", "supports", "on = 'u1', turned = { axis = [1, 0, 0], by = 1 }"),
+    ("`moved`, of a rigid set", "supports", "on = 'u1', moved = { direction = [0, 0, 1], by = 1 }"),
+    ("`turned`, of a rigid set", "supports", "on = 'u1', turned = { axis = [1, 0, 0], by = 1 }"),
     ("`spring`", "supports", "on = 'u1', spring = { direction = [0, 0, 1], stiffness = 1 }"),
+    ("`spring` against turning", "supports", "on = 'u1', spring = { axis = [0, 1, 0], stiffness = 1 }"),
+    (
+        "`spring` to another set",
+        "supports",
+        "on = 'u1', spring = { direction = [0, 0, 1], stiffness = 1, to = 'u0' }",
+    ),
     ("`force`", "loads", "on = 'u1', force = { total = [0, 0, 1] }"),
     ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
@@ -137,6 +145,9 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "initial_stress" => own = format!("initial_stress = [{{ {says} }}]"),
         _ if of_solid => own = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => own = format!("velocity = {{ {says} }}"),
+    }
+    if name.ends_with("of a rigid set") {
+        own = "rigid = [{ on = 'u1' }]".into();
     }
     let alone = table == "loads"
         || name.ends_with("stress`, nothing beside it")

@@ -171,7 +171,7 @@ impl Scene {
     pub(super) fn drop_body_names(&mut self) {
         let alone = self.bodies.len() == 1 && self.source.has(BODIES);
         let Some(body) = self.bodies.keys().next().filter(|_| alone) else { return };
-        let supports = self.supports.iter_mut().map(|support| &mut support.on);
+        let supports = self.supports.iter_mut().flat_map(Support::sets_mut);
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
         for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {

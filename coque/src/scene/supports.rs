@@ -27,7 +27,7 @@ pub struct Support {
     pub rotated: Option<Rotated>,
     /// Prescribed turn of the set as one body, positions and directors together.
     pub turned: Option<Turned>,
-    /// Springs to the ground along a direction.
+    /// Springs along a direction to the ground or another set, or against turning.
     pub spring: Option<Spring>,
     /// Course of a prescribed motion in time, in transient runs.
     pub amplitude: Option<Amplitude>,
@@ -106,15 +106,22 @@ pub struct Turned {
     pub by: f64,
 }
 
-/// Springs to the ground along a direction, shared by the set as a force is: by tributary length on an edge, else equally. No level
-/// scales them.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+/// Springs along a direction or against turning about an axis, exactly one of them, shared by the set as a force is: by tributary length on an
+/// edge, else equally. No level scales them.
+///
+/// Along a direction they act on the particles of a set, against turning on their directors, of a rigid set on its rotation.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
-    /// Direction; its length does not matter.
-    pub direction: [f64; 3],
-    /// Stiffness of the whole set \[F/L\].
+    /// Direction of the displacement that is resisted, fixed in space; its length does not matter.
+    pub direction: Option<[f64; 3]>,
+    /// Axis of the turn from rest that is resisted, below half a turn; its length does not matter.
+    pub axis: Option<[f64; 3]>,
+    /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
     pub stiffness: f64,
+    /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
+    /// their reference points. Left out, the ground.
+    pub to: Option<String>,
 }
 
 /// The one condition of a [`Support`].
@@ -156,12 +163,18 @@ impl Support {
             self.moved.map(SupportKind::Moved),
             self.rotated.map(SupportKind::Rotated),
             self.turned.map(SupportKind::Turned),
-            self.spring.map(SupportKind::Spring),
+            self.spring.clone().map(SupportKind::Spring),
         ]
         .into_iter()
         .zip(Self::WORDS)
         .filter_map(|(kind, word)| kind.map(|kind| (word, kind)))
         .collect()
+    }
+
+    /// Names of the sets on which it acts.
+    pub(super) fn sets_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        let other = self.spring.as_mut().and_then(|spring| spring.to.as_mut());
+        std::iter::once(&mut self.on).chain(other)
     }
 
     /// Its prescribed motion, if it is one: key, and size at level one \[L, degrees\].

@@ -5,7 +5,6 @@ use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::turn::{Turn, rotated};
-use crate::packs::Row;
 
 /// A prescribed displacement.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +77,7 @@ impl Motion {
     }
 
     /// Its derivative with respect to the level of the case that is under way, without time \[L\].
-    fn rate(&self, rest: &Vec3, level: f64, under_way: LoadCase) -> Vec3 {
+    pub(super) fn rate(&self, rest: &Vec3, level: f64, under_way: LoadCase) -> Vec3 {
         let course = self.amplitude.value(0.0);
         let moving = match under_way {
             LoadCase::Preload => self.preload.unwrap_or_default(),
@@ -123,54 +122,5 @@ impl Rotation {
             return [0.0; 3];
         }
         (across * (libm::atan2(sin, cos) / (sin * (to.time - from.time)))).into()
-    }
-}
-
-/// What one particle is told, without time: its share of a load level.
-pub(crate) struct Told<'a> {
-    /// Position and director at rest.
-    pub rest: (Vec3, Vec3),
-    pub motion: Option<&'a Motion>,
-    pub rotation: Option<&'a Rotation>,
-    /// Orthonormal directions in which the position is held.
-    pub held: &'a [Vec3],
-}
-
-impl Told<'_> {
-    /// Puts the held components where a level has them.
-    pub fn put(&self, level: f64, under_way: LoadCase, row: &mut Row) {
-        let at = Instant { time: 0.0, level };
-        if let Some(motion) = self.motion {
-            let rest = self.rest.0 + motion.at(&self.rest.0, at, under_way);
-            for n in self.held {
-                let missing = n.dot(&(rest - Vec3::new(row[0], row[1], row[2])));
-                (0..3).for_each(|k| row[k] += missing * n[k]);
-            }
-        }
-        if let Some(rotation) = self.rotation {
-            let d = rotation.at(&self.rest.1, at, under_way);
-            row[3..].copy_from_slice(d.as_slice());
-        }
-    }
-
-    /// Square of the force that brings it about at the director `d`, from `[∂U/∂x, ∂U/∂d]`, turns counted as arcs \[F²\].
-    pub fn force(&self, row: &Row, d: &Vec3, arc: f64) -> f64 {
-        let part = |first: usize| Vec3::new(row[first], row[first + 1], row[first + 2]);
-        let pull = self.motion.map_or(0.0, |motion| {
-            let along = motion.parts(&self.rest.0).filter_map(|part| part.try_normalize(0.0));
-            along.map(|along| along.dot(&part(0))).reduce(f64::hypot).unwrap_or(0.0)
-        });
-        let turn = self.rotation.map_or(0.0, |rotation| rotation.axis.cross(d).dot(&part(3)) / arc);
-        pull * pull + turn * turn
-    }
-
-    /// Derivative of `[x, d]` with respect to the level of the case that is under way, at a level and the director `d` there.
-    pub fn rate(&self, level: f64, d: &Vec3, under_way: LoadCase) -> Row {
-        let u = self.motion.map_or(Vec3::zeros(), |motion| motion.rate(&self.rest.0, level, under_way));
-        let turning = self.rotation.filter(|rotation| rotation.case == under_way);
-        let w = turning.map_or(Vec3::zeros(), |rotation| {
-            rotation.axis.cross(d) * (rotation.angle * rotation.amplitude.value(0.0))
-        });
-        [u.x, u.y, u.z, w.x, w.y, w.z]
     }
 }

@@ -57,7 +57,17 @@ impl Shell {
         let mut sum = Resultant::default();
         for (a, row) in self.sprung.iter().enumerate() {
             let force = Vec3::new(row[0], row[1], row[2]);
-            sum.add(self.position(a) - about, force, Vec3::zeros(), Vec3::zeros());
+            sum.add(self.position(a) - about, force, self.director(a), Vec3::new(row[3], row[4], row[5]));
+        }
+        for group in self.junctions.groups.iter().filter(|group| group.body.is_some()) {
+            let row = self.spring_row_of_body(group.first());
+            sum.add(
+                group.pole(&self.state) - about,
+                Vec3::new(row[0], row[1], row[2]),
+                Vec3::zeros(),
+                Vec3::zeros(),
+            );
+            sum.moment += Vec3::new(row[3], row[4], row[5]);
         }
         for a in 0..self.len() {
             let Some(held) = self.constraint(a) else { continue };
@@ -71,9 +81,10 @@ impl Shell {
             let force = Vec3::from(force) - Vec3::from(held.free_translation(force));
             let arm = self.position(a) - about;
             if let Some(group) = self.junctions.of(a) {
-                // A group bears a torque, a body about its pole.
+                // A group bears a torque: of the moment about its pole what the force at the reference point of a body leaves.
                 sum.add(group.pole(&self.state) - about, force, Vec3::zeros(), Vec3::zeros());
-                sum.moment += couple - held.free_spin(couple);
+                let swung = group.lever(&self.state).map_or(Vec3::zeros(), |lever| lever.torque(&force));
+                sum.moment += couple - held.free_spin(couple - swung);
                 continue;
             }
             let d = self.director(a);

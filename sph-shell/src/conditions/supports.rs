@@ -1,10 +1,10 @@
 //! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
 
-use explicit_dynamics::{Amplitude, Step};
+use explicit_dynamics::Amplitude;
 use sph_core::{Cloud, Vec3};
 
 use crate::conditions::case::LoadCase;
-use crate::conditions::prescribed::{Motion, Rotation, Told};
+use crate::conditions::prescribed::{Motion, Rotation};
 use crate::error::ShellError;
 
 /// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
@@ -309,34 +309,9 @@ impl Constraint {
         }
     }
 
-    /// Spin of the prescribed rotation over a step \[1/T\].
-    pub(crate) fn spin(&self, step: &Step) -> Option<Vec3> {
-        Some(self.rotation.as_ref()?.spin(step.from, step.to))
-    }
-
-    /// Mean velocity of the prescribed motion over a step \[L/T\].
-    pub(crate) fn velocity(&self, step: &Step) -> Option<[f64; 3]> {
-        Some(self.motion.as_ref()?.velocity(&self.rest.0, step.from, step.to))
-    }
-
-    /// Rate of the director `d` under the prescribed rotation over a step \[1/T\].
-    #[inline]
-    pub(crate) fn director_rate(&self, d: [f64; 3], step: &Step) -> Option<[f64; 3]> {
-        let rotation = self.rotation.as_ref()?;
-        Some(rotation.rate(&self.rest.1, &d.into(), step.from, step.to))
-    }
-
-    /// Whether part of what it prescribes belongs to the preload.
-    pub(crate) fn has_preload(&self) -> bool {
-        self.motion.as_ref().is_some_and(|motion| motion.preload.is_some())
-            || self.rotation.as_ref().is_some_and(|rotation| rotation.case == LoadCase::Preload)
-    }
-
-    /// What is prescribed by level, if anything is.
-    pub(crate) fn told(&self) -> Option<Told<'_>> {
-        let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
-        let held = &self.held[..self.count];
-        (motion.is_some() || rotation.is_some()).then_some(Told { rest: self.rest, motion, rotation, held })
+    /// Orthonormal directions in which the position is held.
+    pub(crate) fn held(&self) -> &[Vec3] {
+        &self.held[..self.count]
     }
 }
 

@@ -9,8 +9,8 @@
 //! drift   p += Δt v;  J(Q½) ω½ = J ω,  Q½ = exp(½Δt ω½) Q;  Q ← exp(Δt ω½) Q,  J ω as before
 //! ```
 //!
-//! The pole is the centre of mass, so that v and ω do not meet in the kinetic energy; where supports hold places, it is the reference
-//! point that they hold. The drift is a free motion by the midpoint rule: it keeps moment of momentum to round-off. The inertia of
+//! The pole is the centre of mass, so that v and ω do not meet in the kinetic energy; supports hold another point, the reference point
+//! (`guide.rs`). The drift is a free motion by the midpoint rule: it keeps moment of momentum to round-off. The inertia of
 //! directors is that of particles restricted to the body: a constraint shortens no stable step.
 
 use nalgebra::{Matrix3, SymmetricEigen};
@@ -29,6 +29,10 @@ pub(crate) struct RigidBody {
     pub places: Vec<[Vec3; 2]>,
     /// Place in the group of the particle whose chord from the first makes the triad.
     pub far: usize,
+    /// The triad at rest.
+    pub rest: Matrix3<f64>,
+    /// Projector on the directions in which supports hold the reference point; zero without.
+    pub held: Matrix3<f64>,
     /// Its inertia in the march and in modes.
     pub marching: Inertia,
     pub modal: Inertia,
@@ -83,6 +87,11 @@ pub(crate) enum Power {
 }
 
 impl RigidBody {
+    /// Its reference point from the pole, for the present triad \[L\].
+    pub fn arm(&self, triad: &Matrix3<f64>) -> Vec3 {
+        triad * self.reference
+    }
+
     /// The rotation vector of a free motion over a step, by the midpoint rule, and the spin at its end.
     pub fn free_turn(&self, triad: &Matrix3<f64>, spin: &Vec3, dt: f64) -> (Vec3, Vec3) {
         let momentum = self.marching.power(triad, Power::One, spin);
@@ -103,14 +112,14 @@ impl RigidBody {
     /// Second variation of its loads along the rotation, to be added to that of the particles, r the reference point from the pole:
     /// `−½(F rᵀ + r Fᵀ) + (F·r) 1`; that of a couple about a fixed axis is skew.
     pub fn load_block(&self, triad: &Matrix3<f64>) -> Matrix3<f64> {
-        let (r, f) = (triad * self.reference, self.load[0]);
+        let (r, f) = (self.arm(triad), self.load[0]);
         let outer = f * r.transpose();
         Matrix3::identity() * f.dot(&r) - (outer + outer.transpose()) * 0.5
     }
 
     /// Takes force and couple at its reference point as its loads.
     pub fn take(&mut self, triad: &Matrix3<f64>, [force, couple]: [Vec3; 2]) {
-        let moment = (triad * self.reference).cross(&force) + couple;
+        let moment = self.arm(triad).cross(&force) + couple;
         self.load = [force, couple];
         self.external = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
     }

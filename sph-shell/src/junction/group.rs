@@ -74,10 +74,14 @@ impl Junctions {
         self.groups.is_empty()
     }
 
+    /// Number of the group of a particle, if it belongs to one.
+    pub fn number(&self, particle: usize) -> Option<usize> {
+        (*self.group_of.get(particle)? as usize).checked_sub(1)
+    }
+
     /// The group of a particle, if it belongs to one.
     pub fn of(&self, particle: usize) -> Option<&Group> {
-        let number = *self.group_of.get(particle)? as usize;
-        number.checked_sub(1).map(|i| &self.groups[i])
+        self.number(particle).map(|i| &self.groups[i])
     }
 
     /// The particle that bears the unknowns of a particle: the first of its group, or itself.
@@ -145,7 +149,7 @@ impl Group {
         triad(&d, &e)
     }
 
-    /// The point whose velocity is that of the group: the place of its particles, or the pole of a body.
+    /// The point whose velocity is that of the group: the place of its particles, or the centre of mass of a body.
     pub fn pole(&self, state: &[Row]) -> Vec3 {
         let first = place(&state[self.first()]);
         self.body.as_ref().map_or(first, |body| first - self.triad(state) * body.places[0][0])
@@ -209,12 +213,9 @@ impl Group {
 
     /// Moves all particles by u and turns them by the rotation vector θ.
     pub fn turn(&self, state: &mut [Row], u: &Vec3, theta: &Vec3) {
-        if let Some(body) = &self.body {
+        if self.body.is_some() {
             let (pole, triad) = (self.pole(state) + u, turned(&self.triad(state), theta));
-            for (&a, [arm, d]) in self.particles.iter().zip(&body.places) {
-                let (x, d) = (pole + triad * arm, (triad * d).normalize());
-                state[a as usize] = [x.x, x.y, x.z, d.x, d.y, d.z];
-            }
+            self.placed(&pole, &triad).for_each(|(a, row)| state[a as usize] = row);
             return;
         }
         for &a in &self.particles {
@@ -222,6 +223,15 @@ impl Group {
             let d = rotated(&director(row), theta).normalize();
             *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d.x, d.y, d.z];
         }
+    }
+
+    /// The particles of a body with their rows for a pole and a triad.
+    pub fn placed(&self, pole: &Vec3, triad: &Matrix3<f64>) -> impl Iterator<Item = (u32, Row)> {
+        let places = self.body.iter().flat_map(|body| &body.places);
+        self.particles.iter().zip(places).map(move |(&a, [arm, d])| {
+            let (x, d) = (pole + triad * arm, (triad * d).normalize());
+            (a, [x.x, x.y, x.z, d.x, d.y, d.z])
+        })
     }
 
     /// Gives all particles the rates of a motion `[v, ω]` of the pole: `v + ω × a_k` and `ω × d_k`.

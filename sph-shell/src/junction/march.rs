@@ -8,7 +8,6 @@ use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::supports::{Constraint, DirectorHold};
-use crate::junction::body::Power;
 use crate::junction::group::{Group, director};
 use crate::packs::Row;
 use crate::time::particle::Decay;
@@ -70,21 +69,21 @@ impl Shell {
 }
 
 /// The kick of one group: force and torque `f`, of which `external` by loads, on the motion `[v, ω]` it has.
-struct Kick<'a> {
-    group: &'a Group,
-    state: &'a [Row],
-    f: Row,
-    external: Row,
-    old: Row,
-    step: &'a Step,
+pub(super) struct Kick<'a> {
+    pub group: &'a Group,
+    pub state: &'a [Row],
+    pub f: Row,
+    pub external: Row,
+    pub old: Row,
+    pub step: &'a Step,
 }
 
 impl Kick<'_> {
     /// `[v, ω]` after the kick, by the rule of every particle; kinetic energy and external work are added to `work`.
     fn new_motion(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
         let Self { group, f, external, old, step, .. } = self;
-        if group.body.is_some() {
-            return self.new_motion_of_body(constraint, work);
+        if let Some(body) = &group.body {
+            return self.of_body(body, constraint, work);
         }
         let (kick, decay) = (step.kick, Decay::of(step));
         let mass = |k: usize| if k < 3 { group.mass } else { group.inertia };
@@ -102,31 +101,6 @@ impl Kick<'_> {
                 work.external += kick * lack * mean[k];
             }
         }
-        new
-    }
-}
-
-impl Kick<'_> {
-    /// The same of a rigid body, whose inertia is a tensor and whose supports prescribe nothing.
-    fn new_motion_of_body(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
-        let Self { group, state, f, external, old, step } = self;
-        let Some(body) = &group.body else { return *old };
-        let (kick, decay, triad) = (step.kick, Decay::of(step), group.triad(state));
-        let torque = director(f);
-        let turning = match constraint.map_or(DirectorHold::Free, |held| held.director) {
-            DirectorHold::Free => body.marching.power(&triad, Power::Inverse, &torque),
-            DirectorHold::InPlane(n) => n * (n.dot(&torque) / body.marching.about(&triad, &n)),
-            DirectorHold::Fixed => Vec3::zeros(),
-        };
-        let push = |k: usize| kick * if k < 3 { f[k] / group.mass } else { turning[k - 3] };
-        let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], push(k)));
-        if let Some(constraint) = constraint {
-            (new, _) = held(constraint, new, step);
-        }
-        let mean: Row = std::array::from_fn(|k| 0.5 * (old[k] + new[k]));
-        let (v, spin) = (Vec3::new(mean[0], mean[1], mean[2]), director(&mean));
-        work.kinetic += 0.5 * (group.mass * v.norm_squared() + body.marching.about(&triad, &spin));
-        work.external += kick * (0..6).map(|k| external[k] * mean[k]).sum::<f64>();
         new
     }
 }

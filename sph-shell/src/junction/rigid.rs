@@ -6,7 +6,7 @@ use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::loads::{AppliedLoad, Block, Body, Load, check_set};
-use crate::conditions::supports::{Constraint, DirectorHold, Holds};
+use crate::conditions::supports::{Constraint, Holds};
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
 use crate::junction::body::{Inertia, RigidBody};
@@ -28,8 +28,9 @@ pub struct RigidSet {
     pub mass: f64,
     /// Inertia of that mass about the reference point \[M L²\].
     pub inertia: Matrix3<f64>,
-    /// Held displacements of the reference point; a plane for directors leaves the rotation about its normal.
-    pub holds: Holds,
+    /// What each support asks: displacements of the reference point, held or prescribed, and rotations of the body; a plane for
+    /// directors leaves the rotation about its normal.
+    pub holds: Vec<Holds>,
 }
 
 /// A load on a rigid body: a dead force at its reference point and a couple about an axis fixed in space.
@@ -41,6 +42,18 @@ pub struct RigidLoad {
     pub force: Vec3,
     /// The couple \[F L\]; without a potential where the body turns about several axes.
     pub couple: Vec3,
+}
+
+/// What supports of a set ask of its body cannot be.
+fn opposed(set: usize, fault: ShellError) -> ShellError {
+    let what = match fault {
+        ShellError::TwoMotions(_) => "two of them move or turn it, with courses of their own; give both one",
+        ShellError::HeldDirector { .. } => {
+            "one turns it and another holds or turns its rotation; remove one, or let the other hold displacements only"
+        }
+        _ => "one moves its reference point along a direction that another holds; remove one of them",
+    };
+    ShellError::RigidOpposed { set, what }
 }
 
 impl Load for RigidLoad {
@@ -84,12 +97,13 @@ impl Shell {
         }
         junctions.groups.retain(|group| !in_body(group));
         for (number, set) in sets.iter().enumerate() {
-            junctions.groups.push(self.body(number, set)?);
             let first = set.particles[0] as usize;
             let rest = (set.at, self.reference.cloud.frames[first].n);
-            let asked = [(number, set.holds.clone())];
-            let mut constraint = Constraint::join(set.particles[0], rest, &asked)?;
+            let asked: Vec<(usize, Holds)> = set.holds.iter().cloned().enumerate().collect();
+            let joined = Constraint::join(set.particles[0], rest, &asked);
+            let mut constraint = joined.map_err(|fault| opposed(number, fault))?;
             constraint.tied = true;
+            junctions.groups.push(self.body(number, set, &constraint)?);
             self.constraints.push(constraint);
             let entry = self.constraints.len() as u32;
             set.particles.iter().for_each(|&a| self.constraint_of[a as usize] = entry);
@@ -120,8 +134,8 @@ impl Shell {
         Ok(())
     }
 
-    /// The group of a set, its pole the reference point where supports hold that, else the centre of mass.
-    fn body(&self, number: usize, set: &RigidSet) -> Result<Group, ShellError> {
+    /// The group of a set that is held so.
+    fn body(&self, number: usize, set: &RigidSet, constraint: &Constraint) -> Result<Group, ShellError> {
         let cloud = &self.reference.cloud;
         let mut particles = set.particles.clone();
         particles.sort_unstable();
@@ -135,8 +149,7 @@ impl Shell {
         let [masses, inertias] = self.moving_masses();
         let mass = particles.iter().map(|&a| masses[a as usize]).sum::<f64>() + set.mass;
         let moment: Vec3 = particles.iter().map(|&a| cloud.positions[a as usize] * masses[a as usize]).sum();
-        let centre = (moment + set.at * set.mass) / mass;
-        let pole = if set.holds.translations.is_empty() { centre } else { set.at };
+        let pole = (moment + set.at * set.mass) / mass;
         let section = self.thickness().powi(2) / 12.0;
         let turning = |a: usize| {
             let own = self.reference.rotary.get(a).copied();
@@ -162,6 +175,8 @@ impl Shell {
                 })
                 .collect(),
             far,
+            rest: triad,
+            held: constraint.held().iter().map(|n| n * n.transpose()).sum(),
             marching: in_triad(tensor(&|a| inertias[a])),
             modal: in_triad(tensor(&turning)),
             number,
@@ -179,35 +194,21 @@ impl Shell {
         [bodies().count(), bodies().map(|group| group.particles.len()).sum()]
     }
 
-    /// A rigid set some displacements of whose reference point are held though its mass lies elsewhere, by its place among the sets: its
-    /// velocities and spins meet in the kinetic energy, which nothing here can march.
-    pub fn coupled_rigid_set(sets: &[RigidSet], shell: &Self) -> Option<usize> {
-        let cloud = &shell.reference.cloud;
-        let masses = shell.moving_masses()[0];
-        sets.iter().position(|set| {
-            let held = set.holds.translations.len();
-            let mass = set.particles.iter().map(|&a| masses[a as usize]).sum::<f64>() + set.mass;
-            let arm = |&a: &u32| (cloud.positions[a as usize] - set.at) * masses[a as usize];
-            let away = set.particles.iter().map(arm).sum::<Vec3>().norm() / mass;
-            (1..3).contains(&held)
-                && set.holds.director != DirectorHold::Fixed
-                && away > APART * cloud.spacing()
-        })
-    }
-
-    /// Evaluates the loads on rigid bodies, each load times a factor.
-    pub(crate) fn evaluate_bodies(&mut self, scale: impl Fn(&AppliedLoad) -> f64) {
-        let Self { junctions, state, loads, .. } = self;
-        for group in &mut junctions.groups {
-            let triad = group.body.is_some().then(|| group.triad(state));
-            let (Some(body), Some(triad)) = (&mut group.body, triad) else { continue };
-            let mut sum = [Vec3::zeros(); 2];
-            for applied in loads.iter() {
+    /// Evaluates the loads on rigid bodies, each load times a factor, with what springs exert on them where that is wanted.
+    pub(crate) fn evaluate_bodies(&mut self, springs: bool, scale: impl Fn(&AppliedLoad) -> f64) {
+        for number in 0..self.junctions.groups.len() {
+            let group = &self.junctions.groups[number];
+            let Some(body) = &group.body else { continue };
+            let triad = group.triad(&self.state);
+            let mut sum = if springs { self.springs_on_body(body.number) } else { [Vec3::zeros(); 2] };
+            for applied in &self.loads {
                 let Some(own) = applied.load.on_body(body.number, body.mass) else { continue };
                 let factor = scale(applied);
                 sum.iter_mut().zip(own).for_each(|(sum, part)| *sum += part * factor);
             }
-            body.take(&triad, sum);
+            if let Some(body) = &mut self.junctions.groups[number].body {
+                body.take(&triad, sum);
+            }
         }
     }
 
@@ -218,7 +219,7 @@ impl Shell {
     ) -> impl Iterator<Item = ([Vec3; 2], Vec3)> + 'a {
         self.junctions.groups.iter().filter_map(move |group| {
             let body = group.body.as_ref()?;
-            let at = group.pole(&self.state) + group.triad(&self.state) * body.reference;
+            let at = group.pole(&self.state) + body.arm(&group.triad(&self.state));
             Some((load.on_body(body.number, body.mass)?, at))
         })
     }
@@ -241,7 +242,7 @@ impl Shell {
             .collect()
     }
 
-    /// Force and torque of the loads on the rigid body that a particle stands for.
+    /// Force and torque of the loads and springs on the rigid body that a particle stands for.
     pub(crate) fn body_load(&self, particle: usize) -> [f64; 6] {
         let group = self.junctions.of(particle).filter(|group| group.first() == particle);
         group.and_then(|group| group.body.as_ref()).map_or([0.0; 6], |body| body.external)

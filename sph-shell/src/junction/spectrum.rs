@@ -1,5 +1,6 @@
 //! Groups in mass-scaled coordinates: the six of the first particle are `[√m v, √I ω]`, those of the others nothing.
 
+use nalgebra::Vector6;
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -8,11 +9,15 @@ use crate::junction::body::Power;
 use crate::junction::group::{Group, director};
 use crate::packs::Row;
 
+/// What is left of a held motion beside others, in units of its size, below which it is one of them.
+const DEPENDENT: f64 = 1e-9;
+
 impl Shell {
     /// The row `[u, θ × d]` of a particle of a group for mass-scaled components v.
     pub(crate) fn unscaled_tied(&self, group: &Group, a: usize, v: &[f64]) -> Row {
         let first = group.first();
-        let [u, theta] = halves(&self.free_motion(group, std::array::from_fn(|k| v[6 * first + k])));
+        let free = self.without_held(group, std::array::from_fn(|k| v[6 * first + k]));
+        let [u, theta] = halves(&self.mass_scaled(group, free));
         let w = theta.cross(&director(&self.state[a]));
         let arm = group.far_pole(&self.state).map(|pole| self.position(a) - pole);
         let u = arm.map_or(u, |arm| u + theta.cross(&arm));
@@ -24,7 +29,12 @@ impl Shell {
         if group.first() != a {
             return [0.0; 6];
         }
-        self.free_motion(group, group.gather(&self.state, row))
+        self.free_row_of_group(group, group.gather(&self.state, row))
+    }
+
+    /// The same of force and torque about the pole.
+    pub(crate) fn free_row_of_group(&self, group: &Group, row: Row) -> Row {
+        self.without_held(group, self.mass_scaled(group, row))
     }
 
     /// What is out of balance of a group, in the same way.
@@ -33,7 +43,7 @@ impl Shell {
             return [0.0; 6];
         }
         let (sum, load) = (group.gather(&self.state, lack), self.body_load(a));
-        self.free_motion(group, std::array::from_fn(|k| sum[k] + load[k]))
+        self.free_row_of_group(group, std::array::from_fn(|k| sum[k] + load[k]))
     }
 
     /// `[√m v, √I ω]` of a group.
@@ -51,25 +61,52 @@ impl Shell {
         std::array::from_fn(|k| motion[k] * if k < 3 { group.mass } else { group.inertia }.sqrt())
     }
 
-    /// `M^{-½}` times a row, without what supports hold.
-    fn free_motion(&self, group: &Group, row: Row) -> Row {
-        let [mut v, mut w] = halves(&row);
-        if let Some(body) = &group.body {
-            let constraint = self.constraint(group.first());
-            let v = constraint.map_or(v, |held| held.free_translation(v.into()).into()) / group.mass.sqrt();
-            let triad = group.triad(&self.state);
-            let w = match constraint.map_or(DirectorHold::Free, |held| held.director) {
-                DirectorHold::Free => body.marching.power(&triad, Power::InverseRoot, &w),
-                DirectorHold::InPlane(n) => n * (n.dot(&w) / body.marching.about(&triad, &n).sqrt()),
-                DirectorHold::Fixed => Vec3::zeros(),
-            };
-            return [v.x, v.y, v.z, w.x, w.y, w.z];
-        }
-        if let Some(constraint) = self.constraint(group.first()) {
-            (v, w) = (constraint.free_translation(v.into()).into(), constraint.free_spin(w));
-        }
-        let (v, w) = (v / group.mass.sqrt(), w / group.inertia.sqrt());
+    /// `M^{-½}` times a row.
+    fn mass_scaled(&self, group: &Group, row: Row) -> Row {
+        let [v, w] = halves(&row);
+        let v = v / group.mass.sqrt();
+        let w = match &group.body {
+            Some(body) => body.marching.power(&group.triad(&self.state), Power::InverseRoot, &w),
+            None => w / group.inertia.sqrt(),
+        };
         [v.x, v.y, v.z, w.x, w.y, w.z]
+    }
+
+    /// A mass-scaled motion without what supports hold. Of a body the motions that are held, `[n, r × n]` of the reference point and
+    /// `[0, e]` of rotations, are not square to the others before they are scaled.
+    fn without_held(&self, group: &Group, row: Row) -> Row {
+        let Some(constraint) = self.constraint(group.first()) else { return row };
+        let Some(body) = &group.body else {
+            let [v, w] = halves(&row);
+            let (v, w) = (constraint.free_translation(v.into()), constraint.free_spin(w));
+            return [v[0], v[1], v[2], w.x, w.y, w.z];
+        };
+        let arm = body.arm(&group.triad(&self.state));
+        let [x, y, z] = [Vec3::x(), Vec3::y(), Vec3::z()];
+        let turns = match constraint.director {
+            DirectorHold::Free => [None; 3],
+            DirectorHold::InPlane(n) => {
+                let frame = sph_core::Frame::from_normal(n);
+                [Some(frame.t1), Some(frame.t2), None]
+            }
+            DirectorHold::Fixed => [Some(x), Some(y), Some(z)],
+        };
+        let places = constraint.held().iter().map(|n| (*n, arm.cross(n)));
+        let all = places.chain(turns.into_iter().flatten().map(|e| (Vec3::zeros(), e)));
+        let (mut basis, mut count) = ([Vector6::zeros(); 6], 0);
+        for (n, moment) in all {
+            let mut held =
+                Vector6::from(self.mass_scaled(group, [n.x, n.y, n.z, moment.x, moment.y, moment.z]));
+            let size = held.norm();
+            basis[..count].iter().for_each(|known| held -= known * known.dot(&held));
+            if held.norm() > DEPENDENT * size {
+                basis[count] = held.normalize();
+                count += 1;
+            }
+        }
+        let free =
+            basis[..count].iter().fold(Vector6::from(row), |left, known| left - known * known.dot(&left));
+        free.into()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Groups without time: six unknowns each, their place among the blocks of the tangent, and their motion.
 
+use std::ops::DerefMut;
+
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
@@ -10,6 +12,7 @@ use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::Basis;
+use crate::statics::static_shell::StaticShell;
 
 impl Junctions {
     /// Adds the pairs of first particles to the pairs of particles that share a block, row by row.
@@ -38,27 +41,27 @@ impl Junctions {
             })
         };
         let arms = self.arms(state);
-        let arm = |a: usize| arms.get(a).filter(|arm| **arm != Vec3::zeros());
+        let levers: Vec<_> = self.groups.iter().map(|group| group.lever(state)).collect();
+        // What a force on a particle adds to the torque that is conjugate to the rotation.
+        let moment = |a: usize, force: Vec3| {
+            let own = arms.get(a).map_or(Vec3::zeros(), |arm| arm.cross(&force));
+            let lever = self.number(a).and_then(|number| levers[number]);
+            lever.map_or(own, |lever| own - lever.torque(&force))
+        };
         for (a, b, number) in pairs() {
             let block = &mut blocks[number];
             if self.of(a).is_some() {
                 let d = director(&state[a]);
                 for column in 0..6 {
-                    let mut torque =
-                        d.cross(&Vec3::new(block[3][column], block[4][column], block[5][column]));
-                    if let Some(arm) = arm(a) {
-                        torque += arm.cross(&Vec3::new(block[0][column], block[1][column], block[2][column]));
-                    }
+                    let of = |first: usize| Vec3::from_fn(|k, _| block[first + k][column]);
+                    let torque = d.cross(&of(3)) + moment(a, of(0));
                     (0..3).for_each(|i| block[3 + i][column] = torque[i]);
                 }
             }
             if self.of(b).is_some() {
                 let d = director(&state[b]);
                 for row in block.iter_mut() {
-                    let mut turned = d.cross(&director(row));
-                    if let Some(arm) = arm(b) {
-                        turned += arm.cross(&place(row));
-                    }
+                    let turned = d.cross(&director(row)) + moment(b, place(row));
                     row[3..].copy_from_slice(turned.as_slice());
                 }
             }
@@ -127,7 +130,12 @@ impl Group {
         let Some(body) = &self.body else { return sum };
         let pole = self.pole(state);
         let arm = |&a: &u32| of(&place(&p(a as usize)), &(place(&state[a as usize]) - pole));
-        sum + self.particles.iter().map(arm).sum::<Matrix3<f64>>() + body.load_block(&self.triad(state))
+        let whole =
+            sum + self.particles.iter().map(arm).sum::<Matrix3<f64>>() + body.load_block(&self.triad(state));
+        self.lever(state).map_or(whole, |lever| {
+            let force = self.particles.iter().map(|&a| place(&p(a as usize))).sum::<Vec3>() - body.load[0];
+            whole - of(&(lever.held * force), &lever.arm)
+        })
     }
 }
 
@@ -145,7 +153,7 @@ impl Shell {
         basis.move_first(basis.count);
         match constraint.director {
             DirectorHold::Free => {
-                let axes = group.principal_axes(&self.state);
+                let axes = group.turning_axes(&self.state);
                 (0..3).for_each(|i| basis.push(axes.column(i).into()));
             }
             DirectorHold::InPlane(normal) => basis.push(normal),
@@ -158,7 +166,8 @@ impl Shell {
     pub(crate) fn move_tied(&mut self, particle: usize, u: &Vec3, theta: &Vec3) {
         let Self { junctions, state, .. } = self;
         if let Some(group) = junctions.of(particle).filter(|group| group.first() == particle) {
-            group.turn(state, u, theta);
+            let way = group.way_of_pole(state, u, theta);
+            group.turn(state, &way, theta);
         }
     }
 
@@ -170,14 +179,29 @@ impl Shell {
             reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a)
         };
         let Some(group) = self.junctions.of(particle) else { return own(particle) };
-        match &group.body {
+        match group.modal_about(&self.state, &axis()) {
             None => group.mass_about(&axis(), &self.state, own),
-            Some(body) => body.modal.about(&group.triad(&self.state), &axis()) * section,
+            Some(inertia) => inertia * section,
         }
     }
 
     /// Mass of a particle or of the group it stands for \[M\].
     pub(crate) fn moving_mass(&self, particle: usize) -> f64 {
         self.junctions.of(particle).map_or(self.moving_masses()[0][particle], |group| group.mass)
+    }
+}
+
+impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
+    pub(crate) fn add_body_loads(&self, out: &mut [f64]) {
+        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
+            let a = group.first();
+            let load = group.along_unknowns(&self.shell.state, self.shell.body_load(a));
+            let present = self.basis(a);
+            let basis = self.carried.get(a).unwrap_or(&present);
+            let mut own = [0.0; 6];
+            basis.project(&load, &mut own[..basis.count]);
+            out[self.dofs.of(a)].iter_mut().zip(own).for_each(|(sum, part)| *sum += part);
+        }
     }
 }

@@ -52,6 +52,9 @@ impl BlockPattern {
             }
         }
         shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
+        for [a, b] in shell.pairs_of_body_springs() {
+            rows[a.max(b) as usize].push(a.min(b));
+        }
         if let Scheme::Wide { control, .. } = &shell.points.scheme {
             for (a, row) in rows.iter_mut().enumerate() {
                 row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));

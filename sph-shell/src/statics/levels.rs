@@ -29,7 +29,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         shell.put_stress(level);
         for &a in &self.moved {
             let number = shell.constraint_of[a as usize] as usize - 1;
-            if let Some(told) = shell.constraints[number].told() {
+            if shell.body_of(a as usize).is_some() {
+                shell.put_body(a as usize, level);
+            } else if let Some(told) = shell.constraints[number].told() {
                 told.put(level, shell.case, &mut shell.state[a as usize]);
             }
             if let Some(basis) = self.carried.get_mut(a as usize) {
@@ -42,7 +44,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     fn prescribed_rates(&self, level: f64) -> Vec<Row> {
         let mut rates = vec![[0.0; 6]; self.shell.len()];
         for &a in &self.moved {
-            if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
+            if self.shell.body_of(a as usize).is_some() {
+                self.shell.rates_of_body(a as usize, level, &mut rates);
+            } else if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
                 rates[a as usize] = told.rate(level, &self.shell.director(a as usize), self.shell.case);
             }
         }

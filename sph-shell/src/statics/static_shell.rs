@@ -33,7 +33,10 @@ pub struct StaticShell<S = Box<Shell>> {
 impl StaticShell {
     /// Numbers the free degrees of freedom of a shell. What its supports move goes with the level.
     pub fn new(shell: Shell) -> Self {
-        let moved = (0..shell.len()).filter(|&a| shell.constraint(a).is_some_and(|c| c.told().is_some()));
+        // The first particle of a rigid body stands for all of it.
+        let own = |a: usize| shell.body_of(a).is_none_or(|group| group.first() == a);
+        let told = |a: usize| shell.constraint(a).is_some_and(|c| c.told().is_some());
+        let moved = (0..shell.len()).filter(|&a| told(a) && own(a));
         let moved = moved.map(|a| a as u32).collect();
         Self { moved, ..Self::lent(Box::new(shell)) }
     }
@@ -88,22 +91,13 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.basis(particle, self.dofs.arc)
     }
 
-    /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
-    fn add_body_loads(&self, out: &mut [f64]) {
-        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
-            let (a, load) = (group.first(), self.shell.body_load(group.first()));
-            let present = self.basis(a);
-            let basis = self.carried.get(a).unwrap_or(&present);
-            let mut own = [0.0; 6];
-            basis.project(&load, &mut own[..basis.count]);
-            out[self.dofs.of(a)].iter_mut().zip(own).for_each(|(sum, part)| *sum += part);
-        }
-    }
-
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            let (row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            let (mut row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
+            if let Some(group) = self.shell.body_of(a).filter(|group| group.first() == a) {
+                row = group.along_unknowns(&self.shell.state, row);
+            }
             match self.carried.get(a) {
                 Some(basis) => basis.project(&row, out),
                 None => self.basis(a).project(&row, out),
@@ -213,6 +207,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn driving_force(&self) -> f64 {
         let told = |&a: &u32| {
             let a = a as usize;
+            if self.shell.body_of(a).is_some() {
+                return Some(self.shell.force_on_body(a, self.dofs.arc));
+            }
             let told = self.shell.constraint(a)?.told()?;
             Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
         };
@@ -381,6 +378,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
         shell.junctions.tie(&shell.state, &self.pattern, &mut self.blocks, 1.0);
         shell.junctions.add_rotation_blocks(&shell.state, &self.pattern, &mut self.blocks, lack);
+        shell.add_body_spring_blocks(&self.pattern, &mut self.blocks);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.
         let radial = |a: usize| match shell.junctions.of(a) {
             Some(_) => 0.0,

@@ -38,7 +38,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             match shell.junctions.of(a) {
                 None => rates[a] = row,
                 Some(group) if group.first() == a => {
-                    group.set_rates(&shell.state, &mut rates, &row);
+                    group.set_rates(&shell.state, &mut rates, &group.of_pole(&shell.state, row));
                     whole[a] = Some(v);
                 }
                 Some(_) => {}

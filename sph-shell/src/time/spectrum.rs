@@ -30,6 +30,7 @@ impl LinearisedDynamics for Shell {
         let eps = PERTURBATION / greatest;
         let home = self.state.clone();
         let mut forces = [vec![[0.0; 6]; home.len()], vec![[0.0; 6]; home.len()]];
+        let mut of_bodies = Vec::new();
         for (sign, force) in [1.0, -1.0].into_iter().zip(&mut forces) {
             for (row, (old, u)) in self.state.iter_mut().zip(home.iter().zip(&direction)) {
                 for k in 0..6 {
@@ -41,7 +42,7 @@ impl LinearisedDynamics for Shell {
                 }
             }
             self.evaluate_internal(false);
-            if !self.springs.is_empty() {
+            if !self.sprung.is_empty() {
                 self.spring_rows(force);
                 self.ties.take_back(&self.state, force, |_, _| ());
             }
@@ -49,12 +50,21 @@ impl LinearisedDynamics for Shell {
                 let internal = self.internal_force(a);
                 *row = std::array::from_fn(|k| internal[k] - row[k]);
             }
+            let groups = self.junctions.groups.iter();
+            of_bodies.push(groups.map(|group| self.spring_row_of_body(group.first())).collect::<Vec<_>>());
         }
         self.state = home;
         let [plus, minus] = forces;
         let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
         for (a, out) in out.chunks_exact_mut(6).enumerate() {
             out.copy_from_slice(&self.free_part(a, change));
+        }
+        for (number, group) in self.junctions.groups.iter().enumerate() {
+            let change =
+                std::array::from_fn(|k| (of_bodies[1][number][k] - of_bodies[0][number][k]) / (2.0 * eps));
+            let free = self.free_row_of_group(group, change);
+            let own = &mut out[6 * group.first()..][..6];
+            own.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
         }
     }
 }

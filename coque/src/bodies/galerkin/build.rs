@@ -75,7 +75,7 @@ impl Scene {
         let conditions = conditions(self, &sets, driven.map(|(support, _)| support))?;
         self.refuse_free_motion(|| {
             let all = Vec::from_iter(0..places.block.len() as u32);
-            free_of(&places.block.positions, &all, &holds(&conditions))
+            free_of(&places.block.positions, &all, holds(&conditions))
         })?;
         let mut loads = loads(self, solid.material.density(), &places, &sets)?;
         let driven = driven.map(|(_, point)| point);

@@ -2,9 +2,10 @@
 
 use nalgebra::Matrix3;
 use sph_core::{Cloud, Vec3};
-use sph_shell::{DirectorHold, Holds, RigidLoad, RigidSet, Shell};
+use sph_shell::{Holds, Preloaded, RigidLoad, RigidSet, Support};
 
 use super::build::Builder;
+use crate::bodies::build::amplitude;
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, LoadKind, RigidBody};
@@ -32,21 +33,14 @@ impl Builder<'_> {
         self.scene.shell().rigid.iter().enumerate().map(body).collect()
     }
 
-    /// What the supports on a set ask of its body, all of them together.
-    fn holds_of_body(&self, on: &str) -> Holds {
-        let mut all = Holds::default();
+    /// What each support on a set asks of its body.
+    fn holds_of_body(&self, on: &str) -> Vec<Holds> {
+        let mut all = Vec::new();
         for support in self.scene.supports.iter().filter(|support| support.on == on) {
             for (_, kind) in support.kinds() {
-                let Some(found) = self.support(kind, explicit_dynamics::Amplitude::Constant) else {
-                    continue;
-                };
-                let asked = found.holds();
-                all.translations.extend(asked.translations);
-                all.director = match (all.director, asked.director) {
-                    (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
-                    (one, other) if one == other => one,
-                    _ => DirectorHold::Fixed,
-                };
+                let course = amplitude(support.amplitude.as_ref());
+                let Some(found) = self.support(kind, course) else { continue };
+                all.push(if support.preload { Preloaded(found).holds() } else { found.holds() });
             }
         }
         all
@@ -66,19 +60,5 @@ impl Builder<'_> {
             }
             _ => None,
         }
-    }
-
-    /// Refuses a body some of whose displacements are held beside its centre of mass, where masses count.
-    pub(super) fn refuse_coupled(&self, sets: &[RigidSet], shell: &Shell) -> Result<(), SceneError> {
-        let kind = self.scene.analysis.kind();
-        let counts = kind.passes_time || matches!(self.scene.analysis, crate::scene::Analysis::Modal(_));
-        let Some(i) = Shell::coupled_rigid_set(sets, shell).filter(|_| counts) else { return Ok(()) };
-        let path = self.scene.body_scope().path(&format!("rigid[{i}].at"));
-        Err(self.scene.model_error(
-            &path,
-            "one or two displacements of the reference point are held, it may turn, and the centre of mass of the body lies elsewhere: its \
-             inertia then couples displacements with rotations, which is not computed; hold all three displacements or the rotations \
-             (`clamped`), or put `at` where the mass of set and body has its centre",
-        ))
     }
 }

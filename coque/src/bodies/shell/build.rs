@@ -9,7 +9,7 @@ use super::describe::describe;
 use super::doubts::{doubts_of, doubts_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
-use super::rigid::{free_motions, holds};
+use super::rigid::free_motions;
 use super::sections::Sections;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
@@ -103,8 +103,7 @@ impl Scene {
         imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
         self.refuse_free_motion(|| {
             let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
-            let held: Vec<_> = held.chain(springs.iter().map(holds)).collect();
-            free_motions(&cloud, &held, &ties, &rigid)
+            free_motions(&cloud, &held.collect::<Vec<_>>(), &ties, &rigid, &springs)
         })?;
         let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
         let parts = Parts {
@@ -122,9 +121,8 @@ impl Scene {
         let mut shell = shell.map_err(|e| builder.refusal(&e))?;
         shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
-        shell.spring(springs).map_err(|e| builder.refusal(&e))?;
         shell.rigid(&rigid).map_err(|e| builder.refusal(&e))?;
-        builder.refuse_coupled(&rigid, &shell)?;
+        shell.spring(springs).map_err(|e| builder.refusal(&e))?;
         builder.stress(&cells, &mut shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;

@@ -18,6 +18,7 @@ mod places;
 mod refusal;
 mod rigid;
 mod sections;
+mod sprung;
 mod stress;
 mod thickness;
 mod velocity;

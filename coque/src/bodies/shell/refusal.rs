@@ -57,6 +57,11 @@ impl Builder<'_> {
             &(ShellError::RigidOnALine { set } | ShellError::RigidInertia { set, .. }) => {
                 of_body(&format!("rigid[{set}]"))
             }
+            &ShellError::RigidOpposed { set, .. } => {
+                let on = self.scene.shell().rigid.get(set).map(|body| body.on.as_str());
+                let number = supports().find(|(_, s)| Some(s.on.as_str()) == on && s.motion().is_some());
+                number.map_or("supports".into(), |(i, _)| format!("supports[{i}]"))
+            }
             ShellError::RigidOfWideStencils
             | ShellError::RigidTwice { .. }
             | ShellError::RigidHeld { .. }
@@ -66,7 +71,14 @@ impl Builder<'_> {
             ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
             ShellError::StressOfWideStencils => of_body("initial_stress"),
             ShellError::Mass { .. } => of_body("masses"),
-            ShellError::Spring { .. } => "supports".into(),
+            ShellError::Spring { .. }
+            | ShellError::SpringOnItself { .. }
+            | ShellError::SpringOfBody { .. } => "supports".into(),
+            ShellError::SpringAlongDirector { .. } => {
+                let turning = |s: &Support| s.spring.as_ref().is_some_and(|spring| spring.axis.is_some());
+                let number = supports().find(|(_, support)| turning(support));
+                number.map_or("supports".into(), |(i, _)| format!("supports[{i}].spring.axis"))
+            }
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::NoSuchParticle { .. }
             | ShellError::NoSuchCell { .. }

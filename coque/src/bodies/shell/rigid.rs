@@ -1,36 +1,82 @@
 //! Which rigid motions the supports of a shell leave free.
 
 use sph_core::{Cloud, Vec3};
-use sph_shell::{DirectorHold, Holds, RigidSet, Spring, Tie};
+use sph_shell::{BodySpring, DirectorHold, Holds, RigidSet, Spring, SpringBetween, Springs, Tie, TurnSpring};
 
-use crate::bodies::rigid::{Hold, free_of};
+use crate::bodies::rigid::{End, Hold, Link, free_of_pieces};
 
 /// Rigid motions `u = τ + ω × (x − c)`, `δd = ω × d` that violate no support, in words; each sheet of the cloud may
-/// move by itself.
+/// move by itself, unless springs join it to others.
 pub(crate) fn free_motions(
     cloud: &Cloud,
     supports: &[(Vec<u32>, Holds)],
     ties: &[Tie],
     rigid: &[RigidSet],
+    springs: &Springs,
 ) -> Vec<String> {
     let pieces = tied(cloud.pieces(), cloud, ties, rigid);
+    let sprung = sprung_holds(springs, cloud, rigid);
     let of_piece = |piece: &Vec<u32>| {
         let mut holds = holds_of(cloud, piece, supports);
-        let first = |body: &&RigidSet| body.particles.iter().any(|a| piece.binary_search(a).is_ok());
+        let own = |a: &u32| piece.binary_search(a).is_ok();
+        let first = |body: &&RigidSet| body.particles.iter().any(own);
         holds.extend(rigid.iter().filter(first).flat_map(holds_of_body));
-        let free = free_of(&cloud.positions, piece, &holds);
-        if pieces.len() == 1 {
-            return free;
-        }
-        free.into_iter().map(|motion| format!("{motion} of the sheet with particle {}", piece[0])).collect()
+        holds.extend(sprung.iter().filter(|(a, _)| own(a)).map(|(_, hold)| *hold));
+        holds
     };
-    pieces.iter().flat_map(of_piece).collect()
+    let holds: Vec<Vec<Hold>> = pieces.iter().map(of_piece).collect();
+    let links = links(springs, cloud, rigid);
+    let free = free_of_pieces(&cloud.positions, &pieces, &holds, &links);
+    if pieces.len() == 1 {
+        return free.into_iter().flatten().collect();
+    }
+    let named = |(piece, free): (&Vec<u32>, Vec<String>)| {
+        let first = piece[0];
+        free.into_iter().map(move |motion| format!("{motion} of the sheet with particle {first}"))
+    };
+    pieces.iter().zip(free).flat_map(named).collect()
 }
 
-/// A spring as what keeps its particles from moving away along it.
-pub(super) fn holds(spring: &Spring) -> (Vec<u32>, Holds) {
-    let translations = vec![spring.direction.normalize()];
-    (spring.stiffness.iter().map(|s| s.0).collect(), Holds { translations, ..Holds::default() })
+/// What springs to the ground hold, particle by particle, and of bodies with a particle of theirs.
+fn sprung_holds(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<(u32, Hold)> {
+    let mut all = Vec::new();
+    for Spring { stiffness, direction } in &springs.ground {
+        all.extend(stiffness.iter().map(|&(a, _)| (a, Hold::Displacement(a, direction.normalize()))));
+    }
+    for TurnSpring { stiffness, axis } in &springs.turning {
+        let axis = axis.normalize();
+        all.extend(stiffness.iter().map(|&(a, _)| {
+            let d = cloud.frames[a as usize].n;
+            (a, Hold::Turn(axis - d * d.dot(&axis)))
+        }));
+    }
+    for spring in &springs.of_bodies {
+        if let BodySpring::Turning { body, axis, .. } = spring {
+            let first = rigid.get(*body).and_then(|set| set.particles.first());
+            all.extend(first.map(|&a| (a, Hold::Turn(axis.normalize()))));
+        }
+    }
+    all
+}
+
+/// What springs between sets join.
+fn links(springs: &Springs, cloud: &Cloud, rigid: &[RigidSet]) -> Vec<Link> {
+    let mut all = Vec::new();
+    let place = |particle: u32| End { particle, at: cloud.positions[particle as usize] };
+    for SpringBetween { stiffness, direction } in &springs.between {
+        let link =
+            |&(pair, _): &([u32; 2], f64)| Link { ends: pair.map(place), along: direction.normalize() };
+        all.extend(stiffness.iter().map(link));
+    }
+    for spring in &springs.of_bodies {
+        let BodySpring::Between { bodies, direction, .. } = spring else { continue };
+        let end = |set: &RigidSet| Some(End { particle: *set.particles.first()?, at: set.at });
+        let ends = bodies.map(|body| rigid.get(body).and_then(end));
+        if let [Some(one), Some(two)] = ends {
+            all.push(Link { ends: [one, two], along: direction.normalize() });
+        }
+    }
+    all
 }
 
 /// Pieces that ties and rigid bodies make one.
@@ -56,15 +102,17 @@ fn tied(mut pieces: Vec<Vec<u32>>, cloud: &Cloud, ties: &[Tie], rigid: &[RigidSe
 
 /// What the supports of a rigid body hold.
 fn holds_of_body(body: &RigidSet) -> Vec<Hold> {
-    let mut all: Vec<Hold> =
-        body.holds.translations.iter().map(|e| Hold::DisplacementAt(body.at, *e)).collect();
-    match body.holds.director {
-        DirectorHold::Free => {}
-        DirectorHold::InPlane(n) => {
-            let frame = sph_core::Frame::from_normal(n);
-            all.extend([frame.t1, frame.t2].map(Hold::Turn));
+    let mut all = Vec::new();
+    for holds in &body.holds {
+        all.extend(holds.translations.iter().map(|e| Hold::DisplacementAt(body.at, *e)));
+        match holds.director {
+            DirectorHold::Free => {}
+            DirectorHold::InPlane(n) => {
+                let frame = sph_core::Frame::from_normal(n);
+                all.extend([frame.t1, frame.t2].map(Hold::Turn));
+            }
+            DirectorHold::Fixed => all.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(Hold::Turn)),
         }
-        DirectorHold::Fixed => all.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(Hold::Turn)),
     }
     all
 }
@@ -94,7 +142,7 @@ mod tests {
 
     fn free(supports: &[(Vec<u32>, Holds)]) -> Vec<String> {
         let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [5, 3], EndWeights::Trapezoid).unwrap();
-        free_motions(&cloud, supports, &[], &[])
+        free_motions(&cloud, supports, &[], &[], &Springs::default())
     }
 
     #[test]
@@ -149,9 +197,23 @@ mod tests {
         cells.extend(plate.cells.iter().map(|cell| Cell::quadrangle(cell.corners.map(|b| b + 15))));
         let cloud = Cloud::from_cells(positions, None, cells).unwrap();
         let clamp = |first| (vec![first, first + 1, first + 2], Clamped.holds());
-        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[], &[]).is_empty());
-        let free = free_motions(&cloud, &[clamp(0)], &[], &[]);
+        assert!(free_motions(&cloud, &[clamp(0), clamp(15)], &[], &[], &Springs::default()).is_empty());
+        let free = free_motions(&cloud, &[clamp(0)], &[], &[], &Springs::default());
         assert_eq!(free.len(), 6);
         assert_eq!(free[0], "translation along x of the sheet with particle 15");
+        // Springs along z between particles over each other leave what they do not see.
+        let stiffness = [(0, 15), (2, 17), (12, 27)].map(|(a, b)| ([a, b], 1.0)).to_vec();
+        let along = |directions: &[Vec3]| Springs {
+            between: directions
+                .iter()
+                .map(|&direction| SpringBetween { stiffness: stiffness.clone(), direction })
+                .collect(),
+            ..Springs::default()
+        };
+        let free = free_motions(&cloud, &[clamp(0)], &[], &[], &along(&[Vec3::z()]));
+        let what = ["translation along x", "translation along y", "rotation about z"];
+        assert_eq!(free, what.map(|motion| format!("{motion} of the sheet with particle 15")));
+        let all = along(&[Vec3::x(), Vec3::y(), Vec3::z()]);
+        assert!(free_motions(&cloud, &[clamp(0)], &[], &[], &all).is_empty());
     }
 }

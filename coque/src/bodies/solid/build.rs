@@ -84,7 +84,7 @@ impl Scene {
         }
         self.refuse_free_motion(|| {
             let all = Vec::from_iter(0..block.len() as u32);
-            free_of(&block.positions, &all, &holds(scene, &supports))
+            free_of(&block.positions, &all, holds(scene, &supports))
         })?;
         let fracture = fracture(self, scene, &sets)?;
         let parts = Parts {

@@ -5,7 +5,7 @@ use crate::scene::error::SceneError;
 use crate::scene::loads::{Axis, Load, LoadKind};
 use crate::scene::problem::Scene;
 use crate::scene::sets::EDGES;
-use crate::scene::supports::{Held, Support, SupportKind};
+use crate::scene::supports::{Held, Spring, Support, SupportKind};
 use sph_core::Vec3;
 
 /// Directions this close to the span of others are the same but for rounding or a slip.
@@ -54,12 +54,40 @@ impl Scene {
                     self.check_course(at, "turned", support.amplitude.as_ref())?;
                 }
                 SupportKind::Spring(spring) => {
-                    s.direction(&format!("{at}.spring.direction"), spring.direction)?;
-                    s.positive(&format!("{at}.spring.stiffness"), spring.stiffness)?;
+                    self.check_spring(&format!("{at}.spring"), &support.on, &spring)?
                 }
             }
         }
         Ok(())
+    }
+
+    fn check_spring(&self, at: &str, on: &str, spring: &Spring) -> Checked {
+        let s = &self.scope();
+        let Spring { direction, axis, stiffness, to } = spring;
+        let known = ["direction", "axis"];
+        let given = known.into_iter().zip([direction, axis]).filter_map(|(word, v)| v.map(|_| word));
+        s.exactly_one(at, "direction or axis", &Vec::from_iter(given), &known)?;
+        for (word, v) in known.into_iter().zip([direction, axis]) {
+            s.direction(&format!("{at}.{word}"), v.unwrap_or([1.0; 3]))?;
+        }
+        s.positive(&format!("{at}.stiffness"), *stiffness)?;
+        let Some(to) = to else { return Ok(()) };
+        let path = format!("{at}.to");
+        if axis.is_some() {
+            let repair = "leave `to` out, or give a `direction`";
+            let bound = "none: a spring against turning stands on the ground";
+            return Err(SceneError::Choice(s.fault(&path, "another set", bound, repair)));
+        }
+        if to == on {
+            let repair = "name the set at the other end";
+            return Err(SceneError::Set(s.fault(
+                &path,
+                &format!("\"{to}\""),
+                "another set than `on`",
+                repair,
+            )));
+        }
+        self.check_set_name(&path, to)
     }
 
     fn check_held(&self, at: &str, held: &Held) -> Checked {

@@ -11,7 +11,7 @@ use crate::scene::shell::parts::RigidBody;
 type Checked = Result<(), SceneError>;
 
 impl Scene {
-    /// Refuses bodies of negative mass or inertia, motions that are prescribed to one, other formulations than by cells, and a fluid.
+    /// Refuses bodies of negative mass or inertia, other formulations than by cells, and a fluid.
     pub(in crate::scene::check) fn check_rigid(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
         for (i, RigidBody { on, at, mass, inertia, products }) in shell.rigid.iter().enumerate() {
             let own = s.below(&format!("rigid[{i}]"));
@@ -46,17 +46,6 @@ impl Scene {
         }
         if self.source.is_part() {
             return refuse("none in a fluid", "leave it out: cells of a fluid's shell bend everywhere");
-        }
-        for (i, support) in self.supports.iter().enumerate() {
-            let Some((word, _)) = support.motion().filter(|_| shell.rigid_body(&support.on).is_some()) else {
-                continue;
-            };
-            let path = format!("supports[{i}].{word}");
-            let bound = "none on a rigid set, whose supports hold";
-            let repair =
-                "leave the rigid set out: `turned` and `moved` in three directions move a set as one body";
-            let fault = self.scope().fault(&path, "a prescribed motion", bound, repair);
-            return Err(SceneError::Choice(fault));
         }
         Ok(())
     }

@@ -1,0 +1,184 @@
+//! Springs: to the ground along directions, against turning, between two sets; forces that grow with the motion, in every analysis.
+//!
+//! They stand among the external forces, since they are no strain. No level scales them. What they bear is a reaction.
+//!
+//! | spring | energy | |
+//! |---|---|---|
+//! | [`Spring`], particle to ground | `½ k (n·u)²` | here |
+//! | [`TurnSpring`], director to ground | `½ k φ²` | `turning.rs` |
+//! | [`SpringBetween`], particle to particle | `½ k (n·(u_b − u_a))²` | here |
+//! | [`BodySpring`], the same two of rigid sets | of the rotation, of the reference points | `junction/springs.rs` |
+
+mod of_bodies;
+mod turning;
+
+use sph_core::Vec3;
+
+use crate::Shell;
+use crate::conditions::loads::{Block, check_set, place_block};
+use crate::error::ShellError;
+use crate::packs::Row;
+
+pub use of_bodies::BodySpring;
+pub use turning::TurnSpring;
+
+/// Springs between particles and the ground, along a direction.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Particles and the stiffness of each \[F/L\].
+    pub stiffness: Vec<(u32, f64)>,
+    /// Direction (any length).
+    pub direction: Vec3,
+}
+
+/// Springs between pairs of particles, along a direction fixed in space.
+///
+/// Pairs on one place at rest do no work under any common rigid motion. Of others the force need not run along the line that joins them: it
+/// keeps momentum, and moment of momentum not.
+#[derive(Clone, Debug)]
+pub struct SpringBetween {
+    /// Pairs of particles and the stiffness of each \[F/L\].
+    pub stiffness: Vec<([u32; 2], f64)>,
+    /// Direction (any length).
+    pub direction: Vec3,
+}
+
+/// All springs of a shell.
+#[derive(Clone, Debug, Default)]
+pub struct Springs {
+    /// To the ground, along directions.
+    pub ground: Vec<Spring>,
+    /// To the ground, against turns of directors.
+    pub turning: Vec<TurnSpring>,
+    /// Between particles.
+    pub between: Vec<SpringBetween>,
+    /// Of rigid sets as a whole.
+    pub of_bodies: Vec<BodySpring>,
+}
+
+impl From<Vec<Spring>> for Springs {
+    fn from(ground: Vec<Spring>) -> Self {
+        Self { ground, ..Self::default() }
+    }
+}
+
+impl Springs {
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.ground.is_empty()
+            && self.turning.is_empty()
+            && self.between.is_empty()
+            && self.of_bodies.is_empty()
+    }
+
+    /// Whether there is none on particles.
+    fn none_on_particles(&self) -> bool {
+        self.ground.is_empty() && self.turning.is_empty() && self.between.is_empty()
+    }
+}
+
+impl Shell {
+    /// Adds springs, after rigid sets.
+    ///
+    /// # Errors
+    /// [`ShellError`] for an empty set, a particle or body that is none, a stiffness that is not positive and finite, a pair of one
+    /// particle, an axis along a director.
+    pub fn spring(&mut self, springs: impl Into<Springs>) -> Result<(), ShellError> {
+        let mut springs = springs.into();
+        let ground = springs.ground.iter().flat_map(|spring| &spring.stiffness).copied();
+        let turning = springs.turning.iter().flat_map(|spring| &spring.stiffness).copied();
+        let between = springs.between.iter().flat_map(|spring| &spring.stiffness);
+        let ends = between.clone().flat_map(|&([a, b], k)| [(a, k), (b, k)]);
+        let sets = [springs.ground.len(), springs.turning.len(), springs.between.len()];
+        for (count, all) in sets.into_iter().zip([
+            ground.collect::<Vec<_>>(),
+            turning.collect::<Vec<_>>(),
+            ends.collect::<Vec<_>>(),
+        ]) {
+            if count > 0 {
+                check_set("a spring", all.iter().map(|s| s.0), &self.reference)?;
+            }
+            if let Some(&(particle, stiffness)) = all.iter().find(|(_, k)| !(*k > 0.0 && k.is_finite())) {
+                return Err(ShellError::Spring { particle, stiffness });
+            }
+        }
+        if let Some(([particle, _], _)) = between.clone().find(|([a, b], _)| a == b) {
+            return Err(ShellError::SpringOnItself { particle: *particle });
+        }
+        self.check_turning(&springs.turning)?;
+        self.check_of_bodies(&springs.of_bodies)?;
+        let Springs { ground, turning, between, of_bodies } = &mut springs;
+        let directions = ground.iter_mut().map(|spring| &mut spring.direction);
+        let directions = directions.chain(between.iter_mut().map(|spring| &mut spring.direction));
+        for direction in directions.chain(turning.iter_mut().map(|spring| &mut spring.axis)) {
+            *direction = direction.normalize();
+        }
+        of_bodies.iter_mut().for_each(BodySpring::normalize);
+        if !springs.is_empty() {
+            self.external.resize(self.len(), [0.0; 6]);
+        }
+        if !springs.none_on_particles() {
+            self.sprung.resize(self.len(), [0.0; 6]);
+        }
+        let own = &mut self.springs;
+        own.ground.append(&mut springs.ground);
+        own.turning.append(&mut springs.turning);
+        own.between.append(&mut springs.between);
+        own.of_bodies.append(&mut springs.of_bodies);
+        Ok(())
+    }
+
+    /// Forces of all springs on particles in the present state, a row each particle; nothing without springs.
+    pub(crate) fn spring_rows(&self, rows: &mut [Row]) {
+        rows.fill([0.0; 6]);
+        let mut put = |a: u32, force: Vec3| (0..3).for_each(|k| rows[a as usize][k] += force[k]);
+        for Spring { stiffness, direction } in &self.springs.ground {
+            for &(a, k) in stiffness {
+                put(a, direction * (-k * direction.dot(&self.displacement(a as usize))));
+            }
+        }
+        for SpringBetween { stiffness, direction } in &self.springs.between {
+            for &([a, b], k) in stiffness {
+                let apart = self.displacement(b as usize) - self.displacement(a as usize);
+                let pull = direction * (k * direction.dot(&apart));
+                put(a, pull);
+                put(b, -pull);
+            }
+        }
+        self.add_turning(rows);
+    }
+
+    /// Evaluates the springs and adds their forces to the external ones.
+    pub(crate) fn evaluate_springs(&mut self) {
+        let mut rows = std::mem::take(&mut self.sprung);
+        self.spring_rows(&mut rows);
+        for (sum, row) in self.external.iter_mut().zip(&rows) {
+            (0..6).for_each(|k| sum[k] += row[k]);
+        }
+        self.sprung = rows;
+    }
+
+    /// Hands the derivatives of the forces of all springs on particles to `put`, as loads do theirs.
+    pub(crate) fn spring_stiffness(&self, put: &mut dyn FnMut(u32, u32, &Block)) {
+        for Spring { stiffness, direction } in &self.springs.ground {
+            for &(a, k) in stiffness {
+                put(a, a, &place_block(0, 0, &(direction * direction.transpose() * -k)));
+            }
+        }
+        for SpringBetween { stiffness, direction } in &self.springs.between {
+            for &([a, b], k) in stiffness {
+                let own = place_block(0, 0, &(direction * direction.transpose() * -k));
+                let other = place_block(0, 0, &(direction * direction.transpose() * k));
+                [(a, a, &own), (b, b, &own), (a, b, &other), (b, a, &other)]
+                    .into_iter()
+                    .for_each(|(a, b, block)| put(a, b, block));
+            }
+        }
+        self.turning_stiffness(put);
+    }
+
+    /// What its springs exert on a particle \[F, F L\], for the last forces evaluated.
+    pub(crate) fn sprung(&self, particle: usize) -> Row {
+        self.sprung.get(particle).copied().unwrap_or_default()
+    }
+}

@@ -1,0 +1,424 @@
+//! Springs against turning and between two sets: derivatives of their energy, beams with elastic clamps, joined strips, rigid motions, bodies.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+mod common;
+
+use common::{
+    DENSITY, RandomNumbers, Sheets, X, Y, YOUNG, Z, at, beam_parts, curved, flat, free_shell, shell,
+    spectrum, supported,
+};
+use explicit_dynamics::{Clock, Dynamics, largest_eigenvalue};
+use implicit_statics::{
+    BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
+};
+use nalgebra::{Matrix3, Rotation3};
+use shell_kinematics::StretchCorrected;
+use sph_core::{Side, Vec3};
+use sph_shell::{
+    BodySpring, Clamped, DirectorHold, Force, Formulation, Hinged, Holds, Load, Reach, RigidSet, Shell,
+    ShellError, SpringBetween, Springs, StaticShell, TurnSpring,
+};
+
+const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
+const LENGTH: f64 = 10.0;
+const THICK: f64 = 0.1;
+/// Bending stiffness of the strip of width one.
+const EI: f64 = YOUNG * THICK * THICK * THICK / 12.0;
+
+/// The rotation of a rigid set from rest, by a director and the chord of two of its particles.
+fn rotation(shell: &Shell, [a, b]: [usize; 2]) -> Matrix3<f64> {
+    let cloud = &shell.reference().cloud;
+    let triad = |d: Vec3, e: Vec3| {
+        let c = d.cross(&e).normalize();
+        Matrix3::from_columns(&[d, c.cross(&d), c])
+    };
+    let there = triad(shell.director(a), shell.position(b) - shell.position(a));
+    there * triad(cloud.frames[a].n, cloud.positions[b] - cloud.positions[a]).transpose()
+}
+
+/// Its twist about an axis: `tan φ/2 = e·(axial vector of R)/(1 + tr R)`.
+fn twist(turn: &Matrix3<f64>, axis: &Vec3) -> f64 {
+    let axial =
+        Vec3::new(turn[(2, 1)] - turn[(1, 2)], turn[(0, 2)] - turn[(2, 0)], turn[(1, 0)] - turn[(0, 1)]);
+    2.0 * (axis.dot(&axial) / (1.0 + turn.trace())).atan()
+}
+
+/// Signed angle between what directors at rest and now have across an axis.
+fn turned(axis: &Vec3, rest: &Vec3, d: &Vec3) -> f64 {
+    let across = |v: &Vec3| (v - axis * axis.dot(v)).normalize();
+    let (from, to) = (across(rest), across(d));
+    from.dot(&to).acos().copysign(axis.dot(&from.cross(&to)))
+}
+
+#[test]
+fn forces_and_tangent_are_derivatives_of_the_energy() {
+    let set = |particles: Vec<u32>, at: Vec3, holds: Vec<Holds>| RigidSet {
+        particles,
+        at,
+        mass: 1.0,
+        inertia: Matrix3::identity() * 0.1,
+        holds,
+    };
+    let slid = Holds { translations: vec![Vec3::new(0.6, 0.0, 0.8)], ..Holds::default() };
+    let axes = [Vec3::new(0.2, 1.0, 0.1).normalize(), Vec3::new(0.5, -0.3, 0.8).normalize()];
+    let (n, m) = (Vec3::new(1.0, -2.0, 0.5).normalize(), Vec3::new(0.2, 0.1, 1.0).normalize());
+    let cloud = curved([8, 6]);
+    let ends = [[12_u32, 15], [36, 39]];
+    let places = [Vec3::new(0.3, 1.9, 1.4), Vec3::new(-0.2, 0.6, 2.2)];
+    let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
+    let mut body = shell(cloud.clone(), CELL, 0.2, &StretchCorrected, vec![clamp], vec![]);
+    let particles = |[a, b]: [u32; 2]| vec![a, a + 1, b - 1, b];
+    let rigid = [set(particles(ends[0]), places[0], vec![]), set(particles(ends[1]), places[1], vec![slid])];
+    body.rigid(&rigid).unwrap();
+    let k = 30.0;
+    body.spring(Springs {
+        turning: vec![
+            TurnSpring { stiffness: vec![(20, k), (21, 2.0 * k)], axis: axes[0] * 3.0 },
+            TurnSpring { stiffness: vec![(14, k), (21, k)], axis: axes[1] },
+        ],
+        between: vec![SpringBetween { stiffness: vec![([20, 44], 5.0 * k), ([37, 9], k)], direction: n }],
+        of_bodies: vec![
+            BodySpring::Turning { body: 0, stiffness: k, axis: axes[0] },
+            BodySpring::Turning { body: 1, stiffness: 2.0 * k, axis: axes[1] },
+            BodySpring::Between { bodies: [1, 0], stiffness: 3.0 * k, direction: m },
+        ],
+        ..Springs::default()
+    })
+    .unwrap();
+    let stored = |shell: &Shell| {
+        let rest = |a: usize| shell.reference().cloud.frames[a].n;
+        let of = |a: usize, axis: &Vec3| 0.5 * k * turned(axis, &rest(a), &shell.director(a)).powi(2);
+        let apart =
+            |a: usize, b: usize| 0.5 * k * n.dot(&(shell.displacement(b) - shell.displacement(a))).powi(2);
+        let turns = ends.map(|[a, b]| rotation(shell, [a as usize, b as usize]));
+        let way = |i: usize| {
+            let first = ends[i][0] as usize;
+            let arm = places[i] - shell.reference().cloud.positions[first];
+            shell.displacement(first) + turns[i] * arm - arm
+        };
+        of(20, &axes[0])
+            + 2.0 * of(21, &axes[0])
+            + of(14, &axes[1])
+            + of(21, &axes[1])
+            + 5.0 * apart(20, 44)
+            + apart(37, 9)
+            + 0.5 * k * twist(&turns[0], &axes[0]).powi(2)
+            + k * twist(&turns[1], &axes[1]).powi(2)
+            + 1.5 * k * m.dot(&(way(0) - way(1))).powi(2)
+    };
+    let mut system = StaticShell::new(body);
+    assert_eq!(system.skew_load_share(), 0.0);
+    let count = system.unknowns();
+    for seed in [3, 4] {
+        let mut dice = RandomNumbers(seed);
+        let increment: Vec<f64> = (0..count).map(|_| 0.1 * dice.roll()).collect();
+        system.update(&increment);
+    }
+    let pattern = system.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    system.tangent(1.0, &mut values);
+    let lack = |system: &mut StaticShell| {
+        let (mut internal, mut external) = (vec![0.0; count], vec![0.0; count]);
+        system.internal(1.0, &mut internal);
+        system.external(1.0, &mut external);
+        internal.iter().zip(&external).map(|(f, e)| f - e).collect::<Vec<f64>>()
+    };
+    let forces = lack(&mut system);
+    let home = system.save();
+    let turning: Vec<usize> = (0..count).filter(|&i| system.name_unknown(i).contains("rigid body")).collect();
+    assert_eq!(turning.len(), 6);
+    let mut dice = RandomNumbers(7);
+    let random: Vec<f64> = (0..count).map(|_| dice.roll()).collect();
+    let alone = |i: usize| (0..count).map(|j| f64::from(u8::from(i == j))).collect::<Vec<_>>();
+    for v in std::iter::once(random).chain(turning.iter().map(|&i| alone(i))) {
+        let h = 2e-4;
+        let mut along = |factor: f64| {
+            system.restore(&home);
+            let mut step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
+            system.carry(&mut step);
+            let lack = lack(&mut system);
+            let work: f64 = lack.iter().zip(&step).map(|(f, s)| f * s / (factor * h)).sum();
+            (work, system.energy() + stored(system.shell()))
+        };
+        let [a, b, d, e] = [-2.0, -1.0, 1.0, 2.0].map(&mut along);
+        let second = (a.0 - 8.0 * b.0 + 8.0 * d.0 - e.0) / (12.0 * h);
+        let first = (a.1 - 8.0 * b.1 + 8.0 * d.1 - e.1) / (12.0 * h);
+        let slope: f64 = forces.iter().zip(&v).map(|(f, v)| f * v).sum();
+        let curvature: f64 = (pattern.iter().zip(&values))
+            .map(|(&(i, j), k)| if i == j { k * v[i] * v[i] } else { 2.0 * k * v[i] * v[j] })
+            .sum();
+        let errors = [(first / slope - 1.0).abs(), (second / curvature - 1.0).abs()];
+        println!("force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
+        // Truncation h⁴ and the round-off of U and of forces over h.
+        assert!(errors[0] < 3e-11 && errors[1] < 6e-12, "{errors:?}");
+    }
+}
+
+/// Shares of an edge of three particles.
+fn shared(edge: &[u32], size: f64) -> Vec<(u32, f64)> {
+    edge.iter().zip([0.25, 0.5, 0.25]).map(|(&a, s)| (a, s * size)).collect()
+}
+
+/// A strip of width one along x, hinged at its root with a spring of stiffness k about y, under a force at its tip.
+fn elastic(cells: usize, k: f64, force: Vec3) -> Shell {
+    let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
+    let sides = cloud.sides.clone().unwrap();
+    let (root, tip) = (sides.edge(Side::U0).to_vec(), sides.edge(Side::U1).to_vec());
+    let load: Box<dyn Load> = Box::new(Force { shares: shared(&tip, 1.0), total: force });
+    let hinge = supported(root.clone(), Hinged);
+    let mut shell = Shell::new(beam_parts(cloud, THICK, vec![hinge], vec![load])).unwrap();
+    let turning = vec![TurnSpring { stiffness: shared(&root, k), axis: Y * 2.0 }];
+    shell.spring(Springs { turning, ..Springs::default() }).unwrap();
+    shell
+}
+
+fn solved(shell: Shell) -> StaticShell {
+    let mut system = StaticShell::new(shell);
+    let options = NewtonOptions { tolerance: 1e-11, line_search: false, ..NewtonOptions::default() };
+    Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
+    system.evaluate(1.0);
+    system
+}
+
+fn root_of(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        *(if (f(middle) > 0.0) == (f(low) > 0.0) { &mut low } else { &mut high }) = middle;
+    }
+    low
+}
+
+/// With κ = kL/EI: `w = FL³/3EI + FL²/k`; buckling under an end force `u tan u = κ`; vibration by the beam's determinant.
+#[test]
+fn a_strip_in_an_elastic_clamp_is_the_beam() {
+    let kappa = 3.0;
+    let k = kappa * EI / LENGTH;
+    let force = 1e-4 * EI / LENGTH.powi(2);
+    let lack = |x: f64| {
+        let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
+        // w = A sin + C sinh + B (cos − cosh), B = −κ (A + C)/2x.
+        let row = |of_a: [f64; 2], of_b: f64| of_a.map(|a| a - kappa / (2.0 * x) * of_b);
+        let second = row([-sin, sinh], -cos - cosh);
+        let third = row([-cos, cosh], sin - sinh);
+        second[0] * third[1] - second[1] * third[0]
+    };
+    let x = root_of(0.8, 1.87, lack);
+    let square = x.powi(4) * EI / (DENSITY * THICK * LENGTH.powi(4));
+    let u = root_of(0.5, 1.55, |u| u * u.sin() - kappa * u.cos());
+    let critical = EI * u * u / LENGTH.powi(2);
+    let mut errors = Vec::new();
+    for cells in [10, 20, 40] {
+        let system = solved(elastic(cells, k, Z * force));
+        let shell = system.shell();
+        let sides = shell.reference().cloud.sides.clone().unwrap();
+        let way = shell.displacement(sides.edge(Side::U1)[1] as usize).z;
+        let bent = way / (force * LENGTH.powi(3) / (3.0 * EI) + force * LENGTH.powi(2) / k) - 1.0;
+        // The spring bears the moment of the force about the root.
+        let root = sides.edge(Side::U0);
+        let moment: f64 = root.iter().map(|&a| shell.reaction_moment(a as usize).y).sum();
+        let tip = shell.position(sides.edge(Side::U1)[1] as usize);
+        assert!((moment / (tip.x * force) - 1.0).abs() < 1e-8, "{moment} {}", tip.x * force);
+        let whole = shell.support_resultant(Vec3::zeros());
+        assert!((whole.moment.y / (tip.x * force) - 1.0).abs() < 1e-8, "{:?}", whole);
+        let mut system = StaticShell::new(elastic(cells, k, Vec3::zeros()));
+        let found = natural_modes(&mut system, 0.0, 1, 0.0, &mut unwatched).unwrap().modes[0].eigenvalue;
+        let mut system = StaticShell::new(elastic(cells, k, X * -critical));
+        let options = BucklingOptions::new(1);
+        let level = linear_buckling(&mut system, 0.0, &options, &mut unwatched).unwrap().modes[0].level;
+        errors.push([bent, found / square - 1.0, level - 1.0]);
+    }
+    println!("x {x}, u {u}: {errors:?}");
+    for i in 0..3 {
+        let of = |n: usize| errors[n][i].abs();
+        // Second order in the cell but for shear and rotary inertia, which Euler's beam has not.
+        assert!(of(2) < 1.2e-3 && of(0) > 3.0 * of(1), "{i}: {errors:?}");
+    }
+}
+
+/// Two cantilevers over each other, tips joined by a spring k: `w₁ = F/(K + kK/(k + K))`, `w₂ = k w₁/(k + K)` with `K = 3EI/L³`.
+#[test]
+fn two_strips_joined_by_springs_share_a_force() {
+    let beam = 3.0 * EI / LENGTH.powi(3);
+    let (k, force) = (2.0 * beam, 1e-4 * EI / LENGTH.powi(2));
+    let mut errors = Vec::new();
+    for cells in [10, 20] {
+        let strip = |sheets: Sheets, z: f64| sheets.add(Z * z, [X * LENGTH, Y], [cells, 2]);
+        let cloud = strip(strip(Sheets::default(), 0.0), 0.4).apart();
+        let tip = |z: f64| at(&cloud, |x| x.x > LENGTH - 1e-6 && (x.z - z).abs() < 1e-6);
+        let (low, high) = (tip(0.0), tip(0.4));
+        let clamp = supported(at(&cloud, |x| x.x < 1e-6), Clamped);
+        let load: Box<dyn Load> = Box::new(Force { shares: shared(&low, 1.0), total: Z * force });
+        let mut shell = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![load])).unwrap();
+        let pairs = shared(&low, k).into_iter().zip(&high).map(|((a, k), &b)| ([a, b], k)).collect();
+        let between = vec![SpringBetween { stiffness: pairs, direction: Z }];
+        shell.spring(Springs { between, ..Springs::default() }).unwrap();
+        let system = solved(shell);
+        let shell = system.shell();
+        let way = |on: &[u32]| shell.displacement(on[1] as usize).z;
+        let one = force / (beam + k * beam / (k + beam));
+        errors.push([way(&low) / one - 1.0, way(&high) / (k * one / (k + beam)) - 1.0]);
+        let borne: f64 = high.iter().map(|&a| shell.reaction(a as usize).z).sum();
+        assert!((borne / (k * (way(&low) - way(&high))) - 1.0).abs() < 1e-6, "{borne}");
+        let whole = shell.support_resultant(Vec3::zeros());
+        // Newton ends at the round-off of forces far larger than this load.
+        assert!((whole.force.z / -force - 1.0).abs() < 2e-8, "{:?}", whole);
+    }
+    println!("{errors:?}");
+    assert!((0..2).all(|i| errors[1][i].abs() < 1.2e-3 && errors[0][i].abs() > 3.0 * errors[1][i].abs()));
+}
+
+/// Two free sheets joined along an edge on one place: any common rigid motion does no work; a march keeps both momenta. Where the edges
+/// stand apart, momentum is kept.
+#[test]
+fn springs_between_sheets_know_no_common_motion() {
+    for gap in [0.0, 0.2] {
+        let sheets = Sheets::default().add(Vec3::zeros(), [X, Y * 0.8], [5, 4]).add(
+            X * (1.0 + gap),
+            [X * 0.9 + Z * 0.3, Y * 0.8],
+            [5, 4],
+        );
+        let cloud = sheets.apart();
+        let edge = |x: f64, first: u32| {
+            let on = at(&cloud, |p| (p.x - x).abs() < 1e-9);
+            on.into_iter().filter(|a| (*a >= 30) == (first == 30)).collect::<Vec<_>>()
+        };
+        let pairs: Vec<_> =
+            edge(1.0, 0).into_iter().zip(edge(1.0 + gap, 30)).map(|(a, b)| ([a, b], 8.0)).collect();
+        assert_eq!(pairs.len(), 5);
+        let made = || {
+            let mut body = free_shell(cloud.clone(), CELL, 0.1);
+            let all = [X, Y, Z].map(|direction| SpringBetween { stiffness: pairs.clone(), direction });
+            body.spring(Springs { between: all.into(), ..Springs::default() }).unwrap();
+            body
+        };
+        let mut body = made();
+        let turn = match gap == 0.0 {
+            true => Rotation3::from_scaled_axis(Vec3::new(0.3, -1.0, 0.7)),
+            false => Rotation3::identity(),
+        };
+        for a in 0..body.len() {
+            body.set_state(a, turn * body.position(a) + Vec3::new(1.0, 2.0, 3.0), turn * body.director(a));
+        }
+        let mut system = StaticShell::new(body);
+        let mut force = vec![0.0; system.unknowns()];
+        system.external(0.0, &mut force);
+        let worst = force.iter().fold(0.0_f64, |worst, f| worst.max(f.abs()));
+        let mut body = made();
+        for a in 0..body.len() {
+            let x = body.position(a);
+            body.set_rate(
+                a,
+                Vec3::new(0.1, -0.3, 0.4) + X.cross(&x) * 0.5 + Z * (3.0 * x.x).sin(),
+                Vec3::zeros(),
+            );
+        }
+        let momenta = |body: &Shell| {
+            (0..body.len()).fold([Vec3::zeros(); 2], |[p, l], a| {
+                let m = body.velocity(a) * body.reference().masses[a];
+                let own = body.director(a).cross(&body.director_rate(a)) * body.reference().inertias[a];
+                [p + m, l + body.position(a).cross(&m) + own]
+            })
+        };
+        let start = momenta(&body);
+        let mut clock = Clock::start(&mut body, 1.0, 0.5, 0.0).unwrap();
+        for _ in 0..1000 {
+            clock.step(&mut body, f64::INFINITY, |_| 1.0).unwrap();
+        }
+        let end = momenta(&body);
+        let lost = [0, 1].map(|i| (end[i] - start[i]).norm() / start[i].norm());
+        println!("gap {gap}: force {worst:.1e}, momentum and moment {lost:?}");
+        assert!(worst < 6e-15 && lost[0] < 3e-15, "{worst:.1e} {lost:?}");
+        // Between places that stand apart at rest the force along `u_b − u_a` is not along the line that joins them.
+        assert!(if gap == 0.0 { lost[1] < 2e-14 } else { lost[1] > 1e-3 }, "{lost:?}");
+    }
+}
+
+/// One director on a stiff spring shortens the step to `2/√(k/I)`; a hinged body turns with `ω² = k/J_p`, two free bodies swing against each other
+/// with `k (1/m₁ + 1/m₂)`.
+#[test]
+fn stiff_springs_have_their_frequencies() {
+    let mut stiff = free_shell(flat([6, 5], [1.0, 0.8]), CELL, 0.1);
+    let before = stiff.stable_step(1.0).unwrap().dt;
+    let (k, inertia) = (1e6, stiff.reference().inertias[7]);
+    let turning = vec![TurnSpring { stiffness: vec![(7, k)], axis: X }];
+    stiff.spring(Springs { turning, ..Springs::default() }).unwrap();
+    let after = stiff.stable_step(1.0).unwrap().dt;
+    let exact = 2.0 / (k / inertia).sqrt();
+    println!("stable step {before:.3e} {after:.3e} {exact:.3e}");
+    assert!(after < 0.1 * before && (after / exact - 1.0).abs() < 0.02, "{after} {exact}");
+
+    let axis = Vec3::new(0.0, 0.6, 0.8);
+    let hinged = || {
+        let mut body = free_shell(flat([5, 4], [1.0, 0.8]), CELL, THICK);
+        let hold =
+            Holds { translations: vec![X, Y, Z], director: DirectorHold::InPlane(axis), ..Holds::default() };
+        let inertia = Matrix3::identity() * 2.0;
+        let at = Vec3::new(0.9, 0.1, 0.3);
+        let set = RigidSet { particles: (0..20).collect(), at, mass: 0.5, inertia, holds: vec![hold] };
+        body.rigid(&[set]).unwrap();
+        let of_bodies = vec![BodySpring::Turning { body: 0, stiffness: 7.0, axis: axis * 2.0 }];
+        body.spring(Springs { of_bodies, ..Springs::default() }).unwrap();
+        body
+    };
+    let body = hinged();
+    let reference = body.reference();
+    let of = |turning: &dyn Fn(usize) -> f64| {
+        let part = |a: usize| {
+            let arm = axis.cross(&(reference.cloud.positions[a] - Vec3::new(0.9, 0.1, 0.3)));
+            reference.masses[a] * arm.norm_squared() + turning(a) * axis.cross(&Z).norm_squared()
+        };
+        2.0 + (0..body.len()).map(part).sum::<f64>()
+    };
+    let modes = 7.0 / of(&|a| reference.masses[a] * THICK * THICK / 12.0);
+    let marches = 7.0 / of(&|a| reference.inertias[a]);
+    let found = spectrum(hinged());
+    let in_time = largest_eigenvalue(&mut hinged(), 20).ritz / marches - 1.0;
+    println!("hinged: {:.1e} {in_time:.1e}", found[0] / modes - 1.0);
+    assert!(found.len() == 1 && (found[0] / modes - 1.0).abs() < 1e-12 && in_time.abs() < 1e-8);
+
+    let pair = || {
+        let sheets = Sheets::default().add(Vec3::zeros(), [X, Y], [3, 3]).add(X * 3.0, [X, Y * 2.0], [3, 3]);
+        let mut body = free_shell(sheets.apart(), CELL, THICK);
+        let set = |first: u32, at: Vec3| RigidSet {
+            particles: (first..first + 16).collect(),
+            at,
+            ..RigidSet::default()
+        };
+        body.rigid(&[set(0, Vec3::new(0.5, 0.5, 0.0)), set(16, Vec3::new(3.5, 1.0, 0.0))]).unwrap();
+        let of_bodies = vec![BodySpring::Between { bodies: [0, 1], stiffness: 5.0, direction: Z }];
+        body.spring(Springs { of_bodies, ..Springs::default() }).unwrap();
+        body
+    };
+    let exact = 5.0 * (1.0 / (DENSITY * THICK) + 1.0 / (2.0 * DENSITY * THICK));
+    let found = spectrum(pair());
+    let in_time = largest_eigenvalue(&mut pair(), 20).ritz / exact - 1.0;
+    println!("pair: {:.1e} {in_time:.1e}, {:.1e}", found[11] / exact - 1.0, found[10]);
+    assert!(
+        (found[11] / exact - 1.0).abs() < 1e-12 && found[10].abs() < 1e-12 * exact && in_time.abs() < 1e-8
+    );
+}
+
+#[test]
+fn springs_that_are_none_are_refused() {
+    let refused =
+        |springs: Springs| free_shell(flat([4, 3], [1.0, 0.8]), CELL, 0.1).spring(springs).unwrap_err();
+    let turning =
+        |stiffness, axis| Springs { turning: vec![TurnSpring { stiffness, axis }], ..Springs::default() };
+    let between = |stiffness| Springs {
+        between: vec![SpringBetween { stiffness, direction: X }],
+        ..Springs::default()
+    };
+    assert!(matches!(refused(turning(vec![], X)), ShellError::EmptySet(_)));
+    assert!(matches!(refused(turning(vec![(1, 0.0)], X)), ShellError::Spring { particle: 1, .. }));
+    let along = refused(turning(vec![(3, 1.0)], Z + X * 0.01));
+    assert!(matches!(along, ShellError::SpringAlongDirector { particle: 3, .. }));
+    assert!(matches!(
+        refused(between(vec![([2, 12], 1.0)])),
+        ShellError::NoSuchParticle { particle: 12, .. }
+    ));
+    assert!(matches!(refused(between(vec![([2, 2], 1.0)])), ShellError::SpringOnItself { particle: 2 }));
+    let of_bodies = vec![BodySpring::Turning { body: 0, stiffness: 1.0, axis: X }];
+    let body = Springs { of_bodies, ..Springs::default() };
+    assert!(matches!(refused(body), ShellError::SpringOfBody { set: 0, .. }));
+}
