@@ -229,7 +229,7 @@ fn relaxations_go_on_from_the_last_level_to_the_same_bits() {
     let sheets = ("bodies.plate.solid.geometry.block.spacing", "25.0");
     let levels = ("analysis", "{ relaxation = { levels = [0.02, 0.04, 0.08], tolerance = 1e-4 } }");
     stopped_again_and_again("relaxed-sheets", &text("plate-pd.toml"), &[sheets, levels], 3);
-    let coarse = ("bodies.beam.solid.geometry.block.spacing", "[50.8, 25.4, 25.4]");
+    let coarse = ("bodies.beam.solid.geometry.block.spacing", "[25.4, 12.7, 12.7]");
     let levels = ("analysis", "{ relaxation = { levels = [1.0, 2.0, 3.0], tolerance = 1e-5 } }");
     stopped_again_and_again("relaxed-galerkin", &text("cantilever-solid.toml"), &[coarse, levels], 3);
 }
