@@ -243,6 +243,21 @@ fn static_runs_go_on_from_the_last_level_to_the_same_bits() {
     stopped_again_and_again("static-moved", &text("panel.toml"), &[coarse, levels], 3);
 }
 
+/// Masses, slow modes, the levels behind and the energies go along: in a checkpoint, not found anew.
+#[test]
+fn relaxations_go_on_from_the_last_level_to_the_same_bits() {
+    let (coarse, levels) = (("geometry.plate.particles", "[17, 3]"), ("analysis.relaxation.levels", "8"));
+    stopped_again_and_again("relaxed-load", &text("ring.toml"), &[coarse, levels], 4);
+    let coarse = ("geometry.cylinder.particles", "[9, 9]");
+    stopped_again_and_again("relaxed-moved", &text("panel.toml"), &[coarse, levels], 4);
+    let sheets = ("bodies.plate.solid.geometry.block.spacing", "25.0");
+    let levels = ("analysis", "{ relaxation = { levels = [0.02, 0.04, 0.08], tolerance = 1e-4 } }");
+    stopped_again_and_again("relaxed-sheets", &text("plate-pd.toml"), &[sheets, levels], 3);
+    let coarse = ("bodies.beam.solid.geometry.block.spacing", "[25.4, 12.7, 12.7]");
+    let levels = ("analysis", "{ relaxation = { levels = [1.0, 2.0, 3.0], tolerance = 1e-5 } }");
+    stopped_again_and_again("relaxed-galerkin", &text("cantilever-solid.toml"), &[coarse, levels], 3);
+}
+
 #[test]
 fn a_run_that_is_not_stopped_is_the_same_with_checkpoints() {
     let folder = folder("kept");

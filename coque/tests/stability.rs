@@ -45,6 +45,69 @@ fn a_level_beyond_the_snap_names_the_limit_point_before_it() {
     assert_eq!(doubts(&path), [], "a path over limit points is what was asked for");
 }
 
+/// A relaxation goes along with the snap: the energy that it sets free tells it, on coarse levels and on fine ones.
+#[test]
+fn a_relaxation_names_the_levels_between_which_it_snapped() {
+    for (levels, between) in [("10", [0.7, 0.8]), ("[0.3, 0.6, 0.73, 0.75, 0.76, 1.0]", [0.73, 0.75])] {
+        let outcome = panel(&format!("relaxation = {{ levels = {levels}, tolerance = 1e-5 }}"));
+        assert_eq!(outcome.ended, Ended::Done);
+        let [snap] = &outcome.summary.record.critical[..] else {
+            panic!("{:?}", outcome.summary.record.critical)
+        };
+        let told = snap.between.unwrap();
+        assert!((told[0] - between[0]).abs() < 1e-12 && (told[1] - between[1]).abs() < 1e-12, "{snap:?}");
+        assert_eq!((snap.kind.as_str(), doubts(&outcome)), ("change of branch", vec![Doubt::PassedCritical]));
+        let message = &outcome.summary.record.warnings[0].message;
+        println!("{message}");
+        for word in ["snapped", "times the energy", "another branch", "[analysis.arc-length]"] {
+            assert!(message.contains(word), "{word}: {message}");
+        }
+    }
+}
+
+/// The crown pushed down step by step: at 12.7 mm its force falls and nothing snaps, at half of that the panel jumps at 17 mm.
+#[test]
+fn a_pushed_panel_snaps_where_its_path_turns_back_and_only_there() {
+    let pushed = |thickness: &'static str, levels: &'static str| {
+        let replaced = [
+            ("geometry.cylinder.particles", "[11, 11]"),
+            ("section.homogeneous.thickness", thickness),
+            ("analysis", levels),
+        ];
+        ran(overridden(&text("panel.toml"), "panel.toml", &replaced))
+    };
+    for levels in ["5", "10", "30"] {
+        let levels = format!("{{ relaxation = {{ levels = {levels}, tolerance = 1e-5 }} }}").leak();
+        assert_eq!(doubts(&pushed("12.7", levels)), [], "{levels}");
+    }
+    let outcome = pushed("6.35", "{ relaxation = { levels = 30, tolerance = 1e-5 } }");
+    println!("{:?} {:?}", outcome.summary.record.critical, outcome.summary.record.warnings);
+    assert_eq!(doubts(&outcome), [Doubt::PassedCritical]);
+    let between = outcome.summary.record.critical[0].between.unwrap();
+    assert!(between.iter().all(|level| (level * 30.0 - 17.0).abs() < 1.5), "{between:?} of 30 mm");
+}
+
+/// Turns by a full circle, in steps of 45° and more, leave a path as little as small ones do.
+#[test]
+fn what_turns_far_without_a_snap_is_not_doubted() {
+    for (name, levels) in
+        [("ring.toml", "6"), ("ring.toml", "16"), ("thin-ring.toml", "10"), ("hemisphere.toml", "4")]
+    {
+        let replaced =
+            [("analysis", format!("{{ relaxation = {{ levels = {levels}, tolerance = 1e-5 }} }}"))];
+        let coarse = match name {
+            "ring.toml" => vec![("geometry.plate.particles", "[25, 3]")],
+            "thin-ring.toml" => vec![("geometry.plate.particles", "[25, 3]")],
+            _ => vec![("geometry.sphere.particles", "[9, 9]")],
+        };
+        let replaced: Vec<_> = replaced.iter().map(|(k, v)| (*k, v.as_str())).chain(coarse).collect();
+        let outcome = ran(overridden(&text(name), name, &replaced));
+        assert_eq!(outcome.ended, Ended::Done, "{name}");
+        let doubts = doubts(&outcome);
+        assert!(!doubts.contains(&Doubt::PassedCritical), "{name}: {:?}", outcome.summary.record.warnings);
+    }
+}
+
 /// A straight bar held to its axis, pressed by a dead force; the force of Green–Lagrange strains is greatest at a
 /// stretch of 1/√3: EA/(3√3).
 const BAR: &str = r#"

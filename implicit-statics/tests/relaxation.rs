@@ -7,6 +7,7 @@ mod common;
 use std::ops::ControlFlow;
 
 use common::bars::Bars;
+use common::hardening::Hardening;
 use common::pendulum::Pendulum;
 use common::{Arch, ArchWithSpring, Flat, Hencky, Potential, Softening};
 use implicit_statics::{
@@ -92,27 +93,6 @@ fn what_is_not_found_is_said_and_the_state_stays() {
     ] {
         let error = relaxed(&mut system, 0.3, &wrong).unwrap_err();
         assert!(error.to_string().starts_with(name), "{error}");
-    }
-}
-
-/// A spring of one unknown whose stiffness grows with its square.
-struct Hardening;
-
-impl Potential for Hardening {
-    fn unknowns(&self) -> usize {
-        1
-    }
-    fn energy(&self, q: &[f64]) -> f64 {
-        0.5 * q[0] * q[0] + 0.25 * q[0].powi(4)
-    }
-    fn gradient(&self, q: &[f64], out: &mut [f64]) {
-        out[0] = q[0] + q[0].powi(3);
-    }
-    fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
-        add(0, 0, 1.0 + 3.0 * q[0] * q[0]);
-    }
-    fn load(&self, _: &[f64], out: &mut [f64]) {
-        out[0] = 1.0;
     }
 }
 

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::Command;
 
 use validation::report::{Page, pages};
-use validation::{Effort, Selection, cases, judge};
+use validation::{Effort, Selection, Variant, cases, judge};
 
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 /// Cases with a picture, with curves and with tables, each of less than a second.
@@ -79,6 +79,30 @@ fn every_drawing_is_shown_and_nothing_is_wider_than_the_screen() -> Result<(), B
         let title = title(browser, page, &folder)?;
         let drawings = page.html.matches("<svg ").count();
         assert_eq!(title, format!("looked: {drawings} drawings; ;"), "{}", page.file);
+    }
+    Ok(())
+}
+
+/// Without the run of ours that their times are counted in, other programs would not be drawn.
+#[test]
+fn other_programs_are_counted_in_a_run_that_is_made() -> Result<(), Box<dyn Error>> {
+    let mut found = Vec::new();
+    for case in cases::usual() {
+        let Some(peers) = (case.peers)()? else { continue };
+        let here = |variant: &&Variant| variant.method == peers.method && variant.grid == peers.grid;
+        assert!(case.variants.iter().any(|variant| here(&variant)), "{}: {}", case.name, peers.grid);
+        assert!(!peers.answers.is_empty(), "{}", case.name);
+        for peer in &peers.answers {
+            assert!(peer.cost > 0.0 && peer.error.is_finite(), "{}: {peer:?}", case.name);
+        }
+        found.push(case.name);
+    }
+    for name in ["panel", "ring", "cantilever-end-shear", "scordelis-lo", "dam-break-front"] {
+        assert!(found.contains(&name), "{name} is among {found:?}");
+    }
+    let told = report()?.iter().map(|page| page.html.clone()).collect::<String>();
+    for words in ["OpenSees ASDShellQ4", "none beats in both: ", "measured another day"] {
+        assert!(told.contains(words), "{words} is not in the report");
     }
     Ok(())
 }

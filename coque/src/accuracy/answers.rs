@@ -43,6 +43,11 @@ impl Answer {
         Step { distance, differences }
     }
 
+    /// The last of them.
+    pub fn last(&self) -> Option<f64> {
+        self.values.last().copied()
+    }
+
     /// How many they are.
     pub fn len(&self) -> usize {
         self.values.len()

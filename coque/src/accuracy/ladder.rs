@@ -56,6 +56,12 @@ impl Rung {
         alike.then(|| steps.fold(0.0, f64::max))
     }
 
+    /// How far the last number of a column is from a known one, as a share of that \[–\]; none without the column.
+    pub fn off(&self, column: &str, known: f64) -> Option<f64> {
+        let answer = self.answers.iter().find(|answer| answer.name == column)?;
+        Some((answer.last()? / known - 1.0).abs())
+    }
+
     /// Whether it answers the same columns with as many numbers.
     fn answers_like(&self, other: &Self) -> bool {
         let alike = |(a, b): (&Answer, &Answer)| a.name == b.name && a.len() == b.len();

@@ -1,6 +1,6 @@
 //! What was critical on a path of equilibria: for the summary, and as warnings.
 
-use implicit_statics::{CriticalKind, Passed, Path};
+use implicit_statics::{CriticalKind, Passed, Path, Release};
 
 use crate::Doubt;
 use crate::run::record::{CriticalSummary, RunRecord, place};
@@ -14,6 +14,27 @@ pub(crate) enum Follows {
 
 const BY_ARC: &str = "follow the path itself with [analysis.arc-length]";
 const SMALLER: &str = "take smaller steps there";
+
+/// What a path calls states that no path of equilibria joins.
+const LEFT: &str = "change of branch";
+
+/// Takes over a snap between two levels of a relaxation, if there was one.
+pub(crate) fn note_snap(release: &Release, (low, high): (f64, f64), found: &mut RunRecord) {
+    if !release.snapped() {
+        return;
+    }
+    let message = format!(
+        "between {} and {} the body snapped: it set free {:.1} times the energy that stable equilibria between the two can leave \
+         over; the state found at {} is an equilibrium, but on another branch; take closer levels there, or {BY_ARC}",
+        place(low, None),
+        place(high, None),
+        release.energy / release.most,
+        place(high, None)
+    );
+    found.warn(Doubt::PassedCritical, message);
+    let (level, between) = (0.5 * (low + high), Some([low, high]));
+    found.critical.push(CriticalSummary { kind: LEFT.into(), level, unit: None, between });
+}
 
 /// Takes over what was critical on a path; `unit` is that of the force where the level is one.
 pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mut RunRecord) {
@@ -65,7 +86,7 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
             }
             Passed::Branch => {
                 let message = format!("{span} the branch of equilibria was left: {elsewhere}; {BY_ARC}");
-                (message, "change of branch", 0.5 * (low + high))
+                (message, LEFT, 0.5 * (low + high))
             }
             Passed::Unproved => {
                 let message = format!(

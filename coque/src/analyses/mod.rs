@@ -193,7 +193,7 @@ fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, fro
         Analysis::Linear(wanted) => linear::linear(wanted.solver, body, run),
         Analysis::Static(wanted) => path::levels(wanted, body, run, from),
         Analysis::ArcLength(wanted) => path::arc_length(wanted, body, run),
-        Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run),
+        Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run, from),
         Analysis::Modal(wanted) => modes::modal(wanted.modes, body, run),
         Analysis::Buckling(wanted) => modes::buckling(wanted, body, run),
     }

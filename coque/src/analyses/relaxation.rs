@@ -2,16 +2,23 @@
 
 use std::ops::ControlFlow;
 
-use implicit_statics::{Damping, EquilibriumError, RelaxationOptions};
+use implicit_statics::{Damping, EquilibriumError, Relaxation, RelaxationOptions};
 
+use super::criticality::note_snap;
 use crate::bodies::Balanced;
 use crate::run::Run;
+use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
 use crate::run::record::{Energies, LevelSummary};
-use crate::scene::{Relaxation, RelaxationDamping};
+use crate::scene::{self, RelaxationDamping};
 
-/// Relaxes from level to level.
-pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+/// Relaxes from level to level, from the start or from where an earlier run stood.
+pub(crate) fn relaxation(
+    wanted: &scene::Relaxation,
+    system: &mut dyn Balanced,
+    run: &mut Run<'_>,
+    from: Option<Stage>,
+) -> Ended {
     let options = RelaxationOptions {
         tolerance: wanted.tolerance,
         iterations: wanted.iterations,
@@ -23,15 +30,24 @@ pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &m
     };
     let list = wanted.levels.list();
     let last = list.last().copied().unwrap_or(1.0);
-    if record(run, system, 0.0, 0).is_break() {
-        return Ended::Done;
-    }
-    let mut relaxation = match implicit_statics::Relaxation::new(&options) {
+    let (goes_on, first, begun) = match from {
+        Some(Stage::Relaxation { found, memory }) => {
+            (true, found, Relaxation::resume(&options, *memory, &*system))
+        }
+        _ => (false, 0, Relaxation::new(&options)),
+    };
+    let mut relaxation = match begun {
         Ok(relaxation) => relaxation,
         Err(cause) => return run.unbalanced(0, 0.0, cause),
     };
-    let mut before = 0.0;
-    for level in list {
+    if !goes_on {
+        if record(run, system, 0.0, 0).is_break() {
+            return Ended::Done;
+        }
+        keep(run, 0, &relaxation, system);
+    }
+    let mut before = first.checked_sub(1).and_then(|last| list.get(last)).copied().unwrap_or(0.0);
+    for (number, &level) in list.iter().enumerate().skip(first) {
         let steps = run.record.steps;
         let tell = |done: f64, iterations: usize, run: &mut Run<'_>| {
             run.tell(done / last, steps + iterations as u64, before, run.record.energies.internal)
@@ -53,12 +69,22 @@ pub(crate) fn relaxation(wanted: &Relaxation, system: &mut dyn Balanced, run: &m
             ..LevelSummary::balanced(level, None, relaxed.iterations as u64)
         };
         run.record.levels.push(reached);
+        note_snap(&relaxed.release, (before, level), &mut run.record);
         if record(run, system, level, relaxed.iterations).is_break() {
             return Ended::Done;
         }
         before = level;
+        keep(run, number + 1, &relaxation, system);
     }
     Ended::Done
+}
+
+/// Keeps a checkpoint where so many levels are found, if the run writes any.
+fn keep(run: &mut Run<'_>, found: usize, relaxation: &Relaxation, system: &dyn Balanced) {
+    if run.checkpoints.is_some() {
+        let memory = Box::new(relaxation.memory().clone());
+        run.keep_checkpoint(&Stage::Relaxation { found, memory }, system);
+    }
 }
 
 /// Reads a row at an equilibrium and keeps its shape.

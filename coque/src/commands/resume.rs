@@ -26,7 +26,7 @@ ends in the same bits as one that never was:
   coque resume out/ring
 
 checkpoint_every is in seconds of wall time; a checkpoint is also kept at the start, after every settled level, and on
-Ctrl-C. Explicit runs go on between two steps, static ones after the last level found. An arc-length path carries
+Ctrl-C. Explicit runs go on between two steps, static ones and relaxations after the last level found. An arc-length path carries
 its step size and its search for critical points from point to point and keeps no checkpoint; linear answers and modes
 are found at one stroke.
 

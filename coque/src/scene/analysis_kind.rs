@@ -76,6 +76,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         word: "relaxation",
         name: "a relaxation",
         columns: &["level", "internal", "iterations"],
+        resumes: true,
         seeks_force: false,
         ..LEVELLED
     },

@@ -6,15 +6,20 @@
 
 mod motion;
 mod past;
+mod release;
 mod slow;
 
 use std::ops::ControlFlow;
+
+use serde::{Deserialize, Serialize};
 
 use crate::error::require;
 use crate::options::RelaxationOptions;
 use crate::{Equilibrium, EquilibriumError};
 use motion::Motion;
 use past::Past;
+use release::Energies;
+pub use release::Release;
 use slow::SlowModes;
 
 /// How an equilibrium was relaxed.
@@ -34,6 +39,8 @@ pub struct Relaxed {
     pub residuals: Vec<f64>,
     /// Bound that the last one met \[F\].
     pub bound: f64,
+    /// Energy set free between the levels: a snap, where it is beyond what a path leaves over.
+    pub release: Release,
 }
 
 /// Where a relaxation stands, told every hundred iterations.
@@ -67,10 +74,17 @@ pub fn relax<E: Equilibrium + ?Sized>(
 #[derive(Debug, Clone)]
 pub struct Relaxation {
     options: RelaxationOptions,
+    memory: RelaxationMemory,
+}
+
+/// What a relaxation knows between two levels: with it and the state of its system it goes on to the same bits.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RelaxationMemory {
     /// M; empty before the first level \[F/L, times the square of a step\].
     masses: Vec<f64>,
     slow: SlowModes,
     past: Past,
+    energies: Energies,
     /// Largest component of a way from level to level so far \[L\].
     reach: f64,
 }
@@ -84,8 +98,32 @@ impl Relaxation {
         require(options.tolerance > 0.0, "relaxation tolerance", options.tolerance, "positive")?;
         require(options.iterations > 0, "relaxation iterations", options.iterations as f64, "one at least")?;
         require(options.safety >= 1.0, "relaxation safety", options.safety, "one at least")?;
-        let (masses, slow, past) = (Vec::new(), SlowModes::default(), Past::default());
-        Ok(Self { options: options.clone(), masses, slow, past, reach: 0.0 })
+        Ok(Self { options: options.clone(), memory: RelaxationMemory::default() })
+    }
+
+    /// A relaxation that goes on where another stood between two levels, with its system as it was there.
+    ///
+    /// # Errors
+    /// Those of [`Relaxation::new`]; [`EquilibriumError::Length`] for the memory of another system.
+    pub fn resume<E: Equilibrium + ?Sized>(
+        options: &RelaxationOptions,
+        memory: RelaxationMemory,
+        system: &E,
+    ) -> Result<Self, EquilibriumError> {
+        let (unknowns, state) = (system.unknowns(), system.save().len());
+        let masses = Some(memory.masses.len()).filter(|&length| length > 0);
+        let vectors = masses.into_iter().chain(memory.slow.lengths()).map(|length| (length, unknowns));
+        for (length, expected) in vectors.chain(memory.past.lengths().map(|length| (length, state))) {
+            if length != expected {
+                return Err(EquilibriumError::Length { name: "memory of a relaxation", length, expected });
+            }
+        }
+        Ok(Self { memory, ..Self::new(options)? })
+    }
+
+    /// What it knows, to go on from.
+    pub fn memory(&self) -> &RelaxationMemory {
+        &self.memory
     }
 
     /// Finds the equilibrium at level `to` from the present state, which balances level `from`.
@@ -104,23 +142,28 @@ impl Relaxation {
         mut observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
     ) -> Result<Relaxed, EquilibriumError> {
         let start = system.save();
-        self.past.stands_at(from, &start);
+        let known = self.memory.past.stands_at(from, &start);
+        self.memory.energies.stands_at(system, known, (from, to));
         let mut outcome = Motion::new(self, system, (from, to)).settle(system, &mut observer);
-        if self.past.points_on()
+        if self.memory.past.points_on()
             && matches!(outcome, Err(EquilibriumError::Strayed { .. } | EquilibriumError::Force { .. }))
         {
             system.restore(&start);
-            self.past.distrust();
-            self.slow = SlowModes::default();
+            self.memory.past.distrust();
+            self.memory.slow = SlowModes::default();
             outcome = Motion::new(self, system, (from, to)).settle(system, &mut observer);
         }
-        match &outcome {
-            Ok(_) => {
+        match outcome {
+            Ok((mut relaxed, way)) => {
                 system.accept();
-                self.past.found(system, to, &self.masses);
+                relaxed.release = self.memory.energies.found(system, (from, to), &start, way);
+                self.memory.past.found(system, to, &self.memory.masses);
+                Ok(relaxed)
             }
-            Err(_) => system.restore(&start),
+            Err(error) => {
+                system.restore(&start);
+                Err(error)
+            }
         }
-        outcome
     }
 }

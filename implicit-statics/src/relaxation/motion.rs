@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use super::{Relaxation, Relaxed, Relaxing};
-use crate::options::Damping;
+use super::{Relaxation, RelaxationMemory, Relaxed, Relaxing, Release};
+use crate::options::{Damping, RelaxationOptions};
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError};
 
@@ -18,7 +18,8 @@ const PERTURBATION: f64 = 1e-4;
 const MOST_DAMPING: f64 = 1.9;
 
 pub(super) struct Motion<'a> {
-    memory: &'a mut Relaxation,
+    options: &'a RelaxationOptions,
+    memory: &'a mut RelaxationMemory,
     levels: (f64, f64),
     /// Iterations within which held values go from level to level.
     ramp: usize,
@@ -50,13 +51,14 @@ struct Counts {
 impl<'a> Motion<'a> {
     /// Puts the system where the levels before point.
     pub fn new<E: Equilibrium + ?Sized>(
-        memory: &'a mut Relaxation,
+        relaxation: &'a mut Relaxation,
         system: &mut E,
         levels: (f64, f64),
     ) -> Self {
         let zero = || vec![0.0; system.unknowns()];
         let mut motion = Self {
-            memory,
+            options: &relaxation.options,
+            memory: &mut relaxation.memory,
             levels,
             ramp: 0,
             velocity: zero(),
@@ -70,7 +72,7 @@ impl<'a> Motion<'a> {
             counts: Counts::default(),
         };
         if system.held_values_move() {
-            motion.ramp = motion.memory.options.ramp;
+            motion.ramp = motion.options.ramp;
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
             motion.counts.evaluations += 1;
@@ -88,12 +90,13 @@ impl<'a> Motion<'a> {
         if iteration < self.ramp { from + (to - from) * iteration as f64 / self.ramp as f64 } else { to }
     }
 
+    /// Moves until the level balances; gives the sum of the moves as well \[L\].
     pub fn settle<E: Equilibrium + ?Sized>(
         mut self,
         system: &mut E,
         observer: &mut impl FnMut(&Relaxing) -> ControlFlow<()>,
-    ) -> Result<Relaxed, EquilibriumError> {
-        let (level, allowed) = (self.levels.1, self.memory.options.iterations);
+    ) -> Result<(Relaxed, Vec<f64>), EquilibriumError> {
+        let (level, allowed) = (self.levels.1, self.options.iterations);
         let mut residuals = Vec::new();
         if self.memory.masses.is_empty() {
             self.memory.masses = vec![0.0; self.velocity.len()];
@@ -103,7 +106,7 @@ impl<'a> Motion<'a> {
         for iterations in 0.. {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
-            let bound = self.memory.options.tolerance * if scale > 0.0 { scale } else { first };
+            let bound = self.options.tolerance * if scale > 0.0 { scale } else { first };
             let at_start = residual == 0.0 || self.memory.past.points_on();
             let arrived = iterations > self.ramp || (self.ramp == 0 && at_start);
             let found = residual <= bound && arrived;
@@ -116,7 +119,10 @@ impl<'a> Motion<'a> {
             }
             if found {
                 let Counts { evaluations, row_sums, rests } = self.counts;
-                return Ok(Relaxed { level, iterations, evaluations, row_sums, rests, residuals, bound });
+                let release = Release::default();
+                let relaxed =
+                    Relaxed { level, iterations, evaluations, row_sums, rests, residuals, bound, release };
+                return Ok((relaxed, self.way));
             }
             if ends {
                 return Err(EquilibriumError::NotRelaxed { level, iterations, residual, bound });
@@ -132,7 +138,7 @@ impl<'a> Motion<'a> {
             }
             last = residual;
             self.learn(system, iterations);
-            match self.memory.options.damping {
+            match self.options.damping {
                 Damping::Kinetic => self.push(),
                 Damping::Rayleigh => self.kick((2.0 * stiffness.max(0.0).sqrt()).min(MOST_DAMPING)),
             }
@@ -174,7 +180,7 @@ impl<'a> Motion<'a> {
         for (mass, sum) in self.memory.masses.iter_mut().zip(sums) {
             // an unknown without stiffness has no frequency: any mass will do
             let sum = if sum > 0.0 { sum } else { largest };
-            *mass = mass.max(0.25 * self.memory.options.safety * sum);
+            *mass = mass.max(0.25 * self.options.safety * sum);
         }
         self.memory.slow = Default::default();
     }

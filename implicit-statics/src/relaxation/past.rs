@@ -1,12 +1,14 @@
 //! The levels behind, and where they point.
 
+use serde::{Deserialize, Serialize};
+
 use crate::Equilibrium;
 
 /// Highest order of the polynomials through the last equilibria.
 const HIGHEST: usize = 3;
 
 /// The last equilibria, and the order of the polynomial through them that would have come nearest to the present one.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Past {
     /// Levels and saved states, the present one last.
     points: Vec<(f64, Vec<f64>)>,
@@ -14,11 +16,19 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// Takes note of the state that the system stands in; what lies behind is forgotten if this is another than the last one found.
-    pub fn stands_at(&mut self, level: f64, state: &[f64]) {
-        if self.points.last().is_none_or(|(at, last)| *at != level || last != state) {
+    /// Takes note of the state that the system stands in, and tells whether it is the last one found; what lies behind is forgotten
+    /// if it is another.
+    pub fn stands_at(&mut self, level: f64, state: &[f64]) -> bool {
+        let known = self.points.last().is_some_and(|(at, last)| *at == level && last == state);
+        if !known {
             *self = Self { points: vec![(level, state.to_vec())], order: 0 };
         }
+        known
+    }
+
+    /// Lengths of the states behind.
+    pub fn lengths(&self) -> impl Iterator<Item = usize> {
+        self.points.iter().map(|(_, state)| state.len())
     }
 
     /// Whether it points anywhere.

@@ -11,6 +11,8 @@
 //! is a coarse space \[nicolaides1987\] of Ritz vectors of moves that the motion makes anyway: what
 //! is left of it after a while is slow. The motion begins again from rest whenever the modes are found anew.
 
+use serde::{Deserialize, Serialize};
+
 use crate::solver::dense_eigen;
 use crate::vectors::dot;
 
@@ -24,7 +26,7 @@ const LEAST: f64 = 1e-5;
 const DEPENDENT: f64 = 1e-3;
 
 /// Modes with their Rayleigh quotients, and moves that are not among them yet.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct SlowModes {
     /// Z, one mode after the other, then the moves.
     span: Vec<Vec<f64>>,
@@ -38,6 +40,11 @@ impl SlowModes {
     /// Whether any is known.
     pub fn known(&self) -> bool {
         !self.shares.is_empty()
+    }
+
+    /// Lengths of the modes and moves.
+    pub fn lengths(&self) -> impl Iterator<Item = usize> {
+        self.span.iter().map(Vec::len)
     }
 
     /// Takes a move to look for modes in.

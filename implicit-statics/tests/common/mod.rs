@@ -3,6 +3,7 @@
 #![allow(dead_code)] // every test file takes its own share of these systems
 
 pub mod bars;
+pub mod hardening;
 pub mod pendulum;
 
 use std::ops::Range;

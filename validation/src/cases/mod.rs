@@ -5,6 +5,7 @@ pub mod option_cost;
 mod coupled;
 mod fluid;
 mod forecast;
+mod forecast_solids;
 mod galerkin;
 mod growth;
 mod hard;
@@ -20,7 +21,10 @@ pub fn usual() -> Vec<Case> {
     cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));
     cases.extend(family("Fluids and structures", coupled::all()));
-    cases.extend(family("Cost", [forecast::case(), growth::case(), option_cost::case()]));
+    cases.extend(family(
+        "Cost",
+        [forecast::case(), forecast_solids::case(), growth::case(), option_cost::case()],
+    ));
     cases
 }
 

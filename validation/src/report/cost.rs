@@ -30,7 +30,8 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
         add(&mut methods, &peer.method, (peer.cost, peer.error.max(headline.floor)));
     }
     let all: Vec<(f64, f64)> = methods.iter().flat_map(|(_, own)| own).copied().collect();
-    let best = frontier(&all).into_iter().map(|i| all[i]).collect();
+    let best: Vec<(f64, f64)> = frontier(&all).into_iter().map(|i| all[i]).collect();
+    let ahead = most_often_best(&methods, std::slice::from_ref(&best));
     let mut series = vec![Series::line("best of error and cost", best, GREY, Line::Solid)];
     series.extend(marks(methods));
     let note = if peers.is_empty() { "" } else { PEERS };
@@ -38,7 +39,7 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
         title: format!("{}: error against cost", result.case.name),
         caption: format!(
             "Each mark is a run: error ({}) against the wall time of a point of its curve. Left and down is better; the \
-             grey line joins the runs that none beats in both. Errors below {} {} are drawn there: the reference is not \
+             grey line joins the runs that none beats in both: {ahead}. Errors below {} {} are drawn there: the reference is not \
              known better.{note}",
             headline.metric,
             short(headline.floor),
@@ -51,8 +52,7 @@ pub fn cost_chart(result: &CaseResult) -> Result<Option<Figure>, JudgeError> {
 }
 
 /// What is said of answers that were not found here.
-const PEERS: &str =
-    " Other programs: times measured in turn with ours on one thread of one machine, scaled by our run here.";
+const PEERS: &str = " Other programs were measured another day: in turn with ours on one thread of one machine, and drawn at that ratio to our run here.";
 
 /// The answers of other programs to a case with their costs in seconds here: as long as our run took, times their cost. None
 /// where that run was not made.

@@ -8,6 +8,7 @@ pub mod marched;
 pub mod meshes;
 pub mod misses;
 pub mod path;
+pub mod peers;
 pub mod relaxed;
 pub mod scenes;
 pub mod sheets;

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use explicit_dynamics::MarchState;
+use implicit_statics::RelaxationMemory;
 use serde::{Deserialize, Serialize};
 use sph_core::Vec3;
 
@@ -97,6 +98,13 @@ pub(crate) enum Stage {
         heading: Option<(Vec<f64>, f64)>,
         /// Stiffness that each unknown first had on the path.
         stiffness: Option<Vec<f64>>,
+    },
+    /// Between two levels of a relaxation.
+    Relaxation {
+        /// Levels found.
+        found: usize,
+        /// What it knows there.
+        memory: Box<RelaxationMemory>,
     },
     /// Before a preload, which is applied anew.
     Preload,

@@ -18,7 +18,7 @@ impl Scene {
         if !kind.resumes {
             let what = kind.name;
             let bound = format!("left out in {what}, which cannot go on from its middle");
-            let repair = "remove it, or use [analysis.explicit] or [analysis.static]";
+            let repair = "remove it, or use [analysis.explicit], [analysis.static] or [analysis.relaxation]";
             return Err(self.scope().value(path, every, &bound, repair));
         }
         self.scope().positive(path, every)

@@ -9,7 +9,7 @@ use benchmarks_ref::fe_shell::cases::{Strip, end_shear as elements};
 
 use crate::judge::{Case, Headline, Measured, Published};
 use crate::methods::{CELL, ELEMENTS, STATIC};
-use crate::support::{scenes, strip::KnownTip};
+use crate::support::{peers, scenes, strip::KnownTip};
 
 /// P L²/EI at level one.
 const FULL_LOAD: f64 = 4.0;
@@ -57,6 +57,7 @@ pub fn case() -> Case {
                 }])
             },
         }),
+        peers: || peers::tips("cantilever-end-shear", "41×3", STRIP.exact),
         figures: |runs| {
             let caption = "Level 1 is P L²/EI = 4. Marks of the shell on the lines of the elastica; the published table as small \
                            crosses.";

@@ -17,7 +17,7 @@ use crate::methods::{
     CELL, ELEMENTS, METHODS, NODAL_1, NODAL_2, NODAL_3, RELAXED, STATIC, STRONG_12, STRONG_085, WIDE_14,
     WIDE_25, WIDE_30,
 };
-use crate::support::{relaxed, scenes, strip};
+use crate::support::{peers, relaxed, scenes, strip};
 use crate::{JudgeError, Metric};
 
 /// Length of the strip \[cm\].
@@ -45,6 +45,7 @@ pub fn case() -> Case {
             floor: 1e-3,
             published,
         }),
+        peers: || peers::tips("ring", "50×5", exact),
         figures,
         ..Case::default()
     }

@@ -13,7 +13,7 @@ use crate::methods::{
     CELL, ELEMENTS, NODAL_1, NODAL_2, NODAL_3, RELAXED, STATIC, STRONG_12, STRONG_085, WIDE_14, WIDE_25,
     WIDE_30,
 };
-use crate::support::{relaxed, scenes};
+use crate::support::{peers, relaxed, scenes};
 mod figures;
 
 use crate::judge::Measured;
@@ -48,6 +48,7 @@ pub fn case() -> Case {
         together,
         // 2.222 kN is known to half its last digit.
         headline: Some(Headline { metric: "limit load", floor: 100.0 * 0.0005 / LIMIT, published }),
+        peers: || peers::limit_loads(1e3 * LIMIT),
         figures: figures::figures,
         ..Case::default()
     }
