@@ -41,7 +41,7 @@ pub(crate) fn relaxation(
         Err(cause) => return run.unbalanced(0, 0.0, cause),
     };
     if !goes_on {
-        if record(run, system, 0.0, 0).is_break() {
+        if record(run, system, 0.0, 0, 0.0).is_break() {
             return Ended::Done;
         }
         keep(run, 0, &relaxation, system);
@@ -69,8 +69,10 @@ pub(crate) fn relaxation(
             ..LevelSummary::balanced(level, None, relaxed.iterations as u64)
         };
         run.record.levels.push(reached);
-        note_snap(&relaxed.release, (before, level), &mut run.record);
-        if record(run, system, level, relaxed.iterations).is_break() {
+        let release = &relaxed.release;
+        note_snap(release, (before, level), &mut run.record);
+        let freed = if release.snapped() { release.energy } else { 0.0 };
+        if record(run, system, level, relaxed.iterations, freed).is_break() {
             return Ended::Done;
         }
         before = level;
@@ -87,10 +89,18 @@ fn keep(run: &mut Run<'_>, found: usize, relaxation: &Relaxation, system: &dyn B
     }
 }
 
-/// Reads a row at an equilibrium and keeps its shape.
-fn record(run: &mut Run<'_>, system: &mut dyn Balanced, level: f64, iterations: usize) -> ControlFlow<()> {
+/// Reads a row at an equilibrium and keeps its shape. What a snap `freed` \[F L\] the loads did, and damping took.
+fn record(
+    run: &mut Run<'_>,
+    system: &mut dyn Balanced,
+    level: f64,
+    iterations: usize,
+    freed: f64,
+) -> ControlFlow<()> {
     let internal = system.refresh(level);
     run.row(vec![level, internal, iterations as f64], system);
-    run.record.energies = Energies::at_rest(internal);
+    let dissipated = run.record.energies.dissipated + freed;
+    run.record.energies =
+        Energies { external: internal + dissipated, dissipated, ..Energies::at_rest(internal) };
     run.keep_shape(system, 0.0, level)
 }
