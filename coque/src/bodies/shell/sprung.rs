@@ -72,7 +72,7 @@ impl Builder<'_> {
         };
         if shares.len() != others.len() {
             let value = format!("\"{to}\" with {} places", others.len());
-            return refuse(value, &format!("as many as the set it is joined to, {}", shares.len()));
+            return refuse(value, &format!("and the set joined to it has {}", shares.len()));
         }
         let mut taken = vec![false; others.len()];
         let mut pairs = Vec::with_capacity(shares.len());
