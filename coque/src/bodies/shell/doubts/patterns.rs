@@ -14,7 +14,8 @@ const PATTERNS: f64 = 10.0;
 /// N h²/D above which uneven cells have patterns among the lowest modes: of scattered particles 25 modes are right at 51, 11 at 102, 3 at 244,
 /// 2 at 500 and more.
 const UNEVEN: f64 = 100.0;
-/// Mean difference of the areas of neighbouring cells over their sum above which cells are not even: a jitter of ±.05 of the spacing has .02.
+/// Mean difference of the areas of neighbouring cells over their sum above which cells are not even. A jitter of ±j of the
+/// spacing has .8 σ with σ = j/√3, by the variance of the areas: .02 at j = .045.
 const EVEN: f64 = 0.02;
 
 /// The pattern (1, −1, 1, −1) of a cell has no gradient in its middle, so that no tension acts on it there; its control is of the size of bending.
