@@ -268,6 +268,28 @@ fn contradicting_motion() {
     insta::assert_snapshot!(refused(Scene::parse(&message, "panel.toml")));
 }
 
+/// What other programs have or call otherwise.
+#[test]
+fn words_of_other_programs() {
+    let cases = [
+        ("material.plastic", "{ yield = 250.0 }"),
+        ("contact", "{}"),
+        ("analysis.implicit", "{}"),
+        ("supports[0].fixed", "true"),
+        ("material.elastic.nu", "0.3"),
+        ("section", "[{ thickness = 1.0 }]"),
+        ("velocity", "[0, 0, 1]"),
+    ];
+    let mut all = String::new();
+    for (path, value) in cases {
+        let replaced = [(path.to_string(), value.to_string())];
+        let scene = Scene::with_overrides(&text("ring.toml"), "ring.toml", &replaced);
+        all.push_str(&format!("━━━ {path} ━━━\n{}\n", refused(scene).trim_end()));
+    }
+    assert!(!all.contains("not refused"), "{all}");
+    insta::assert_snapshot!(all);
+}
+
 #[test]
 fn broken_layers() {
     let homogeneous = ("section.homogeneous.thickness", "12.7");

@@ -47,6 +47,9 @@ pub enum SceneError {
     /// A key that no scene has.
     #[error("{}unknown key `{}`", at(&.0.key), .0.value)]
     UnknownKey(Box<Fault>),
+    /// A word for something that other programs do and coque does not yet; the value is its name.
+    #[error("{}coque does not do {} yet", at(&.0.key), .0.value)]
+    NotYet(Box<Fault>),
     /// A word outside a fixed list.
     #[error("{}unknown word `{}`", at(&.0.key), .0.value)]
     UnknownWord(Box<Fault>),
@@ -84,6 +87,7 @@ impl SceneError {
             | Self::Override(f)
             | Self::Missing(f)
             | Self::UnknownKey(f)
+            | Self::NotYet(f)
             | Self::UnknownWord(f)
             | Self::Choice(f)
             | Self::Value(f)
@@ -102,6 +106,7 @@ impl SceneError {
             Self::Override(_) => "scene::override",
             Self::Missing(_) => "scene::missing",
             Self::UnknownKey(_) => "scene::unknown-key",
+            Self::NotYet(_) => "scene::not-yet",
             Self::UnknownWord(_) => "scene::unknown-word",
             Self::Choice(_) => "scene::choice",
             Self::Value(_) => "scene::value",

@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::SceneError;
 use super::shell::ShellScene;
-use super::source::{BODIES, Source, suggest};
+use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
 const WORDS: [&str; 22] = [
@@ -42,15 +42,13 @@ const SHELL: &str = "shell";
 /// Puts the keys of a shell that stand at the top of a document into `bodies.shell.shell`; their places stay.
 ///
 /// # Errors
-/// [`SceneError::UnknownKey`] for a key that neither form has, [`SceneError::Choice`] for one of a shell beside `bodies`.
+/// [`SceneError::UnknownKey`] or [`SceneError::NotYet`] for a key that neither form has, [`SceneError::Choice`] for one of a shell beside `bodies`.
 pub(super) fn lengthen(document: &mut Spanned<DeTable<'_>>, source: &Source) -> Result<(), SceneError> {
     let span = document.span();
     let top = document.get_mut();
     if let Some((key, _)) = top.iter().find(|(key, _)| !WORDS.contains(&&**key.get_ref())) {
-        let repair = suggest(key.get_ref(), &WORDS);
-        let mut fault = source.fault("", key.get_ref(), &format!("one of {}", WORDS.join(", ")), &repair);
-        fault.place.span = Some(key.span());
-        return Err(SceneError::UnknownKey(fault));
+        let place = source.at(Some(key.span()));
+        return Err(unknown(key.get_ref(), "", &WORDS, place, SceneError::UnknownKey));
     }
     let mut shell = DeTable::new();
     for key in ShellScene::WORDS {

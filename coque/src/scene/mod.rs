@@ -1,5 +1,6 @@
 //! A scene: a problem as plain, validated data.
 
+mod absent;
 pub(crate) mod alone;
 mod amplitude;
 mod analysis;

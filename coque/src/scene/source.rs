@@ -7,6 +7,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::absent::{Absent, absent};
 use super::error::{Fault, Place, SceneError};
 use super::nearest::nearest;
 
@@ -128,7 +129,8 @@ impl Source {
         self.at(span)
     }
 
-    fn at(&self, span: Option<Range<usize>>) -> Place {
+    /// A place in the text.
+    pub(super) fn at(&self, span: Option<Range<usize>>) -> Place {
         Place { origin: self.origin.clone(), text: self.text.clone(), span }
     }
 
@@ -157,19 +159,13 @@ impl Source {
         let fault = |key: String, value: String, bound: String, repair: String| {
             Box::new(Fault { key, value, bound, repair, place: place.clone() })
         };
-        if message.starts_with("unknown field") {
-            let repair = match known.is_empty() {
-                true => "remove it: this table is empty, as in `clamped = {}`".into(),
-                false => suggest(&word, &known),
+        if message.starts_with("unknown") {
+            let table = if key.ends_with(&word) { parent } else { key };
+            let kind = match message.starts_with("unknown field") {
+                true => SceneError::UnknownKey,
+                false => SceneError::UnknownWord,
             };
-            SceneError::UnknownKey(fault(parent, word, format!("one of {}", known.join(", ")), repair))
-        } else if message.starts_with("unknown variant") {
-            SceneError::UnknownWord(fault(
-                if key.ends_with(&word) { parent } else { key },
-                word.clone(),
-                format!("one of {}", known.join(", ")),
-                suggest(&word, &known),
-            ))
+            unknown(&word, &table, &known, place.clone(), kind)
         } else if message.starts_with("missing field") {
             let path = if key.is_empty() { word.clone() } else { format!("{key}.{word}") };
             let repair = format!("add `{word} = …`{}", within(&key));
@@ -224,6 +220,29 @@ fn mismatch(message: &str) -> Option<(String, String)> {
 
 fn within(key: &str) -> String {
     if key.is_empty() { " at the top of the scene".into() } else { format!(" in `{key}`") }
+}
+
+/// Refusal of a word that the table at `path` does not know: of the kind given, unless it names a feature that is missing.
+pub(super) fn unknown(
+    word: &str,
+    path: &str,
+    known: &[&str],
+    place: Place,
+    kind: fn(Box<Fault>) -> SceneError,
+) -> SceneError {
+    let bound = format!("one of {}", known.join(", "));
+    let fault =
+        |value: &str, repair| Box::new(Fault { key: path.into(), value: value.into(), bound, repair, place });
+    match absent(word, path, known) {
+        Some(Absent::NotYet { feature, nearest }) => {
+            SceneError::NotYet(fault(feature, format!("nearest is {nearest}")))
+        }
+        Some(Absent::Instead(repair)) => kind(fault(word, repair.into())),
+        None if known.is_empty() => {
+            kind(fault(word, "remove it: this table is empty, as in `clamped = {}`".into()))
+        }
+        None => kind(fault(word, suggest(word, known))),
+    }
 }
 
 /// "did you mean …?" with the list of what is known.

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use serde_json::Value;
 use toml::de::{DeTable, DeValue};
 
+use super::absent::in_place_of_a_list;
 use super::error::SceneError;
 use super::schema::schema;
 use super::source::Source;
@@ -43,8 +44,12 @@ fn walk(path: &str, value: &DeValue<'_>, of: &[&'static Value], source: &Source)
             };
             let table = of.iter().any(|schema| is(schema, "object") || schema.get("properties").is_some());
             if table && !of.iter().any(|schema| is(schema, "array")) {
-                let repair = "write a table with its keys, as in { key = value }";
-                return Err(SceneError::Type(source.fault(path, "a list", "a table", repair)));
+                return Err(SceneError::Type(source.fault(
+                    path,
+                    "a list",
+                    "a table",
+                    in_place_of_a_list(path),
+                )));
             }
             let below = alternatives(of.iter().filter_map(|schema| schema.get("items")).collect());
             let mut items = items.iter().enumerate();

@@ -1,0 +1,332 @@
+//! Words that scenes do not know and users of other programs write: what coque does not do yet, and what it calls otherwise.
+//!
+//! One table. A feature that arrives takes its row out, which the test below asks for.
+
+/// What is said of such a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Absent {
+    /// Nothing here does it.
+    NotYet {
+        /// What is missing.
+        feature: &'static str,
+        /// What comes nearest, with its key.
+        nearest: &'static str,
+    },
+    /// It is there by another name or in another place.
+    Instead(&'static str),
+}
+
+use Absent::{Instead, NotYet};
+
+/// A row: words, or beginnings of at least four letters; the tables where they mean this, none for all; what is said.
+type Row = (&'static [&'static str], &'static [&'static str], Absent);
+
+const ROWS: &[Row] = &[
+    (
+        &["plastic", "elastoplastic", "yield", "hardening", "von_mises", "johnson_cook", "creep"],
+        &["material", "elastic", "orthotropic"],
+        NotYet {
+            feature: "plasticity",
+            nearest: "an elastic material and a column `of = \"von-mises\"`, which tells where yielding would begin",
+        },
+    ),
+    (
+        &["hyperelastic", "neo_hooke", "mooney", "ogden", "rubber", "svk", "saint_venant"],
+        &["material", "elastic"],
+        NotYet {
+            feature: "rubber-like laws",
+            nearest: "[material.elastic], which is right at any rotation while strains stay small",
+        },
+    ),
+    (
+        &["viscoelastic", "prony", "maxwell", "kelvin"],
+        &["material", "elastic"],
+        NotYet {
+            feature: "viscoelasticity",
+            nearest: "damping in proportion to mass, `analysis.explicit.transient.damping`",
+        },
+    ),
+    (
+        &["thermal", "temperature", "heat", "expansion", "conductivity"],
+        &[],
+        NotYet {
+            feature: "heat and thermal expansion",
+            nearest: "[[initial_stress]] with the stress that the temperature makes where nothing can expand",
+        },
+    ),
+    (
+        &["contact", "friction", "self_contact"],
+        &[],
+        NotYet {
+            feature: "contact of shells, Galerkin solids or several bodies",
+            nearest: "contact of a solid of bonds with its fragments and with planes, [bodies.NAME.solid.contact]; what stays \
+                      joined is tied by [[ties]] or made rigid by [[rigid]]",
+        },
+    ),
+    (
+        &["fracture", "crack", "cohesive", "delamination", "failure", "erosion", "damage"],
+        &["", "shell", "elastic", "orthotropic", "material", "section", "homogeneous", "layered"],
+        NotYet {
+            feature: "fracture of shells",
+            nearest: "a solid of bonds, [bodies.NAME.solid] with its `fracture` (coque new crack-branching)",
+        },
+    ),
+    (
+        &["thickness_change", "thinning", "thickness_stretch"],
+        &["section", "homogeneous", "layered", "formulation"],
+        NotYet {
+            feature: "change of thickness",
+            nearest: "a solid without elements, `formulation.galerkin` (coque new panel-solid)",
+        },
+    ),
+    (
+        &["beam", "truss", "rod", "bar", "cable", "frame", "stiffener"],
+        &["geometry", "section", "", "bodies"],
+        NotYet {
+            feature: "beams and bars",
+            nearest: "strips of shell joined by a mesh of several sheets or by [[ties]], and springs, `spring = { … }`",
+        },
+    ),
+    (
+        &["implicit", "newmark", "hht", "generalized_alpha", "generalised_alpha"],
+        &["analysis"],
+        NotYet {
+            feature: "implicit steps in time",
+            nearest: "[analysis.explicit.transient] in time, [analysis.static] at rest",
+        },
+    ),
+    (
+        &["harmonic", "frequency_response", "steady_state", "response_spectrum", "spectrum", "random", "psd"],
+        &["analysis"],
+        NotYet {
+            feature: "answers in frequency",
+            nearest: "[analysis.modal], or [analysis.explicit.transient] with `amplitude = { sine = { period = … } }`",
+        },
+    ),
+    (
+        &["rayleigh", "stiffness_damping", "modal_damping", "structural_damping", "beta"],
+        &["transient", "explicit", "quasi-static", "analysis", "elastic"],
+        NotYet {
+            feature: "damping in proportion to stiffness or by mode",
+            nearest: "damping in proportion to mass, `analysis.explicit.transient.damping`",
+        },
+    ),
+    (
+        &["acceleration", "base_motion", "base_acceleration", "ground_motion"],
+        &["supports", ""],
+        NotYet {
+            feature: "prescribed accelerations",
+            nearest: "`moved` with `amplitude = { table = … }`, or `gravity` with an amplitude seen from the base",
+        },
+    ),
+    (
+        &["mpc", "equation", "rbe3", "constraint"],
+        &["", "supports", "shell"],
+        NotYet {
+            feature: "linear equations between degrees of freedom",
+            nearest: "[[rigid]], [[ties]], or `spring = { …, to = \"set\" }`",
+        },
+    ),
+    (
+        &["inflow", "inlet", "outflow", "outlet", "periodic"],
+        &[],
+        NotYet {
+            feature: "inflow, outflow and periodic boundaries of fluids",
+            nearest: "a basin that empties through an opening (coque new gate)",
+        },
+    ),
+    (
+        &["surface_tension", "turbulence", "gas", "air", "second_fluid"],
+        &["fluid", "liquid", "material", "weakly-compressible", "bodies"],
+        NotYet {
+            feature: "gases, surface tension and turbulence",
+            nearest: "one liquid with a viscosity, `material.liquid.kinematic_viscosity`",
+        },
+    ),
+    (
+        &["fixed", "fix", "encastre", "built_in"],
+        &["supports"],
+        Instead("a clamped edge is `clamped = {}`; `hinged = {}` leaves its directors free"),
+    ),
+    (
+        &["simply_supported", "simple", "pinned", "pin", "roller"],
+        &["supports"],
+        Instead(
+            "an edge that may turn is `hinged = {}`; one that may slide as well names what it holds, `held = { displacement = \
+             [[0, 0, 1]] }`",
+        ),
+    ),
+    (
+        &["ux", "uy", "uz", "displacement", "disp", "dof", "dofs"],
+        &["supports"],
+        Instead(
+            "directions that do not move are `held = { displacement = [[0, 0, 1]] }`, a motion is `moved = { direction = [0, 0, \
+             1], by = 0.1 }`",
+        ),
+    ),
+    (
+        &["velocity"],
+        &["supports", "loads"],
+        Instead(
+            "a motion at a given speed is `moved = { direction = …, by = … }` with `amplitude = { table = [[0, 0], [1, 1]] }`; \
+             what a body sets out with is its own `velocity = { linear = [0, 0, 1] }`",
+        ),
+    ),
+    (
+        &["initial_velocity", "initial_conditions"],
+        &[],
+        Instead("a body sets out with `velocity = { linear = [0, 0, 1] }` of its own, in transient runs"),
+    ),
+    (&["moment", "torque"], &["loads"], Instead("a moment is `couple = { moment = …, axis = [0, 1, 0] }`")),
+    (
+        &["point_load", "nodal_force", "concentrated", "total"],
+        &["loads"],
+        Instead(
+            "a force on a set, or on a point by a set `{ nearest = [x, y, z] }`, is `force = { total = [0, 0, -1] }`",
+        ),
+    ),
+    (
+        &["body_force", "acceleration", "weight"],
+        &["loads"],
+        Instead("a force on all mass is `gravity`, an acceleration"),
+    ),
+    (
+        &["e", "youngs_modulus", "modulus", "elastic_modulus"],
+        &["elastic"],
+        Instead("Young's modulus is `young`"),
+    ),
+    (&["nu", "v"], &["elastic"], Instead("Poisson's ratio is `poisson`")),
+    (&["rho"], &["elastic", "orthotropic", "liquid"], Instead("mass by volume is `density`")),
+    (
+        &["eigen", "frequency", "frequencies", "vibration", "natural_frequencies"],
+        &["analysis"],
+        Instead("modes of vibration are [analysis.modal]"),
+    ),
+    (&["riks", "arclength"], &["analysis"], Instead("paths through limit points are [analysis.arc-length]")),
+    (
+        &["nonlinear", "newton"],
+        &["analysis"],
+        Instead("equilibria at load levels by Newton's method are [analysis.static]"),
+    ),
+    (
+        &["dynamic", "transient", "quasi"],
+        &["analysis"],
+        Instead(
+            "motion in time is [analysis.explicit.transient], slow loading [analysis.explicit.quasi-static]",
+        ),
+    ),
+    (
+        &["boundary_conditions", "boundary", "bcs", "bc"],
+        &[""],
+        Instead("what holds or moves a set is a [[supports]]"),
+    ),
+    (
+        &["rbe2", "rigid_body", "rigid_bodies"],
+        &["", "supports"],
+        Instead("a set that moves as one body is a [[rigid]]"),
+    ),
+    (
+        &["mesh", "nodes", "elements"],
+        &[""],
+        Instead("a surface from a file is [geometry.mesh] with `file = \"…\"`"),
+    ),
+    (&["point_mass", "mass"], &["", "loads"], Instead("masses on sets are [[masses]]")),
+];
+
+/// What is said of a word that the table at `path` does not know; nothing where it knows one like it.
+pub(super) fn absent(word: &str, path: &str, known: &[&str]) -> Option<Absent> {
+    let word = plain(word);
+    let place = path.rsplit('.').next().unwrap_or(path);
+    let place = place.split('[').next().unwrap_or(place);
+    let begins = |stem: &str| word == stem || (stem.len() >= 4 && word.starts_with(stem));
+    let (stem, said) = ROWS.iter().find_map(|(words, places, said)| {
+        let here = places.is_empty() || places.contains(&place);
+        let stem = words.iter().find(|stem| here && begins(stem))?;
+        Some((stem, *said))
+    })?;
+    (!known.iter().any(|known| plain(known) == *stem)).then_some(said)
+}
+
+/// A word as the table spells it.
+fn plain(word: &str) -> String {
+    word.to_lowercase().replace('-', "_")
+}
+
+/// What to write where a list stands in place of the table `path`.
+pub(super) fn in_place_of_a_list(path: &str) -> &'static str {
+    let place = path.rsplit('.').next().unwrap_or(path);
+    match place {
+        "section" => {
+            "one section is [section.homogeneous]; those of parts stand in [[parts]], each with its `on`"
+        }
+        "material" => {
+            "one material is [material.elastic]; those of parts stand in [[parts]], each with its `on`"
+        }
+        "velocity" => "write `velocity = { linear = [0, 0, 1] }`",
+        _ => "write a table with its keys, as in { key = value }",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_feature_is_no_misspelt_word() {
+        let feature = |word: &str, path: &str, known: &[&str]| match absent(word, path, known) {
+            Some(NotYet { feature, .. }) => feature,
+            other => panic!("{word}: {other:?}"),
+        };
+        assert_eq!(feature("Plasticity", "bodies.strip.shell.material", &["elastic"]), "plasticity");
+        assert_eq!(feature("yield-stress", "material.elastic", &["young"]), "plasticity");
+        assert_eq!(feature("implicit", "analysis", &["explicit"]), "implicit steps in time");
+        assert!(matches!(absent("fixed", "supports[2]", &["clamped"]), Some(Instead(_))));
+    }
+
+    #[test]
+    fn what_a_table_knows_is_misspelt_not_missing() {
+        assert_eq!(absent("contacts", "bodies.bar.solid", &["contact", "cracks"]), None);
+        assert_eq!(absent("yuong", "material.elastic", &["young"]), None);
+        assert_eq!(absent("velocity", "", &["velocity"]), None);
+    }
+
+    /// Where a table of the words stands in a scene of the repository.
+    fn stands(place: &str) -> Option<(&'static str, &'static str)> {
+        Some(match place {
+            "" => ("ring.toml", ""),
+            "material" => ("ring.toml", "material."),
+            "elastic" => ("ring.toml", "material.elastic."),
+            "section" => ("ring.toml", "section."),
+            "geometry" => ("ring.toml", "geometry."),
+            "analysis" => ("ring.toml", "analysis."),
+            "supports" => ("ring.toml", "supports[0]."),
+            "loads" => ("ring.toml", "loads[0]."),
+            "quasi-static" => ("ring.toml", "analysis.explicit.quasi-static."),
+            "fluid" => ("dam-break.toml", "bodies.water.fluid."),
+            "liquid" => ("dam-break.toml", "bodies.water.fluid.material.liquid."),
+            _ => return None,
+        })
+    }
+
+    /// What a scene answers to each word of the table: a feature that is there by now, or a word it knows, fails here.
+    #[test]
+    fn every_row_is_answered() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+        for (words, places, said) in ROWS {
+            let places = if places.is_empty() { &[""] } else { *places };
+            let (file, table) = places.iter().find_map(|place| stands(place)).unwrap();
+            let text = std::fs::read_to_string(folder.join(file)).unwrap();
+            for word in *words {
+                let replaced = [(format!("{table}{word}"), "{}".to_string())];
+                let error = crate::Scene::with_overrides(&text, file, &replaced).unwrap_err();
+                let fault = error.fault();
+                match said {
+                    NotYet { feature, .. } => {
+                        assert_eq!((error.code(), &*fault.value), ("scene::not-yet", *feature))
+                    }
+                    Instead(repair) => assert_eq!(fault.repair, *repair, "{table}{word}"),
+                }
+            }
+        }
+    }
+}
