@@ -38,7 +38,7 @@ const DIVERGED: u8 = 3;
 const NOT_SETTLED: u8 = 4;
 const INTERRUPTED: u8 = 130;
 
-/// Simulates thin shells with one layer of SPH particles.
+/// Simulates thin shells, solids that break, fluids that load both, and Galerkin solids, all by particles.
 #[derive(Parser)]
 #[command(name = "coque", version, after_help = START)]
 struct Cli {
@@ -208,7 +208,7 @@ fn launch(
     let out = folder.path();
     let task = model.task.clone();
     let described = model.describe();
-    say(&format!("{}: {} particles, {} freedoms", task.title, described.particles, described.dof));
+    say(&format!("{}: {} particles, {} degrees of freedom", task.title, described.particles, described.dof));
     let early = model.warnings().to_vec();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();

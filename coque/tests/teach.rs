@@ -256,7 +256,7 @@ fn a_check_prints_the_model_and_the_cost() {
     for line in [
         "  particles                250\n",
         "  points                   196\n",
-        "  freedoms                 1127\n",
+        "  degrees of freedom       1127\n",
         "  clamped on u0\n",
         "left out\n  plasticity\n",
         "million particle-steps/s, timed just now",

@@ -56,7 +56,7 @@ impl Clock {
         damping: f64,
     ) -> Result<Self, MarchError> {
         if !(safety > 0.0 && safety <= 1.2) {
-            return Err(MarchError::Option { key: "safety", value: safety, bound: "in (0, 1]" });
+            return Err(MarchError::Option { key: "safety", value: safety, bound: "in (0, 1.2]" });
         }
         let mut clock = Self {
             now: Instant { time: 0.0, level },

@@ -61,7 +61,7 @@ impl QuasiStatic {
     {
         positive("period", self.period.unwrap_or(1.0))?;
         positive("ramp", self.ramp)?;
-        positive("hold", self.dwell)?;
+        positive("dwell", self.dwell)?;
         positive("tolerance", self.tolerance)?;
         positive("accuracy", self.accuracy)?;
         if system.linearised().is_none() {

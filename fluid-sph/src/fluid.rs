@@ -8,7 +8,6 @@ use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::Continuity;
 use crate::diffusion::Diffusion;
-
 use crate::error::FluidError;
 use crate::formulation::Formulation;
 use crate::kernel::Wendland;

@@ -275,7 +275,7 @@ pub enum ShellError {
     /// Two motions with different amplitudes on one particle.
     #[error("particle {0} is moved by two supports with different amplitudes; give it one")]
     TwoMotions(u32),
-    /// Weights that end rows of particles to higher order need a lattice.
+    /// A particle without a positive area.
     #[error("particle {particle} has area {area:.3e}; every particle must carry a positive area")]
     Area {
         /// The particle.

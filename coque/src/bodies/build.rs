@@ -52,7 +52,7 @@ impl Scene {
         if modes <= freedoms {
             return Ok(());
         }
-        let bound = format!("at most {freedoms}, the freedoms that no support holds");
+        let bound = format!("at most {freedoms}, the degrees of freedom that no support holds");
         Err(self.source.value(path, modes, &bound, "the lowest few modes are usual; or use more particles"))
     }
 

@@ -69,7 +69,7 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
 fn described(model: &Model) -> String {
     let about = model.describe();
     let mut text = format!(
-        "\n  particles                {}\n  points                   {}\n  freedoms                 {}\n",
+        "\n  particles                {}\n  points                   {}\n  degrees of freedom       {}\n",
         about.particles, about.points, about.dof
     );
     for (heading, lines) in [("modelled", &about.modelled), ("left out", &about.left_out)] {

@@ -98,13 +98,41 @@ pub fn carry_out(plot: &Plot) -> Result<(), Refused> {
 }
 
 fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
-    let file = plot.folder.join("curve.csv");
+    let curve = read_curve(&plot.folder)?;
+    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
+    plot_svg(&curve, x, y, &scene(&plot.folder).0, &out).map_err(|e| format!("{e}\n"))?;
+    Ok(out)
+}
+
+fn read_curve(folder: &Path) -> Result<Curve, String> {
+    let file = folder.join("curve.csv");
     let wrong = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}\n", file.display());
     let text = read_text(&file).map_err(|e| wrong(&e))?;
-    let curve: Curve = text.parse().map_err(|e| wrong(&e))?;
-    let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
-    plot_svg(&curve, x, y, &name(&plot.folder), &out).map_err(|e| format!("{e}\n"))?;
-    Ok(out)
+    text.parse().map_err(|e| wrong(&e))
+}
+
+/// What a frame shows, in words: a mode with its frequency or level, a point of a path with its level, a time, a level.
+fn instant(analysis: &str, curve: &Curve, along: f64) -> Option<String> {
+    let said = |name: &str, value: f64| {
+        let column = curve.columns.iter().find(|column| column.name == name)?;
+        let unit = if column.unit == "-" { String::new() } else { format!(" {}", column.unit) };
+        Some(format!("{name} {}{unit}", short(value)))
+    };
+    let first = curve.columns.first()?;
+    let at = curve.rows.iter().position(|row| row[0] == along);
+    let of = |name: &str, row: usize| said(name, *curve.column(name)?.get(row)?);
+    match analysis {
+        "modal" => Some(format!("mode {along}, {}", of("frequency", at?)?)),
+        "buckling" => Some(format!("mode {along}, {}", of("level", at?)?)),
+        "arc-length" => Some(format!("point {along}, {}", of("level", along as usize)?)),
+        "transient" => said(&first.name, along),
+        _ => said("level", along),
+    }
+}
+
+/// A number with five digits.
+fn short(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
 }
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
@@ -127,9 +155,12 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
         }
         range = Some(ends);
     }
+    let ((scene, analysis), curve) = (scene(&plot.folder), read_curve(&plot.folder).ok());
     let mut pictures = Vec::new();
     for (sheet, number, along) in &drawn {
-        let title = format!("{}, frame {number} at {along}", name(&plot.folder));
+        let instant = curve.as_ref().and_then(|curve| instant(&analysis, curve, *along));
+        let title =
+            format!("{scene}: {}", instant.unwrap_or_else(|| format!("frame {number} at {}", short(*along))));
         let (view, mirror, scale) = (plot.view, &plot.mirror.0[..], plot.scale);
         let wanted = Picture { field, view, mirror, scale, range, title: &title };
         pictures.push(picture_svg(sheet, &wanted).map_err(|e| format!("{e}\n"))?);
@@ -173,8 +204,6 @@ fn frame(
         at = *along;
     }
     let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };
-    // Six digits: what a sum of steps adds beyond them is rounding.
-    let at: f64 = format!("{at:.5e}").parse().unwrap_or(at);
     Ok((sheet, number, at))
 }
 
@@ -207,7 +236,18 @@ fn unread(error: ReadError) -> String {
     format!("{error}; run the scene again with [output.fields]\n")
 }
 
-/// The last part of a folder's path.
-fn name(folder: &Path) -> String {
-    folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned()
+/// Title and analysis of the scene that ran into a folder, `transient` for a march that settles at no levels; without a
+/// summary, the folder's name.
+fn scene(folder: &Path) -> (String, String) {
+    let summary = read_text(&folder.join("summary.json")).ok();
+    let summary = summary.and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok());
+    let word = |key: &str| Some(summary.as_ref()?[key].as_str()?.to_owned());
+    let name = || folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned();
+    let settles =
+        || summary.as_ref().and_then(|summary| summary["levels"].as_array()).is_some_and(|x| !x.is_empty());
+    let analysis = match word("analysis") {
+        Some(word) if word == "explicit" && !settles() => "transient".into(),
+        word => word.unwrap_or_default(),
+    };
+    (word("title").unwrap_or_else(name), analysis)
 }

@@ -13,7 +13,7 @@ pub struct RunRecord {
     pub steps: u64,
     /// Newton iterations; zero for analyses in time.
     pub newton_iterations: u64,
-    /// CriticalSummary points found on a path without time.
+    /// Critical points found on a path without time.
     pub critical: Vec<CriticalSummary>,
     /// Greatest stable step of the reference configuration \[T\]; zero if none was found, or without time.
     pub stable_step: f64,

@@ -38,7 +38,7 @@ impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
 }
 
 impl Shell {
-    /// What the update of particles reads; a macro-free way to borrow parts of the shell while others change.
+    /// What the update of particles reads: parts of the shell borrowed one by one, so that others may change meanwhile.
     fn update_parts<'a>(&'a self, step: &'a Step, direct: &'a [Row]) -> Update<'a> {
         let [masses, inertias] = self.moving_masses();
         Update {

@@ -2,6 +2,7 @@
 
 mod asked;
 mod case;
+mod commit;
 pub mod measure;
 mod measured;
 mod outcome;

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::case::Case;
+use super::commit::commit;
 use super::outcome::Outcome;
+use super::variant::Variant;
 use crate::format::short;
 use crate::metric_names::REST;
 
@@ -12,8 +15,14 @@ use crate::metric_names::REST;
 pub struct Record {
     /// Name of the case.
     pub case: String,
+    /// Title of the case.
+    pub title: String,
     /// Formulation, and what else sets this run apart from the others of the case.
     pub method: String,
+    /// Particles or nodes along u and v, and what else is set in the problem: unique in the case together with the method.
+    pub variant: String,
+    /// Commit of the code that ran, `+` behind it where files differ from it; none outside a checkout.
+    pub commit: Option<String>,
     /// Particles, or nodes of finite elements.
     pub particles: usize,
     /// Mean spacing of the particles, in the unit of length of the scene.
@@ -195,10 +204,13 @@ fn most(measured: f64) -> f64 {
 
 impl Record {
     /// The record of an outcome.
-    pub fn new(case: &str, method: &str, outcome: &Outcome, metrics: Vec<Metric>) -> Self {
+    pub fn new(case: &Case, variant: &Variant, outcome: &Outcome, metrics: Vec<Metric>) -> Self {
         Self {
-            case: case.into(),
-            method: method.into(),
+            case: case.name.into(),
+            title: case.title.into(),
+            method: variant.method.clone(),
+            variant: variant.grid.clone(),
+            commit: commit(),
             particles: outcome.particles,
             spacing: outcome.spacing,
             dof: outcome.dof,
@@ -247,7 +259,10 @@ mod tests {
     fn record(metrics: Vec<Metric>) -> Record {
         Record {
             case: "made-up".into(),
+            title: "Made up".into(),
             method: "none".into(),
+            variant: "2×2".into(),
+            commit: None,
             particles: 4,
             spacing: 0.1,
             dof: 20,
@@ -338,7 +353,8 @@ mod tests {
         };
         assert_eq!(
             keys(&value[0]),
-            "case curve dof method metrics particle_steps_per_second particles spacing steps threads wall_seconds"
+            "case commit curve dof method metrics particle_steps_per_second particles spacing steps threads title variant \
+             wall_seconds"
         );
         assert_eq!(
             keys(&value[0]["metrics"][0]),

@@ -214,7 +214,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     }
     let chart = Chart {
         title: "Panel, load over crown".into(),
-        caption: "The solid of plate17 beside the shell.".into(),
+        caption: "The Galerkin solid beside the shell.".into(),
         x: Axis::linear("w [mm]"),
         y: Axis::linear("P [N]"),
         series,

@@ -40,7 +40,7 @@ pub(super) fn held_load(look: &Look<'_>) -> Option<String> {
     let part = 100.0 * (1.0 - shares[first].unwrap_or(0.0));
     let count = shares.iter().filter(|share| held(share)).count();
     Some(format!(
-        "{part:.0} % of {} falls on freedoms that a support holds and does no work; more than {:.0} % is a mistake more \
+        "{part:.0} % of {} falls on degrees of freedom that a support holds and does no work; more than {:.0} % is a mistake more \
          often than not: put the load on particles that can move along it",
         of_loads(look, first, count),
         100.0 * MOSTLY_HELD

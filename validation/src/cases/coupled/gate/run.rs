@@ -22,7 +22,7 @@ const POISSON: f64 = 0.4;
 const FLOOR: f64 = 0.7;
 /// Cells of the shell along the gate.
 const CELLS: usize = 40;
-/// Spacing of the fluid where the gate is a solid, in thicknesses.
+/// Depth of the clamp of a solid gate, in spacings.
 const CLAMPED: usize = 3;
 
 /// What the gate is made of.
@@ -83,7 +83,7 @@ pub struct Swing {
     pub substeps: u64,
     /// Greatest |ρ/ρ₀ − 1|.
     pub density_error: f64,
-    /// Greatest sum of interface forces, gate against fluid, over the greatest force \[–\].
+    /// Time the run took \[s\].
     pub seconds: f64,
 }
 
