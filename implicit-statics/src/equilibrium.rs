@@ -75,11 +75,11 @@ pub trait Equilibrium {
         false
     }
 
-    /// The tangent after a motion from the present state, in unknowns that turn with the structure on the way: what
-    /// [`crate::Prebuckling::Rotations`] differentiates. The state is put back. Any choice is a congruence `Rᵀ K R` that is
-    /// singular where K is; the better the turn is followed, the less the second derivative counts. The default keeps
-    /// the unknowns as they are.
-    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+    /// The tangent after a motion from the present state, held values going from the first level to the second, in unknowns
+    /// that turn with the structure on the way: what [`crate::Prebuckling::Rotations`] differentiates. The state is put
+    /// back. Any choice is a congruence `Rᵀ K R` that is singular where K is; the better the turn is followed, the less the
+    /// second derivative counts. The default keeps the unknowns as they are.
+    fn turned_tangent(&mut self, [_, level]: [f64; 2], motion: &[f64], values: &mut [f64]) {
         let rest = self.save();
         self.update(motion);
         self.tangent(level, values);

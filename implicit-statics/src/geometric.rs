@@ -73,7 +73,7 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
         for (values, delta) in ends.iter_mut().zip([delta, -delta]) {
             let motion: Vec<f64> = response.iter().map(|u| delta * u).collect();
             match kind {
-                Prebuckling::Rotations => system.turned_tangent(level + delta, &motion, values),
+                Prebuckling::Rotations => system.turned_tangent([level, level + delta], &motion, values),
                 Prebuckling::Stress if system.stressed_tangent(level + delta, &motion, values) => {}
                 Prebuckling::Stress => return None,
             }

@@ -51,7 +51,7 @@ fn change(system: &mut StaticShell, motion: &[f64], turning: bool) -> f64 {
     for (sign, values) in [1.0, -1.0].into_iter().zip(&mut ends) {
         let motion: Vec<f64> = motion.iter().map(|q| sign * STEP * q).collect();
         if turning {
-            system.turned_tangent(0.0, &motion, values);
+            system.turned_tangent([0.0; 2], &motion, values);
         } else {
             let rest = system.save();
             system.update(&motion);

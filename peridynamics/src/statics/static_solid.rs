@@ -121,8 +121,8 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         });
     }
 
-    /// How each node turns with a motion.
-    fn spins(&self, motion: &[f64]) -> Vec<Vec3> {
+    /// How far each node turns with a motion, what is prescribed going from one level to another.
+    fn spins(&self, [from, to]: [f64; 2], motion: &[f64]) -> Vec<Vec3> {
         let (solid, couplings) = (&*self.solid, self.couplings());
         let nodes = solid.len();
         let positions: Vec<Vec3> = solid.rows[..nodes].iter().map(vector).collect();
@@ -130,7 +130,10 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
             let own = self.unknowns.of(row);
             own.map(|unknown| self.unknowns.direction(unknown) * motion[unknown]).sum()
         };
-        let velocities: Vec<Vec3> = (0..nodes).map(velocity).collect();
+        let mut velocities: Vec<Vec3> = (0..nodes).map(velocity).collect();
+        for &row in self.moved.iter().filter(|&&row| (row as usize) < nodes) {
+            velocities[row as usize] += self.prescribed_rate(row as usize) * (to - from);
+        }
         let of = |a: usize| couplings.of(a).map(move |block| (a, couplings.columns[block] as usize));
         fitted_spins(&positions, &velocities, (0..nodes).flat_map(of))
     }
@@ -261,13 +264,13 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
 
     /// Nodes turn as their neighbours do about them. Sheets on directors keep fixed axes: nodes that turned without their
     /// directors would show the shear between them.
-    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+    fn turned_tangent(&mut self, levels: [f64; 2], motion: &[f64], values: &mut [f64]) {
         let directors = self.solid.rows.len() > self.solid.len();
-        let turned = self.unknowns.turned(&if directors { Vec::new() } else { self.spins(motion) });
+        let turned = self.unknowns.turned(&if directors { Vec::new() } else { self.spins(levels, motion) });
         let rest = self.save();
         self.update(motion);
         let fixed = std::mem::replace(&mut self.unknowns, turned);
-        self.tangent(level, values);
+        self.tangent(levels[1], values);
         self.unknowns = fixed;
         self.restore(&rest);
     }

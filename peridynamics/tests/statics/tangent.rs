@@ -68,7 +68,7 @@ fn a_rigid_turn_leaves_the_tangent_as_it_is() {
         let mut ends = [vec![0.0; system.pattern().len()], vec![0.0; system.pattern().len()]];
         for (sign, values) in [1.0, -1.0].into_iter().zip(&mut ends) {
             let motion: Vec<f64> = motion.iter().map(|q| sign * step * q).collect();
-            system.turned_tangent(0.0, &motion, values);
+            system.turned_tangent([0.0; 2], &motion, values);
         }
         let change: Vec<f64> = ends[0].iter().zip(&ends[1]).map(|(p, m)| (p - m) / (2.0 * step)).collect();
         let left = norm(&change) / norm(&ends[0]);

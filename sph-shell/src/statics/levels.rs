@@ -41,7 +41,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     }
 
     /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns, at a level.
-    fn prescribed_rates(&self, level: f64) -> Vec<Row> {
+    pub(super) fn prescribed_rates(&self, level: f64) -> Vec<Row> {
         let mut rates = vec![[0.0; 6]; self.shell.len()];
         for &a in &self.moved {
             if self.shell.body_of(a as usize).is_some() {

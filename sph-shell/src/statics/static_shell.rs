@@ -218,11 +218,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.put(level);
-        self.shell.evaluate_internal(false);
-        self.external_at(level);
-        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
-        self.assemble(None, values);
+        self.tangent_here(level, values);
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
@@ -241,10 +237,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         true
     }
 
-    fn turned_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) {
+    fn turned_tangent(&mut self, levels: [f64; 2], motion: &[f64], values: &mut [f64]) {
         let rest = self.save();
-        self.turn_along(motion);
-        self.tangent(level, values);
+        self.turn_along(levels, motion);
+        self.tangent_here(levels[1], values);
         self.restore(&rest);
     }
 
@@ -366,6 +362,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
+    /// The tangent where the shell stands, its prescribed values at the level already.
+    fn tangent_here(&mut self, level: f64, values: &mut [f64]) {
+        self.shell.evaluate_internal(false);
+        self.external_at(level);
+        self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
+        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        self.assemble(None, values);
+    }
+
     /// Entries between the unknowns from the blocks; with internal forces other than those last evaluated, if they are given.
     fn assemble(&mut self, internal: Option<&[Row]>, values: &mut [f64]) {
         let shell = &*self.shell;

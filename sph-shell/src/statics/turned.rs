@@ -16,19 +16,20 @@ use crate::statics::dofs::Basis;
 use crate::statics::static_shell::StaticShell;
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// Moves the shell and turns the directions of its unknowns along.
-    pub(crate) fn turn_along(&mut self, motion: &[f64]) {
+    /// Moves the shell, what is prescribed from one level to another, and turns the directions of its unknowns along.
+    pub(crate) fn turn_along(&mut self, levels: [f64; 2], motion: &[f64]) {
         let mut bases: Vec<Basis> = (0..self.shell.len()).map(|a| self.basis(a)).collect();
-        let spins = self.spins(&bases, motion);
+        let spins = self.spins(&bases, levels, motion);
         self.update(motion);
+        self.put(levels[1]);
         for (a, (basis, spin)) in bases.iter_mut().zip(&spins).enumerate() {
             basis.follow(spin, self.basis(a));
         }
         self.carried = bases;
     }
 
-    /// How fast the material turns at each particle: as the director does, about it as the neighbours do; a group as a whole.
-    fn spins(&self, bases: &[Basis], motion: &[f64]) -> Vec<Vec3> {
+    /// How far the material turns at each particle: as the director does, about it as the neighbours do; a group as a whole.
+    fn spins(&self, bases: &[Basis], [from, to]: [f64; 2], motion: &[f64]) -> Vec<Vec3> {
         let shell = &*self.shell;
         let mut rates = vec![[0.0; 6]; bases.len()];
         let mut whole = vec![None; bases.len()];
@@ -42,6 +43,18 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                     whole[a] = Some(v);
                 }
                 Some(_) => {}
+            }
+        }
+        for &a in &self.moved {
+            let told = shell.constraint(a as usize).and_then(|constraint| constraint.told());
+            if let (Some(told), Some(turn)) = (told, &mut whole[a as usize]) {
+                let [_, spin] = told.motion_rate(from, shell.case);
+                *turn += spin * (to - from);
+            }
+        }
+        if !self.moved.is_empty() {
+            for (row, prescribed) in rates.iter_mut().zip(self.prescribed_rates(from)) {
+                row.iter_mut().zip(prescribed).for_each(|(sum, rate)| *sum += rate * (to - from));
             }
         }
         shell.ties.follow(&shell.state, &mut rates);
