@@ -212,6 +212,7 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
 
     fn between(&mut self, body: &mut (dyn Marched + 'b), at: &MarchState, done: f64) -> ControlFlow<()> {
         let clock = &at.clock;
+        self.run.count_impulses(clock.now.time, &*body);
         let flow = self.run.progress.update(&ProgressReport {
             done,
             time: clock.now.time,
