@@ -178,7 +178,7 @@ pub use run::checkpoint::{
 };
 pub use run::outcome::{Ended, Failure, Outcome};
 pub use run::progress::{Progress, ProgressReport, Silent};
-pub use run::record::{CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
+pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;
 pub use scene::Scene;
 pub use scene::catalogue::{CatalogueEntry, catalogue};

@@ -144,19 +144,11 @@ fn replacement(text: &str) -> Result<(String, String), String> {
 }
 
 fn main() -> ExitCode {
+    // First of all: a signal for which nobody watches ends the program as it stands.
+    let stop = Stop::watch();
     outlive_file_limits();
-    let done = match Cli::parse().command {
-        Command::Run(run) => carry_out(&run),
-        Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
-        Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
-        Command::Resume(resume) => resume::carry_out(&resume),
-        Command::Sweep(sweep) => sweep::carry_out(&sweep),
-        Command::New(new) => teach::new(&new).map(|()| DONE),
-        Command::Check(check) => check::carry_out(&check).map(|()| DONE),
-        Command::List(list) => teach::list(&list).map(|()| DONE),
-        Command::Schema(schema) => teach::schema(&schema).map(|()| DONE),
-    };
-    match done {
+    let command = Cli::parse().command;
+    match stop.map_err(Refused::from).and_then(|stop| obey(command, &stop)) {
         Ok(code) => ExitCode::from(code),
         Err(refused) => {
             refused.say();
@@ -165,9 +157,22 @@ fn main() -> ExitCode {
     }
 }
 
+fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
+    match command {
+        Command::Run(run) => carry_out(&run, stop),
+        Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
+        Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
+        Command::Resume(resume) => resume::carry_out(&resume, stop),
+        Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
+        Command::New(new) => teach::new(&new).map(|()| DONE),
+        Command::Check(check) => check::carry_out(&check).map(|()| DONE),
+        Command::List(list) => teach::list(&list).map(|()| DONE),
+        Command::Schema(schema) => teach::schema(&schema).map(|()| DONE),
+    }
+}
+
 /// Reads, builds, runs, writes; the error is ready to print.
-fn carry_out(run: &Run) -> Result<u8, Refused> {
-    let stop = Stop::watch()?;
+fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let (scene, text) = read_scene(&run.scene, &run.replaced)?;
     let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
@@ -178,7 +183,7 @@ fn carry_out(run: &Run) -> Result<u8, Refused> {
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
     let origin = Origin::new(&text, file, run.replaced.clone(), run.threads.into());
-    launch(model, &folder, origin, None, &stop)
+    launch(model, &folder, origin, None, stop)
 }
 
 /// Reads a scene, and its text; errors underline it.

@@ -90,6 +90,8 @@ pub enum Doubt {
     ShearLocking,
     /// Strains beyond those that the law was made for.
     LargeStrain,
+    /// Energy that comes or goes in a march without a book that says whence or whither.
+    OpenBalance,
 }
 
 impl Doubt {
@@ -138,6 +140,7 @@ impl Doubt {
             Self::LeakySupport => "leaky-support",
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
+            Self::OpenBalance => "open-balance",
         }
     }
 }
@@ -206,6 +209,7 @@ mod tests {
             Doubt::LeakySupport,
             Doubt::ShearLocking,
             Doubt::LargeStrain,
+            Doubt::OpenBalance,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
         }

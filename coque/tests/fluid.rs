@@ -62,6 +62,39 @@ fn a_dam_break_keeps_its_energy_balance_and_runs_away() {
     assert!(outcome.shapes[0].positions.iter().all(|x| x.y > -0.06 && x.x > -0.06), "leaks");
 }
 
+/// Water falls on the floor of its tank: means over records have the whole impulse, however long the records are; instants lose
+/// what comes and goes between two of them.
+#[test]
+fn an_impact_shorter_than_a_record_is_in_the_mean() {
+    let dropped = [
+        ("spacing = 0.02 }", "spacing = 0.02, origin = [0.1, 0.05] }"),
+        ("duration = 0.05, record_every = 0.01", "duration = 0.24, record_every = 0.04"),
+        (
+            "{ name = \"p\", of = \"pressure\", on = \"gauge\" }",
+            "{ name = \"J\", of = \"force\", on = \"tank.all\", direction = [0, 1, 0] }",
+        ),
+        (
+            "{ name = \"h\", of = \"level\", on = \"gauge\" }",
+            "{ name = \"v\", of = \"velocity\", on = \"water.all\", direction = [0, 1, 0] }",
+        ),
+    ];
+    let outcome = ran(DAM, &dropped, 1);
+    assert_eq!(outcome.ended, Ended::Done);
+    let (time, now, mean) = (column(&outcome, "time"), column(&outcome, "J"), column(&outcome, "J_mean"));
+    assert_eq!(mean[0], now[0]);
+    let sum = |force: &dyn Fn(usize) -> f64| -> f64 {
+        (1..time.len()).map(|row| (time[row] - time[row - 1]) * force(row)).sum()
+    };
+    // What the tank got, its weight gave to the water (20 kg/m, 10 m/s²) and the water has no more.
+    let (mass, end) = (20.0, time.len() - 1);
+    let exact = -mass * (10.0 * time[end] + last(&outcome, "v"));
+    let (by_means, by_instants) = (sum(&|row| mean[row]), sum(&|row| 0.5 * (now[row] + now[row - 1])));
+    println!("{exact} {by_means} {by_instants}");
+    // Measured 6e-4 and 14 %: the velocity is that after the kick, half a step later.
+    assert!((by_means / exact - 1.0).abs() < 2e-3, "{by_means} {exact}");
+    assert!((by_instants / exact - 1.0).abs() > 0.1, "{by_instants} {exact}");
+}
+
 #[test]
 fn threads_change_no_bit_of_a_fluid() {
     let [one, two, four] = [1, 2, 4].map(|threads| bits(&ran(DAM, &[], threads)));
@@ -84,7 +117,10 @@ fn a_moment_moves_with_its_point() {
     assert!((of("Mp") - moved).abs() < 1e-9 * of("M").abs().max(1.0));
     assert!(of("M") > 0.0, "water pushes the left wall to the left, above the origin");
     let units: Vec<&str> = outcome.curve.columns.iter().map(|column| column.unit.as_str()).collect();
-    assert_eq!(units[6..], ["m", "N/m²", "m", "N/m", "N/m", "N m/m", "N m/m"]);
+    assert_eq!(
+        units[6..],
+        ["m", "N/m²", "m", "N/m", "N/m", "N/m", "N/m", "N m/m", "N m/m", "N m/m", "N m/m"]
+    );
 }
 
 #[test]

@@ -264,8 +264,12 @@ fn a_run_that_is_not_stopped_is_the_same_with_checkpoints() {
     let replaced = pairs(&[("geometry.plate.particles", "[17, 3]"), ("analysis.static.levels", "3")]);
     let text = text("ring.toml");
     let whole = Scene::with_overrides(&text, "test.toml", &replaced).unwrap().build(1).unwrap();
-    same(&start(&folder, &text, &replaced, &mut Silent), &whole.run(&mut Silent));
+    let whole = whole.run(&mut Silent);
+    same(&start(&folder, &text, &replaced, &mut Silent), &whole);
     assert!(!folder.join("checkpoint.part").exists());
+    // Killed after the checkpoint of its last level nothing is left to be found, and all is there, what the supports bear among it.
+    assert!(whole.summary.supports.is_some());
+    same(&go_on(&folder, &mut Silent), &whole);
 }
 
 /// A folder with a checkpoint of the patch test, stopped after some steps.

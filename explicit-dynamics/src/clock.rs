@@ -139,7 +139,8 @@ impl Clock {
         }
     }
 
-    pub(crate) fn make_record(&mut self, work: Work, settled: bool) -> Record {
+    /// The record of an instant: with what its kick did, and by how much the energies then exceed the one that is kept.
+    pub(crate) fn make_record(&mut self, work: Work, ripple: f64, settled: bool) -> Record {
         let energy = Balance {
             kinetic: work.kinetic,
             internal: self.internal,
@@ -147,8 +148,10 @@ impl Clock {
             external: self.external + 0.5 * work.external,
             dissipated: self.dissipated + 0.5 * work.dissipated,
         };
-        let initial = *self.initial.get_or_insert(energy.kinetic + energy.internal - energy.external);
-        Record { step: self.steps, at: self.now, energy, balance_error: energy.error(initial), settled }
+        let initial =
+            *self.initial.get_or_insert(energy.kinetic + energy.internal - energy.external - ripple);
+        let balance_error = energy.error(initial) - ripple;
+        Record { step: self.steps, at: self.now, energy, balance_error, settled }
     }
 
     /// Books a step, and checks the bounds where that is due.
@@ -172,6 +175,11 @@ impl Clock {
             self.watch(system)?;
         }
         if due { self.check(system, Bounds::Configuration) } else { Ok(()) }
+    }
+
+    /// Books the work of supports that give and take velocities at once, at the start.
+    pub(crate) fn book_start(&mut self, work: Work) {
+        self.external += work.external;
     }
 
     /// Books the kinetic energy that a stop of all particles takes away.

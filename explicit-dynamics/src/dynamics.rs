@@ -14,6 +14,9 @@ pub trait Dynamics {
     fn evaluate(&mut self, at: Instant) -> f64;
 
     /// Advances the velocities by `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)`, κ the span of the kick.
+    ///
+    /// Supports then put in the velocities that they prescribe, whatever the span: a kick of none does that at once, and its
+    /// external work is the kinetic energy that they give.
     fn kick(&mut self, step: &Step) -> Work;
 
     /// Advances the configuration with the velocities over [`Step::drift`].

@@ -44,11 +44,18 @@ impl Clock {
         self.evaluate(system);
         let step = self.next_step(limit, level);
         // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
-        // velocities as they were given.
-        let still = (self.steps == 0).then(|| system.kick(&Step { kick: 0.0, ..step }));
+        // velocities as they were given. Another before it lets supports give theirs, at once, and books what that takes.
+        let still = (self.steps == 0).then(|| {
+            let at_once = Step { kick: 0.0, ..step };
+            self.book_start(system.kick(&at_once));
+            system.kick(&at_once)
+        });
         let work = system.kick(&step);
         self.check(system, Bounds::Configuration)?;
-        let record = self.make_record(still.unwrap_or(work), settled);
+        let record = match still {
+            Some(still) => self.make_record(still, work.ripple_at_start(), settled),
+            None => self.make_record(work, work.ripple(), settled),
+        };
         let flow = observer.record(system, &record);
         self.keep(record);
         system.drift(&step);

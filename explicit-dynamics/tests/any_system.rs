@@ -39,6 +39,7 @@ impl Dynamics for Spring {
             kinetic: 0.5 * mean * mean,
             external: step.kick * self.external * mean,
             dissipated: step.kick * step.damping * mean * mean,
+            ..Work::default()
         }
     }
     fn drift(&mut self, step: &Step) {

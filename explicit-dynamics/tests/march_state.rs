@@ -43,6 +43,7 @@ impl Dynamics for Oscillator {
             kinetic: 0.5 * MASS * mean * mean,
             external: step.kick * self.external * mean,
             dissipated: step.kick * step.damping * MASS * mean * mean,
+            ..Work::default()
         }
     }
     fn drift(&mut self, step: &Step) {

@@ -26,6 +26,10 @@ pub(crate) struct Sums {
     pub square: f64,
     /// Square of the greatest new velocity.
     pub fastest: f64,
+    /// Of squares of changes of velocities.
+    pub change: f64,
+    /// Of what all forces but gravity resisted them with, over a kick and a mass.
+    pub resisted: f64,
     /// What diffusion took a unit of mass.
     pub loss: f64,
     /// Greatest |ρ/ρ₀ − 1|.
@@ -59,6 +63,8 @@ impl Sums {
         sums.iter().fold(Self::default(), |all, chunk| Self {
             velocity: all.velocity + chunk.velocity,
             square: all.square + chunk.square,
+            change: all.change + chunk.change,
+            resisted: all.resisted + chunk.resisted,
             fastest: all.fastest.max(chunk.fastest),
             loss: all.loss + chunk.loss,
             error: all.error.max(chunk.error),

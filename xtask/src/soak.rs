@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 /// How long it goes on.
 #[derive(Args)]
@@ -31,8 +31,8 @@ pub struct Options {
 /// An analysis to be killed: a name, a scene of scenes/ and what is replaced in it.
 type Subject = (&'static str, &'static str, &'static [&'static str]);
 
-/// Every analysis, each about a second long, with frames; with checkpoints where there are any.
-const SUBJECTS: [Subject; 7] = [
+/// Every analysis and every model, each about a second long, with frames; with checkpoints where there are any.
+const SUBJECTS: [Subject; 11] = [
     (
         "quasi-static",
         "ring",
@@ -71,6 +71,38 @@ const SUBJECTS: [Subject; 7] = [
     ("modal", "plate", &["analysis.modal.modes=12", "output.fields.every=1"]),
     ("buckling", "column-buckling", &["geometry.plate.particles=[81, 7]", "output.fields.every=1"]),
     ("linear", "plate", &["geometry.plate.particles=[81, 81]", "output.fields.every=1"]),
+    (
+        "galerkin",
+        "cantilever-solid",
+        &["analysis.static.levels=12", "output.checkpoint_every=0.005", "output.fields.every=2"],
+    ),
+    (
+        "fluid",
+        "dam-break",
+        &[
+            "analysis.explicit.transient.duration=0.15",
+            "output.checkpoint_every=0.005",
+            "output.fields={ every = 5 }",
+        ],
+    ),
+    (
+        "coupled",
+        "gate",
+        &[
+            "analysis.explicit.transient.duration=0.03",
+            "output.checkpoint_every=0.005",
+            "output.fields.every=3",
+        ],
+    ),
+    (
+        "bonds",
+        "kalthoff",
+        &[
+            "bodies.plate.solid.geometry.block.spacing=2e-3",
+            "output.checkpoint_every=0.005",
+            "output.fields.every=20",
+        ],
+    ),
 ];
 
 /// What was done and what was found.
@@ -78,6 +110,8 @@ const SUBJECTS: [Subject; 7] = [
 struct Tally {
     kills: usize,
     terms: usize,
+    /// Ended by the signal itself, before the program could watch for it.
+    early: usize,
     resumed: usize,
     rerun: usize,
     compared: usize,
@@ -118,9 +152,9 @@ pub fn run(options: &Options) -> Result<(), String> {
         }
         tally.compared += 1;
     }
-    let Tally { kills, terms, resumed, rerun, compared, faults } = tally;
+    let Tally { kills, terms, early, resumed, rerun, compared, faults } = tally;
     println!(
-        "{kills} kills, {terms} terms, {resumed} resumed, {rerun} run anew, {compared} ends compared, {} faults, {:.0} s",
+        "{kills} kills, {terms} terms ({early} of them before the program watched), {resumed} resumed, {rerun} run anew, {compared} ends compared, {} faults, {:.0} s",
         faults.len(),
         begun.elapsed().as_secs_f64()
     );
@@ -169,6 +203,7 @@ impl Soak<'_> {
         let _ = fs::remove_dir_all(&out);
         let mut resume = false;
         loop {
+            let begun = SystemTime::now();
             let mut run = self.start("killed", resume)?;
             // three in four are hit; a run left alone this time comes to its end
             if dice.part() < 0.75 {
@@ -183,15 +218,18 @@ impl Soak<'_> {
             let gentle = dice.part() < 0.5;
             signal(&run, if gentle { "-TERM" } else { "-KILL" })?;
             *(if gentle { &mut tally.terms } else { &mut tally.kills }) += 1;
-            let asked = Instant::now();
+            let (asked, number) = (Instant::now(), run.id());
             let status = self.wait(run)?;
-            if gentle && !matches!(status.code(), Some(0 | 130)) {
+            // The system ends a program that does not watch yet; one that holds its folder does.
+            let early = gentle && status.code().is_none() && !holds(&out, number);
+            tally.early += usize::from(early);
+            if gentle && !early && !matches!(status.code(), Some(0 | 130)) {
                 return Err(format!("asked to end it ended with {status}"));
             }
             if gentle && asked.elapsed() > Duration::from_secs(5) + length {
                 return Err(format!("asked to end it took {:.1} s", asked.elapsed().as_secs_f64()));
             }
-            torn(&out, gentle, expected)?;
+            torn(&out, gentle.then_some(begun), expected)?;
             if status.code() == Some(0) {
                 break self.ended(status, &out, expected);
             }
@@ -222,9 +260,23 @@ impl Soak<'_> {
     }
 }
 
-/// Refuses files that are neither whole nor absent after a run was ended; `gently` where it had time to clear up.
-fn torn(out: &Path, gently: bool, expected: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+/// Whether the run of that process holds its folder, or left it locked.
+fn holds(out: &Path, process: u32) -> bool {
+    let lock = fs::read_to_string(out.join("coque.lock")).unwrap_or_default();
+    lock.split_whitespace().nth(1) == Some(process.to_string().as_str())
+}
+
+/// Refuses files that are neither whole nor absent after a run was ended; where it had time to clear up, what it began since
+/// then, not what a run killed before it left where it did not come to clear the folder.
+fn torn(
+    out: &Path,
+    gently_since: Option<SystemTime>,
+    expected: &BTreeMap<String, Vec<u8>>,
+) -> Result<(), String> {
     for (name, path) in files(out) {
+        let modified = fs::metadata(&path).and_then(|data| data.modified());
+        let gently =
+            gently_since.is_some_and(|begun| !modified.as_ref().is_ok_and(|modified| *modified < begun));
         let bytes = fs::read(&path).map_err(|error| format!("{name}: {error}"))?;
         let whole = match path.extension().and_then(|extension| extension.to_str()) {
             Some("csv") => {
@@ -300,9 +352,10 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("coque-soak-{}", std::process::id()));
         fs::create_dir_all(folder.join("fields")).unwrap();
         let expected = BTreeMap::from([("curve.csv".to_owned(), b"a,b\n1,2\n3,4\n".to_vec())]);
-        let found = |name: &str, text: &str, gently| {
+        let found = |name: &str, text: &str, gently: bool| {
             fs::write(folder.join(name), text).unwrap();
-            let found = torn(&folder, gently, &expected);
+            let begun = SystemTime::now() - Duration::from_secs(60);
+            let found = torn(&folder, gently.then_some(begun), &expected);
             fs::remove_file(folder.join(name)).unwrap();
             found.is_ok()
         };
@@ -312,6 +365,13 @@ mod tests {
         assert!(found("summary.json", "{}", true) && !found("summary.json", "{", false));
         assert!(found("fields/a.vtu", "</VTKFile>\n", true) && !found("fields/a.vtu", "</VTK", false));
         assert!(found("checkpoint.part", "", false) && !found("checkpoint.part", "", true));
+        // What was there before the run is not what it left.
+        fs::write(folder.join("curve.csv.part"), "a,").unwrap();
+        let later = SystemTime::now() + Duration::from_secs(60);
+        assert!(torn(&folder, Some(later), &expected).is_ok());
+        assert!(torn(&folder, Some(SystemTime::UNIX_EPOCH), &expected).is_err());
+        fs::write(folder.join("coque.lock"), "process 41 on host\n").unwrap();
+        assert!(holds(&folder, 41) && !holds(&folder, 4) && !holds(&folder.join("fields"), 41));
         fs::remove_dir_all(&folder).unwrap();
     }
 

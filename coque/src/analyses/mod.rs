@@ -20,6 +20,7 @@ use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
 use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Stage};
+use crate::run::impulses::Impulses;
 use crate::run::outcome::{Ended, Failure, Outcome};
 use crate::run::progress::Progress;
 use crate::run::record::RunRecord;
@@ -71,7 +72,9 @@ impl Model {
         sink: Option<&'a mut dyn FieldSink>,
     ) -> Run<'a> {
         let driven = self.driven.map(|driven| driven.particle);
+        let forces = self.probes.iter().filter(|probe| probe.of.has_mean()).count();
         Run {
+            impulses: Impulses::new(forces),
             curve: Curve { columns: self.columns(), rows: Vec::new() },
             shapes: Vec::new(),
             latest: None,

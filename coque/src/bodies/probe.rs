@@ -7,7 +7,7 @@ use super::sampled::POINT_NUMBERS;
 use super::sampled::Sampled;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Measured, Take};
+use crate::scene::{Measured, Take, mean_of};
 
 /// One column, measured.
 #[derive(Clone, Debug)]
@@ -43,8 +43,11 @@ impl Probe {
         Self { name, of, particles, direction, about, quantity, take, factor: 1.0, sampled, turns }
     }
 
-    pub(crate) fn column(&self, units: &Units) -> Column {
-        Column { name: self.name.clone(), unit: units.symbol(self.quantity) }
+    /// Its column, and that of its mean where it has one.
+    pub(crate) fn columns(&self, units: &Units) -> impl Iterator<Item = Column> {
+        let column = |name| Column { name, unit: units.symbol(self.quantity) };
+        let mean = self.of.has_mean().then(|| column(mean_of(&self.name)));
+        [Some(column(self.name.clone())), mean].into_iter().flatten()
     }
 
     /// The value now.

@@ -1,6 +1,7 @@
 //! `coque resume`: goes on with a run from the checkpoint in its folder.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use coque::{Checkpoint, CheckpointError, Scene, read_text};
@@ -33,8 +34,7 @@ are found at one stroke.
 Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another version or of a changed scene.";
 
 /// Reads the checkpoint, builds its scene again and goes on.
-pub fn carry_out(resume: &Resume) -> Result<u8, Refused> {
-    let stop = Stop::watch()?;
+pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let folder = &resume.folder;
     // A folder that is not there is not made.
     let taken = folder.is_dir().then(|| ResultFolder::take(folder)).transpose()?;
@@ -55,7 +55,7 @@ pub fn carry_out(resume: &Resume) -> Result<u8, Refused> {
     let model = build(&scene, origin.threads)?;
     let taken = taken.map_or_else(|| ResultFolder::take(folder), Ok)?;
     stop.begin();
-    launch(model, &taken, origin, Some(checkpoint), &stop)
+    launch(model, &taken, origin, Some(checkpoint), stop)
 }
 
 /// How the run in a folder ended, if it did.

@@ -4,8 +4,8 @@ use std::fs;
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
 use clap::Args;
@@ -78,8 +78,7 @@ impl Row {
 }
 
 /// Runs all combinations; the table is written whatever becomes of them.
-pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
-    let stop = Stop::watch()?;
+pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let file = sweep.scene.display().to_string();
     let text = read_text(&sweep.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
     let runs = combinations(&sweep.over)?;
@@ -99,7 +98,7 @@ pub fn carry_out(sweep: &Sweep) -> Result<u8, Refused> {
             }
             let Some(values) = runs.get(number) else { return };
             let replaced = [&sweep.replaced[..], &values[..]].concat();
-            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), &stop);
+            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
             let (all, named) = (runs.len(), named.join(" "));
             for warning in &row.warnings {

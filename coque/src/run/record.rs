@@ -27,6 +27,8 @@ pub struct RunRecord {
     pub preload: Option<PreloadSummary>,
     /// Energies at the last record.
     pub energies: Energies,
+    /// How well the energies of a march balance; none without time.
+    pub balance: Option<BalanceSummary>,
     /// How each load level ended; empty without levels.
     pub levels: Vec<LevelSummary>,
     /// What may be wrong with the numbers above, and why.
@@ -96,6 +98,33 @@ impl Energies {
     /// Along equilibria that start unloaded the work of the loads is the internal energy.
     pub(crate) fn at_rest(internal: f64) -> Self {
         Self { internal, external: internal, ..Self::default() }
+    }
+}
+
+/// How well the energies of a march balance, over all of its records.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BalanceSummary {
+    /// Greatest energy turned over up to a record: kinetic, internal and dissipated together, or the work from outside \[F L\].
+    pub turned_over: f64,
+    /// Greatest error of the balance at a record \[F L\].
+    pub worst: f64,
+    /// When it was met \[T\].
+    pub time: f64,
+}
+
+impl BalanceSummary {
+    /// Takes in the energies of one more record.
+    pub(crate) fn take(&mut self, time: f64, energies: &Energies) {
+        let Energies { kinetic, internal, external, dissipated, balance_error } = *energies;
+        self.turned_over = self.turned_over.max(kinetic + internal + dissipated).max(external.abs());
+        if balance_error.abs() > self.worst.abs() {
+            (self.worst, self.time) = (balance_error, time);
+        }
+    }
+
+    /// The worst error in parts of what was turned over; zero where nothing was.
+    pub fn share(&self) -> f64 {
+        if self.worst == 0.0 { 0.0 } else { self.worst / self.turned_over }
     }
 }
 

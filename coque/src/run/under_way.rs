@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use implicit_statics::EquilibriumError;
 
 use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Kept, Stage, checksum};
+use super::impulses::Impulses;
 use super::outcome::{Ended, Failure};
 use super::progress::{Progress, ProgressReport};
 use super::record::RunRecord;
@@ -26,6 +27,8 @@ pub(crate) struct Run<'a> {
     pub latest: Option<Shape>,
     pub record: RunRecord,
     pub probes: Vec<Probe>,
+    /// What the forces among them did since the last record.
+    pub impulses: Impulses,
     /// The prescribed motion whose force is sought.
     pub driven: Option<PrescribedPoint>,
     /// Unit of the force that is the level of paths, where a prescribed motion drives them.
@@ -48,7 +51,22 @@ impl Run<'_> {
     /// Appends what the probes read now, and notes what the supports exert.
     pub fn read_probes(&mut self, row: &mut Vec<f64>, body: &dyn Body) {
         self.supports = body.support_resultant();
-        row.extend(self.probes.iter_mut().map(|probe| probe.read(body)));
+        let mut forces = 0;
+        for probe in &mut self.probes {
+            let value = probe.read(body);
+            row.push(value);
+            if probe.of.has_mean() {
+                row.push(self.impulses.mean(forces, value));
+                forces += 1;
+            }
+        }
+        self.impulses.recorded();
+    }
+
+    /// Counts what forces did over the step that ended at a time; between two steps they are those of its kick.
+    pub fn count_impulses(&mut self, time: f64, body: &dyn Body) {
+        let forces = self.probes.iter_mut().filter(|probe| probe.of.has_mean());
+        self.impulses.take(time, forces.map(|probe| probe.read(body)));
     }
 
     /// Adds a row that is complete.
@@ -108,6 +126,8 @@ impl Run<'_> {
             stage: Cow::Borrowed(stage),
             state: body.state(),
             turns: self.probes.iter().map(|probe| Cow::Borrowed(&probe.turns[..])).collect(),
+            impulses: Cow::Borrowed(&self.impulses),
+            supports: self.supports,
             record: Cow::Owned(record),
             latest: self.latest.as_ref().map(Cow::Borrowed),
             offered,
@@ -146,6 +166,7 @@ impl Run<'_> {
         }
         (self.curve.rows, self.shapes) = (grown.rows, grown.shapes);
         self.latest = kept.latest.map(Cow::into_owned);
+        (self.impulses, self.supports) = (kept.impulses.into_owned(), kept.supports);
         self.record = kept.record.into_owned();
         if let Some(frames) = &mut self.frames {
             (frames.offered, frames.taken) = (kept.offered, self.record.frames);

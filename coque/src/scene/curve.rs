@@ -141,9 +141,11 @@ pub enum Measured {
     /// Length of the line through a point, along gravity, that lies in a fluid, as a gauge of wire tells it: sheets that
     /// fly over the surface count as thick as they are \[L\].
     WetLength,
-    /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\].
+    /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\]. A column `NAME_mean` beside it
+    /// has the mean since the last record: the impulse over the time.
     Force,
-    /// Component of the moment of the forces of a fluid on walls or on a structure \[F L; by depth in a plane F\].
+    /// Component of the moment of the forces of a fluid on walls or on a structure \[F L; by depth in a plane F\]. A column
+    /// `NAME_mean` beside it has the mean since the last record.
     Moment,
     /// Volume of a fluid at rest that flows through a line or a face in a time \[L³/T; by depth in a plane L²/T\].
     Flux,
@@ -209,10 +211,20 @@ impl Measured {
         )
     }
 
+    /// Whether a column of its mean since the last record stands beside it: an impact shorter than that is lost to instants.
+    pub fn has_mean(self) -> bool {
+        matches!(self, Self::Force | Self::Moment)
+    }
+
     /// Whether it is what a fluid does to its boundary, not what the boundary itself has.
     pub fn is_of_contact(self) -> bool {
         matches!(self, Self::Pressure | Self::Level | Self::WetLength | Self::Force | Self::Moment)
     }
+}
+
+/// The name of the column that has the mean of one.
+pub(crate) fn mean_of(column: &str) -> String {
+    format!("{column}_mean")
 }
 
 fn one() -> f64 {

@@ -41,6 +41,7 @@ pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
 pub use coupling::{Coupling, CouplingOrder};
+pub(crate) use curve::mean_of;
 pub use curve::{Measured, Probe, ShellFace, Take, Through};
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};

@@ -162,7 +162,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     }
 
     /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick
-    /// of no span shows the energies and leaves the books alone.
+    /// of no span shows the energies, and books what supports do at once.
     pub fn kick(&mut self, whole: &Step) -> Work {
         let step = self.clock.step(whole, 0, self.clock.count(whole));
         let shown = whole.kick == 0.0;
@@ -172,6 +172,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         let work = self.body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..step });
         self.energy.kinetic = work.kinetic;
         if shown {
+            self.energy.external += work.external;
             return work;
         }
         let half = Work { external: 0.5 * work.external, dissipated: 0.5 * work.dissipated, ..work };
@@ -179,7 +180,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         self.book(half);
         self.pending.external += half.external;
         self.pending.dissipated += half.dissipated;
-        self.settle(work.kinetic)
+        Work { change: work.change, resisted: work.resisted, ..self.settle(work.kinetic) }
     }
 
     /// The rest of its steps within one of the fluid, behind the kick of the first; returns how many there are in all.

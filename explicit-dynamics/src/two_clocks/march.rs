@@ -158,5 +158,7 @@ fn add(a: Work, b: Work) -> Work {
         kinetic: a.kinetic + b.kinetic,
         external: a.external + b.external,
         dissipated: a.dissipated + b.dissipated,
+        change: a.change + b.change,
+        resisted: a.resisted + b.resisted,
     }
 }

@@ -45,7 +45,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
                 *books;
             let [steps, next_estimate, count] = [steps, next, count].map(|number| number as u64);
             structure.clock = OwnClock { stable, steps, next_estimate, last, count };
-            structure.pending = Work { kinetic: 0.0, external: owed, dissipated: lost };
+            structure.pending = Work { external: owed, dissipated: lost, ..Work::default() };
             structure.energy = Balance { kinetic, internal, external, dissipated };
             let (own, behind) = behind.split_at(9 * points);
             let Coupled { velocities, seen, ahead, .. } = structure;

@@ -194,6 +194,7 @@ impl Dynamics for Spring {
             kinetic: 0.5 * self.mass * mean * mean,
             external: step.kick * self.external * mean,
             dissipated: step.kick * step.damping * self.mass * mean * mean,
+            ..Work::default()
         }
     }
     fn drift(&mut self, step: &Step) {

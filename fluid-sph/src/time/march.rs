@@ -35,6 +35,8 @@ impl Dynamics for Fluid {
                 self.books.viscous += friction;
                 work.dissipated += friction + 2.0 * step.damping * step.kick * kinetic;
                 work.external += step.kick * self.mass * self.gravity.dot(&sums.velocity);
+                work.change = 0.5 * self.mass * sums.change;
+                work.resisted = step.kick * self.mass * sums.resisted;
             }
             work.external += std::mem::take(&mut self.books.external);
             work.dissipated += std::mem::take(&mut self.books.dissipated);
@@ -99,13 +101,16 @@ impl Fluid {
         let kick = if kicks { step.kick } else { 0.0 };
         let half = 0.5 * step.damping * kick;
         let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
-        let Self { threads, present, accelerations, sorted, sums, .. } = self;
+        let Self { threads, present, accelerations, sorted, sums, gravity, .. } = self;
         let slots = &sorted.slots;
         reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut sums = Sums::default();
             for (velocity, &slot) in velocities.iter_mut().zip(&slots[first..]) {
                 let acceleration = Vec3::from(accelerations[slot as usize]);
                 let new = velocity.zip_map(&acceleration, |v, a| (v * before + kick * a) * after);
+                let change = new - *velocity;
+                sums.change += change.norm_squared();
+                sums.resisted += (*gravity - acceleration).dot(&change);
                 sums.kick(velocity, new);
             }
             sums

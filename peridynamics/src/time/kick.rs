@@ -35,21 +35,26 @@ impl Kick<'_> {
             let external = external.get(row).copied().unwrap_or_default();
             let (force, old) = (external - vector(&internal[row]), vector(rate));
             let mut new = (old * before + force * (step.kick / mass)) * after;
-            let mut moved = false;
+            let mut told = false;
             if let Some(constraint) = constraints.get(row) {
                 new = constraint.free_part(new.into()).into();
                 if constraint.moves() {
                     new += constraint.velocity(step);
-                    moved = true;
                 }
+                told = constraint.moves() || step.kick == 0.0;
             }
             let mean = 0.5 * (old + new);
+            if !DRIFT {
+                let change = new - old;
+                work.change += 0.5 * mass * change.norm_squared();
+                work.resisted += step.kick * (external - force).dot(&change);
+            }
             work.kinetic += 0.5 * mass * mean.norm_squared();
             work.external += step.kick * external.dot(&mean);
-            if moved && step.kick > 0.0 {
-                // The force of a support that moves its row is what the balance of the row lacks.
-                let lack = (new - old) * (mass / step.kick) - force + mean * (mass * step.damping);
-                work.external += step.kick * lack.dot(&mean);
+            if told {
+                // The impulse of a support that moves its row is what the balance of the row lacks.
+                let impulse = (new - old) * mass + (mean * (mass * step.damping) - force) * step.kick;
+                work.external += impulse.dot(&mean);
             }
             rate[..3].copy_from_slice(new.as_slice());
             if DRIFT {
@@ -80,6 +85,8 @@ impl Solid {
         let mut work = self.works.iter().fold(Work::default(), |sum, chunk| Work {
             kinetic: sum.kinetic + chunk.kinetic,
             external: sum.external + chunk.external,
+            change: sum.change + chunk.change,
+            resisted: sum.resisted + chunk.resisted,
             ..sum
         });
         work.dissipated = 2.0 * step.kick * step.damping * work.kinetic;

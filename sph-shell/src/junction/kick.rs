@@ -53,12 +53,16 @@ impl Kick<'_> {
         let (v, spin) = (place(&mean), director(&mean));
         work.kinetic += 0.5 * (group.mass * v.norm_squared() + body.marching.about(&triad, &spin));
         work.external += kick * (0..6).map(|k| external[k] * mean[k]).sum::<f64>();
-        if constraint.is_some_and(|constraint| constraint.told().is_some()) && kick > 0.0 {
+        let change: Row = std::array::from_fn(|k| new[k] - old[k]);
+        let turned = body.marching.about(&triad, &director(&change));
+        work.change += 0.5 * (group.mass * place(&change).norm_squared() + turned);
+        work.resisted += kick * (0..6).map(|k| (external[k] - f[k]) * change[k]).sum::<f64>();
+        if kick == 0.0 || constraint.is_some_and(|constraint| constraint.told().is_some()) {
             // What the balance of the body lacks, its supports exert.
-            let change: Row = std::array::from_fn(|k| (new[k] - old[k]) / kick + step.damping * mean[k]);
-            let inertia = body.marching.power(&triad, Power::One, &director(&change));
-            let lack = place(&change) * group.mass - place(f);
-            work.external += kick * (lack.dot(&v) + (inertia - director(f)).dot(&spin));
+            let change: Row = std::array::from_fn(|k| new[k] - old[k] + kick * step.damping * mean[k]);
+            let impulse = place(&change) * group.mass - place(f) * kick;
+            let turning = body.marching.power(&triad, Power::One, &director(&change)) - director(f) * kick;
+            work.external += impulse.dot(&v) + turning.dot(&spin);
         }
         new
     }

@@ -96,9 +96,12 @@ impl Kick<'_> {
         for k in 0..6 {
             work.kinetic += 0.5 * mass(k) * mean[k] * mean[k];
             work.external += kick * external[k] * mean[k];
-            if told[k / 3] && kick > 0.0 {
-                let lack = mass(k) * (new[k] - old[k]) / kick - f[k] + mass(k) * step.damping * mean[k];
-                work.external += kick * lack * mean[k];
+            let change = new[k] - old[k];
+            work.change += 0.5 * mass(k) * change * change;
+            work.resisted += kick * (external[k] - f[k]) * change;
+            if told[k / 3] || kick == 0.0 {
+                let impulse = mass(k) * (new[k] - old[k]) + kick * (mass(k) * step.damping * mean[k] - f[k]);
+                work.external += impulse * mean[k];
             }
         }
         new

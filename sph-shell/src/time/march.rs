@@ -106,6 +106,8 @@ impl Shell {
             kinetic: sum.kinetic + part.kinetic,
             external: sum.external + part.external,
             dissipated: 0.0,
+            change: sum.change + part.change,
+            resisted: sum.resisted + part.resisted,
         });
         Work { dissipated: 2.0 * step.kick * step.damping * sum.kinetic, ..sum }
     }

@@ -6,6 +6,7 @@ use explicit_dynamics::{Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::supports::Constraint;
+use crate::conditions::told::Told;
 use crate::gather::Gather;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::registers::{Baseline, Registers, columns, four_of};
@@ -218,6 +219,20 @@ impl Update<'_> {
         let square = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
         let turning = mean[3] * mean[3] + mean[4] * mean[4] + mean[5] * mean[5];
         let kinetic = registers.store((m * square + inertia * turning) * 0.5).lanes();
+        // What the energy at this instant has too much is asked for where it is recorded, between a kick and a drift.
+        let [mut changes, mut resisted] = [[0.0; LANES]; 2];
+        if !DRIFT {
+            let zero = registers.splat(0.0);
+            let [mut moved, mut turned, mut along] = [zero; 3];
+            for k in 0..3 {
+                let [v, w] = [new[k] - old[k], new[3 + k] - old[3 + k]];
+                moved = moved + v * v;
+                turned = turned + w * w;
+                along = along + (external[k] - f[k]) * v + (external[3 + k] - f[3 + k]) * w;
+            }
+            changes = registers.store((m * moved + inertia * turned) * 0.5).lanes();
+            resisted = registers.store(kicked * along).lanes();
+        }
         let mut done = mean;
         if LOADED {
             for k in 0..6 {
@@ -227,12 +242,16 @@ impl Update<'_> {
         let done = registers.rows(done);
         for lane in 0..count {
             work.kinetic += kinetic[lane];
+            if !DRIFT {
+                work.change += changes[lane];
+                work.resisted += resisted[lane];
+            }
             if LOADED {
                 for k in 0..6 {
                     work.external += done[lane][k];
                 }
             }
-            if told[lane] && kick > 0.0 {
+            if told[lane] {
                 let [f, old, new] = [registers.rows(f), registers.rows(old), registers.rows(new)];
                 let rates = [old[lane], new[lane]];
                 work.external = self.with_told_work(a + lane, work.external, rows[lane], f[lane], rates);
@@ -260,6 +279,7 @@ impl Update<'_> {
         for lane in (0..LANES).filter(|&lane| held[lane] > 0) {
             let constraint = &self.constraints[held[lane] as usize - 1];
             (new[lane], told[lane]) = self.hold(constraint, rows[lane], new[lane]);
+            told[lane] |= self.step.kick == 0.0;
         }
         told
     }
@@ -281,23 +301,25 @@ impl Update<'_> {
         ([v[0], v[1], v[2], w[0], w[1], w[2]], motion.is_some() || rotation.is_some())
     }
 
-    /// External work with that of the support of particle `a` on what it prescribes: its force is what the particle's balance
-    /// lacks, from the force `f` on the particle and its rates before and after the kick.
+    /// External work with that of the support of particle `a` on what it prescribes: its impulse is what the particle's balance
+    /// lacks, from the force `f` on the particle and its rates before and after the kick. A kick of no span books what the support
+    /// gives and takes at once, held velocities among it.
     #[cold]
     #[inline(never)]
     fn with_told_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
         let Step { kick, damping, .. } = *self.step;
-        let Some(told) = self.constraints[self.constraint_of[a] as usize - 1].told() else { return external };
+        let told = self.constraints[self.constraint_of[a] as usize - 1].told();
+        let tells = |what: fn(&Told<'_>) -> bool| kick == 0.0 || told.as_ref().is_some_and(what);
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         let work = |external: f64, k: usize| {
             let (m, f) =
                 if k < 3 { (self.masses[a], f[k]) } else { (self.inertias[a], f[k] - along * row[k]) };
             let mean = 0.5 * (old[k] + new[k]);
-            let lack = m * (new[k] - old[k]) / kick - f + m * damping * mean;
-            external + kick * lack * mean
+            let impulse = m * (new[k] - old[k]) + kick * (m * damping * mean - f);
+            external + impulse * mean
         };
-        let moved = if told.motion.is_some() { 0..3 } else { 0..0 };
-        let rotated = if told.rotation.is_some() { 3..6 } else { 0..0 };
+        let moved = if tells(|told| told.motion.is_some()) { 0..3 } else { 0..0 };
+        let rotated = if tells(|told| told.rotation.is_some()) { 3..6 } else { 0..0 };
         moved.chain(rotated).fold(external, work)
     }
 }

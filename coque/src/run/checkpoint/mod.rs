@@ -24,8 +24,9 @@ pub use file::CheckpointError;
 use log::GrowingLog;
 pub(crate) use log::Grown;
 
+use super::impulses::Impulses;
 use super::record::RunRecord;
-use crate::bodies::{Body, Configuration, Identity, Shape, StateArray};
+use crate::bodies::{Body, Configuration, Identity, Resultant, Shape, StateArray};
 
 /// Name of the file in the folder of a run.
 pub const CHECKPOINT: &str = "checkpoint.bin";
@@ -75,6 +76,9 @@ pub(crate) struct Kept<'a> {
     pub(crate) state: Vec<StateArray<'a>>,
     /// Directors and angles of each probe.
     pub(crate) turns: Vec<Cow<'a, [(Vec3, f64)]>>,
+    pub(crate) impulses: Cow<'a, Impulses>,
+    /// What the supports exerted at the last record.
+    pub(crate) supports: Option<Resultant>,
     pub(crate) record: Cow<'a, RunRecord>,
     pub(crate) latest: Option<Cow<'a, Shape>>,
     /// Frames of fields that were offered.

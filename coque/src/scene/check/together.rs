@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::scene::alone::Owner;
 use crate::scene::coupling::Coupling;
-use crate::scene::curve::Measured;
+use crate::scene::curve::{Measured, mean_of};
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
 use sph_core::Vec3;
@@ -240,7 +240,10 @@ impl Scene {
 
     /// Names of columns differ over all bodies; a plot takes those of any.
     fn check_columns_together(&self) -> Checked {
-        let mut names: BTreeSet<&str> = self.analysis.kind().columns.iter().copied().collect();
+        let forces = self.curve.iter().filter(|probe| probe.of.has_mean());
+        let means: Vec<String> = forces.map(|probe| mean_of(&probe.name)).collect();
+        let always = self.analysis.kind().columns.iter().copied();
+        let mut names: BTreeSet<&str> = always.chain(means.iter().map(String::as_str)).collect();
         for (i, probe) in self.curve.iter().enumerate() {
             self.check_column_name(&format!("curve[{i}].name"), &probe.name, &mut names)?;
         }
