@@ -8,7 +8,7 @@
 //! | a benchmark: its runs, references, tolerances with their reasons | `cases/shell/*.rs`, `cases/hard/*.rs`, one file each |
 //! | what a case and a variant are, how runs share the cores, what is asked of each | `judge/*.rs` |
 //! | what a run leaves behind, whoever solved it | `judge/outcome.rs` |
-//! | what a verdict is; three times the measured error | `judge/record.rs`; the errors by run: `judge/measured.rs` |
+//! | what a verdict is; three times the measured error | `judge/metric.rs`; the errors by run: `judge/measured.rs` |
 //! | interpolation, order of convergence, frontier | `judge/measure.rs` |
 //! | the methods that are compared, and their names | `methods.rs` |
 //! | scenes, meshes, bare shells, comparisons that cases share | `support/*.rs` |
@@ -97,8 +97,8 @@
 //! | invariant | test |
 //! |---|---|
 //! | the quick set keeps its tolerances, each with a reason, and stays as it was reviewed | `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` (tests/quick) |
-//! | every metric is judged or shown, with a reason | by type: a `Found` becomes a metric only so (src/judge/record.rs); length of reasons: `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` |
-//! | a measured error may grow three times and no more | `a_measured_error_may_grow_three_times_and_no_more` (src/judge/record.rs) |
+//! | every metric is judged or shown, with a reason | by type: a `Found` becomes a metric only so (src/judge/metric.rs); length of reasons: `the_quick_set_keeps_its_tolerances_and_stays_as_it_was_reviewed` |
+//! | a measured error may grow three times and no more | `a_measured_error_may_grow_three_times_and_no_more` (src/judge/metric.rs) |
 //! | a missed tolerance gives exit code one; what was not reached fails | `a_missed_tolerance_gives_exit_code_one`, `a_level_that_was_never_reached_fails` (src/judge/run.rs), `what_was_not_reached_fails_but_only_if_it_is_judged` (src/judge/record.rs) |
 //! | an answer that is far off and says nothing fails | `an_answer_far_off_must_carry_a_warning` (src/judge/asked.rs) |
 //! | a known miss may neither grow nor vanish | `a_known_miss_may_neither_grow_nor_vanish` (src/judge/asked.rs) |

@@ -149,3 +149,11 @@ impl Shell {
         w.into()
     }
 }
+
+/// The turn of a director along the great circle to another.
+pub(crate) fn great_circle(here: &Row, there: &Row) -> Vec3 {
+    let along: f64 = (3..6).map(|k| here[k] * there[k]).sum();
+    let across = Vec3::from_fn(|k, _| there[3 + k] - along * here[3 + k]);
+    let sine = across.norm();
+    if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() }
+}

@@ -10,7 +10,7 @@ use crate::conditions::loads::Block;
 use crate::packs::Row;
 use crate::points::bounds::Unsound;
 use crate::statics::blocks::BlockPattern;
-use crate::statics::dofs::{Basis, DofMap};
+use crate::statics::dofs::{Basis, DofMap, great_circle};
 use crate::statics::projection::{Projection, entries};
 
 /// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
@@ -391,12 +391,4 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         };
         self.project_blocks(&self.blocks, radial, values);
     }
-}
-
-/// The turn of a director along the great circle to another.
-fn great_circle(here: &Row, there: &Row) -> Vec3 {
-    let along: f64 = (3..6).map(|k| here[k] * there[k]).sum();
-    let across = Vec3::from_fn(|k, _| there[3 + k] - along * here[3 + k]);
-    let sine = across.norm();
-    if sine > 0.0 { across * (libm::atan2(sine, along) / sine) } else { Vec3::zeros() }
 }

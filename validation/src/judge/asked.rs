@@ -1,7 +1,7 @@
 //! What is asked of a run: that it come to rest, stay within its bound or its known miss, and warn where it is far off.
 
+use super::metric::Metric;
 use super::outcome::Solver;
-use super::record::Metric;
 use super::variant::{Bound, Run, Runs};
 use crate::JudgeError;
 use crate::metric_names::{ERROR, KNOWN, REST, SILENT};

@@ -1,7 +1,7 @@
 //! A case: scenes to run, and how their results are judged and drawn.
 
+use super::metric::Metric;
 use super::peers::Peers;
-use super::record::Metric;
 use super::variant::{Run, Runs, Variant};
 use crate::JudgeError;
 use crate::figures::Figure;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 
+use super::metric::Metric;
 use super::outcome::Outcome;
-use super::record::Metric;
 use crate::JudgeError;
 use crate::methods::setting;
 

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use serde_json::{Value, json};
-use validation::judge::record::{Metric, Table};
+use validation::judge::{Metric, Table};
 use validation::{CaseResult, Record, Run};
 
 use crate::Faults;
