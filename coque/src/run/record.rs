@@ -104,7 +104,8 @@ impl Energies {
 /// How well the energies of a march balance, over all of its records.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BalanceSummary {
-    /// Greatest energy turned over up to a record: kinetic, internal and dissipated together, or the work from outside \[F L\].
+    /// Greatest energy turned over up to a record: kinetic, internal (below zero where an initial stress is set free) and
+    /// dissipated together, or the work from outside \[F L\].
     pub turned_over: f64,
     /// Greatest error of the balance at a record \[F L\].
     pub worst: f64,
@@ -116,7 +117,7 @@ impl BalanceSummary {
     /// Takes in the energies of one more record.
     pub(crate) fn take(&mut self, time: f64, energies: &Energies) {
         let Energies { kinetic, internal, external, dissipated, balance_error } = *energies;
-        self.turned_over = self.turned_over.max(kinetic + internal + dissipated).max(external.abs());
+        self.turned_over = self.turned_over.max(kinetic + internal.abs() + dissipated).max(external.abs());
         if balance_error.abs() > self.worst.abs() {
             (self.worst, self.time) = (balance_error, time);
         }
