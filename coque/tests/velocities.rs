@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{column, last, overridden, ran};
+use common::{Replaced, column, last, overridden, ran};
 use coque::{Doubt, Outcome};
 
 const PLATE: &str = r#"
@@ -110,7 +110,7 @@ fn a_motion_that_starts_at_speed_has_its_work_booked() {
         "[{ on = 'root', moved = { direction = [-1, 0, 0], by = 0.002 }, amplitude = { ramp = 0.004 } }]";
     let thrown = ("velocity", "{ linear = [2, 0, 1] }");
     // What is missing, in parts of what was turned over: of central differences on geometry that is not linear, of water.
-    let runs: [(&str, &str, &[(&str, &str)], f64); 7] = [
+    let runs: [(&str, &str, Replaced, f64); 7] = [
         ("moved", STRUCK, &[], 1.3e-3),
         ("thrown and moved", STRUCK, &[thrown], 1.3e-3),
         ("rotated", STRUCK, &[("supports", rotated)], 8e-5),

@@ -226,8 +226,8 @@ impl Update<'_> {
             let [mut moved, mut turned, mut along] = [zero; 3];
             for k in 0..3 {
                 let [v, w] = [new[k] - old[k], new[3 + k] - old[3 + k]];
-                moved = moved + v * v;
-                turned = turned + w * w;
+                moved += v * v;
+                turned += w * w;
                 along = along + (external[k] - f[k]) * v + (external[3 + k] - f[3 + k]) * w;
             }
             changes = registers.store((m * moved + inertia * turned) * 0.5).lanes();
