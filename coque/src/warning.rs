@@ -90,6 +90,10 @@ pub enum Doubt {
     ShearLocking,
     /// Strains beyond those that the law was made for.
     LargeStrain,
+    /// A linear answer that is not small.
+    LargeLinear,
+    /// States at which a march came to rest without a look at whether they are stable.
+    StabilityUnknown,
     /// Energy that comes or goes in a march without a book that says whence or whither.
     OpenBalance,
 }
@@ -140,6 +144,8 @@ impl Doubt {
             Self::LeakySupport => "leaky-support",
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
+            Self::LargeLinear => "large-linear",
+            Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
         }
     }
@@ -209,6 +215,8 @@ mod tests {
             Doubt::LeakySupport,
             Doubt::ShearLocking,
             Doubt::LargeStrain,
+            Doubt::LargeLinear,
+            Doubt::StabilityUnknown,
             Doubt::OpenBalance,
         ] {
             assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());

@@ -23,7 +23,22 @@ pub struct Transient {
     pub safety: f64,
 }
 
+/// Part of an interval between records below which the last one is rounding, not an interval.
+const ROUND_OFF: f64 = 1e-6;
+
 impl Transient {
+    /// Number of records after the first.
+    fn records(&self) -> u64 {
+        (self.duration / self.record_every - ROUND_OFF).ceil().max(1.0) as u64
+    }
+
+    /// When a record is due \[T\]: the last one at the end, however short its interval.
+    fn due(&self, record: u64) -> f64 {
+        let regular = record as f64 * self.record_every;
+        let over = regular > self.duration + ROUND_OFF * self.record_every;
+        if over && record == self.records() { self.duration } else { regular }
+    }
+
     /// Marches to the end; the first record is the initial state, the last one the final state.
     ///
     /// # Errors
@@ -41,7 +56,7 @@ impl Transient {
             let bound = "at most 1e10 stable steps and 1e7 records; check units, duration and record_every";
             return Err(MarchError::Option { key: "duration", value: self.duration, bound });
         }
-        let flow = clock.recorded_step(system, observer, false, self.record_every, |_| 1.0)?;
+        let flow = clock.recorded_step(system, observer, false, self.due(1), |_| 1.0)?;
         let stage = Stage::Transient { record: 0, next_estimate: clock.holds };
         if flow.is_break() {
             return Ok(clock);
@@ -63,7 +78,7 @@ impl Transient {
         S: Dynamics + ?Sized,
         O: Observer<S>,
     {
-        let records = (self.duration / self.record_every).ceil().max(1.0) as u64;
+        let records = self.records();
         loop {
             let Stage::Transient { record, next_estimate } = at.stage else { return Err(at.other()) };
             let done = at.clock.now.time / self.duration;
@@ -71,7 +86,7 @@ impl Transient {
                 break;
             }
             let clock = &mut at.clock;
-            let left = (record + 1) as f64 * self.record_every - clock.now.time;
+            let left = self.due(record + 1) - clock.now.time;
             // Half a step of slack: the last step of an interval ends on the record up to round-off.
             if left > 0.5 * clock.dt.min(self.record_every) {
                 clock.step(system, left, |_| 1.0)?;
@@ -82,7 +97,7 @@ impl Transient {
                 clock.estimate_step(system)?;
                 next = clock.steps + clock.holds;
             }
-            let left = (record + 2) as f64 * self.record_every - clock.now.time;
+            let left = self.due(record + 2) - clock.now.time;
             let flow = clock.recorded_step(system, observer, false, left, |_| 1.0)?;
             at.stage = Stage::Transient { record: record + 1, next_estimate: next };
             if flow.is_break() || record + 1 >= records {

@@ -105,11 +105,18 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     let found = match options.sign {
         Sign::Positive => pencil.stretched_or(1.0, options.count, level)?,
         Sign::Negative => pencil.stretched_or(-1.0, options.count, level)?,
-        Sign::Either => {
-            let mut both = pencil.nearest(1.0, options.count)?;
-            both.join(pencil.nearest(-1.0, options.count)?, options.count);
-            both
-        }
+        Sign::Either => match (pencil.nearest(1.0, options.count), pencil.nearest(-1.0, options.count)) {
+            (Ok(mut both), Ok(other)) => {
+                both.join(other, options.count);
+                both
+            }
+            (Ok(one), Err(cause)) | (Err(cause), Ok(one))
+                if !matches!(cause, EquilibriumError::Stopped { .. }) && !one.levels.is_empty() =>
+            {
+                one
+            }
+            (Err(cause), _) | (_, Err(cause)) => return Err(cause),
+        },
     };
     let quotient = |shape: &[f64], other: &[f64]| {
         let along = |values: &[f64]| {

@@ -147,8 +147,16 @@ impl Newton {
         Ok(self.solver.inertia())
     }
 
+    /// The signs of the pivots of the last factor.
+    pub fn inertia(&self) -> Inertia {
+        self.solver.inertia()
+    }
+
     /// `K⁻¹ p` at the present state, p the load rate `∂(external − internal)/∂λ`.
-    pub(crate) fn response<E: Equilibrium + ?Sized>(
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] where the tangent is singular.
+    pub fn response<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         level: f64,

@@ -132,6 +132,8 @@ fn free_bodies() -> Vec<(&'static str, Shell)> {
     };
     let stem = tee(3, 1.0, 3);
     let joint = at(&stem, |x| x.x.abs() < 0.4 && x.z < 0.4);
+    // Its first particle is of the bar, whose normal runs along the edge.
+    let rising = at(&stem, |x| x.x.abs() < 1e-9 && x.y < 1e-9);
     vec![
         ("patch", made(flat([6, 5], [1.0, 0.8]), heavy(vec![7, 8, 12, 13], Vec3::new(0.3, 0.1, 0.5)))),
         (
@@ -141,6 +143,7 @@ fn free_bodies() -> Vec<(&'static str, Shell)> {
                 RigidSet { particles: vec![0, 1, 2, 3, 4], ..RigidSet::default() },
             ),
         ),
+        ("edge from a joint", made(stem.clone(), RigidSet { particles: rising, ..RigidSet::default() })),
         ("joint", made(stem, heavy(joint, Vec3::new(0.0, 0.5, -0.3)))),
     ]
 }

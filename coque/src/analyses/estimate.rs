@@ -8,7 +8,7 @@ use implicit_statics::{SymmetricSolver, linear_response};
 use super::linear::solved;
 use super::march::reference_step;
 use crate::bodies::{Balanced, Marched, Model, Ready};
-use crate::scene::{Analysis, Explicit, LevelSign, LinearSolver};
+use crate::scene::{Analysis, Explicit, LevelSign, Linear};
 
 /// How long steps are timed.
 const TIMED: Duration = Duration::from_millis(300);
@@ -73,13 +73,10 @@ fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estim
         Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
         _ => Some([1.0; 2]),
     };
-    let solver = match analysis {
-        Analysis::Linear(wanted) => wanted.solver,
-        _ => LinearSolver::Direct,
-    };
+    let wanted = if let Analysis::Linear(wanted) = analysis { *wanted } else { Linear::default() };
     let begun = Instant::now();
     // A tangent that cannot be solved says so when the scene is run; its time counts all the same.
-    let _ = solved(solver, body);
+    let _ = solved(&wanted, body);
     let seconds_a_step = begun.elapsed().as_secs_f64();
     let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
     Estimate { steps, seconds_a_step, seconds, bytes, ..Estimate::default() }

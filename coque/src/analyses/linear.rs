@@ -1,15 +1,18 @@
 //! The linear answer: one factorisation at the unloaded body, and what is read along it: probes and forces.
 
-use implicit_statics::{ConjugateOptions, EquilibriumError, conjugate_response, linear_response};
+use implicit_statics::{
+    ConjugateOptions, EquilibriumError, Inertia, Newton, NewtonOptions, conjugate_response,
+};
 use sph_core::Vec3;
 
 use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
-use crate::bodies::{Balanced, Probe, Resultant};
+use crate::Doubt;
+use crate::bodies::{Balanced, Configuration, Probe, Resultant};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::{ConjugateSummary, Energies};
-use crate::scene::LinearSolver;
+use crate::scene::{Linear, LinearSolver};
 
 /// Largest displacement, in reaches of the body (thicknesses), of the states between which probes and forces are
 /// differentiated.
@@ -22,16 +25,15 @@ use crate::scene::LinearSolver;
 const REACH: f64 = 1e-2;
 
 /// Finds the linear answer at level one and reads the curve's one row.
-pub(crate) fn linear(solver: LinearSolver, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn linear(wanted: &Linear, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
     let interrupted = Ended::Interrupted { time: 0.0, level: 0.0 };
     if run.tell(0.0, 0, 0.0, 0.0).is_break() {
         return interrupted;
     }
-    let (response, iterated) = match solved(solver, system) {
+    let (response, way) = match solved(wanted, system) {
         Ok(found) => found,
         Err(cause) => return run.unbalanced(0, 0.0, cause),
     };
-    run.record.conjugate_gradients = iterated;
     // The load that is applied, or the force that brings the prescribed motion about.
     let force = run.driven.map_or(1.0, |driven| driven.by / driven.moved(system, &response));
     let motion = scaled(&response, force);
@@ -67,8 +69,15 @@ pub(crate) fn linear(solver: LinearSolver, system: &mut dyn Balanced, run: &mut 
         system.load_rate(0.0, &mut load);
         0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>()
     };
-    // One solve; at rest no direction is unstable.
-    let mut row = vec![1.0, internal, 1.0, 0.0];
+    let mut row = vec![1.0, internal, 1.0];
+    match way {
+        Way::Factor(inertia) => {
+            row.push(inertia.negative as f64);
+            doubt_stability(inertia, run);
+        }
+        Way::Iterated(found) => run.record.conjugate_gradients = Some(found),
+    }
+    doubt_size(system, &there, largest, run);
     let linear = |i: usize| {
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
@@ -96,19 +105,84 @@ pub(crate) fn linear(solver: LinearSolver, system: &mut dyn Balanced, run: &mut 
     Ended::Done
 }
 
-/// The linear answer by the solver that is asked for, and what it took if that iterates.
+/// How a linear answer was found.
+pub(super) enum Way {
+    /// By a factor of the tangent, with the signs of its pivots.
+    Factor(Inertia),
+    /// By iterations, which count no pivots.
+    Iterated(ConjugateSummary),
+}
+
+/// The linear answer by the solver that is asked for.
 pub(super) fn solved(
-    solver: LinearSolver,
+    wanted: &Linear,
     system: &mut dyn Balanced,
-) -> Result<(Vec<f64>, Option<ConjugateSummary>), EquilibriumError> {
-    match solver {
-        LinearSolver::Direct => Ok((linear_response(system, 0.0)?, None)),
+) -> Result<(Vec<f64>, Way), EquilibriumError> {
+    match wanted.solver {
+        LinearSolver::Direct => {
+            let mut newton = Newton::new(&*system, &NewtonOptions::default())?;
+            let response = newton.response(system, 0.0)?;
+            Ok((response, Way::Factor(newton.inertia())))
+        }
         LinearSolver::ConjugateGradients => {
-            let found = conjugate_response(system, 0.0, &ConjugateOptions::default())?;
+            let usual = ConjugateOptions::default();
+            let options =
+                ConjugateOptions { iterations: wanted.iterations.unwrap_or(usual.iterations), ..usual };
+            let found = conjugate_response(system, 0.0, &options)?;
             let (iterations, residual, unknowns) = (found.iterations as u64, found.residual, found.levels);
-            Ok((found.response, Some(ConjugateSummary { iterations, residual, unknowns })))
+            Ok((found.response, Way::Iterated(ConjugateSummary { iterations, residual, unknowns })))
         }
     }
+}
+
+/// Warns of a body that would leave its place under no load at all.
+fn doubt_stability(inertia: Inertia, run: &mut Run<'_>) {
+    if inertia.negative > 0 {
+        let message = format!(
+            "the unloaded body is not stable (negative pivots of its tangent: {}): the linear answer is one to a state that it would leave \
+             at the least disturbance; see what pushes it, such as an initial stress or a spring that gives way",
+            inertia.negative
+        );
+        run.record.warn(Doubt::Unstable, message);
+    }
+}
+
+/// Largest displacement over the extent of the body, and largest turn of a fibre, up to which a linear answer is taken without a word.
+///
+/// An elastica of length L under an end force moves by `w/L = α/3 − .038 α³`, `α = P L²/EI`: the linear α/3 is 1.02 (w/L)² too much,
+/// 2.3 % at .15. A fibre that turns by θ is counted too long by `θ²/2`, 12 % at .5.
+const LARGE: [f64; 2] = [0.15, 0.5];
+
+/// Warns of an answer that is too large to be linear; `largest` is the largest displacement of the places `there`.
+fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
+    let Configuration { rest, cells, .. } = system.configuration();
+    let corner = |pick: fn(f64, f64) -> f64| rest.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let extent = (corner(f64::max).unwrap_or_default() - corner(f64::min).unwrap_or_default()).norm();
+    // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
+    let sides = cells.iter().flat_map(|cell| {
+        let corners = cell.particles();
+        (0..corners.len()).map(move |i| [corners[i], corners[(i + 1) % corners.len()]].map(|a| a as usize))
+    });
+    let turn = sides.map(|[a, b]| {
+        let (fibre, motion) = (rest[b] - rest[a], there[b] - there[a] - (rest[b] - rest[a]));
+        fibre.cross(&motion).norm() / fibre.norm_squared()
+    });
+    let (moved, turned) = (largest / extent, turn.fold(0.0, f64::max));
+    if moved <= LARGE[0] && turned <= LARGE[1] {
+        return;
+    }
+    let turns =
+        if cells.is_empty() { String::new() } else { format!(" and turns fibres by {turned:.2} rad") };
+    let message = format!(
+        "the linear answer moves the body by {moved:.2} of its extent{turns}, beyond {} and {} rad: it is no longer small, and a linear \
+         answer grows with its load without end, already {:.0} % too far for a strip that bends by {} of its length. Lower the load, or \
+         follow it with [analysis.static]",
+        LARGE[0],
+        LARGE[1],
+        102.0 * LARGE[0] * LARGE[0],
+        LARGE[0],
+    );
+    run.record.warn(Doubt::LargeLinear, message);
 }
 
 /// Puts a motion of the unknowns on the state at rest, held values at a level; the positions there \[L\].

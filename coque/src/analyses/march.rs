@@ -29,7 +29,10 @@ pub(crate) fn march(
         run.record.safety = explicit.safety;
     }
     let path = explicit.quasi_static.as_ref();
-    let stability = Stability::new(path.and_then(|path| path.stability), tangent);
+    let stability = {
+        let particles = body.configuration().rest.len();
+        Stability::new(path.and_then(|path| path.stability), tangent, particles)
+    };
     let mut watcher = Watcher { run, path, stability, settled: false, ended: Ended::Done };
     let marched = match (path, &explicit.transient) {
         (Some(path), _) => settle(path, explicit.safety, body, &mut watcher, from),
@@ -145,8 +148,18 @@ impl Watcher<'_, '_, '_> {
         let levels = self.path.map_or(0, |path| path.levels.list().len());
         let reached = self.run.record.levels.len();
         let Some(level) = self.run.record.levels.last_mut() else { return };
-        let steps = if reached == levels { record.step } else { level.steps };
+        let last = reached == levels;
+        let steps = if last { record.step } else { level.steps };
         if !self.stability.due(steps) {
+            if last && self.stability.is_told() {
+                let message = format!(
+                    "level {} is at rest, but whether it is stable was not looked at, which would take more than 1 % of the run: a perfect column \
+                     rests straight beyond its critical load; see by analysis.explicit.quasi-static.stability = true, or say that it need \
+                     not be seen by false",
+                    level.level
+                );
+                self.run.record.warn(Doubt::StabilityUnknown, message);
+            }
             return;
         }
         let Some(inertia) = self.stability.look(body, record.at.level) else { return };

@@ -193,7 +193,7 @@ fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, fro
             analysis: analysis.kind().name,
             wanted: "a body that is marched",
         }),
-        Analysis::Linear(wanted) => linear::linear(wanted.solver, body, run),
+        Analysis::Linear(wanted) => linear::linear(wanted, body, run),
         Analysis::Static(wanted) => path::levels(wanted, body, run, from),
         Analysis::ArcLength(wanted) => path::arc_length(wanted, body, run),
         Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run, from),

@@ -93,6 +93,19 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
+    let counted = run.record.counted.as_ref();
+    let side =
+        counted.and_then(|counted| match (counted.from.is_some_and(|from| from < 0.0), counted.to > 0.0) {
+            (true, true) => None,
+            (below, _) => Some(if below { "positive" } else { "negative" }),
+        });
+    if let (LevelSign::Either, Some(side)) = (wanted.sign, side) {
+        let message = format!(
+            "{side} levels were not found to within rounding, and none is in the curve, though one may be nearer than those that are; ask \
+             for fewer `modes`, or for sign = \"{side}\" alone to see what ended the search"
+        );
+        run.record.warn(Doubt::FewerModes, message);
+    }
     if let Some(message) =
         modes.first().and_then(|lowest| changed_shape(lowest, options.prebuckling, system.linear_reach()))
     {

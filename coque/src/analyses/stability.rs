@@ -13,18 +13,25 @@ use crate::scene::Explicit;
 /// Part of the work that a look may take where nobody asked for it.
 const SHARE: f64 = 0.01;
 
+/// Particles times steps that a look may take in any case: a tenth of a second.
+const LITTLE: f64 = 1e6;
+
+/// Steps that a look counts as where nobody knows, for a body of few particles.
+const UNKNOWN: f64 = 1000.0;
+
 /// Looks at the tangents of settled states.
 pub(crate) struct Stability {
     wanted: Option<bool>,
     tangent: TangentCost,
+    particles: f64,
     /// Ordered once a run.
     solver: Option<(SymmetricSolver, Vec<f64>)>,
 }
 
 impl Stability {
-    /// As the scene asks for it; without a word from it, where it costs little.
-    pub fn new(wanted: Option<bool>, tangent: TangentCost) -> Self {
-        Self { wanted, tangent, solver: None }
+    /// As the scene asks for it; without a word from it, where it costs little for a body of so many particles.
+    pub fn new(wanted: Option<bool>, tangent: TangentCost, particles: usize) -> Self {
+        Self { wanted, tangent, particles: particles as f64, solver: None }
     }
 
     /// Whether to look at a state after so many steps: those of its level, those of the run if the level is its last.
@@ -32,9 +39,14 @@ impl Stability {
         match (self.wanted, self.tangent) {
             (_, TangentCost::Without) | (Some(false), _) => false,
             (Some(true), _) => true,
-            (None, TangentCost::Steps(cost)) => cost < SHARE * steps as f64,
-            (None, TangentCost::Dear) => false,
+            (None, TangentCost::Steps(cost)) => cost < SHARE * steps as f64 || cost * self.particles < LITTLE,
+            (None, TangentCost::Dear) => UNKNOWN * self.particles < LITTLE,
         }
+    }
+
+    /// Whether a state that is not looked at is to be told: where it could be, and nobody said that it need not.
+    pub fn is_told(&self) -> bool {
+        self.wanted.is_none() && self.tangent != TangentCost::Without
     }
 
     /// The signs of the pivots at a load level; nothing where the tangent cannot be factorised. The motion of the body

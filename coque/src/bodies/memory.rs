@@ -91,7 +91,7 @@ impl Scene {
         let value = format!("{particles:.0} particles, which need about {}", amount(memory.needed));
         let bound = format!("few enough for the {} of memory that are free", amount(available));
         let repair = match (&self.analysis, self.body()) {
-            (Analysis::Linear(Linear { solver: LinearSolver::Direct }), BodyScene::Shell(_)) => {
+            (Analysis::Linear(Linear { solver: LinearSolver::Direct, .. }), BodyScene::Shell(_)) => {
                 "take fewer particles, analysis.linear.solver = \"conjugate-gradients\", or raise the limit of the process (ulimit -v, memory.max)"
             }
             _ => "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)",
@@ -135,7 +135,7 @@ impl Scene {
         };
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,
-            Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients }) => self.multigrid(),
+            Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }) => self.multigrid(),
             _ => factor * particles.max(2.0).log2(),
         };
         PROGRAM + particles * (each + factor)

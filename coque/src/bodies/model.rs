@@ -102,7 +102,7 @@ impl Model {
         };
         let unit = |name: &str| units.symbol(quantity(name));
         let kind = analysis.kind();
-        let always = kind.columns.iter().map(|&name| Column { name: name.into(), unit: unit(name) });
+        let always = analysis.columns().map(|name| Column { name: name.into(), unit: unit(name) });
         let own = self.probes.iter().filter(|_| !kind.gives_modes).flat_map(|probe| probe.columns(units));
         always.chain(own).collect()
     }

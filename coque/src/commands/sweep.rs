@@ -46,12 +46,15 @@ Values are TOML; commas within brackets and quotes belong to the value.
 
 Results, in DIR:
   sweep.csv      a row per run: its number, the values, how it ended, words of its warnings (such as not-settled),
-                 wall time, and the last row of its curve
+                 wall time, and the last row of its curve; of modes a row each
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
 
 A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
 Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 4 all done but one did not settle, 130 interrupted.";
+
+/// Column of a curve whose rows are modes.
+const MODE: &str = "mode";
 
 /// Combinations beyond which a list of values is taken for a mistake.
 const MOST_RUNS: usize = 100_000;
@@ -63,7 +66,8 @@ struct Row {
     code: u8,
     seconds: f64,
     columns: Vec<Column>,
-    last: Vec<f64>,
+    /// The last row of its curve; all rows where they are modes.
+    found: Vec<Vec<f64>>,
     warnings: Vec<Warning>,
 }
 
@@ -143,7 +147,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         code: BAD_INPUT,
         seconds: 0.0,
         columns: vec![],
-        last: vec![],
+        found: vec![],
         warnings: vec![],
     };
     let outcome = match model {
@@ -161,10 +165,13 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         Ended::Diverged(_) => DIVERGED,
         Ended::Interrupted { .. } => INTERRUPTED,
     };
-    let last = outcome.curve.rows.last().cloned().unwrap_or_default();
+    let Curve { columns, rows } = outcome.curve;
+    let first =
+        if columns.iter().any(|column| column.name == MODE) { 0 } else { rows.len().saturating_sub(1) };
+    let found = rows[first..].to_vec();
     let seconds = begun.elapsed().as_secs_f64();
     let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.record.warnings);
-    Row { ended, code, seconds, columns: outcome.curve.columns, last, warnings }
+    Row { ended, code, seconds, columns, found, warnings }
 }
 
 /// Takes out what an earlier sweep left in its numbered folders, of which it may have had more.
@@ -300,13 +307,16 @@ fn write_table(
                 cells.extend([quoted(&row.ended), row.doubts(), format!("{:.3}", row.seconds)]);
             }
         }
-        for column in &columns {
-            let found = row
-                .as_ref()
-                .and_then(|row| row.last.get(row.columns.iter().position(|known| known == *column)?));
-            cells.push(found.map_or(String::new(), |value| format!("{value:?}")));
+        let known = row.as_ref().map_or(&[][..], |row| &row.columns);
+        let places: Vec<_> = columns.iter().map(|column| known.iter().position(|k| k == *column)).collect();
+        let none = vec![vec![]];
+        let found = row.as_ref().map(|row| &row.found).filter(|found| !found.is_empty()).unwrap_or(&none);
+        for values in found {
+            let value = |place: &Option<usize>| values.get((*place)?).map(|value| format!("{value:?}"));
+            let values = places.iter().map(|place| value(place).unwrap_or_default());
+            let line: Vec<String> = cells.iter().cloned().chain(values).collect();
+            writeln!(to, "{}", line.join(","))?;
         }
-        writeln!(to, "{}", cells.join(","))?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! What each analysis is and does, a row each: read by the checks, the catalogue and the run.
 
 use super::analysis::Analysis;
+use super::statics::{Linear, LinearSolver};
 
 /// One kind of analysis.
 #[derive(Debug, PartialEq, Eq)]
@@ -9,7 +10,7 @@ pub struct AnalysisKind {
     pub word: &'static str,
     /// Its name in sentences.
     pub name: &'static str,
-    /// Columns that every curve of it has.
+    /// Columns that every curve of it has; see [`Analysis::columns`].
     pub columns: &'static [&'static str],
     /// Whether answers are modes, not states: nothing is measured on them.
     pub gives_modes: bool,
@@ -115,6 +116,13 @@ impl Analysis {
             Self::Modal(_) => modal,
             Self::Buckling(_) => buckling,
         }
+    }
+
+    /// Columns that every curve of it has: those of its kind, without pivots where nothing is factorised.
+    pub fn columns<'a>(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        let factorised =
+            !matches!(self, Self::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }));
+        self.kind().columns.iter().copied().filter(move |&name| factorised || name != "negative_pivots")
     }
 
     /// Key of the analysis in a scene.

@@ -28,6 +28,8 @@ pub struct Linear {
     /// How the tangent is solved.
     #[serde(default)]
     pub solver: LinearSolver,
+    /// Iterations allowed to conjugate gradients; left out, 5000.
+    pub iterations: Option<usize>,
 }
 
 /// How a linear answer is solved.

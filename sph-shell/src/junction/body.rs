@@ -27,7 +27,8 @@ const ROUNDS: usize = 8;
 pub(crate) struct RigidBody {
     /// Arm from the pole and director of each particle, in the triad.
     pub places: Vec<[Vec3; 2]>,
-    /// Place in the group of the particle whose chord from the first makes the triad.
+    /// Places in the group of the particles whose director, and whose chord from the first, make the triad.
+    pub upright: usize,
     pub far: usize,
     /// The triad at rest.
     pub rest: Matrix3<f64>,

@@ -139,7 +139,7 @@ impl Group {
         let row = |k: usize| &rows[self.particles[k] as usize];
         match &self.body {
             None => self.pair.map(|k| director(row(k))),
-            Some(body) => [director(row(0)), place(row(body.far)) - place(row(0))],
+            Some(body) => [director(row(body.upright)), place(row(body.far)) - place(row(0))],
         }
     }
 

@@ -140,10 +140,19 @@ impl Shell {
         let mut particles = set.particles.clone();
         particles.sort_unstable();
         let place = |k: usize| cloud.positions[particles[k] as usize];
-        let first = cloud.frames[particles[0] as usize].n;
-        let aside = |k: usize| first.cross(&(place(k) - place(0))).norm();
-        let far = (0..particles.len()).fold(0, |far, k| if aside(k) > aside(far) { k } else { far });
-        if aside(far) <= APART * cloud.spacing() {
+        let normal = |k: usize| cloud.frames[particles[k] as usize].n;
+        let best = |of: &dyn Fn(usize) -> f64| {
+            (0..particles.len()).fold(0, |best, k| if of(k) > of(best) { k } else { best })
+        };
+        let aside = |upright: usize, far: usize| normal(upright).cross(&(place(far) - place(0))).norm();
+        let (mut upright, mut far) = (0, best(&|k| aside(0, k)));
+        let narrow = |upright: usize, far: usize| aside(upright, far) <= APART * cloud.spacing();
+        if narrow(upright, far) {
+            // All along the normal of the first, as an edge that rises from a joint: another's director is taken.
+            far = best(&|k| (place(k) - place(0)).norm());
+            upright = best(&|k| aside(k, far));
+        }
+        if narrow(upright, far) {
             return Err(ShellError::RigidOnALine { set: number });
         }
         let [masses, inertias] = self.moving_masses();
@@ -164,7 +173,7 @@ impl Shell {
             };
             own + particles.iter().map(part).sum::<Matrix3<f64>>()
         };
-        let triad = triad_of(&first, &(place(far) - place(0)));
+        let triad = triad_of(&normal(upright), &(place(far) - place(0)));
         let inverse = triad.transpose();
         let in_triad = |tensor: Matrix3<f64>| Inertia::new(inverse * tensor * triad);
         let body = RigidBody {
@@ -174,6 +183,7 @@ impl Shell {
                     [cloud.positions[a as usize] - pole, cloud.frames[a as usize].n].map(|v| inverse * v)
                 })
                 .collect(),
+            upright,
             far,
             rest: triad,
             held: constraint.held().iter().map(|n| n * n.transpose()).sum(),

@@ -27,7 +27,7 @@ impl Scene {
     pub(super) fn check_analysis(&self) -> Checked {
         match &self.analysis {
             Analysis::Explicit(explicit) => self.check_explicit(explicit)?,
-            Analysis::Linear(Linear { solver }) => self.check_solver(*solver)?,
+            Analysis::Linear(wanted) => self.check_linear(wanted)?,
             Analysis::Static(Static { levels, tolerance, iterations }) => {
                 self.check_levels("analysis.static.levels", levels)?;
                 self.check_newton("analysis.static", *tolerance, *iterations)?;
@@ -55,6 +55,23 @@ impl Scene {
             self.check_tangent()?;
         }
         if kind.wants_driver { self.check_driver() } else { Ok(()) }
+    }
+
+    fn check_linear(&self, Linear { solver, iterations }: &Linear) -> Checked {
+        let at = "analysis.linear.iterations";
+        match (solver, iterations) {
+            (_, None) => {}
+            (LinearSolver::ConjugateGradients, Some(iterations)) => {
+                let repair = "leave it out for the usual 5000";
+                self.scope().within(at, *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
+            }
+            (LinearSolver::Direct, Some(iterations)) => {
+                let bound = "left out where the solver is \"direct\": a factor does not iterate";
+                let repair = "leave it out, or add solver = \"conjugate-gradients\"";
+                return Err(self.scope().value(at, *iterations as f64, bound, repair));
+            }
+        }
+        self.check_solver(*solver)
     }
 
     /// Coarser unknowns are built on rigid motions, which only shells tell.
@@ -159,7 +176,7 @@ impl Scene {
         }
         if let Some(Stop { column, above }) = &path.stop {
             let own = self.curve.iter().map(|probe| probe.name.as_str());
-            let known: Vec<&str> = self.analysis.kind().columns.iter().copied().chain(own).collect();
+            let known: Vec<&str> = self.analysis.columns().chain(own).collect();
             s.word(&at("stop.column"), column, &known)?;
             s.sized(&at("stop.above"), *above)?;
         }

@@ -158,7 +158,7 @@ impl Scene {
 
     pub(super) fn check_curve(&self) -> Checked {
         let s = &self.scope();
-        let mut names: BTreeSet<&str> = self.analysis.kind().columns.iter().copied().collect();
+        let mut names: BTreeSet<&str> = self.analysis.columns().collect();
         for (i, probe) in self.curve.iter().enumerate() {
             let at = |key: &str| format!("curve[{i}].{key}");
             self.check_column_name(&at("name"), &probe.name, &mut names)?;

@@ -242,7 +242,7 @@ impl Scene {
     fn check_columns_together(&self) -> Checked {
         let forces = self.curve.iter().filter(|probe| probe.of.has_mean());
         let means: Vec<String> = forces.map(|probe| mean_of(&probe.name)).collect();
-        let always = self.analysis.kind().columns.iter().copied();
+        let always = self.analysis.columns();
         let mut names: BTreeSet<&str> = always.chain(means.iter().map(String::as_str)).collect();
         for (i, probe) in self.curve.iter().enumerate() {
             self.check_column_name(&format!("curve[{i}].name"), &probe.name, &mut names)?;
