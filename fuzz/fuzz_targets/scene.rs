@@ -13,7 +13,7 @@ libfuzzer_sys::fuzz_target!(|text: &str| {
 /// Builds what is small and needs no other file.
 fn model(text: &str) -> Result<(), SceneError> {
     let scene = Scene::parse(text, "fuzz.toml")?;
-    match scene.shell().geometry.particles() {
+    match scene.as_shell().and_then(|shell| shell.geometry.particles()) {
         Some([n1, n2]) if n1 * n2 <= 200 => scene.build(1).map(|_| ()),
         _ => Ok(()),
     }
