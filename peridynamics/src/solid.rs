@@ -10,6 +10,7 @@ use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
+use crate::mirror::Mirror;
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
 use crate::wetted::Surface;
@@ -52,17 +53,37 @@ impl Solid {
     /// # Errors
     /// [`SolidError`] for the first part that is unsound.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
-        let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
+        Self::mirrored(parts, &[])
+    }
+
+    /// Builds the part of a symmetric body on one side of each of these planes: bonds reach across to the images of its nodes,
+    /// nodes on a plane stay on it, with the part of their volume that the block gives them.
+    ///
+    /// # Errors
+    /// As [`Solid::new`]; [`SolidError::Mirror`] for a plane inside the body, [`SolidError::MirroredContact`].
+    pub fn mirrored(parts: Parts, mirrors: &[Mirror]) -> Result<Self, SolidError> {
+        let Parts { block, material, formulation, mut supports, loads, threads, .. } = parts;
+        if let Some(&Mirror { axis, at }) = mirrors.iter().find(|mirror| mirror.axis >= block.dimensions) {
+            return Err(SolidError::Mirror { axis, at });
+        }
+        if !mirrors.is_empty() && parts.contact.is_some() {
+            return Err(SolidError::MirroredContact);
+        }
+        supports.extend(mirrors.iter().filter_map(|mirror| mirror.support(&block)));
         let breakage = Breakage { fracture: parts.fracture, cracks: parts.cracks, contact: parts.contact };
         let mut rest = block.positions.clone();
         let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
             Carrier::Bonds(bonds) => {
                 let across = (block.dimensions == 2).then(Vec3::z);
-                (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
+                (
+                    Box::new(SolidBonds::new(&block, &material, bonds, &breakage, mirrors)?),
+                    bonds.space,
+                    across,
+                )
             }
             Carrier::Sheets(sheets) => {
-                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage, mirrors)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
                 (Box::new(plate), sheets.formulation.space, None)

@@ -67,6 +67,7 @@ pub(crate) fn clear(bits: &mut [u8], lane: usize) {
 
 /// One directed bond of a network.
 pub(crate) struct Bond {
+    /// The node at the other end, or an image.
     pub other: usize,
     pub length: f64,
     pub stiffness: f64,
@@ -95,6 +96,11 @@ impl Network {
             dilatation.own[pack][lane] = 0.0;
             dilatation.twin[pack][lane] = 0.0;
         }
+    }
+
+    /// The node of a lane.
+    pub fn node_of(&self, lane: usize) -> usize {
+        self.starts.partition_point(|&start| start as usize <= lane / LANES) - 1
     }
 
     /// Lanes of a node, counted through all packs; some may only fill up.
