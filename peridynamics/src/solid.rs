@@ -10,7 +10,7 @@ use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
-use crate::mirror::Mirror;
+use crate::mirror::{Borne, Mirror};
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
 use crate::wetted::Surface;
@@ -37,6 +37,8 @@ pub struct Solid {
     pub(crate) constraints: Constraints,
     pub(crate) loads: Vec<AppliedLoad>,
     pub(crate) mechanics: Box<dyn Mechanics>,
+    /// Who bears what planes of symmetry do; none without.
+    borne: Option<Box<Borne>>,
     pub(crate) internal_energy: f64,
     /// Rows in the middle of a step in which bonds break; empty until one does.
     pub(crate) breaking: Vec<Row>,
@@ -89,6 +91,12 @@ impl Solid {
                 (Box::new(plate), sheets.formulation.space, None)
             }
         };
+        let horizon = match &formulation {
+            Carrier::Bonds(bonds) => bonds.horizon,
+            Carrier::Sheets(sheets) => sheets.formulation.horizon,
+        };
+        let reach = (horizon + 0.5) * block.greatest_spacing();
+        let borne = (!mirrors.is_empty()).then(|| Box::new(Borne::new(mirrors, &block, reach)));
         let moduli = material.moduli(space)?;
         let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
         for (node, _) in loads.iter().flat_map(|load| &load.forces) {
@@ -107,6 +115,7 @@ impl Solid {
             constraints,
             loads,
             mechanics,
+            borne,
             internal_energy: 0.0,
             breaking: Vec::new(),
             works: Vec::new(),
@@ -200,9 +209,12 @@ impl Solid {
         self.external.get(node).copied().unwrap_or_default()
     }
 
-    /// What the supports of a node bear \[F\], for the forces last evaluated.
+    /// What the supports of a node bear \[F\], for the forces last evaluated. Outermost nodes on or before a plane of symmetry bear
+    /// along its normal what the bonds of all nodes behind them pull through it.
     pub fn reaction(&self, node: usize) -> Vec3 {
-        self.internal_force(node) - self.external_force(node)
+        let across = |behind: usize, plane| self.mechanics.across(&self.rows, behind, plane);
+        let borne = self.borne.as_ref().map_or_else(Vec3::zeros, |borne| borne.at(node, across));
+        self.internal_force(node) - self.external_force(node) + borne
     }
 
     /// Whether a support holds a node along any direction that it could move in.

@@ -249,6 +249,14 @@ fn a_part_has_the_forces_and_the_energy_of_the_whole() {
         let apart = pair.forces_apart();
         assert!(apart < 1e-11, "{name}: {apart:.1e}");
         let parallel = name.ends_with('2');
+        // What the planes bear balances the forces on the nodes.
+        for axis in 0..2 {
+            let mirrored = pair.mirrors.iter().any(|mirror| mirror.axis == axis);
+            let nodes = 0..pair.part.len();
+            let borne: f64 = nodes.clone().map(|node| pair.part.reaction(node)[axis]).sum();
+            let size: f64 = nodes.map(|node| pair.part.internal_force(node)[axis].abs()).sum();
+            assert!(!mirrored || borne.abs() < 1e-11 * size, "{name}: {borne:e} {size:e}");
+        }
         let (part, whole) = (pair.part.internal_energy(), pair.whole.internal_energy());
         let times = 2_f64.powi(pair.mirrors.len() as i32);
         assert!(parallel || (times * part / whole - 1.0).abs() < 1e-12, "{name}: {part:e} {whole:e}");

@@ -124,6 +124,16 @@ impl Images {
         self.image(number).map_or([1.0; 3], |image| image.signs)
     }
 
+    /// Through which plane across an axis one sees an end: −1 the lower, 1 the upper, 0 none.
+    pub fn side(&self, other: usize, axis: usize) -> i32 {
+        self.image(other).map_or(0, |image| image.cell[axis].signum())
+    }
+
+    /// How often the body counts what crosses a plane at a node: twice on the plane, where half belongs to the image.
+    pub fn counts(&self, node: usize, axis: usize) -> f64 {
+        if self.on[node][axis] == 0 { 1.0 } else { 2.0 }
+    }
+
     /// The part of a node that belongs to the body: one half for each plane that it lies on.
     pub fn share(&self, node: usize) -> f64 {
         self.on[node].iter().map(|&side| if side == 0 { 1.0 } else { 0.5 }).product()

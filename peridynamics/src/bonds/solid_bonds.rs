@@ -187,6 +187,10 @@ impl Mechanics for SolidBonds {
         self.network.virial(self.evaluated(rows), node)
     }
 
+    fn across(&self, rows: &[Row], node: usize, plane: (usize, i32)) -> f64 {
+        self.network.across(self.evaluated(rows), node, plane)
+    }
+
     fn fragments(&self) -> Vec<usize> {
         match &self.breaking {
             Some(breaking) => fragments(&self.network, |lane| breaking.bonds.is_whole(lane)),

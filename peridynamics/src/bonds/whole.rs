@@ -150,6 +150,21 @@ impl Network {
         self.lanes_of(node).map(half).sum::<f64>() + dilated
     }
 
+    /// What the bonds of a node pull along an axis that reach through its plane of symmetry on a side, −1 or 1 \[F\].
+    pub fn across(&self, rows: &[Row], node: usize, (axis, side): (usize, i32)) -> f64 {
+        let Some(images) = &self.images else { return 0.0 };
+        let of = |lane: usize| {
+            let bond = self.bond(lane);
+            if images.side(bond.other, axis) != side {
+                return 0.0;
+            }
+            let y = bond.between(node, rows);
+            let length = y.norm();
+            if length > 0.0 { bond.pull(length - bond.length, node, rows) * y[axis] / length } else { 0.0 }
+        };
+        images.counts(node, axis) * self.lanes_of(node).map(of).sum::<f64>()
+    }
+
     /// `½ Σ f ⊗ y` over the bonds y of a node and their pulls f, both at present: the volume times the stress, that of
     /// Kirchhoff, and at small strains of Cauchy \[F L\]. Half of a bond belongs to each of its ends.
     pub fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64> {

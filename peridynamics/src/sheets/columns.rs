@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use sph_core::Vec3;
 
-use super::shear::Shear;
+use super::shear::{Pair, Shear};
 use crate::bonds::images::Images;
 use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
@@ -123,6 +123,19 @@ impl Columns {
                     self.height * (up[k] - down[k]) + (on_d[k] + change * d[k] + pressure * e[k]);
             }
         }
+    }
+
+    /// What the shear of a column's pairs pulls along an axis that reach through its plane of symmetry on a side \[F\].
+    pub fn across(&self, rows: &[Row], column: usize, (axis, side): (usize, i32)) -> f64 {
+        let (Some(images), count) = (&self.images, self.rest.len()) else { return 0.0 };
+        let behind = |row: usize| row >= 2 * count && images.side(row - count, axis) == side;
+        let pairs = self.shear.of(column).iter().filter(|pair| behind(pair.other as usize));
+        let of = |pair: &Pair| {
+            let end = (&rows[pair.other as usize], &rows[pair.turned as usize]);
+            let sheared = pair.sheared((&rows[column], &rows[count + column]), end);
+            pair.stiffness * sheared.strain * sheared.across[axis]
+        };
+        images.counts(column, axis) * pairs.map(of).sum::<f64>()
     }
 
     /// Energy of the thickness of a column, and half of that of its pairs \[F L\].

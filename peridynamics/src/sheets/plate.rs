@@ -195,6 +195,12 @@ impl Mechanics for Plate {
         upper + lower
     }
 
+    fn across(&self, rows: &[Row], node: usize, plane: (usize, i32)) -> f64 {
+        let [upper, lower] =
+            self.sheets.each_ref().map(|sheet| sheet.network.across(&sheet.points, node, plane));
+        upper + lower + self.columns.across(&self.columns.extended(rows, true), node, plane)
+    }
+
     fn fragments(&self) -> Vec<usize> {
         fragments(&self.sheets[0].network, |lane| self.is_joined(lane))
     }
