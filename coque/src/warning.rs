@@ -66,7 +66,7 @@ pub enum Doubt {
     OddHorizon,
     /// Spacings of a block that differ much from axis to axis.
     FlatCells,
-    /// Few layers of nodes across a member that bends.
+    /// Few layers of nodes across a member that bends, at rest or in modes.
     FewLayers,
     /// A motion prescribed on less than the depth of the horizon.
     ThinLayer,

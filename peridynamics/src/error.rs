@@ -53,6 +53,21 @@ pub enum SolidError {
         "plates of two sheets meet no fluid; model the plate as a shell, or as a solid of several layers"
     )]
     WetSheets,
+    /// A plane of symmetry inside the body, or across no axis.
+    #[error(
+        "a plane of symmetry cuts axis {axis} at {at:.6e}; it bounds the body: put it where all nodes are on one side"
+    )]
+    Mirror {
+        /// The axis.
+        axis: usize,
+        /// Where the plane cuts it \[L\].
+        at: f64,
+    },
+    /// Contact asked of a body with planes of symmetry.
+    #[error(
+        "contact with the mirror image of a body is not modelled; model the whole body, or leave contact out"
+    )]
+    MirroredContact,
     /// A set without nodes.
     #[error("{0} acts on an empty set of nodes; name a set that holds at least one")]
     EmptySet(&'static str),

@@ -10,6 +10,7 @@ use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
+use crate::mirror::{Borne, Mirror};
 use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
 use crate::wetted::Surface;
@@ -36,6 +37,8 @@ pub struct Solid {
     pub(crate) constraints: Constraints,
     pub(crate) loads: Vec<AppliedLoad>,
     pub(crate) mechanics: Box<dyn Mechanics>,
+    /// Who bears what planes of symmetry do; none without.
+    borne: Option<Box<Borne>>,
     pub(crate) internal_energy: f64,
     /// Rows in the middle of a step in which bonds break; empty until one does.
     pub(crate) breaking: Vec<Row>,
@@ -52,22 +55,48 @@ impl Solid {
     /// # Errors
     /// [`SolidError`] for the first part that is unsound.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
-        let Parts { block, material, formulation, supports, loads, threads, .. } = parts;
+        Self::mirrored(parts, &[])
+    }
+
+    /// Builds the part of a symmetric body on one side of each of these planes: bonds reach across to the images of its nodes,
+    /// nodes on a plane stay on it, with the part of their volume that the block gives them.
+    ///
+    /// # Errors
+    /// As [`Solid::new`]; [`SolidError::Mirror`] for a plane inside the body, [`SolidError::MirroredContact`].
+    pub fn mirrored(parts: Parts, mirrors: &[Mirror]) -> Result<Self, SolidError> {
+        let Parts { block, material, formulation, mut supports, loads, threads, .. } = parts;
+        if let Some(&Mirror { axis, at }) = mirrors.iter().find(|mirror| mirror.axis >= block.dimensions) {
+            return Err(SolidError::Mirror { axis, at });
+        }
+        if !mirrors.is_empty() && parts.contact.is_some() {
+            return Err(SolidError::MirroredContact);
+        }
+        supports.extend(mirrors.iter().filter_map(|mirror| mirror.support(&block)));
         let breakage = Breakage { fracture: parts.fracture, cracks: parts.cracks, contact: parts.contact };
         let mut rest = block.positions.clone();
         let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
             Carrier::Bonds(bonds) => {
                 let across = (block.dimensions == 2).then(Vec3::z);
-                (Box::new(SolidBonds::new(&block, &material, bonds, &breakage)?), bonds.space, across)
+                (
+                    Box::new(SolidBonds::new(&block, &material, bonds, &breakage, mirrors)?),
+                    bonds.space,
+                    across,
+                )
             }
             Carrier::Sheets(sheets) => {
-                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage)?;
+                let (plate, directors) = Plate::new(&block, &material, sheets, &breakage, mirrors)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
                 (Box::new(plate), sheets.formulation.space, None)
             }
         };
+        let horizon = match &formulation {
+            Carrier::Bonds(bonds) => bonds.horizon,
+            Carrier::Sheets(sheets) => sheets.formulation.horizon,
+        };
+        let reach = (horizon + 0.5) * block.greatest_spacing();
+        let borne = (!mirrors.is_empty()).then(|| Box::new(Borne::new(mirrors, &block, reach)));
         let moduli = material.moduli(space)?;
         let constraints = Constraints::new(&rest, block.len(), &supports, across)?;
         for (node, _) in loads.iter().flat_map(|load| &load.forces) {
@@ -86,6 +115,7 @@ impl Solid {
             constraints,
             loads,
             mechanics,
+            borne,
             internal_energy: 0.0,
             breaking: Vec::new(),
             works: Vec::new(),
@@ -179,9 +209,12 @@ impl Solid {
         self.external.get(node).copied().unwrap_or_default()
     }
 
-    /// What the supports of a node bear \[F\], for the forces last evaluated.
+    /// What the supports of a node bear \[F\], for the forces last evaluated. Outermost nodes on or before a plane of symmetry bear
+    /// along its normal what the bonds of all nodes behind them pull through it.
     pub fn reaction(&self, node: usize) -> Vec3 {
-        self.internal_force(node) - self.external_force(node)
+        let across = |behind: usize, plane| self.mechanics.across(&self.rows, behind, plane);
+        let borne = self.borne.as_ref().map_or_else(Vec3::zeros, |borne| borne.at(node, across));
+        self.internal_force(node) - self.external_force(node) + borne
     }
 
     /// Whether a support holds a node along any direction that it could move in.

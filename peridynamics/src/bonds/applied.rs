@@ -123,7 +123,8 @@ impl<const DILATATION: bool> Sweep for Chunk<'_, DILATATION> {
 }
 
 impl Network {
-    /// `∂²U/∂x∂x` at the positions in `rows` times the displacements in `along`; the last places of both take dilatations.
+    /// `∂²U/∂x∂x` at the positions in `rows` times the displacements in `along`; the last places of both take dilatations,
+    /// the rows behind those of the nodes the images.
     pub fn tangent(
         &self,
         rows: &mut [Row],
@@ -132,6 +133,10 @@ impl Network {
         scratch: &mut Scratch,
         threads: usize,
     ) {
+        if let Some(images) = &self.images {
+            images.place(rows);
+            images.reflect(along);
+        }
         if self.dilatation.is_some() {
             let values = &mut scratch.dilatations;
             self.dilate(rows, values, threads);
@@ -140,6 +145,9 @@ impl Network {
                 widest(Dilate { at: Linear { network: self, rows, along: at, first }, out });
             });
             keep(along, values, threads);
+            if let Some(images) = &self.images {
+                images.carry(along);
+            }
         }
         let (rows, along): (&[Row], &[Row]) = (rows, along);
         in_chunks(out, threads, |first, out| {

@@ -3,8 +3,12 @@
 //! A bond breaks at both ends in one step: its extension has the same bits from both. Broken, it has neither stiffness nor a
 //! share in a dilatation; weights stay those of the reference, so that the bonds left do not stiffen.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use super::families::Families;
 use super::forces::{Scratch, Watch};
+use super::images::Images;
 use super::limits::Limit;
 use super::network::{LANES, Network, Row};
 use super::repulsion::Repulsion;
@@ -38,21 +42,23 @@ impl Breaking {
             watch: None,
             works: None,
             energies: vec![0.0; network.len()],
-            volumes: volumes.to_vec(),
+            volumes: families.whole(volumes).into_owned(),
             horizon: families.horizon,
             reach: families.reach,
         }
     }
 
-    /// Breaks the bonds that a crack cuts, whatever they hold; returns how many directed ones.
+    /// Breaks the bonds that a crack, or its mirror image, cuts, whatever they hold; returns how many directed ones.
     pub fn cut(&mut self, network: &mut Network, positions: &[Vec3], cut: &Cut) -> usize {
         let mut crossed = Vec::new();
         for node in 0..network.len() {
             for lane in network.lanes_of(node).filter(|&lane| self.bonds.is_bond(lane)) {
                 let other = network.bond(lane).other;
                 // From the same end, whichever end asks.
-                let (a, b) = (node.min(other), node.max(other));
-                if cut.cuts(&positions[a], &positions[b]) {
+                let cuts = |a: usize, b: usize| cut.cuts(&positions[a.min(b)], &positions[a.max(b)]);
+                let mirrored =
+                    |images: &Arc<Images>| cuts(images.source(other), images.seen_back(node, other));
+                if cuts(node, other) || network.images.as_ref().is_some_and(mirrored) {
                     crossed.push(lane);
                 }
             }
@@ -75,7 +81,7 @@ impl Breaking {
         let mut lanes = self.bonds.whole.clone();
         for node in 0..network.len() {
             for lane in network.lanes_of(node) {
-                if safe[node] || safe[network.bond(lane).other] {
+                if safe[node] || safe[network.source(network.bond(lane).other)] {
                     clear(&mut lanes, lane);
                 }
             }
@@ -113,11 +119,12 @@ impl Breaking {
         rows: &[Row],
         contact: Option<&Repulsion>,
     ) -> f64 {
-        let lanes: Vec<usize> = self.noted(scratch).collect();
+        let rows = &*network.extended(rows);
+        let lanes = self.with_images(network, self.noted(scratch).collect());
         let mut next = lanes.as_slice();
         let mut lost = 0.0;
         while let Some(&first) = next.first() {
-            let node = network.starts.partition_point(|&start| start as usize <= first / LANES) - 1;
+            let node = network.node_of(first);
             let end = next.partition_point(|&lane| lane < network.lanes_of(node).end);
             let theta = network.dilatation_of(node, rows);
             let (mut held, mut share) = (0.0, 0.0);
@@ -138,6 +145,25 @@ impl Breaking {
             next = &next[end..];
         }
         lost
+    }
+
+    /// Lanes with all others of the same bonds in mirrors: images differ by rounding, and break in one step.
+    fn with_images(&self, network: &Network, lanes: Vec<usize>) -> Vec<usize> {
+        let Some(images) = &network.images else { return lanes };
+        let mut all = BTreeSet::new();
+        let mut waiting = lanes;
+        while let Some(lane) = waiting.pop() {
+            if !self.bonds.is_whole(lane) || !all.insert(lane) {
+                continue;
+            }
+            let (node, other) = (network.node_of(lane), network.bond(lane).other);
+            let find = |node: usize, end: usize| {
+                network.lanes_of(node).find(|&lane| network.bond(lane).other == end)
+            };
+            waiting.extend(find(images.source(other), images.seen_back(node, other)));
+            waiting.extend(images.beside(node, other).filter_map(|end| find(node, end)));
+        }
+        all.into_iter().collect()
     }
 
     fn sever(&mut self, network: &mut Network, lane: usize) {

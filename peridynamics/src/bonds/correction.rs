@@ -41,6 +41,7 @@ pub(crate) fn weights(
     moduli: &Moduli,
     thickness: f64,
 ) -> Weights {
+    let positions = &*families.extended(positions);
     let plain = Plain { families, positions, formulation, moduli, thickness };
     let mut out = plain.weights();
     match formulation.correction {
@@ -157,7 +158,7 @@ impl Plain<'_> {
             }
         }
         let factor = |ratios: &[[f64; 3]], node: usize, bond: usize| {
-            let (n, other) = (self.direction(node, bond), f.others[bond] as usize);
+            let (n, other) = (self.direction(node, bond), f.source(f.others[bond] as usize));
             let term = |a: usize| (n[a] / (0.5 * (ratios[node][a] + ratios[other][a]))).powi(2);
             let sum: f64 = (0..d).map(term).filter(|term| term.is_finite()).sum();
             1.0 / sum.sqrt()

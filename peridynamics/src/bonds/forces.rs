@@ -143,8 +143,8 @@ pub(crate) struct Wanted<'a> {
 }
 
 impl Network {
-    /// Internal forces `∂U/∂x` of all nodes at the positions in `rows`, whose last places take the dilatations; returns the
-    /// stored energy \[F L\], zero unless wanted.
+    /// Internal forces `∂U/∂x` of all nodes at the positions in `rows`, whose last places take the dilatations, and those behind
+    /// the nodes' the images; returns the stored energy \[F L\], zero unless wanted.
     pub fn evaluate(
         &self,
         rows: &mut [Row],
@@ -152,6 +152,9 @@ impl Network {
         scratch: &mut Scratch,
         wanted: Wanted<'_>,
     ) -> f64 {
+        if let Some(images) = &self.images {
+            images.place(rows);
+        }
         if self.dilatation.is_some() {
             self.dilate(rows, &mut scratch.dilatations, wanted.threads);
         }
@@ -223,6 +226,7 @@ mod tests {
             stiffness: Vec::new(),
             dilatation: None,
             bonds: 0,
+            images: None,
         };
         let (mut own, mut twin) = (Vec::new(), Vec::new());
         for node in 0..nodes {

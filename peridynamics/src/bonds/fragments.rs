@@ -16,7 +16,7 @@ pub(crate) fn fragments(network: &Network, whole: impl Fn(usize) -> bool) -> Vec
         while let Some(node) = waiting.pop() {
             size += 1;
             for lane in network.lanes_of(node).filter(|&lane| whole(lane)) {
-                let other = network.bond(lane).other;
+                let other = network.source(network.bond(lane).other);
                 if !std::mem::replace(&mut seen[other], true) {
                     waiting.push(other);
                 }

@@ -87,7 +87,7 @@ impl Lattice<'_> {
         }
         let volume: f64 = spacing.iter().product();
         let volumes = vec![volume; positions.len()];
-        let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: greatest };
+        let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: greatest, mirrors: &[] };
         let families = Families::new(&nodes, self.formulation.horizon, self.formulation.volumes)?;
         let thickness = if d == 2 { spacing[2] } else { 1.0 };
         let weights = weights(&families, &positions, self.formulation, self.moduli, thickness);
@@ -164,7 +164,7 @@ mod tests {
             }
         }
         let volumes = vec![SPACING.powi(3); positions.len()];
-        let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: SPACING };
+        let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: SPACING, mirrors: &[] };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes).unwrap();
         let thickness = if moduli.dimensions == 2 { SPACING } else { 1.0 };
         let weights = weights(&families, &positions, formulation, &moduli, thickness);

@@ -2,6 +2,7 @@
 
 use sph_core::Vec3;
 
+use super::images::Images;
 use super::network::{Network, Row};
 use super::whole::Bond;
 
@@ -11,7 +12,7 @@ const COLLAPSED: f64 = 1e-300;
 /// A whole directed bond at a state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinearisedBond {
-    /// The node at the other end.
+    /// The node at the other end, or an image.
     pub other: u32,
     /// `∂T/∂e` at fixed dilatations, the same from both ends \[F/L\].
     pub stiffness: f64,
@@ -31,12 +32,20 @@ pub(crate) struct Linearised<'a> {
     bonds: Vec<LinearisedBond>,
     /// `(λ − μ) V` of each node \[F L\]; none where all are zero or the law has no dilatation.
     pub factors: Option<&'a [f64]>,
+    pub(super) images: Option<&'a Images>,
 }
 
 impl Linearised<'_> {
     /// Number of nodes.
     pub fn len(&self) -> usize {
         self.starts.len() - 1
+    }
+
+    /// The node at the other end of a bond, and what a displacement of it makes of that end along the axes.
+    #[inline]
+    pub fn end(&self, bond: &LinearisedBond) -> (usize, [f64; 3]) {
+        let other = bond.other as usize;
+        self.images.map_or((other, [1.0; 3]), |images| (images.source(other), images.signs(other)))
     }
 
     /// Whole bonds of a node.
@@ -57,9 +66,9 @@ impl Network {
         self.lanes_of(node).map(|lane| self.bond(lane)).filter(carries)
     }
 
-    /// The other ends of a node's whole bonds, ascending.
+    /// The nodes at the other ends of a node's whole bonds, and those whose images are there.
     pub fn neighbours(&self, node: usize) -> impl Iterator<Item = u32> {
-        self.whole(node).map(|bond| bond.other as u32)
+        self.whole(node).map(|bond| self.source(bond.other) as u32)
     }
 
     /// The factors of the dilatations, if any of them counts.
@@ -74,8 +83,11 @@ impl Network {
             starts: vec![0],
             bonds: Vec::with_capacity(self.bonds),
             factors: self.dilatation_factors(),
+            images: self.images.as_deref(),
         };
-        let pulling = stressed.unwrap_or(rows);
+        let rows = &*self.extended(rows);
+        let stressed = stressed.map(|rows| self.extended(rows));
+        let pulling = stressed.as_deref().unwrap_or(rows);
         let dilatations = self.stressed_dilatations(pulling);
         for node in 0..self.len() {
             let hat = |node: usize| dilatations.get(node).copied().unwrap_or(0.0);
@@ -83,7 +95,8 @@ impl Network {
                 let Bond { other, stiffness, shares: [own, twin], .. } = bond;
                 let now = bond.between(node, rows);
                 let y = now.norm().max(COLLAPSED);
-                let pull = stiffness * bond.extension(node, pulling) + (own * hat(node) + twin * hat(other));
+                let pull = stiffness * bond.extension(node, pulling)
+                    + (own * hat(node) + twin * hat(self.source(other)));
                 let (direction, across) = (now / y, pull / y);
                 let other = other as u32;
                 out.bonds.push(LinearisedBond { other, stiffness, own, twin, direction, across });
@@ -95,6 +108,7 @@ impl Network {
 
     /// The least of present over reference length of whole bonds, and the node that has it.
     pub fn shortest(&self, rows: &[Row]) -> (usize, f64) {
+        let rows = &*self.extended(rows);
         let of = |node: usize| {
             let ratio = |bond: Bond| bond.between(node, rows).norm() / bond.length;
             (node, self.whole(node).map(ratio).fold(f64::INFINITY, f64::min))

@@ -79,6 +79,10 @@ pub(crate) trait Mechanics: Send + Sync {
     /// Volume times stress of a node, for the rows last evaluated \[F L\].
     fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64>;
 
+    /// What the bonds of a node pull along an axis through its plane of symmetry on a side, −1 or 1, for the rows last evaluated
+    /// \[F\].
+    fn across(&self, rows: &[Row], node: usize, plane: (usize, i32)) -> f64;
+
     /// Nodes of each fragment.
     fn fragments(&self) -> Vec<usize>;
 

@@ -7,6 +7,7 @@ pub(crate) mod couplings;
 pub(crate) mod families;
 pub(crate) mod forces;
 pub(crate) mod fragments;
+pub(crate) mod images;
 pub(crate) mod limits;
 mod linearised;
 pub(crate) mod mechanics;

@@ -1,7 +1,11 @@
 //! Bonds ready for the sweep: four to a pack, the packs of a node one behind the other.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 use super::correction::Weights;
 use super::families::Families;
+use super::images::Images;
 use crate::material::Moduli;
 
 pub(crate) use sph_core::lanes::{LANES, Pack};
@@ -17,16 +21,18 @@ pub(crate) type Row = [f64; 4];
 pub(crate) struct Network {
     /// First pack of each node, and the end.
     pub starts: Vec<u32>,
-    /// The nodes at the other ends; lanes that only fill up a pack repeat one and have no stiffness.
+    /// The nodes at the other ends, beyond the nodes images; lanes that only fill up a pack repeat one and have no stiffness.
     pub others: Vec<[u32; LANES]>,
     /// Lengths r at rest \[L\].
     pub lengths: Vec<Pack>,
-    /// `Vᵢ Cᵢⱼ + Vⱼ Cⱼᵢ`, the same from both ends \[F/L\]; zero once broken.
+    /// `Vᵢ Cᵢⱼ + Vⱼ Cⱼᵢ`, the same from both ends \[F/L\]; zero once broken. On a plane of symmetry part of it: see [`Images`].
     pub stiffness: Vec<Pack>,
     /// What a law with a dilatation has beside.
     pub dilatation: Option<Dilatation>,
     /// Directed bonds.
     pub bonds: usize,
+    /// What planes of symmetry make of the nodes: rows of images stand behind those of the nodes.
+    pub images: Option<Arc<Images>>,
 }
 
 /// Dilatations per extension, and what they stress.
@@ -44,6 +50,8 @@ impl Network {
     /// Packs the bonds of all families.
     pub fn new(families: &Families, weights: &Weights, volumes: &[f64], moduli: &Moduli) -> Self {
         let state_based = !weights.dilatation.is_empty();
+        let volumes = &*families.whole(volumes);
+        let factor = |node: usize| (moduli.lambda - moduli.mu) * volumes[node] / families.share(node);
         let mut out = Self {
             starts: vec![0],
             others: Vec::new(),
@@ -52,14 +60,16 @@ impl Network {
             dilatation: state_based.then(|| Dilatation {
                 own: Vec::new(),
                 twin: Vec::new(),
-                factors: volumes.iter().map(|volume| (moduli.lambda - moduli.mu) * volume).collect(),
+                factors: (0..families.len()).map(factor).collect(),
             }),
             bonds: families.others.len(),
+            images: families.images.clone(),
         };
         let packs = (0..families.len()).map(|node| families.of(node).len().div_ceil(LANES)).sum();
         out.reserve(packs);
         let mut twins = families.twins();
         for node in 0..families.len() {
+            let part = families.share(node);
             for first in families.of(node).step_by(LANES) {
                 let end = families.of(node).end;
                 let of = |value: &dyn Fn(usize) -> f64| -> Pack {
@@ -77,11 +87,11 @@ impl Network {
                         volumes[node] * weights.deviatoric[bond],
                         volumes[other] * weights.deviatoric[twin(bond)],
                     ];
-                    own + back
+                    part * (own + back)
                 }));
                 if let Some(dilatation) = &mut out.dilatation {
-                    dilatation.own.push(of(&|bond| weights.dilatation[bond]));
-                    dilatation.twin.push(of(&|bond| weights.dilatation[twin(bond)]));
+                    dilatation.own.push(of(&|bond| part * weights.dilatation[bond]));
+                    dilatation.twin.push(of(&|bond| part * weights.dilatation[twin(bond)]));
                 }
             }
             out.starts.push(out.others.len() as u32);
@@ -98,6 +108,17 @@ impl Network {
             dilatation.own.reserve_exact(packs);
             dilatation.twin.reserve_exact(packs);
         }
+    }
+
+    /// The node that a number means, or is an image of.
+    #[inline]
+    pub fn source(&self, number: usize) -> usize {
+        self.images.as_ref().map_or(number, |images| images.source(number))
+    }
+
+    /// Rows of the nodes, with those of images behind them.
+    pub fn extended<'a>(&self, rows: &'a [Row]) -> Cow<'a, [Row]> {
+        Images::extended_rows(self.images.as_deref(), rows)
     }
 
     /// Number of nodes.

@@ -77,6 +77,9 @@ impl Network {
         let at: &[Row] = rows;
         in_chunks(out, threads, |first, out| widest(Dilate { network: self, rows: at, first, out }));
         keep(rows, out, threads);
+        if let Some(images) = &self.images {
+            images.carry(rows);
+        }
     }
 }
 

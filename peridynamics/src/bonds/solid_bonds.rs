@@ -14,9 +14,10 @@ use crate::error::SolidError;
 use crate::formulation::Formulation;
 use crate::fracture::Breakage;
 use crate::material::Elastic;
+use crate::mirror::Mirror;
 use crate::unknowns::Unknowns;
 use nalgebra::Matrix3;
-use sph_core::Block;
+use sph_core::{Block, Vec3};
 
 /// Bonds between nodes.
 pub(crate) struct SolidBonds {
@@ -25,6 +26,8 @@ pub(crate) struct SolidBonds {
     /// Which bonds are whole; none where nothing breaks.
     breaking: Option<Breaking>,
     contact: Option<Repulsion>,
+    /// Rows and displacements with those of images behind them; empty without planes of symmetry.
+    long: [Vec<Row>; 2],
 }
 
 impl SolidBonds {
@@ -37,12 +40,14 @@ impl SolidBonds {
         material: &Elastic,
         formulation: &Formulation,
         breakage: &Breakage,
+        mirrors: &[Mirror],
     ) -> Result<Self, SolidError> {
         let moduli = formulation.moduli(material)?;
         let spacing = block.greatest_spacing();
-        let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing };
+        let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing, mirrors };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
-        if moduli.dimensions == 3 && flat(&families, block) {
+        let places = &*families.extended(&block.positions);
+        if moduli.dimensions == 3 && flat(&families, places) {
             return Err(SolidError::OneLayer);
         }
         let thickness = if moduli.dimensions == 2 { block.spacing[2] } else { 1.0 };
@@ -53,7 +58,7 @@ impl SolidBonds {
         if let Some(breaking) = &mut breaking {
             for (number, crack) in breakage.cracks.iter().enumerate() {
                 let cut = crack.cut(number, moduli.dimensions)?;
-                if breaking.cut(&mut network, &block.positions, &cut) == 0 {
+                if breaking.cut(&mut network, places, &cut) == 0 {
                     return Err(SolidError::Crack { number, problem: "cuts no bond; move it into the body" });
                 }
             }
@@ -66,19 +71,37 @@ impl SolidBonds {
         let contact = breakage.contact.as_ref();
         let contact =
             contact.map(|c| Repulsion::new(c, &moduli, material, &block.volumes, lengths)).transpose()?;
-        Ok(Self { network, scratch, breaking, contact })
+        let images = network.images.as_ref().map_or(0, |images| network.len() + images.len());
+        let long = [vec![[0.0; 4]; images], vec![[0.0; 4]; images]];
+        Ok(Self { network, scratch, breaking, contact, long })
     }
 }
 
 /// Whether all nodes lie in a plane through the first bonds.
-fn flat(families: &Families, block: &Block) -> bool {
-    let spread = block.positions.iter().fold(Matrix3::zeros(), |sum, x| {
-        let from = x - block.positions[0];
+fn flat(families: &Families, places: &[Vec3]) -> bool {
+    let spread = places.iter().fold(Matrix3::zeros(), |sum, x| {
+        let from = x - places[0];
         sum + from * from.transpose()
     });
     let eigen = nalgebra::SymmetricEigen::new(spread).eigenvalues;
     let least = eigen.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
-    least <= 1e-9 * families.horizon * families.horizon * block.len() as f64
+    least <= 1e-9 * families.horizon * families.horizon * places.len() as f64
+}
+
+impl SolidBonds {
+    /// The rows last evaluated, with those of images if there are any.
+    fn evaluated<'a>(&'a self, rows: &'a [Row]) -> &'a [Row] {
+        if self.long[0].is_empty() { rows } else { &self.long[0] }
+    }
+}
+
+/// Rows, or where there are images a longer list of them that begins with these.
+fn longer<'a>(long: &'a mut [Row], rows: &'a mut [Row]) -> &'a mut [Row] {
+    if long.is_empty() {
+        return rows;
+    }
+    long[..rows.len()].copy_from_slice(rows);
+    long
 }
 
 impl Mechanics for SolidBonds {
@@ -86,6 +109,7 @@ impl Mechanics for SolidBonds {
         let Evaluation { energy, watch, threads } = wanted;
         let limit = self.breaking.as_ref().and_then(|breaking| breaking.watch.as_ref()).filter(|_| watch);
         let wanted = Wanted { energy, watch: limit, threads };
+        let rows = longer(&mut self.long[0], rows);
         let mut stored = self.network.evaluate(rows, forces, &mut self.scratch, wanted);
         let Some(breaking) = &mut self.breaking else { return stored };
         if let Some(works) = breaking.works.as_mut().filter(|_| watch) {
@@ -99,7 +123,8 @@ impl Mechanics for SolidBonds {
     }
 
     fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) {
-        self.network.tangent(rows, along, out, &mut self.scratch, threads);
+        let [long, moved] = &mut self.long;
+        self.network.tangent(longer(long, rows), longer(moved, along), out, &mut self.scratch, threads);
     }
 
     fn noted(&self) -> bool {
@@ -155,11 +180,15 @@ impl Mechanics for SolidBonds {
     }
 
     fn stored(&self, rows: &[Row], node: usize) -> f64 {
-        self.network.stored(rows, node)
+        self.network.stored(self.evaluated(rows), node)
     }
 
     fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64> {
-        self.network.virial(rows, node)
+        self.network.virial(self.evaluated(rows), node)
+    }
+
+    fn across(&self, rows: &[Row], node: usize, plane: (usize, i32)) -> f64 {
+        self.network.across(self.evaluated(rows), node, plane)
     }
 
     fn fragments(&self) -> Vec<usize> {

@@ -72,12 +72,12 @@ impl Linearised<'_> {
         row.fill([[0.0; 3]; 3]);
         let own = row.len() - 1;
         for bond in self.of(a) {
-            let block = bond_block(bond);
+            let (block, (other, signs)) = (bond_block(bond), self.end(bond));
             for i in 0..3 {
                 for j in 0..3 {
                     row[own][i][j] += block[i][j];
-                    if (bond.other as usize) < a {
-                        row[places[bond.other as usize] as usize][i][j] -= block[i][j];
+                    if other <= a {
+                        row[places[other] as usize][i][j] -= block[i][j] * signs[j];
                     }
                 }
             }
@@ -85,9 +85,18 @@ impl Linearised<'_> {
         let Some(factors) = self.factors else { return };
         let mut add = |i: usize, of_a: Vec3| {
             let scaled = of_a * factors[i];
-            for bond in self.of(i).iter().take_while(|bond| bond.other as usize <= a) {
-                let place = places[bond.other as usize] as usize;
-                add_outer(&mut row[place], bond.own, &scaled, &bond.direction);
+            // Without images the others ascend.
+            let after = |bond: &LinearisedBond| self.images.is_none() && bond.other as usize > a;
+            for bond in self.of(i).iter().take_while(|bond| !after(bond)) {
+                let (other, signs) = self.end(bond);
+                if other <= a {
+                    add_outer(
+                        &mut row[places[other] as usize],
+                        bond.own,
+                        &scaled,
+                        &signed(bond.direction, signs),
+                    );
+                }
             }
             if i <= a {
                 add_outer(&mut row[places[i] as usize], 1.0, &scaled, &gradients[i]);
@@ -96,7 +105,7 @@ impl Linearised<'_> {
         add(a, gradients[a]);
         for bond in self.of(a) {
             // Seen from the other end a bond has the opposite direction.
-            add(bond.other as usize, -bond.direction * bond.twin);
+            add(self.end(bond).0, -bond.direction * bond.twin);
         }
     }
 
@@ -113,10 +122,13 @@ impl Linearised<'_> {
         let along = |node: usize, v: &Vec3| -> f64 {
             unknowns.directions_of(node).iter().map(|m| m.dot(v).abs()).sum()
         };
+        let along_other = |bond: &LinearisedBond, v: Vec3| {
+            let (other, signs) = self.end(bond);
+            along(other, &signed(v, signs))
+        };
         let spread: Vec<f64> = (0..gradients.len())
             .map(|i| {
-                let far =
-                    |bond: &LinearisedBond| along(bond.other as usize, &bond.direction) * bond.own.abs();
+                let far = |bond: &LinearisedBond| along_other(bond, bond.direction) * bond.own.abs();
                 along(i, &gradients[i]) + self.of(i).iter().map(far).sum::<f64>()
             })
             .collect();
@@ -136,20 +148,26 @@ impl Linearised<'_> {
                 join(a, &gradients[a], &mut own, sums);
             }
             for bond in self.of(a) {
-                let (other, block) = (bond.other as usize, bond_block(bond));
+                let block = bond_block(bond);
                 for (sum, n) in sums.iter_mut().zip(unknowns.directions_of(a)) {
-                    *sum += along(other, &transposed_product(&block, n));
+                    *sum += along_other(bond, transposed_product(&block, n));
                 }
                 for i in 0..3 {
                     (0..3).for_each(|j| own[i][j] += block[i][j]);
                 }
-                join(other, &(-bond.direction * bond.twin), &mut own, sums);
+                join(self.end(bond).0, &(-bond.direction * bond.twin), &mut own, sums);
             }
             for (sum, n) in sums.iter_mut().zip(unknowns.directions_of(a)) {
                 *sum += along(a, &transposed_product(&own, n));
             }
         }
     }
+}
+
+/// A vector with the signs that an image gives its components.
+#[inline(always)]
+fn signed(v: Vec3, signs: [f64; 3]) -> Vec3 {
+    Vec3::new(v.x * signs[0], v.y * signs[1], v.z * signs[2])
 }
 
 /// `k M Mᵀ + (T/Y)(I − M Mᵀ)` of a bond.

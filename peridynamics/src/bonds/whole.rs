@@ -67,6 +67,7 @@ pub(crate) fn clear(bits: &mut [u8], lane: usize) {
 
 /// One directed bond of a network.
 pub(crate) struct Bond {
+    /// The node at the other end, or an image.
     pub other: usize,
     pub length: f64,
     pub stiffness: f64,
@@ -95,6 +96,11 @@ impl Network {
             dilatation.own[pack][lane] = 0.0;
             dilatation.twin[pack][lane] = 0.0;
         }
+    }
+
+    /// The node of a lane.
+    pub fn node_of(&self, lane: usize) -> usize {
+        self.starts.partition_point(|&start| start as usize <= lane / LANES) - 1
     }
 
     /// Lanes of a node, counted through all packs; some may only fill up.
@@ -142,6 +148,21 @@ impl Network {
         let factor = self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.factors[node]);
         let dilated = if factor == 0.0 { 0.0 } else { 0.5 * rows[node][3] * rows[node][3] / factor };
         self.lanes_of(node).map(half).sum::<f64>() + dilated
+    }
+
+    /// What the bonds of a node pull along an axis that reach through its plane of symmetry on a side, −1 or 1 \[F\].
+    pub fn across(&self, rows: &[Row], node: usize, (axis, side): (usize, i32)) -> f64 {
+        let Some(images) = &self.images else { return 0.0 };
+        let of = |lane: usize| {
+            let bond = self.bond(lane);
+            if images.side(bond.other, axis) != side {
+                return 0.0;
+            }
+            let y = bond.between(node, rows);
+            let length = y.norm();
+            if length > 0.0 { bond.pull(length - bond.length, node, rows) * y[axis] / length } else { 0.0 }
+        };
+        images.counts(node, axis) * self.lanes_of(node).map(of).sum::<f64>()
     }
 
     /// `½ Σ f ⊗ y` over the bonds y of a node and their pulls f, both at present: the volume times the stress, that of

@@ -16,7 +16,8 @@ impl Plate {
             return 0.0;
         }
         let lost = upper.break_noted(rows, z) + lower.break_noted(rows, -z);
-        lost + self.slacken(Some(rows))
+        let rows = self.columns.extended(rows, true);
+        lost + self.slacken(Some(&rows))
     }
 
     /// Sets the rigidities of pairs by the bonds that are whole; returns the energy that pairs lose in these rows \[F L\].
@@ -32,9 +33,8 @@ impl Plate {
                 let (before, after) = (pair.stiffness, 0.5 * whole as f64 * pair.rigidity);
                 pair.stiffness = after;
                 let (Some(rows), true) = (rows, before != after) else { continue };
-                let other = pair.other as usize;
-                let sheared =
-                    pair.sheared((&rows[node], &rows[count + node]), (&rows[other], &rows[count + other]));
+                let end = (&rows[pair.other as usize], &rows[pair.turned as usize]);
+                let sheared = pair.sheared((&rows[node], &rows[count + node]), end);
                 // The other half is lost at the other end.
                 let held = 0.25 * (before - after) * sheared.strain * sheared.strain;
                 self.sheared_off[node] += held;

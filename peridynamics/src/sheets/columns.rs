@@ -1,8 +1,13 @@
 //! The sweep over columns: what the sheets, the shear of pairs and the thickness ask of places and directors.
 
-use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::Arc;
 
-use super::shear::Shear;
+use rayon::prelude::*;
+use sph_core::Vec3;
+
+use super::shear::{Pair, Shear};
+use crate::bonds::images::Images;
 use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 
@@ -16,6 +21,8 @@ pub(crate) struct Columns {
     /// `½ d₀·d₀` at rest \[–\].
     pub rest: Vec<f64>,
     pub shear: Shear,
+    /// What planes of symmetry make of the columns.
+    pub images: Option<Arc<Images>>,
     /// Energy of each chunk of columns.
     pub energies: Vec<f64>,
 }
@@ -27,6 +34,28 @@ impl Columns {
         let z = side * self.height;
         let point = |(x, d): (&Row, &Row)| [x[0] + z * d[0], x[1] + z * d[1], x[2] + z * d[2], 0.0];
         places.iter().zip(directors).map(point).collect()
+    }
+
+    /// Rows with places and directors of images behind them; of displacements, without `shift`, with those of displacements.
+    pub fn extended<'a>(&self, rows: &'a [Row], shift: bool) -> Cow<'a, [Row]> {
+        let Some(images) = &self.images else { return Cow::Borrowed(rows) };
+        let (places, directors) = rows.split_at(self.rest.len());
+        let behind = |rows: &[Row], shift: bool| {
+            let vectors: Vec<Vec3> = rows.iter().map(|row| Vec3::new(row[0], row[1], row[2])).collect();
+            images.extended(&vectors, shift).split_off(rows.len())
+        };
+        let images = behind(places, shift).into_iter().chain(behind(directors, false));
+        Cow::Owned(rows.iter().copied().chain(images.map(|v| [v.x, v.y, v.z, 0.0])).collect())
+    }
+
+    /// The column of a row of places or directors, and what a displacement of it makes of that row along the axes.
+    pub fn source(&self, row: usize) -> (usize, [f64; 3]) {
+        let count = self.rest.len();
+        match &self.images {
+            // Behind the nodes an image has the number of its row, less those of the directors.
+            Some(images) if row >= 2 * count => (images.source(row - count), images.signs(row - count)),
+            _ => (row % count, [1.0; 3]),
+        }
     }
 
     /// The strain `½ (d·d − d₀·d₀)` of the thickness.
@@ -74,9 +103,9 @@ impl Columns {
             let (x, d, u, e) = (&rows[i], &rows[count + i], &along[i], &along[count + i]);
             let (mut on_x, mut on_d) = ([0.0; 3], [0.0; 3]);
             for pair in self.shear.of(i) {
-                let j = pair.other as usize;
-                let bond = pair.sheared((x, d), (&rows[j], &rows[count + j]));
-                let sum: [f64; 3] = std::array::from_fn(|k| e[k] + along[count + j][k]);
+                let (j, turned) = (pair.other as usize, pair.turned as usize);
+                let bond = pair.sheared((x, d), (&rows[j], &rows[turned]));
+                let sum: [f64; 3] = std::array::from_fn(|k| e[k] + along[turned][k]);
                 let apart: [f64; 3] = std::array::from_fn(|k| along[j][k] - u[k]);
                 let strain: f64 = (0..3).map(|k| bond.across[k] * apart[k] + bond.along[k] * sum[k]).sum();
                 let (change, twist) = (pair.stiffness * strain, pair.stiffness * bond.strain * pair.half);
@@ -96,6 +125,19 @@ impl Columns {
         }
     }
 
+    /// What the shear of a column's pairs pulls along an axis that reach through its plane of symmetry on a side \[F\].
+    pub fn across(&self, rows: &[Row], column: usize, (axis, side): (usize, i32)) -> f64 {
+        let (Some(images), count) = (&self.images, self.rest.len()) else { return 0.0 };
+        let behind = |row: usize| row >= 2 * count && images.side(row - count, axis) == side;
+        let pairs = self.shear.of(column).iter().filter(|pair| behind(pair.other as usize));
+        let of = |pair: &Pair| {
+            let end = (&rows[pair.other as usize], &rows[pair.turned as usize]);
+            let sheared = pair.sheared((&rows[column], &rows[count + column]), end);
+            pair.stiffness * sheared.strain * sheared.across[axis]
+        };
+        images.counts(column, axis) * pairs.map(of).sum::<f64>()
+    }
+
     /// Energy of the thickness of a column, and half of that of its pairs \[F L\].
     pub fn stored(&self, rows: &[Row], column: usize) -> f64 {
         let mut unused = [[0.0; 4]; 4];
@@ -109,8 +151,7 @@ impl Columns {
         let (x, d) = (&rows[i], &rows[self.rest.len() + i]);
         let (mut on_x, mut on_d, mut stored) = ([0.0; 3], [0.0; 3], 0.0);
         for pair in self.shear.of(i) {
-            let j = pair.other as usize;
-            let bond = pair.sheared((x, d), (&rows[j], &rows[self.rest.len() + j]));
+            let bond = pair.sheared((x, d), (&rows[pair.other as usize], &rows[pair.turned as usize]));
             let force = pair.stiffness * bond.strain;
             for k in 0..3 {
                 on_x[k] -= force * bond.across[k];

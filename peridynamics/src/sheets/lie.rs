@@ -16,19 +16,19 @@ pub(crate) fn plan(block: &Block) -> Vec<Vec3> {
 }
 
 /// Directors `(−∂w/∂x, −∂w/∂y, 1)` of a plate whose columns stand at the heights w over the plan; slopes by least squares
-/// over each family.
+/// over each family. Behind the places stand those of images.
 ///
 /// # Errors
 /// [`SolidError::Limit`] where a slope is too steep.
 pub(crate) fn directors(
-    block: &Block,
+    places: &[Vec3],
     families: &Families,
     influence: Influence,
 ) -> Result<Vec<Vec3>, SolidError> {
     let slope = |node: usize| {
         let (mut squares, mut rise) = (Matrix2::zeros(), Vector2::zeros());
         for bond in families.of(node) {
-            let to = block.positions[families.others[bond] as usize] - block.positions[node];
+            let to = places[families.others[bond] as usize] - places[node];
             let share = influence.weight(families.lengths[bond], families.reach) * families.volumes[bond];
             squares += share * to.xy() * to.xy().transpose();
             rise += share * to.z * to.xy();
@@ -44,5 +44,5 @@ pub(crate) fn directors(
         let bound = "at most 0.2: the plate is thin and nearly flat at rest";
         Err(SolidError::Limit { what: "the slope of the plate at rest", value: steepness, bound })
     };
-    (0..block.len()).map(director).collect()
+    (0..families.len()).map(director).collect()
 }

@@ -18,6 +18,7 @@ use crate::bonds::network::Row;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::material::{Elastic, Moduli, Space};
+use crate::mirror::Mirror;
 use crate::parts::Sheets;
 
 /// Two sheets on directors; rows are places, then directors.
@@ -41,14 +42,17 @@ impl Plate {
         material: &Elastic,
         sheets: &Sheets,
         breakage: &Breakage,
+        mirrors: &[Mirror],
     ) -> Result<(Self, Vec<Vec3>), SolidError> {
         let Sheets { thickness, formulation } = *sheets;
         let moduli = sound(block, material, sheets, breakage)?;
         let plan = plan(block);
         let volumes: Vec<f64> = block.volumes.iter().map(|volume| 0.5 * volume).collect();
-        let nodes = Nodes { positions: &plan, volumes: &volumes, spacing: block.greatest_spacing() };
+        let nodes = Nodes { positions: &plan, volumes: &volumes, spacing: block.greatest_spacing(), mirrors };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
-        let directors = directors(block, &families, formulation.influence)?;
+        let places = &*families.extended(&block.positions);
+        let directors = directors(places, &families, formulation.influence)?;
+        let normals = &*families.reflected(&directors);
         let weights = weights(&families, &plan, &formulation, &moduli, 0.5 * thickness);
         let spacing = [block.spacing[0], block.spacing[1], 0.5 * thickness];
         let lattice = Lattice { formulation: &formulation, moduli: &moduli, spacing };
@@ -64,7 +68,7 @@ impl Plate {
         };
         let height = thickness / (2.0 * 3.0_f64.sqrt());
         let sheet = |z: f64| {
-            let at_rest: Vec<Vec3> = block.positions.iter().zip(&directors).map(|(x, d)| x + d * z).collect();
+            let at_rest: Vec<Vec3> = places.iter().zip(normals).map(|(x, d)| x + d * z).collect();
             cloth.sheet(&at_rest)
         };
         let [(upper, above), (lower, below)] = [sheet(height)?, sheet(-height)?];
@@ -72,12 +76,13 @@ impl Plate {
             return Err(SolidError::Crack { number, problem: "cuts no bond; move it into the plate" });
         }
         let areas: Vec<f64> = block.volumes.iter().map(|volume| volume / thickness).collect();
-        let at_rest = (&block.positions[..], &directors[..]);
+        let at_rest = (places, normals);
         let columns = Columns {
             height,
             stiffness: block.volumes.iter().map(|volume| material.young * volume).collect(),
             rest: directors.iter().map(|d| 0.5 * d.norm_squared()).collect(),
             shear: Shear::new(&families, formulation.influence, at_rest, &areas, &moduli, thickness),
+            images: families.images.clone(),
             energies: vec![0.0; block.len().div_ceil(NODE_CHUNK)],
         };
         let sheared_off = if breakage.breaks() { vec![0.0; block.len()] } else { Vec::new() };
@@ -113,7 +118,8 @@ impl Mechanics for Plate {
         let [upper, lower] = &mut self.sheets;
         let z = self.columns.height;
         let stored = upper.evaluate(rows, z, wanted) + lower.evaluate(rows, -z, wanted);
-        let of_columns = self.columns.gather(rows, [&upper.forces, &lower.forces], forces, wanted.threads);
+        let long = self.columns.extended(rows, true);
+        let of_columns = self.columns.gather(&long, [&upper.forces, &lower.forces], forces, wanted.threads);
         if wanted.energy { stored + of_columns } else { 0.0 }
     }
 
@@ -122,7 +128,8 @@ impl Mechanics for Plate {
         let z = self.columns.height;
         upper.tangent(rows, along, z, threads);
         lower.tangent(rows, along, -z, threads);
-        self.columns.gather_tangent(rows, along, [&upper.forces, &lower.forces], out);
+        let (rows, along) = (self.columns.extended(rows, true), self.columns.extended(along, false));
+        self.columns.gather_tangent(&rows, &along, [&upper.forces, &lower.forces], out);
     }
 
     fn noted(&self) -> bool {
@@ -179,13 +186,19 @@ impl Mechanics for Plate {
 
     fn stored(&self, rows: &[Row], node: usize) -> f64 {
         let [upper, lower] = self.sheets.each_ref().map(|sheet| sheet.network.stored(&sheet.points, node));
-        upper + lower + self.columns.stored(rows, node)
+        upper + lower + self.columns.stored(&self.columns.extended(rows, true), node)
     }
 
     /// The mean over the thickness.
     fn virial(&self, _rows: &[Row], node: usize) -> Matrix3<f64> {
         let [upper, lower] = self.sheets.each_ref().map(|sheet| sheet.network.virial(&sheet.points, node));
         upper + lower
+    }
+
+    fn across(&self, rows: &[Row], node: usize, plane: (usize, i32)) -> f64 {
+        let [upper, lower] =
+            self.sheets.each_ref().map(|sheet| sheet.network.across(&sheet.points, node, plane));
+        upper + lower + self.columns.across(&self.columns.extended(rows, true), node, plane)
     }
 
     fn fragments(&self) -> Vec<usize> {

@@ -21,8 +21,10 @@ pub(crate) struct Shear {
 /// A pair seen from one of its columns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
-    /// The column at the other end.
+    /// The place of the column at the other end: its row.
     pub other: u32,
+    /// The row of its director.
+    pub turned: u32,
     /// k \[F L\] of the whole pair.
     pub rigidity: f64,
     /// k at present: half of it with a broken bond in one sheet, none with both broken.
@@ -55,7 +57,8 @@ impl Pair {
 }
 
 impl Shear {
-    /// Joins the columns of all families; places and directors are those at rest, thickness and bending stiffness of the plate.
+    /// Joins the columns of all families; places and directors are those at rest, behind them those of images, areas those that
+    /// the plate has of its columns; thickness and bending stiffness are those of the plate.
     pub fn new(
         families: &Families,
         influence: Influence,
@@ -70,14 +73,20 @@ impl Shear {
             |bond: usize| influence.weight(families.lengths[bond], families.reach) * families.volumes[bond];
         let whole: Vec<f64> = (0..families.len()).map(|node| families.of(node).map(share).sum()).collect();
         let mut twins = families.twins();
+        let areas = &*families.whole(areas);
+        let (count, images) = (families.len(), places.len() - families.len());
         let mut pair = |node: usize, bond: usize| {
             let (other, r) = (families.others[bond] as usize, families.lengths[bond]);
             let area = areas[node] * share(bond) / whole[node]
-                + areas[other] * share(twins.next(bond)) / whole[other];
+                + areas[other] * share(twins.next(bond)) / whole[families.source(other)];
             let compliance = 1.0 / (SHEAR_FACTOR * moduli.mu * thickness) + r * r / (12.0 * bending);
-            let rigidity = 2.0 * area / compliance;
+            let rigidity = families.share(node) * 2.0 * area / compliance;
             let (stiffness, half) = (rigidity, 0.5 / r);
-            let mut pair = Pair { other: other as u32, rigidity, stiffness, half, rest: 0.0 };
+            // Rows are places and directors, then those of images.
+            let rows =
+                if other < count { [other, count + other] } else { [count + other, count + images + other] };
+            let [row_of_other, turned] = rows.map(|row| row as u32);
+            let mut pair = Pair { other: row_of_other, turned, rigidity, stiffness, half, rest: 0.0 };
             let row = |v: &Vec3| [v.x, v.y, v.z, 0.0];
             let [x, d] = [&places[node], &directors[node]].map(row);
             let [y, e] = [&places[other], &directors[other]].map(row);

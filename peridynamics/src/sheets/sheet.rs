@@ -39,7 +39,7 @@ pub(crate) struct Cloth<'a> {
 }
 
 impl Cloth<'_> {
-    /// A sheet whose points at rest are these. Bonds keep the weights of the plan; their lengths are those between the points.
+    /// A sheet whose points at rest are these, images behind. Bonds keep the weights of the plan; their lengths are those between the points.
     /// Tells for each crack whether it cuts the sheet.
     ///
     /// # Errors
@@ -104,7 +104,7 @@ impl Sheet {
     /// Breaks the bonds noted in the last evaluation; returns the energy that the sheet loses at these rows \[F L\].
     pub fn break_noted(&mut self, rows: &[Row], z: f64) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
-        let mut points = self.points.clone();
+        let mut points = self.points[..self.network.len()].to_vec();
         put(&mut points, rows, z);
         breaking.break_noted(&mut self.network, &self.scratch, &points, None)
     }
@@ -126,9 +126,9 @@ impl Sheet {
     }
 }
 
-/// Puts the points of a sheet at `x + z d`.
+/// Puts the points of a sheet at `x + z d`, not those of images.
 fn put(points: &mut [Row], rows: &[Row], z: f64) {
-    let (places, directors) = rows.split_at(points.len());
+    let (places, directors) = rows.split_at(rows.len() / 2);
     for (point, (x, d)) in points.iter_mut().zip(places.iter().zip(directors)) {
         (0..3).for_each(|k| point[k] = x[k] + z * d[k]);
     }

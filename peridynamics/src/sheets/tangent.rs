@@ -25,7 +25,8 @@ impl Plate {
         let mut joined: Vec<Vec<u32>> = vec![Vec::new(); count];
         for a in 0..count {
             let of = |sheet: &Couplings| sheet.columns[sheet.of(a)].to_vec();
-            let shearing = self.columns.shear.of(a).iter().map(|pair| pair.other);
+            let shearing =
+                self.columns.shear.of(a).iter().map(|pair| self.columns.source(pair.other as usize).0 as u32);
             let mut before =
                 [of(&upper), of(&lower), shearing.filter(|&b| (b as usize) < a).collect()].concat();
             before.sort_unstable();
@@ -88,9 +89,11 @@ impl Plate {
                 }
             }
         }
+        let rows = &*self.columns.extended(rows, true);
+        let stressed = stressed.map(|rows| self.columns.extended(rows, true));
         let mut sum = Sum { columns: &self.columns, pattern, blocks };
         for a in 0..count {
-            sum.add_column(a, rows, stressed.unwrap_or(rows));
+            sum.add_column(a, rows, stressed.as_deref().unwrap_or(rows));
         }
     }
 
@@ -128,21 +131,26 @@ impl Sum<'_> {
     /// Adds the blocks of a pair in the rows of column a.
     fn add_pair(&mut self, a: usize, pair: &Pair, rows: &[Row], stressed: &[Row]) {
         let count = self.columns.rest.len();
-        let b = pair.other as usize;
-        let sheared = |rows: &[Row]| pair.sheared((&rows[a], &rows[count + a]), (&rows[b], &rows[count + b]));
+        let (b, signs) = self.columns.source(pair.other as usize);
+        let signed = |v: &Vec3| Vec3::from_fn(|k, _| v[k] * signs[k]);
+        let end = |rows: &[Row]| [rows[pair.other as usize], rows[pair.turned as usize]];
+        let sheared = |rows: &[Row]| {
+            let [y, e] = end(rows);
+            pair.sheared((&rows[a], &rows[count + a]), (&y, &e))
+        };
         let (now, k) = (sheared(rows), pair.stiffness);
         let [along, across] = [Vec3::from(now.along), Vec3::from(now.across)];
         let twist = k * sheared(stressed).strain * pair.half;
         add_outer(self.block(a, a), k, &across, &across);
         add_outer(self.block(count + a, count + a), k, &along, &along);
-        for (place, sign) in [(a, -1.0), (b, 1.0)] {
+        for (place, sides) in [(a, [-1.0; 3]), (b, signs)] {
             let block = self.block(count + a, place);
-            add_outer(block, sign * k, &along, &across);
-            (0..3).for_each(|i| block[i][i] += sign * twist);
+            add_outer(block, k, &along, &Vec3::from_fn(|i, _| across[i] * sides[i]));
+            (0..3).for_each(|i| block[i][i] += sides[i] * twist);
         }
-        if b < a {
-            add_outer(self.block(a, b), -k, &across, &across);
-            add_outer(self.block(count + a, count + b), k, &along, &along);
+        if b <= a {
+            add_outer(self.block(a, b), -k, &across, &signed(&across));
+            add_outer(self.block(count + a, count + b), k, &along, &signed(&along));
         }
     }
 

@@ -3,7 +3,7 @@
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
-use super::conditions::{driver, holds, loads, probes, set_out, supports};
+use super::conditions::{driver, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
 use super::doubts::doubts_of;
 use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
@@ -74,6 +74,7 @@ impl Scene {
         let probes = probes(self, &sets)?;
         let driver = driver(self, &sets)?;
         let supports = supports(self, scene.has_directors(), &sets, driver.as_ref())?;
+        let mirrors = mirrors(self, &lattice, &sets)?;
         let material = material(scene);
         let mut loads = loads(self, material.density, &block, &sets)?;
         let driven = driver.map(|driver| driver.point(&supports)).transpose();
@@ -84,7 +85,7 @@ impl Scene {
         }
         self.refuse_free_motion(|| {
             let all = Vec::from_iter(0..block.len() as u32);
-            free_of(&block.positions, &all, holds(scene, &supports))
+            free_of(&block.positions, &all, holds(scene, &supports, &block, &mirrors))
         })?;
         let fracture = fracture(self, scene, &sets)?;
         let parts = Parts {
@@ -98,7 +99,8 @@ impl Scene {
             threads: threads.max(1),
             block,
         };
-        let mut solid = Solid::new(parts).map_err(|error| self.solid_refusal(scene, &error))?;
+        let mut solid =
+            Solid::mirrored(parts, &mirrors).map_err(|error| self.solid_refusal(scene, &error))?;
         set_out(scene, &mut solid);
         self.refuse_freedoms(solid.freedoms())?;
         self.refuse_pieces(&solid)?;
@@ -154,7 +156,8 @@ impl Scene {
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
             SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),
-            SolidError::SheetContact => of_body("contact"),
+            SolidError::SheetContact | SolidError::MirroredContact => of_body("contact"),
+            SolidError::Mirror { .. } => "supports".into(),
         };
         self.model_error(&path, &error.to_string())
     }

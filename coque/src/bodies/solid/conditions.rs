@@ -1,17 +1,20 @@
 //! Supports, loads, columns and the velocity at the start of a solid.
 
-use peridynamics::{AppliedLoad, Solid, SolidError, Support, Supported};
-use sph_core::{Block, Vec3};
+use peridynamics::{AppliedLoad, Mirror, Solid, SolidError, Support, Supported};
+use sph_core::{Block, BlockLattice, Vec3};
 
 use super::sets::NodeSets;
 use crate::bodies::build::amplitude;
 use crate::bodies::rigid::Hold;
 use crate::bodies::{PrescribedPoint, Probe};
 use crate::scene::error::SceneError;
+use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{LoadKind, Moved, Scene, SolidScene, SupportKind, Traction};
 
 /// A held direction with more than this along a motion opposes it.
 const OPPOSED: f64 = 1e-9;
+/// A normal this close to an axis is that of a face.
+const SQUARE: f64 = 1e-9;
 
 /// A motion that becomes a force that is sought.
 pub(super) struct Driver {
@@ -73,10 +76,8 @@ pub(super) fn supports(
                 SupportKind::Clamped => {
                     held(vec![Vec3::x(), Vec3::y(), Vec3::z()], vec![Vec3::x(), Vec3::y()])
                 }
-                SupportKind::Symmetry(mirror) => {
-                    let normal = Vec3::from(mirror.normal);
-                    held(vec![normal], vec![normal])
-                }
+                // Planes of symmetry mirror the bonds, and hold what lies on them.
+                SupportKind::Symmetry(_) => continue,
                 SupportKind::Held(given) => held(vectors(&given.displacement), vectors(&given.director)),
                 SupportKind::Moved(moved) => Support::Moved {
                     direction: Vec3::from(moved.direction),
@@ -101,10 +102,25 @@ fn vectors(list: &[[f64; 3]]) -> Vec<Vec3> {
 }
 
 /// What supports hold of rigid motions; of a plane block also what its plane does.
-pub(super) fn holds(solid: &SolidScene, supports: &[Supported]) -> Vec<Hold> {
+pub(super) fn holds(
+    solid: &SolidScene,
+    supports: &[Supported],
+    block: &Block,
+    mirrors: &[Mirror],
+) -> Vec<Hold> {
     let mut all = Vec::new();
     if solid.is_plane() {
         all.extend([Hold::Displacement(0, Vec3::z()), Hold::Turn(Vec3::x()), Hold::Turn(Vec3::y())]);
+    }
+    for &Mirror { axis, at } in mirrors {
+        // A plane keeps all of a body from moving along its normal, and from turning but about it.
+        let normal = Vec3::ith(axis, 1.0);
+        let nearest = |x: &Vec3| (x[axis] - at).abs();
+        let nodes = (0..block.len() as u32).min_by(|&a, &b| {
+            nearest(&block.positions[a as usize]).total_cmp(&nearest(&block.positions[b as usize]))
+        });
+        all.extend(nodes.map(|node| Hold::Displacement(node, normal)));
+        all.extend([1, 2].map(|k| Hold::Turn(Vec3::ith((axis + k) % 3, 1.0))));
     }
     for Supported { nodes, support } in supports {
         for &node in nodes {
@@ -148,6 +164,42 @@ pub(super) fn loads(
         }
     }
     Ok(loads)
+}
+
+/// The planes of symmetry: faces of the block.
+///
+/// # Errors
+/// [`SceneError::Choice`] for a set that is no whole face, or another normal than that of the face.
+pub(super) fn mirrors(
+    scene: &Scene,
+    lattice: &BlockLattice,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<Mirror>, SceneError> {
+    let mut mirrors = Vec::new();
+    for (i, support) in scene.supports.iter().enumerate() {
+        let Some(symmetry) = support.symmetry else { continue };
+        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+        let normal = Vec3::from(symmetry.normal).normalize();
+        let face = (0..2 * lattice.dimensions).find(|&face| {
+            let of_face = sets.face(OF_SOLIDS[1 + face]);
+            normal[face / 2].abs() > 1.0 - SQUARE
+                && of_face.len() == nodes.len()
+                && of_face.iter().zip(nodes).all(|((a, _), b)| a == b)
+        });
+        let Some(face) = face else {
+            let path = format!("supports[{i}].symmetry");
+            let found =
+                format!("a plane of symmetry normal to {:?} through `{}`", symmetry.normal, support.on);
+            let bound =
+                "a whole face of the block, normal to it: bonds reach across to the image of the body";
+            let repair =
+                "use on = \"x0\" to \"z1\"; held = { displacement = [[…]] } holds a set and mirrors nothing";
+            return Err(SceneError::Choice(scene.source.fault(&path, &found, bound, repair)));
+        };
+        let (axis, upper) = (face / 2, (face % 2) as f64);
+        mirrors.push(Mirror { axis, at: lattice.origin[axis] + upper * lattice.lengths[axis] });
+    }
+    Ok(mirrors)
 }
 
 /// A force shared by volume.

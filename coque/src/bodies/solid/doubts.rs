@@ -3,8 +3,9 @@
 use peridynamics::Solid;
 use sph_core::Vec3;
 
+use super::bending::stiffness;
 use super::sets::NodeSets;
-use crate::scene::{Scene, SolidScene};
+use crate::scene::{Analysis, Scene, SolidScene};
 use crate::warning::{Doubt, Warning};
 
 /// A rule: what is doubtful, and whether it is so.
@@ -76,27 +77,45 @@ fn flat_cells(look: &Look<'_>) -> Option<String> {
     })
 }
 
-/// Layers across a bending member below which its deflection is off by tens of percent.
-const LAYERS: f64 = 8.0;
+/// Part of the stiffness in bending that may be missing, or too much.
+const BENDING: f64 = 0.05;
 /// Length over thickness from which a member bends under a load across it.
 const SLENDER: f64 = 4.0;
 
-/// Loads and motions across a slender block bend it.
+/// Loads and motions across a slender block bend it, and so do its modes of vibration and buckling.
 fn few_layers(look: &Look<'_>) -> Option<String> {
     if look.body.has_directors() {
         return None;
     }
     let lattice = look.body.lattice();
     let (cells, lengths) = (lattice.cells().ok()?, &lattice.lengths[..lattice.dimensions]);
-    let longest = lengths.iter().copied().fold(0.0, f64::max);
-    let slender = |&axis: &usize| (cells[axis] as f64) < LAYERS && longest >= SLENDER * lengths[axis];
-    let axis = (0..lengths.len()).filter(slender).find(|&axis| bends(look.scene, axis))?;
-    Some(format!(
-        "{} layers of nodes across a member that bends, along {}: below {LAYERS} deflections are off by tens of percent; use a \
-         narrower spacing, or formulation.two-sheets for a thin plate",
-        cells[axis],
-        ["x", "y", "z"][axis]
-    ))
+    let along = (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+    let modes = matches!(look.scene.analysis, Analysis::Modal(_) | Analysis::Buckling(_));
+    let slender = |&axis: &usize| {
+        let bent = modes || bends(look.scene, axis);
+        axis != along && lengths[along] >= SLENDER * lengths[axis] && bent
+    };
+    let stiffness = |axis: usize| Some((axis, stiffness(look.body, [along, axis])?));
+    let off = |&(_, stiffness): &(usize, f64)| (stiffness - 1.0).abs();
+    let (axis, stiffness) =
+        (0..lengths.len()).filter(slender).filter_map(stiffness).max_by(|a, b| off(a).total_cmp(&off(b)))?;
+    let (what, factor) = match &look.scene.analysis {
+        Analysis::Modal(_) => ("frequencies of bending", stiffness.sqrt()),
+        Analysis::Buckling(_) => ("buckling loads in bending", stiffness),
+        _ => ("deflections", 1.0 / stiffness),
+    };
+    ((stiffness - 1.0).abs() > BENDING).then(|| {
+        format!(
+            "{} layers of nodes across a member that bends, along {}, at a horizon of {} spacings have about {:.2} of its \
+             stiffness in bending: {what} come out about {:+.0} % off; what is missing falls with the square of horizon over \
+             thickness: use a narrower spacing or a shorter horizon, or formulation.two-sheets for a thin plate",
+            cells[axis],
+            ["x", "y", "z"][axis],
+            look.body.formulation.horizon(),
+            stiffness,
+            100.0 * (factor - 1.0)
+        )
+    })
 }
 
 /// Whether loads or prescribed motions have a part along an axis.

@@ -1,5 +1,6 @@
 //! Peridynamic solids: from the scene's words to `peridynamics`.
 
+mod bending;
 mod body;
 mod build;
 pub(super) mod conditions;
