@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Replaced, overridden, ran, run, scenes};
+use common::{Replaced, overridden, ran, run, scene, scenes};
 use coque::{Ended, Outcome};
 use std::fs;
 
@@ -15,13 +15,23 @@ fn done(outcome: Outcome) -> Outcome {
     outcome
 }
 
+/// The row of a direct answer, without the pivots that iterations do not count.
+fn without_pivots(direct: &Outcome) -> Vec<f64> {
+    let curve = &direct.curve;
+    let kept =
+        curve.columns.iter().zip(&curve.rows[0]).filter(|(column, _)| column.name != "negative_pivots");
+    kept.map(|(_, &value)| value).collect()
+}
+
 /// Every column of the direct answer, and reactions, within the tolerance of 1e-9 in the energy norm.
 #[test]
 fn it_reads_what_the_direct_solver_reads() {
     let more: Replaced = &[("geometry.cylinder.particles", "[31, 31]")];
     let direct = done(run("scordelis-lo.toml", more));
     let iterated = done(run("scordelis-lo.toml", &[more[0], ITERATED]));
-    for (a, b) in direct.curve.rows[0].iter().zip(&iterated.curve.rows[0]) {
+    assert!(iterated.curve.columns.iter().all(|column| column.name != "negative_pivots"));
+    assert_eq!(without_pivots(&direct).len(), iterated.curve.rows[0].len());
+    for (a, b) in without_pivots(&direct).iter().zip(&iterated.curve.rows[0]) {
         assert!((a - b).abs() <= 1e-8 * a.abs(), "{a} {b}");
     }
     let [a, b] = [&direct, &iterated].map(|outcome| outcome.summary.supports.unwrap().force[2]);
@@ -43,7 +53,7 @@ fn a_prescribed_motion_is_met() {
     };
     let [direct, iterated] = ["{ linear = {} }", ITERATED.1].map(answer);
     // A motion pulls on what is beside it with a force whose energy is far above that of the answer, and the tolerance is a part of that.
-    for (a, b) in direct.curve.rows[0].iter().zip(&iterated.curve.rows[0]) {
+    for (a, b) in without_pivots(&direct).iter().zip(&iterated.curve.rows[0]) {
         assert!((a - b).abs() <= 1e-6 * a.abs() + 1e-12, "{a} {b}");
     }
 }
@@ -60,4 +70,25 @@ fn bodies_that_do_not_tell_their_rigid_motions_are_refused() {
     };
     let solid = refused("cantilever-solid.toml", &[ITERATED]);
     assert!(solid.contains("analysis.linear.solver") && solid.contains("no shell"), "{solid}");
+}
+
+/// Too few iterations end the run with what is left; a factor has none to count.
+#[test]
+fn iterations_are_those_that_are_allowed() {
+    let allowed = |iterations: &str, solver: &str| {
+        let analysis = format!("{{ linear = {{ solver = \"{solver}\", iterations = {iterations} }} }}");
+        scene("scordelis-lo.toml", &[("analysis", &analysis)]).and_then(|scene| scene.build(1))
+    };
+    let few = allowed("5", "conjugate-gradients").unwrap().run(&mut coque::Silent);
+    assert!(few.summary.ended.contains("after 5 iterations"), "{}", few.summary.ended);
+    assert_eq!(
+        done(allowed("500", "conjugate-gradients").unwrap().run(&mut coque::Silent)).curve.rows.len(),
+        1
+    );
+    for (iterations, solver, said) in
+        [("5", "direct", "a factor does not iterate"), ("0", "conjugate-gradients", "from 1 to")]
+    {
+        let refused = allowed(iterations, solver).map(|_| ()).unwrap_err().to_string();
+        assert!(refused.contains("analysis.linear.iterations") && refused.contains(said), "{refused}");
+    }
 }

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, last, ran, scene};
-use coque::{Ended, Outcome, Rendering, Scene, SceneError, render};
+use coque::{Doubt, Ended, Outcome, Rendering, Scene, SceneError, render};
 
 fn solved(scene: Result<Scene, SceneError>) -> Outcome {
     let outcome = ran(scene);
@@ -271,6 +271,38 @@ fn a_twisted_strip_may_be_disordered() {
 
 /// Name, file, overrides.
 type Case<'a> = (&'a str, &'a str, Replaced<'a>);
+
+/// The strip moves by P L³/3EI: what is not small against its length is told, with a motion as with a load, of shells and of solids.
+#[test]
+fn an_answer_too_large_to_be_linear_is_told() {
+    let told = |outcome: &Outcome| {
+        outcome.summary.record.warnings.iter().any(|warning| warning.doubt == Doubt::LargeLinear)
+    };
+    // Deflections of .13, .17 and 28 lengths.
+    for (force, large) in [(3.9, false), (5.1, true), (840.0, true)] {
+        let outcome = pushed(force, "analysis.linear = {}");
+        assert_eq!(told(&outcome), large, "{force}");
+    }
+    let outcome = pushed(840.0, "analysis.linear = {}");
+    let message = &outcome.summary.record.warnings[0].message;
+    assert!(message.contains("by 27.86 of its extent and turns fibres by 42.0"), "{message}");
+    let bar = |formulation: &str, force: f64| {
+        solved(Scene::parse(
+            &format!(
+                "title = \"Beam\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+                 supports = [{{ on = \"x0\", clamped = {{}} }}]\n\
+                 loads = [{{ on = \"x1\", traction = {{ value = [0, 0, {force}] }} }}]\n[bodies.beam.solid]\n\
+                 geometry.block = {{ lengths = [4.0, 1.0, 1.0], spacing = 0.25, nodes = \"edges\" }}\n\
+                 material.elastic = {{ young = 1000.0, poisson = 0.25, density = 1.0 }}\n{formulation}\n"
+            ),
+            "beam.toml",
+        ))
+    };
+    for formulation in ["formulation.state-based = { horizon = 2.015 }", "formulation.galerkin = {}"] {
+        // P L³/3EI is .26 F.
+        assert!(!told(&bar(formulation, 1.0)) && told(&bar(formulation, 10.0)), "{formulation}");
+    }
+}
 
 #[test]
 fn what_is_refused() {

@@ -199,6 +199,30 @@ fn a_straight_column_beyond_its_load_is_called_unstable() {
     assert!(outcome.summary.record.warnings[1].message.starts_with("from load level 1.5 on"));
 }
 
+/// Without a word from the scene a small body is looked at, however short the run; a large one is told not to have been.
+#[test]
+fn what_is_not_looked_at_is_told() {
+    let column = |particles: &str, more: &str| {
+        let scene = format!(
+            "title = \"Column\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\n\
+             geometry.plate = {{ lengths = [1.0, 0.1], particles = {particles} }}\n\
+             material.elastic = {{ young = 1e6, poisson = 0.0, density = 1.0 }}\nsection.homogeneous.thickness = 0.01\n\
+             supports = [{{ on = \"u0\", clamped = {{}} }}]\n\
+             loads = [{{ on = \"u1\", force.total = [-0.0415, 0, 0] }}] # twice the critical one\n\
+             [analysis.explicit.quasi-static]\nlevels = [1.0]\nramp = 1.0\n{more}\n"
+        );
+        ran(Scene::parse(&scene, "column.toml"))
+    };
+    assert_eq!(doubts(&column("[21, 3]", "")), [Doubt::Unstable]);
+    assert_eq!(doubts(&column("[21, 3]", "stability = false")), []);
+    let large = column("[321, 33]", "period = 0.004");
+    assert!(doubts(&large).contains(&Doubt::StabilityUnknown), "{:?}", doubts(&large));
+    let looked = column("[321, 33]", "period = 0.004\nstability = true");
+    assert!(
+        doubts(&looked).contains(&Doubt::Unstable) && !doubts(&looked).contains(&Doubt::StabilityUnknown)
+    );
+}
+
 #[test]
 fn the_level_of_a_driven_path_is_a_force_with_its_unit() {
     let text = text("panel.toml").replace("[analysis.explicit.quasi-static]", "[other]");

@@ -56,6 +56,24 @@ fn the_table_holds_every_combination_and_the_last_row_of_each_curve() {
     assert_eq!(table.lines().count(), 7);
 }
 
+/// Of modes every one is a row, with the number and the values of its run.
+#[test]
+fn all_modes_of_a_run_are_in_the_table() {
+    let over =
+        ["--set", "analysis={ modal = { modes = 3 } }", "--over", "section.homogeneous.thickness=0.01,0.02"];
+    let (output, out) = sweep("modes", &over);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows[0][5..7], ["mode [-]", "circular_frequency [1/s]"], "{table}");
+    let found: Vec<[&str; 3]> = rows[1..].iter().map(|row| [row[0], row[1], row[5]]).collect();
+    let expected = |run: &'static str, value| ["1.0", "2.0", "3.0"].map(|mode| [run, value, mode]);
+    assert_eq!(found, [expected("1", "0.01"), expected("2", "0.02")].concat());
+    for run in ["001", "002"] {
+        assert_eq!(fs::read_to_string(out.join(run).join("curve.csv")).unwrap().lines().count(), 4);
+    }
+}
+
 #[test]
 fn every_run_has_frames_of_its_own() {
     let fields = ["--set", "output.fields={ stresses = true }", "--set", "analysis={ linear = {} }"];

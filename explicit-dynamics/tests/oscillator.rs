@@ -370,6 +370,37 @@ fn an_observer_can_end_a_run() {
     assert!(clock.now.time < 4.0);
 }
 
+/// Times of the records.
+#[derive(Default)]
+struct Times(Vec<f64>);
+
+impl Observer<Oscillator> for Times {
+    fn record(&mut self, _: &mut Oscillator, record: &Record) -> ControlFlow<()> {
+        self.0.push(record.at.time);
+        ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn a_run_ends_at_its_duration() {
+    for (duration, record_every, expected) in [
+        (1.0, 0.4, vec![0.0, 0.4, 0.8, 1.0]),
+        (1.2, 0.4, vec![0.0, 0.4, 0.8, 1.2]),
+        (0.3, 0.1, vec![0.0, 0.1, 0.2, 0.3]),
+        (0.5, 0.5, vec![0.0, 0.5]),
+    ] {
+        let mut times = Times::default();
+        let run = Transient { duration, record_every, damping: 0.0, safety: 0.8 };
+        run.march(&mut Oscillator::new(100.0, 0.0, 0.0), &mut times).unwrap();
+        assert_eq!(times.0.len(), expected.len(), "{duration} {record_every}: {:?}", times.0);
+        assert!(
+            times.0.iter().zip(&expected).all(|(found, due)| (found - due).abs() < 1e-12),
+            "{:?}",
+            times.0
+        );
+    }
+}
+
 #[test]
 fn steps_between_records_are_equal() {
     // Central differences keep energy for equal steps only. A record interval of whole steps is the hard case: rounding of
