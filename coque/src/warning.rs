@@ -206,6 +206,7 @@ mod tests {
             Doubt::SlowSound,
             Doubt::LeakyWall,
             Doubt::LostFluid,
+            Doubt::StiffLattice,
             Doubt::FluidFirst,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
