@@ -78,6 +78,8 @@ pub enum Doubt {
     LeakyWall,
     /// Fluid beyond the closed sides of a basin.
     LostFluid,
+    /// A smoothing length at which a lattice of fluid particles resists shear.
+    StiffLattice,
     /// A coupling that feeds energy into structures.
     FluidFirst,
     /// Boundaries that pull on a fluid and give way.
@@ -138,6 +140,7 @@ impl Doubt {
             Self::SlowSound => "slow-sound",
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
+            Self::StiffLattice => "stiff-lattice",
             Self::FluidFirst => "fluid-first",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
@@ -209,6 +212,7 @@ mod tests {
             Doubt::SlowSound,
             Doubt::LeakyWall,
             Doubt::LostFluid,
+            Doubt::StiffLattice,
             Doubt::FluidFirst,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,

@@ -23,7 +23,7 @@ pub enum WallRule {
 /// The method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Formulation {
-    /// Smoothing length over spacing h/Δx \[–\].
+    /// Smoothing length over spacing h/Δx \[–\]; by default that at which lattices resist shear least (src/lattice.rs).
     pub smoothing: f64,
     /// Artificial viscosity α \[–\].
     pub viscosity: f64,
@@ -46,7 +46,7 @@ pub struct Formulation {
 impl Default for Formulation {
     fn default() -> Self {
         Self {
-            smoothing: 1.3,
+            smoothing: 1.55,
             viscosity: 0.02,
             kinematic_viscosity: 0.0,
             density_diffusion: 0.1,
@@ -63,6 +63,7 @@ impl Formulation {
     /// The published set.
     pub fn published() -> Self {
         Self {
+            smoothing: 1.3,
             viscosity: 0.1,
             density_diffusion: 0.0,
             xsph: 0.5,
@@ -78,7 +79,7 @@ impl Formulation {
             let good = value >= low && value <= high;
             if good { Ok(()) } else { Err(FluidError::Option { key, value, bound }) }
         };
-        within("smoothing", self.smoothing, 1.0, 4.0, "between 1 and 4; 1.3 suits most flows")?;
+        within("smoothing", self.smoothing, 1.0, 4.0, "between 1 and 4; 1.55 suits most flows")?;
         within("viscosity", self.viscosity, 0.0, 10.0, "between 0 and 10; 0.02 suits most flows")?;
         within("kinematic_viscosity", self.kinematic_viscosity, 0.0, f64::MAX, "zero or positive, finite")?;
         within(

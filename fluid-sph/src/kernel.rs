@@ -49,6 +49,12 @@ impl Wendland {
         let s = (1.0 - self.half * distance).max(0.0);
         self.slope * (s * s * s)
     }
+
+    /// ∂F/∂r at a distance.
+    pub fn factor_slope(&self, distance: f64) -> f64 {
+        let s = (1.0 - self.half * distance).max(0.0);
+        -3.0 * self.half * self.slope * (s * s)
+    }
 }
 
 #[cfg(test)]

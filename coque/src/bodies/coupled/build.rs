@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use explicit_dynamics::{BoundaryState, Dynamics, Order, TwoClocks};
-use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall};
+use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall, lattice_moduli};
 use sph_core::{Cell, Vec3};
 
 use super::body::{Coupled, Structure};
@@ -47,6 +47,7 @@ impl Scene {
         let mut warnings = leaks(&walls);
         let coupling = self.coupling.unwrap_or_default();
         warnings.extend(fluid_first(coupling));
+        warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
         warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
         let mut made = Vec::new();
         for (name, wet) in wets {
@@ -226,6 +227,24 @@ fn fluid_first(coupling: Coupling) -> Option<Warning> {
                    into them, into light ones most; judge energies, not displacements alone, or use order = \
                    \"structure-first\"";
     (coupling.order == CouplingOrder::FluidFirst).then(|| Warning::new(Doubt::FluidFirst, message))
+}
+
+/// The warning of a width at which lattices of the fluid resist shear so much that waves are this much too fast.
+fn stiff(dimensions: usize, formulation: &Formulation) -> Option<Warning> {
+    const FAST: f64 = 0.03;
+    let modulus = lattice_moduli(dimensions, formulation.smoothing).into_iter().fold(0.0, f64::max);
+    let message = || {
+        format!(
+            "with smoothing = {} the lattice of the fluid has a shear modulus of {modulus:.3} of its pressure, which water has \
+             not, at any spacing: frequencies of waves come out up to {:.1} % too high, and pressures may differ \
+             with direction by {:.1} % after a shear of a tenth; use {}",
+            formulation.smoothing,
+            100.0 * modulus,
+            20.0 * modulus,
+            Formulation::default().smoothing
+        )
+    };
+    (modulus > FAST).then(|| Warning::new(Doubt::StiffLattice, message()))
 }
 
 /// The warning of a fluid that may pull on structures.

@@ -29,7 +29,7 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
         Some(WallMethod::Dynamic) => WallRule::Dynamic,
     };
     Formulation {
-        smoothing: wanted.smoothing.unwrap_or(usual.smoothing),
+        smoothing: wanted.smoothing(),
         viscosity: wanted.viscosity.unwrap_or(usual.viscosity),
         kinematic_viscosity: fluid.liquid().kinematic_viscosity,
         density_diffusion: wanted.density_diffusion.unwrap_or(usual.density_diffusion),

@@ -154,7 +154,7 @@ impl Scene {
     fn check_sizes(&self) -> Checked {
         let Some((name, fluid)) = self.fluid() else { return Ok(()) };
         let spacing = fluid.geometry.spacing();
-        let rows = 2.0 * fluid.formulation.options().smoothing.unwrap_or(1.3);
+        let rows = 2.0 * fluid.formulation.options().smoothing();
         for (body, scene) in &self.bodies {
             let BodyScene::Walls(walls) = scene else { continue };
             let particles = walls.particles_asked(spacing, libm::ceil(rows));

@@ -1,5 +1,6 @@
 //! The particle method of a fluid.
 
+use fluid_sph::Formulation;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -23,7 +24,7 @@ impl Default for FluidFormulation {
 pub struct WeaklyCompressible {
     /// Who steps it; the other options take the defaults of the method.
     pub method: FluidMethod,
-    /// Smoothing length in spacings; left out, 1.3.
+    /// Smoothing length in spacings; left out, 1.55, of the published method 1.3.
     pub smoothing: Option<f64>,
     /// Artificial viscosity α; left out, 0.02, of the published method 0.1.
     pub viscosity: Option<f64>,
@@ -71,6 +72,17 @@ pub enum FluidStart {
     Hydrostatic,
     /// None.
     Uniform,
+}
+
+impl WeaklyCompressible {
+    /// Smoothing length in spacings \[–\], that of the method where it is left out.
+    pub fn smoothing(&self) -> f64 {
+        let usual = match self.method {
+            FluidMethod::KickDriftKick => Formulation::default(),
+            FluidMethod::Source => Formulation::published(),
+        };
+        self.smoothing.unwrap_or(usual.smoothing)
+    }
 }
 
 impl FluidFormulation {

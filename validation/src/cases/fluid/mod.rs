@@ -1,5 +1,6 @@
 //! Fluids by themselves; a new case is a file, a line here, and one in the list.
 
+mod basin;
 mod couette;
 mod dam_break;
 mod drop;
@@ -14,6 +15,7 @@ use crate::Case;
 pub fn all() -> Vec<Case> {
     vec![
         still_water::case(),
+        basin::case(),
         drop::case(),
         couette::case(),
         dam_break::case(),

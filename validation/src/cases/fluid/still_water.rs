@@ -67,7 +67,7 @@ fn variants() -> Vec<Variant> {
     let usual = Formulation::default();
     let dynamic = Formulation { walls: WallRule::Dynamic, ..usual };
     let bare = Formulation { density_diffusion: 0.0, ..usual };
-    let (coarse, space) = (Asked::Near([1.59, 6.62, 9.4e-6]), Asked::Near([2.45, 5.81, 2.6e-5]));
+    let (coarse, space) = (Asked::Near([0.53, 1.55, 2.1e-6]), Asked::Near([1.64, 3.70, 5.7e-6]));
     [
         (KICKS, 2, 25, usual, coarse, true),
         (KICKS, 2, 50, usual, Asked::Marks, false),

@@ -37,7 +37,7 @@ impl FluidScene {
             "smoothing",
             options.smoothing,
             [1.0, 3.0],
-            "1.3 is usual; 2 smooths more and costs twice as much",
+            "1.55 is usual; 2 covers fluid that is stretched twofold and costs half as much again",
         )?;
         given(
             "viscosity",
