@@ -78,6 +78,50 @@ fn a_bar_is_stretched_as_hooke_says() {
     assert!((last(&outcome, "R") + 2.0).abs() < 1e-9, "{}", last(&outcome, "R"));
 }
 
+/// Half of a beam clamped at both ends, to its plane of symmetry.
+const HALF: &str = r#"title = "Beam"
+units = { length = "m", force = "N", time = "s" }
+analysis.linear = {}
+loads = [{ on = "all", gravity = { acceleration = [0.0, -9.81, 0.0] } }]
+curve = [{ name = "w", of = "displacement", on = "place", direction = [0.0, 1.0, 0.0] }]
+supports = [
+    { on = "x0", clamped = {} },
+    { on = "x1", symmetry = { normal = [1.0, 0.0, 0.0] } },
+]
+sets.place = { nearest = [0.8, 0.05, 0.0] }
+[bodies.beam.solid]
+geometry.block = { lengths = [1.0, 0.2], spacing = 0.05 }
+material.elastic = { young = 2e11, poisson = 0.3, density = 7800.0 }
+formulation.state-based = { plane = "stress" }
+"#;
+
+/// Measured: 7e-13 of the deflection, 8e-14 of the frequency.
+#[test]
+fn half_of_a_beam_is_the_half_of_the_whole() {
+    let lengths = ("bodies.beam.solid.geometry.block.lengths", "[2.0, 0.2]");
+    let clamped = ("supports[1]", r#"{ on = "x1", clamped = {} }"#);
+    let modal = [("loads", "[]"), ("curve", "[]"), ("analysis", "{ modal = { modes = 1 } }")];
+    for nodes in [r#""centres""#, r#""edges""#] {
+        let nodes = ("bodies.beam.solid.geometry.block.nodes", nodes);
+        let [half, whole] = [vec![nodes], vec![nodes, lengths, clamped]];
+        let deflection = |replaced: &[(&str, &str)]| last(&run(HALF, replaced), "w");
+        let ratio = deflection(&half) / deflection(&whole);
+        assert!((ratio - 1.0).abs() < 1e-11, "{nodes:?}: {ratio}");
+        let frequency =
+            |replaced: &[(&str, &str)]| last(&run(HALF, &[replaced, &modal[..]].concat()), "frequency");
+        let ratio = frequency(&half) / frequency(&whole);
+        assert!((ratio - 1.0).abs() < 1e-11, "{nodes:?}: {ratio}");
+    }
+}
+
+/// A set that is no whole face has no plane that bonds could reach across.
+#[test]
+fn symmetry_on_part_of_a_face_is_refused() {
+    let part = ("supports[1].on", r#""place""#);
+    let error = scene(HALF, &[part]).build(1).err().unwrap().to_string();
+    assert!(error.contains("a whole face of the block"), "{error}");
+}
+
 #[test]
 fn a_traction_in_depth_has_the_same_resultant() {
     let replaced = [("loads[0].traction.depth", "0.6")];

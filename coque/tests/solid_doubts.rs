@@ -33,8 +33,17 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
     assert_eq!(doubts(PLATE, &[(&spacing, "[0.25, 0.2]")]), []);
     let across = ("loads[0].traction.value", "[0.0, 0.0, 1.0]");
     assert_eq!(doubts(BAR, &[across]), [Doubt::FewLayers]);
+    // Eight layers lack a tenth of the stiffness at this horizon, ten less than a twentieth at half of it.
     let fine = ("bodies.bar.solid.geometry.block.spacing", "0.125");
-    assert_eq!(doubts(BAR, &[across, fine]), []);
+    assert_eq!(doubts(BAR, &[across, fine]), [Doubt::FewLayers]);
+    let short = ("bodies.bar.solid.formulation.state-based.horizon", "1.5");
+    let finer = ("bodies.bar.solid.geometry.block.spacing", "0.1");
+    assert_eq!(doubts(BAR, &[across, finer, short]), []);
+    // Modes bend whatever the loads are; the estimate is that of the lattice.
+    let long = ("bodies.bar.solid.geometry.block.lengths", "[8.0, 1.0, 1.0]");
+    for analysis in ["{ modal = { modes = 1 } }", "{ buckling = { modes = 1 } }"] {
+        assert_eq!(doubts(BAR, &[long, ("analysis", analysis)]), [Doubt::FewLayers], "{analysis}");
+    }
     let moved =
         |on: &str| format!("{{ on = \"{on}\", moved = {{ direction = [1.0, 0.0, 0.0], by = 0.1 }} }}");
     let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");

@@ -18,9 +18,11 @@ use std::collections::BTreeMap;
 
 use sph_core::Vec3;
 
-use super::network::Row;
 use crate::error::SolidError;
 use crate::mirror::{Mirror, ON_PLANE};
+
+/// A node on its way through a sweep: position \[L\], and `(λ − μ) V θ` \[F L\].
+pub(crate) type Row = [f64; 4];
 
 /// A cell of the unfolded body.
 type Cell = [i32; 3];

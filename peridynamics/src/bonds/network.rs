@@ -6,15 +6,13 @@ use std::sync::Arc;
 use super::correction::Weights;
 use super::families::Families;
 use super::images::Images;
+pub(crate) use super::images::Row;
 use crate::material::Moduli;
 
 pub(crate) use sph_core::lanes::{LANES, Pack};
 
 /// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
 pub(crate) const NODE_CHUNK: usize = 256;
-
-/// A node on its way through a sweep: position \[L\], and `(λ − μ) V θ` \[F L\].
-pub(crate) type Row = [f64; 4];
 
 /// Directed bonds with all that their forces need.
 #[derive(Clone, Debug)]
