@@ -19,7 +19,7 @@ const DEPTH: f64 = 0.3;
 const AMPLITUDES: [f64; 2] = [0.012, 0.006];
 /// Viscosity of the run that decays \[m²/s\]: its layers at the walls are 2.5 spacings of 10 mm thick.
 const VISCOSITY: f64 = 2e-3;
-const DURATION: f64 = 6.0;
+const DURATION: f64 = 3.6;
 
 const FREQUENCIES: [&str; 2] = ["frequency of the first wave", "frequency of the second wave"];
 const DECAY: &str = "rate of decay of the first wave";
@@ -84,7 +84,7 @@ fn velocity(mode: usize, at: &Vec3) -> Vec3 {
 }
 
 fn swung(dx: f64, formulation: Formulation) -> Result<Outcome, Box<dyn Error>> {
-    let sound = 20.0 * (GRAVITY * DEPTH).sqrt();
+    let sound = 12.0 * (GRAVITY * DEPTH).sqrt();
     let size = [WIDTH, DEPTH, 0.0];
     let walls = [WIDTH, 1.4 * DEPTH, 0.0];
     let positions = filled([0.0; 3], size, 2, dx);
