@@ -17,6 +17,7 @@ mod report;
 mod sections;
 mod sides;
 mod undivided;
+mod warped;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -27,6 +28,7 @@ use boundary::{free_edges, loops};
 use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
+use warped::halves;
 
 pub use boundary::{HangingNode, Loop, boundary_edges, chains};
 pub use error::MeshError;
@@ -96,13 +98,18 @@ pub struct Cells {
     pub triangles: usize,
     /// Quadrangles made of two triangles each.
     pub joined: usize,
+    /// Quadrangles of the file that are warped by more than half a radian, cut into two triangles each.
+    pub cut: usize,
 }
 
 impl fmt::Display for Cells {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { quadrangles, triangles, joined } = *self;
+        let Self { quadrangles, triangles, joined, cut } = *self;
         if quadrangles > 0 || triangles == 0 {
             f.write_str(&counted(quadrangles, "quadrangle"))?;
+            if cut > 0 {
+                write!(f, " ({cut} of them warped, cut into triangles)")?;
+            }
         }
         if triangles == 0 {
             return Ok(());
@@ -304,11 +311,18 @@ impl Surface {
         cloud.map(|cloud| (cloud, counts, kinds)).map_err(|error| self.refusal(&error))
     }
 
-    /// The cells of the cloud, each with its kind: quadrangles, and triangles joined in pairs of one kind.
+    /// The cells of the cloud, each with its kind: quadrangles, the halves of warped ones, and triangles joined in pairs of one kind.
     fn cells(&self, kinds: &[u32]) -> (Vec<(Cell, u32)>, Cells) {
         let faces = self.faces.iter().copied().zip(kinds.iter().copied());
         let (triangles, mut cells): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| face.count == 3);
         let quadrangles = cells.len();
+        for (face, kind) in std::mem::take(&mut cells) {
+            let halves = halves(&self.positions, &face);
+            cells.extend(
+                halves.iter().flatten().chain(halves.is_none().then_some(&face)).map(|cell| (*cell, kind)),
+            );
+        }
+        let cut = cells.len() - quadrangles;
         let mut of_kinds: BTreeMap<u32, Vec<[u32; 3]>> = BTreeMap::new();
         for (Cell { corners: [a, b, c, _], .. }, kind) in &triangles {
             of_kinds.entry(*kind).or_default().push([*a, *b, *c]);
@@ -316,8 +330,8 @@ impl Surface {
         for (kind, corners) in of_kinds {
             cells.extend(pair_triangles(&self.positions, &corners).into_iter().map(|cell| (cell, kind)));
         }
-        let joined = triangles.len() - (cells.len() - quadrangles);
-        let counts = Cells { quadrangles, triangles: triangles.len(), joined };
+        let joined = triangles.len() - (cells.len() - quadrangles - cut);
+        let counts = Cells { quadrangles, triangles: triangles.len(), joined, cut };
         // In the order of the particles: a step then sweeps both together.
         cells.sort_by_key(|(cell, _)| cell.particles().iter().copied().min());
         (cells, counts)
@@ -372,10 +386,16 @@ fn given_normals(raw: &mut Raw, faces: &[Cell]) -> Result<Option<Vec<Vec3>>, Mes
 /// Sums of the area vectors of the faces at each node `[L²]`.
 fn mean_normals(positions: &[Vec3], faces: &[Cell]) -> Vec<Vec3> {
     let mut normals = vec![Vec3::zeros(); positions.len()];
-    for face in faces {
+    let mut add = |face: &Cell| {
         let geometry = face.geometry(positions);
         for &node in face.particles() {
             normals[node as usize] += geometry.area * geometry.normal;
+        }
+    };
+    for face in faces {
+        match halves(positions, face) {
+            Some(halves) => halves.iter().for_each(&mut add),
+            None => add(face),
         }
     }
     normals

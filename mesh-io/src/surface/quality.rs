@@ -7,6 +7,7 @@ use libm::atan2;
 use sph_core::Cell;
 
 use super::Surface;
+use super::warped::folds;
 
 /// A corner sharper than this makes a face a sliver.
 const SLIVER: f64 = 15.0 * PI / 180.0;
@@ -26,7 +27,7 @@ pub struct Quality {
     pub slivers: usize,
     /// Quadrangles with a corner of more than 180°, or folded ones.
     pub hollow: usize,
-    /// Greatest angle between the two triangles of a quadrangle \[rad\].
+    /// Greatest angle between the two triangles on either side of a diagonal of a quadrangle \[rad\].
     pub warp: f64,
 }
 
@@ -77,9 +78,8 @@ impl Quality {
             (sharpest, widest) = (sharpest.min(angle), widest.max(angle));
             (shortest, longest) = (shortest.min(ahead.norm()), longest.max(ahead.norm()));
         }
-        if let [a, b, c, d] = x[..] {
-            let (one, other) = ((b - a).cross(&(c - a)), (c - a).cross(&(d - a)));
-            self.warp = self.warp.max(atan2(one.cross(&other).norm(), one.dot(&other)));
+        if n == 4 {
+            self.warp = folds(&surface.positions, face.corners).into_iter().fold(self.warp, f64::max);
         }
         self.area += geometry.area;
         self.angles = [self.angles[0].min(sharpest), self.angles[1].max(widest)];

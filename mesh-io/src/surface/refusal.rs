@@ -67,7 +67,10 @@ impl Surface {
     fn face_of(&self, cell: usize) -> (usize, String) {
         let (cells, _) = self.cells(&vec![0; self.faces.len()]);
         let Some((cell, _)) = cells.get(cell) else { return (0, format!("cell {cell}")) };
-        let within = |face: &Cell| face.particles().iter().all(|node| cell.particles().contains(node));
+        let inside =
+            |one: &Cell, other: &Cell| one.particles().iter().all(|node| other.particles().contains(node));
+        // A half of a warped quadrangle lies within its face.
+        let within = |face: &Cell| inside(face, cell) || face.count == 4 && inside(cell, face);
         let found: Vec<(u64, usize)> = self
             .faces
             .iter()
