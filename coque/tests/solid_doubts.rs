@@ -40,4 +40,7 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
     let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");
     assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("x1"))]), [Doubt::ThinLayer]);
     assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("end"))]), []);
+    // The bar is one cell thick: that is all there is of it, and no depth of the layer.
+    let thin = ("bodies.bar.solid.geometry.block.lengths", "[4.0, 0.25, 0.25]");
+    assert!(!doubts(BAR, &[thin, layer, ("supports[+]", &moved("end"))]).contains(&Doubt::ThinLayer));
 }
