@@ -388,15 +388,12 @@ fn mean_normals(positions: &[Vec3], faces: &[Cell]) -> Vec<Vec3> {
     let mut normals = vec![Vec3::zeros(); positions.len()];
     let mut add = |face: &Cell| {
         let geometry = face.geometry(positions);
-        for &node in face.particles() {
-            normals[node as usize] += geometry.area * geometry.normal;
-        }
+        let share = geometry.area * geometry.normal;
+        face.particles().iter().for_each(|&node| normals[node as usize] += share);
     };
     for face in faces {
-        match halves(positions, face) {
-            Some(halves) => halves.iter().for_each(&mut add),
-            None => add(face),
-        }
+        let halves = halves(positions, face);
+        halves.as_ref().map_or(std::slice::from_ref(face), |halves| halves).iter().for_each(&mut add);
     }
     normals
 }
