@@ -50,6 +50,8 @@ pub enum Doubt {
     NotAtRest,
     /// Cells with sharp corners.
     SharpCorners,
+    /// Quadrangles of a file that are warped or hollow.
+    PoorMesh,
     /// Many triangles round one particle.
     Pole,
     /// A load most of which supports bear at once.
@@ -126,6 +128,7 @@ impl Doubt {
             Self::PatternModes => "pattern-modes",
             Self::NotAtRest => "not-at-rest",
             Self::SharpCorners => "sharp-corners",
+            Self::PoorMesh => "poor-mesh",
             Self::Pole => "pole",
             Self::HeldLoad => "held-load",
             Self::NoWork => "no-work",
@@ -198,6 +201,7 @@ mod tests {
             Doubt::ThinProfile,
             Doubt::OffsetInertia,
             Doubt::SharpCorners,
+            Doubt::PoorMesh,
             Doubt::Pole,
             Doubt::HeldLoad,
             Doubt::NoWork,

@@ -306,6 +306,19 @@ fn a_shell_thicker_than_its_radius_is_told() {
     assert_eq!(told(0.8), []);
 }
 
+/// A slice of plane strain is as long as it is: the width between its mirrors is none of the body.
+#[test]
+fn a_slice_between_mirrors_is_measured_by_its_length() {
+    let narrow = ("geometry.plate", "{ lengths = [1.0, 0.01], particles = [101, 2] }");
+    let thick = ("section.homogeneous.thickness", "0.1");
+    let free = ("supports", "[{ on = \"u0\", clamped = {} }]");
+    let mirror = |on: &str| format!("{{ on = \"{on}\", symmetry = {{ normal = [0, 1, 0] }} }}");
+    let slice = format!("[{{ on = \"u0\", clamped = {{}} }}, {}, {}]", mirror("v0"), mirror("v1"));
+    let thin = |supports| words("plate.toml", &[narrow, thick, supports]).contains(&Doubt::TooThick);
+    assert!(thin(free));
+    assert!(!thin(("supports", &slice)));
+}
+
 /// `check` puts warnings under a heading of their own; a scene without any has none.
 #[test]
 fn check_prints_warnings_under_their_own_heading() {

@@ -49,4 +49,7 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
     let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");
     assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("x1"))]), [Doubt::ThinLayer]);
     assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("end"))]), []);
+    // The bar is two cells thick: that is all there is of it, and no depth of the layer.
+    let thin = ("bodies.bar.solid.geometry.block.lengths", "[4.0, 0.5, 0.5]");
+    assert!(!doubts(BAR, &[thin, layer, ("supports[+]", &moved("end"))]).contains(&Doubt::ThinLayer));
 }

@@ -23,6 +23,9 @@ const SCALE: f64 = 0.1;
 /// converge: bending of a thin shell is some 1e-8 of that. A smaller shift tells modes better apart; rounding, 1e-16 over the
 /// shift, puts rigid motions into every solve, and a larger shift keeps more digits.
 const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
+/// Part of the greatest ω² below which an ω² is zero, a rigid motion that springs leave free: they come out as 1e-14 of it on either side of
+/// zero, and the least bending of a thin shell is some 1e-8.
+const ROUNDED: f64 = 1e-12;
 /// Relative difference of a mode's level by the two linearisations beyond which the change of shape before buckling counts: a
 /// clamped cap has .18 and its path ends a fifth below the level, plates, columns and deep beams have .004 at most.
 const CHANGED: f64 = 0.1;
@@ -54,7 +57,7 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
-    let unstable = modes.iter().filter(|mode| mode.eigenvalue < 0.0).count();
+    let unstable = below_zero(modes.iter().map(|mode| mode.eigenvalue), fastest);
     if unstable > 0 && !floats {
         let message = format!(
             "the state that vibrates is not stable: of the modes found {unstable} have a square of the frequency below zero, least {:.3e}, and \
@@ -71,6 +74,11 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
         }
     }
     Ended::Done
+}
+
+/// How many squares of frequencies are below zero by more than rounding puts there; `fastest` is the greatest frequency \[1/T\].
+fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
+    squares.filter(|&square| square < -ROUNDED * fastest * fastest).count()
 }
 
 /// Finds the buckling levels nearest to zero.
@@ -217,4 +225,16 @@ pub(crate) fn keep_enlarged(start: &[Vec3], present: &[Vec3], level: f64, run: &
 /// A motion times a factor.
 pub(crate) fn scaled(motion: &[f64], factor: f64) -> Vec<f64> {
     motion.iter().map(|q| factor * q).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::below_zero;
+
+    /// A square of steel on springs, ω² of 1850 and more, ω up to 2.1e5: −4e-4 is rounding; a square of −1 is not.
+    #[test]
+    fn rigid_motions_on_springs_are_not_unstable() {
+        assert_eq!(below_zero([-4e-4, 3e-5, 1850.0].into_iter(), 2.1e5), 0);
+        assert_eq!(below_zero([-1.0, 1850.0].into_iter(), 2.1e5), 1);
+    }
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use libm::atan2;
-use sph_core::Cell;
+use sph_core::{Cell, Vec3};
 
 use super::Surface;
 
@@ -26,7 +26,7 @@ pub struct Quality {
     pub slivers: usize,
     /// Quadrangles with a corner of more than 180°, or folded ones.
     pub hollow: usize,
-    /// Greatest angle between the two triangles of a quadrangle \[rad\].
+    /// Greatest angle between the two triangles of a quadrangle \[rad\], by the diagonal across which it is less.
     pub warp: f64,
 }
 
@@ -78,8 +78,12 @@ impl Quality {
             (shortest, longest) = (shortest.min(ahead.norm()), longest.max(ahead.norm()));
         }
         if let [a, b, c, d] = x[..] {
-            let (one, other) = ((b - a).cross(&(c - a)), (c - a).cross(&(d - a)));
-            self.warp = self.warp.max(atan2(one.cross(&other).norm(), one.dot(&other)));
+            let fold = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| {
+                let (one, other) = ((b - a).cross(&(c - a)), (c - a).cross(&(d - a)));
+                atan2(one.cross(&other).norm(), one.dot(&other))
+            };
+            // Whichever corner is the first; across the diagonal outside a flat hollow one, which is told as that, the fold is 180°.
+            self.warp = self.warp.max(fold(a, b, c, d).min(fold(b, c, d, a)));
         }
         self.area += geometry.area;
         self.angles = [self.angles[0].min(sharpest), self.angles[1].max(widest)];

@@ -16,6 +16,7 @@ use crate::bodies::sets::{self, Sets};
 use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
+use crate::warning::{Doubt, Warning};
 
 impl Scene {
     /// Builds a shell with what is asked of it.
@@ -42,6 +43,8 @@ impl Scene {
         }
         let description = describe(self, &shell, surface.as_ref(), said);
         let mut warnings = doubts_of(self, turn, &shell);
+        let poor = surface.iter().filter_map(|surface| surface.poor.clone());
+        warnings.extend(poor.map(|message| Warning::new(Doubt::PoorMesh, message)));
         warnings.extend(self.doubt_of_start(&mut shell));
         let cloud = &shell.reference().cloud;
         let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());

@@ -10,11 +10,15 @@ use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Scene, Section};
 use mesh_io::surface::{
-    Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, read, read_to_be_tied,
+    Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, quality, read,
+    read_to_be_tied,
 };
 
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;
+
+/// Warping of a quadrangle \[rad\] beyond which it is told, as by `coque mesh`.
+const WARPED: f64 = 0.2;
 
 /// Parts of a thickness by which points may differ from that of the section.
 const SAME_THICKNESS: f64 = 1e-6;
@@ -28,6 +32,8 @@ pub(crate) struct Provenance {
     pub(crate) checksum: u32,
     /// What became of its faces, in a line for the summary.
     pub(crate) line: String,
+    /// What of its faces makes answers worse, if anything does.
+    pub(crate) poor: Option<String>,
 }
 
 /// A surface, the cloud made of it, and its boundary.
@@ -195,8 +201,24 @@ impl Imported {
         if !self.surface.joined.is_empty() {
             line.push_str(&format!("; {}", self.surface.tied()));
         }
-        Provenance { file: file.clone(), checksum: *checksum, line }
+        let poor = warped(&self.surface);
+        Provenance { file: file.clone(), checksum: *checksum, line, poor }
     }
+}
+
+/// What is said of faces that are warped or hollow. What `coque mesh` says beside that is about the stable step.
+fn warped(surface: &Surface) -> Option<String> {
+    let figures = quality(surface);
+    (figures.hollow > 0 || figures.warp > WARPED).then(|| {
+        format!(
+            "quadrangles of {} are warped by up to {:.0}°, and {} have a corner beyond 180° or cross themselves: one point in the middle does \
+             not stand for such a cell, and answers may be off by percents, buckling loads most; mend the mesh there, or refine it where it \
+             curves",
+            surface.file,
+            figures.warp.to_degrees(),
+            figures.hollow
+        )
+    })
 }
 
 /// Whether strains are sampled at cells, which keep the sheets of a junction apart.

@@ -92,7 +92,7 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
     let along = (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
     let modes = matches!(look.scene.analysis, Analysis::Modal(_) | Analysis::Buckling(_));
     let slender = |&axis: &usize| {
-        let bent = modes || bends(look.scene, axis);
+        let bent = modes || bends(look, axis);
         axis != along && lengths[along] >= SLENDER * lengths[axis] && bent
     };
     let stiffness = |axis: usize| Some((axis, stiffness(look.body, [along, axis])?));
@@ -119,12 +119,21 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
 }
 
 /// Whether loads or prescribed motions have a part along an axis.
-fn bends(scene: &Scene, axis: usize) -> bool {
+///
+/// The lattice of an arc is the straight block before it is bent: its thickness lies in the plane of x and z, and every load in that plane
+/// bends it.
+fn bends(look: &Look<'_>, axis: usize) -> bool {
+    let (scene, arc) = (look.scene, look.body.geometry.arc.is_some());
     let loads = scene.loads.iter().flat_map(|load| {
         [load.force.map(|f| f.total), load.traction.map(|t| t.value), load.gravity.map(|g| g.acceleration)]
     });
     let motions = scene.supports.iter().map(|support| support.moved.map(|moved| moved.direction));
-    loads.chain(motions).flatten().any(|v| across(v, axis))
+    let bends = |v: [f64; 3]| match (arc, axis) {
+        (true, 0) => false,
+        (true, 2) => across(v, 0) || across(v, 2),
+        _ => across(v, axis),
+    };
+    loads.chain(motions).flatten().any(bends)
 }
 
 /// Whether a vector has more than a tenth of its length along an axis.
@@ -141,14 +150,21 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
     let (block, lattice) = (look.solid.block(), look.body.lattice());
     let horizon = look.body.formulation.horizon() * block.greatest_spacing();
     let sets = NodeSets::find(look.scene, &lattice, block, &block.positions).ok()?;
+    let extent = |places: &mut dyn Iterator<Item = f64>| {
+        let (least, most) =
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        most - least
+    };
+    // Across which a layer reaches from face to face, the body has no more: that is its thickness, and no depth of the layer.
     let depth = |nodes: &[u32], axis: usize| {
-        let along = || nodes.iter().map(|&node| block.positions[node as usize][axis]);
-        let [least, most] = [f64::min, f64::max].map(|pick| along().reduce(pick).unwrap_or_default());
-        most - least + block.spacing[axis]
+        let whole = extent(&mut block.positions.iter().map(|x| x[axis]));
+        let own = extent(&mut nodes.iter().map(|&node| block.positions[node as usize][axis]));
+        let spacing = block.spacing[axis];
+        (own < whole - 0.5 * spacing).then_some(own + spacing)
     };
     motions().find_map(|support| {
         let nodes = sets.at("", &support.on).ok()?;
-        let depth = (0..block.dimensions).map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
+        let depth = (0..block.dimensions).filter_map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
         // A layer as deep as the horizon holds the nodes whose places lie in it.
         (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {
             format!(

@@ -75,6 +75,22 @@ impl<'a> Look<'a> {
         1.0 / (self.curvature * self.thickness)
     }
 
+    /// The unit direction from end to end of the middle line along the shorter direction of the lattice, if there is one.
+    pub(crate) fn across_the_lattice(&self) -> Option<Vec3> {
+        let cloud = &self.shell.reference().cloud;
+        let lattice = cloud.lattice?;
+        let [row, column] =
+            [lattice.row(lattice.counts[1] / 2), lattice.column(lattice.counts[0] / 2)].map(|line| {
+                let place = |a: &u32| cloud.positions[*a as usize];
+                let length: f64 =
+                    line.windows(2).map(|pair| (place(&pair[1]) - place(&pair[0])).norm()).sum();
+                let ends = line.first().zip(line.last()).map(|(first, last)| place(last) - place(first));
+                (length, ends)
+            });
+        let (_, ends) = if row.0 <= column.0 { row } else { column };
+        ends?.try_normalize(0.0)
+    }
+
     /// Width and length \[L\]: those of the lattice, else the longest side of the box round all particles, and the area over it.
     pub(crate) fn extents(&self) -> [f64; 2] {
         if let Some([narrow, long]) = self.lattice {

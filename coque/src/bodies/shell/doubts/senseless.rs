@@ -89,7 +89,11 @@ pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
         |scene| matches!(&scene.shell().material, Material::Elastic(material) if material.poisson == 0.0),
     );
     let extents = look.extents();
-    let (width, name) = if beam { (extents[1], "length") } else { (extents[0], "width") };
+    // A strip between two mirrors is as wide as one likes, and one mirror doubles it.
+    let mirrors = look.scene.map_or(0, |scene| mirrors(look, scene));
+    let beam = beam || mirrors > 1;
+    let (width, name) =
+        if beam { (extents[1], "length") } else { (extents[0] * (1 + mirrors) as f64, "width") };
     if t > 0.5 * width {
         return Some(format!(
             "the thickness is {:.2} of the {name} ({t:.3e} of {width:.3e}); beyond half of it no mid-surface describes the body: \
@@ -108,6 +112,17 @@ pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
             100.0 * thick / area
         )
     })
+}
+
+/// Mirror planes across the shorter direction of a lattice: a slice of plane strain lies between two, or all of it in one.
+fn mirrors(look: &Look<'_>, scene: &crate::Scene) -> usize {
+    let Some(across) = look.across_the_lattice() else { return 0 };
+    let planes = scene.supports.iter().filter_map(|support| Some((&support.on, support.symmetry?)));
+    let facing = planes.filter(|(_, plane)| {
+        let normal = look.turn * Vec3::from(plane.normal).normalize();
+        normal.dot(&across).abs() > 1.0 - 1e-6
+    });
+    facing.map(|(on, _)| if on == "all" { 2 } else { usize::from(!on.starts_with("centre")) }).sum()
 }
 
 /// Cells that lie on others.

@@ -1,0 +1,82 @@
+//! Relations between two runs that must agree: each file has one, a function from a scene to another and from the columns of the first
+//! curve to those of the second, and puts the scenes to which it applies through it.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod force_or_motion;
+mod half;
+mod order;
+mod threads;
+mod turned;
+mod units;
+
+use common::{Replaced, overridden, text};
+use coque::{Ended, Outcome, Silent};
+
+/// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
+/// without time.
+const SCENES: [(&str, Replaced); 12] = [
+    ("plate.toml", &[]),
+    ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
+    ("pinched-cylinder.toml", &[]),
+    ("scordelis-lo.toml", &[]),
+    ("twisted-beam.toml", &[]),
+    ("stepped-plate.toml", &[]),
+    ("ring-pressure.toml", &[]),
+    ("column-buckling.toml", &[]),
+    ("tensioned-plate.toml", &[]),
+    ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
+    ("plate-clamped-solid.toml", &[]),
+    ("thick-ring-solid.toml", &[]),
+];
+
+/// Relations that are known not to hold, by relation and scene. One that begins to hold has to leave the list.
+
+/// Runs a scene of some text with values replaced.
+fn ran(text: &str, replaced: Replaced, threads: usize) -> Outcome {
+    let scene =
+        overridden(text, "../scenes/scene.toml", replaced).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let outcome = scene.build(threads).unwrap_or_else(|error| panic!("{error}\n{text}")).run(&mut Silent);
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    outcome
+}
+
+/// Runs a scene of the list.
+fn of_the_list((name, replaced): (&str, Replaced)) -> Outcome {
+    ran(&text(name), replaced, 1)
+}
+
+/// The greatest difference of two curves, each column in units of its greatest value, once column `j` of the second has been divided by
+/// `factors[j]`; counts and residuals of solvers are left out.
+fn difference(one: &Outcome, other: &Outcome, factors: &[f64]) -> (f64, String) {
+    assert_eq!(one.curve.columns.len(), other.curve.columns.len());
+    assert_eq!(one.curve.rows.len(), other.curve.rows.len());
+    let mut worst = (0.0, String::new());
+    for (j, column) in one.curve.columns.iter().enumerate() {
+        if ["residual", "iterations", "negative_pivots", "steps"].contains(&column.name.as_str()) {
+            continue;
+        }
+        let rows = || one.curve.rows.iter().zip(&other.curve.rows).map(|(a, b)| (a[j], b[j] / factors[j]));
+        let size = rows().fold(0.0_f64, |most, (a, b)| most.max(a.abs()).max(b.abs()));
+        let off = rows().fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size.max(f64::MIN_POSITIVE);
+        // A column that symmetry makes zero holds rounding alone.
+        if size > 1e-12 && off > worst.0 {
+            worst = (off, column.name.clone());
+        }
+    }
+    worst
+}
+
+/// Asks that what `relation` finds for a scene be below its bound, or above it if that is known.
+fn judge(failures: &mut Vec<String>, relation: &str, scene: &str, (off, column): (f64, String), bound: f64) {
+    println!("{relation} {scene}: {off:.1e} {column}");
+    let known = KNOWN.contains(&(relation, scene));
+    if known == (off <= bound) {
+        let what = if known { "holds now: take it out of KNOWN" } else { "does not hold" };
+        failures
+            .push(format!("{relation} of {scene} {what}: {column} differs by {off:.2e}, bound {bound:.0e}"));
+    }
+}
