@@ -197,7 +197,7 @@ fn the_command_draws_a_frame_without_a_viewer() {
         coque(&[&["plot", &place][..], &more, &[&picture.to_string_lossy()]].concat()).status.code(),
         Some(0)
     );
-    assert!(fs::read_to_string(&picture).unwrap().contains("frame 0 at 0"));
+    assert!(fs::read_to_string(&picture).unwrap().contains("quarter model: level 0<"));
     assert_eq!(coque(&["plot", &place, "--curve", "w_crown,w_edge"]).status.code(), Some(0));
     assert!(fs::read_to_string(out.join("curve.svg")).unwrap().contains("w_edge [mm]"));
     let refusals = [

@@ -285,7 +285,7 @@ fn an_answer_too_large_to_be_linear_is_told() {
     }
     let outcome = pushed(840.0, "analysis.linear = {}");
     let message = &outcome.summary.record.warnings[0].message;
-    assert!(message.contains("by 27.86 of its extent and turns fibres by 42.0"), "{message}");
+    assert!(message.contains("by 27.86 of its extent and turns fibres by 41.99 rad"), "{message}");
     let bar = |formulation: &str, force: f64| {
         solved(Scene::parse(
             &format!(

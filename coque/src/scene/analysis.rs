@@ -64,7 +64,7 @@ pub struct QuasiStatic {
     #[serde(default = "usual_accuracy")]
     pub accuracy: f64,
     /// Whether the negative pivots of the tangent are counted at settled levels; left out, where that costs less than 1 %
-    /// of the run.
+    /// of the run or a tenth of a second.
     pub stability: Option<bool>,
 }
 

@@ -20,7 +20,7 @@ const BENDING: [(usize, f64); 6] = [(3, 0.639), (4, 0.721), (5, 0.790), (8, 0.89
 pub const GRAVITY: f64 = 9.81;
 /// Density of water \[kg/m³\].
 pub const WATER: f64 = 1000.0;
-/// Rows of particles behind a wall and below a wet face: the reach of the kernel of 1.3 spacings.
+/// Rows of particles behind a wall and below a wet face: those that a kernel of 1.55 spacings reaches from a face, half a spacing before the first.
 pub const ROWS: usize = 3;
 
 /// A strip of shell across the plane z = 0, two particles wide between planes of symmetry: a plate in plane

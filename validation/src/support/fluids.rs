@@ -58,7 +58,7 @@ pub fn apart(of: &Formulation) -> String {
 
 /// Rows of wall that the kernel reaches.
 pub fn rows(formulation: &Formulation) -> usize {
-    (2.0 * formulation.smoothing).ceil() as usize
+    (2.0 * formulation.smoothing).round() as usize
 }
 
 /// Particles a spacing apart from half a spacing inside the least corner of a box on; a plane lies at z = 0.

@@ -41,9 +41,10 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
     }
 }
 
-/// Rows of particles behind a wall, as many as the kernel reaches.
+/// Rows of particles behind a wall, the first half a spacing behind its face: those that the kernel reaches from there, `2h/Δx + ½` cut
+/// down.
 pub(in crate::bodies) fn rows_deep(fluid: &FluidScene) -> usize {
-    libm::ceil(2.0 * formulation(fluid).smoothing) as usize
+    libm::round(2.0 * formulation(fluid).smoothing) as usize
 }
 
 /// Pressures at the start.

@@ -157,7 +157,7 @@ impl Scene {
         let rows = 2.0 * fluid.formulation.options().smoothing();
         for (body, scene) in &self.bodies {
             let BodyScene::Walls(walls) = scene else { continue };
-            let particles = walls.particles_asked(spacing, libm::ceil(rows));
+            let particles = walls.particles_asked(spacing, libm::round(rows));
             // Beyond the numbers that arithmetic holds there is no order.
             if particles.is_nan() || particles > MOST_PARTICLES {
                 let value =
