@@ -1,31 +1,42 @@
-//! One particle that hangs on a cell: its place and director, their transpose, and its derivative.
+//! One particle that hangs on cells: its place and director, their transpose, and its derivative.
 
 use sph_core::Vec3;
 
 use crate::conditions::loads::Block;
 use crate::packs::Row;
 
-/// `Σφx, x,₁, x,₂, m, d,₁, d,₂`: what a hanging particle sees of its host.
+/// `Σφx + Σηd, x,₁, x,₂, m, d,₁, d,₂`: what a hanging particle sees of its host.
 pub(crate) type Vectors = [Vec3; 6];
 
-/// A particle and the cell it hangs on.
-#[derive(Clone, Debug)]
+/// What one corner gives a particle that hangs on it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Share {
+    /// φ, G₁, G₂ of its place \[–, 1/L, 1/L\].
+    pub x: [f64; 3],
+    /// The same of its director: with weights of their own where several cells bear the particle.
+    pub d: [f64; 3],
+    /// η, the height of the particle along its director times φ \[L\].
+    pub height: f64,
+}
+
+/// A particle and the cells it hangs on.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Hanging {
     /// The particle.
     pub particle: u32,
-    /// The cell.
-    pub cell: u32,
-    /// Corners of the cell; a triangle has three.
+    /// The cells, and how much each counts \[–\].
+    pub cells: Vec<(u32, f64)>,
+    /// Corners of the cells, each once.
     pub corners: Vec<u32>,
-    /// φ, G₁, G₂ of each corner \[–, 1/L, 1/L\].
-    pub shares: Vec<[f64; 3]>,
+    /// What each corner gives.
+    pub shares: Vec<Share>,
     /// `½ S₁₁, ½ S₂₂, ½ S₁₂` \[L²\].
     pub half_moments: [f64; 3],
-    /// Height over the cell at rest, less `½ S:K` \[L\].
-    pub height: f64,
-    /// Direction of the edge in the frame of the cell; as long as the edges on both sides of the particle \[L\].
+    /// `½ S:K` at rest \[L\].
+    pub chord: f64,
+    /// Direction of the edge in the frame of the cells; as long as the edges on both sides of the particle \[L\].
     pub line: [f64; 2],
-    /// The director in the axes of the cell.
+    /// The director in the axes of the cells.
     pub director: Vec3,
 }
 
@@ -96,18 +107,25 @@ impl Hanging {
         for (&b, shares) in self.corners.iter().zip(&self.shares) {
             let row = &rows[b as usize];
             let (x, d) = (Vec3::new(row[0], row[1], row[2]), Vec3::new(row[3], row[4], row[5]));
-            for (i, share) in shares.iter().enumerate() {
-                v[i] += x * *share;
-                v[3 + i] += d * *share;
+            v[0] += d * shares.height;
+            for i in 0..3 {
+                v[i] += x * shares.x[i];
+                v[3 + i] += d * shares.d[i];
             }
         }
         v
     }
 
-    /// Height of the particle over the interpolated place, in units of m \[L\].
+    /// The place on the cells under the particle.
+    pub fn foot(&self, rows: &[Row]) -> Vec3 {
+        let place = |b: u32| Vec3::from_row_slice(&rows[b as usize][..3]);
+        self.corners.iter().zip(&self.shares).map(|(&b, share)| place(b) * share.x[0]).sum()
+    }
+
+    /// What bending since rest raises the particle by, in units of m \[L\].
     pub fn rise(&self, [_, a, b, _, e, f]: &Vectors) -> f64 {
         let [s11, s22, s12] = self.half_moments;
-        self.height + s11 * a.dot(e) + s22 * b.dot(f) + s12 * (a.dot(f) + b.dot(e))
+        s11 * a.dot(e) + s22 * b.dot(f) + s12 * (a.dot(f) + b.dot(e)) - self.chord
     }
 
     /// Place and director that the host gives it.
@@ -141,7 +159,7 @@ impl Hanging {
         ]
     }
 
-    /// The derivative of [`Hanging::transpose`] along a change of the vectors, at the same `[f, n]`.
+    /// The derivative of [`Hanging::transpose`] along a change of the vectors but the first, at the same `[f, n]`.
     fn transpose_rate(&self, v: &Vectors, dv: &Vectors, row: &Row) -> Vectors {
         let (force, couple) = halves(row);
         let [_, a, b, m, e, f] = v;
@@ -184,9 +202,9 @@ impl Hanging {
 
     /// What forces on the vectors are on the k-th corner.
     fn share(&self, k: usize, on: &Vectors) -> Row {
-        let [phi, g1, g2] = self.shares[k];
+        let Share { x: [phi, g1, g2], d: [psi, h1, h2], height } = self.shares[k];
         let x = on[0] * phi + on[1] * g1 + on[2] * g2;
-        let d = on[3] * phi + on[4] * g1 + on[5] * g2;
+        let d = on[0] * height + on[3] * psi + on[4] * h1 + on[5] * h2;
         [x.x, x.y, x.z, d.x, d.y, d.z]
     }
 
@@ -218,7 +236,8 @@ impl Hanging {
         for (l, shares) in self.shares.iter().enumerate() {
             for j in 0..6 {
                 let mut dv = [Vec3::zeros(); 6];
-                (0..3).for_each(|i| dv[i + j / 3 * 3][j % 3] = shares[i]);
+                let own = if j < 3 { shares.x } else { shares.d };
+                (0..3).for_each(|i| dv[i + j / 3 * 3][j % 3] = own[i]);
                 let change = self.transpose_rate(v, &dv, row);
                 for k in 0..count {
                     let share = self.share(k, &change);

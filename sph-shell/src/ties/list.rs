@@ -1,6 +1,6 @@
 //! All ties of a shell: how they are found, where they put their particles, and what goes back to the hosts.
 
-use sph_core::{Cloud, Vec3};
+use sph_core::Cloud;
 
 use crate::Shell;
 use crate::conditions::spread::check_cells;
@@ -10,7 +10,8 @@ use crate::formulation::{Formulation, Reach};
 use crate::junction::group::Junctions;
 use crate::packs::Row;
 use crate::ties::hanging::Hanging;
-use crate::ties::host::{Place, nearest};
+use crate::ties::host::{Place, hang, nearest};
+use crate::ties::lines::lines;
 
 /// Distance from an edge to its host, in units of the size of the cell, that chords of a curved surface explain: a cell that turns by
 /// 45° has a sagitta of a tenth.
@@ -72,7 +73,7 @@ impl Ties {
                 .for_each(|&b| of_host[b as usize] = true);
             let belongs = |a: u32| of_host[a as usize] || mates(a).iter().any(|&b| of_host[b as usize]);
             let lines = lines(cloud, edge);
-            let mut on_cell = vec![0; cloud.cells.len()];
+            let mut on_cell = vec![0.0; cloud.cells.len()];
             let mut any = false;
             for &a in edge {
                 let count = cloud.len();
@@ -86,15 +87,25 @@ impl Ties {
                 if number[a as usize] > 0 {
                     continue; // it hangs on the host of an earlier tie
                 }
-                let place = place(shell, tie, host, a)?;
-                let cell = place.cell;
-                on_cell[cell as usize] += 1;
-                if on_cell[cell as usize] > MOST_ON_A_CELL {
-                    return Err(ShellError::TieTooCoarse { tie, cell, bound: MOST_ON_A_CELL });
+                let places = places(shell, tie, host, a)?;
+                for place in &places {
+                    let on = &mut on_cell[place.cell as usize];
+                    // The next cell along the line bears the other half.
+                    *on += if place.at_a_corner() { 0.5 } else { 1.0 };
+                    if *on > MOST_ON_A_CELL as f64 {
+                        return Err(ShellError::TieTooCoarse {
+                            tie,
+                            cell: place.cell,
+                            bound: MOST_ON_A_CELL,
+                        });
+                    }
                 }
                 // Those of a junction hang together.
-                for &b in std::iter::once(&a).chain(mates(a).iter().filter(|&&b| b != a)) {
-                    found.push(place.hang(&shell.reference, b as usize, &lines[a as usize]));
+                let alone = [a];
+                let together = if mates(a).is_empty() { &alone[..] } else { mates(a) };
+                for hanging in hang(&shell.reference, &places, together, &lines[a as usize]) {
+                    let b = hanging.particle;
+                    found.push(hanging);
                     number[b as usize] = found.len() as u32;
                 }
             }
@@ -127,13 +138,15 @@ impl Ties {
         self.masses.clone_from(&reference.masses);
         self.inertias.clone_from(&reference.inertias);
         self.turning = vec![0.0; reference.masses.len()];
+        let rest = reference.rest();
         for hanging in &self.hanging {
             let t = hanging.particle as usize;
-            let arm = self.masses[t] * hanging.rise(&hanging.vectors(&reference.rest())).powi(2);
+            let lever = reference.cloud.positions[t] - hanging.foot(&rest);
+            let arm = self.masses[t] * lever.norm_squared();
             let of = [self.masses[t], self.inertias[t] + arm, own(t) + self.turning[t] + arm];
-            for (&b, shares) in hanging.corners.iter().zip(&hanging.shares) {
+            for (&b, share) in hanging.corners.iter().zip(&hanging.shares) {
                 let lists = [&mut self.masses, &mut self.inertias, &mut self.turning];
-                lists.into_iter().zip(of).for_each(|(list, of)| list[b as usize] += shares[0] * of);
+                lists.into_iter().zip(of).for_each(|(list, of)| list[b as usize] += share.x[0] * of);
             }
         }
     }
@@ -164,38 +177,21 @@ impl Ties {
     }
 }
 
-/// Direction of an edge at each of its particles, any length; nothing at others.
-fn lines(cloud: &Cloud, edge: &[u32]) -> Vec<Vec3> {
-    let mut on_edge = vec![false; cloud.len()];
-    edge.iter().filter(|&&a| (a as usize) < cloud.len()).for_each(|&a| on_edge[a as usize] = true);
-    let mut lines = vec![Vec3::zeros(); cloud.len()];
-    for (a, b) in cloud.cells.iter().flat_map(|cell| cell.edges()) {
-        if on_edge[a as usize] && on_edge[b as usize] {
-            let along = cloud.positions[b as usize] - cloud.positions[a as usize];
-            for a in [a, b] {
-                let line = &mut lines[a as usize];
-                *line += if line.dot(&along) < 0.0 { -along } else { along };
-            }
-        }
-    }
-    lines
-}
-
-/// The place of a particle over the host, no farther away than the sheets are thick or the host is bent.
-fn place(shell: &Shell, tie: usize, host: &[u32], particle: u32) -> Result<Place, ShellError> {
+/// Where a particle stands over the host, no farther away than the sheets are thick or the host is bent.
+fn places(shell: &Shell, tie: usize, host: &[u32], particle: u32) -> Result<Vec<Place>, ShellError> {
     let reference = &shell.reference;
     let cells = &reference.cloud.cells;
     let own = cells.iter().position(|cell| cell.particles().contains(&particle));
     let thickness = |cell: usize| shell.section_at(cell).thickness;
-    let place = nearest(reference, host, particle as usize);
-    let distance = place.map_or(f64::INFINITY, |place| place.distance);
-    let bound = place.map_or(0.0, |place| {
+    let places = nearest(reference, host, particle as usize);
+    let distance = places.iter().map(|place| place.distance).fold(f64::INFINITY, f64::min);
+    let allowed = |place: &Place| {
         let size = cells[place.cell as usize].geometry(&reference.cloud.positions).area.sqrt();
         let touching = 0.5 * (thickness(place.cell as usize) + own.map_or(0.0, thickness));
         touching.max(SAGITTA * size)
-    });
-    let too_far = ShellError::TieTooFar { tie, particle, distance, bound };
-    place.filter(|place| place.distance <= bound).ok_or(too_far)
+    };
+    let bound = places.iter().map(allowed).fold(0.0, f64::max);
+    if distance <= bound { Ok(places) } else { Err(ShellError::TieTooFar { tie, particle, distance, bound }) }
 }
 
 /// The same particles, none before those that hang on it.
@@ -272,7 +268,7 @@ impl Shell {
         let particle = hanging.particle;
         let Some(asked) = self.constraint(particle as usize) else { return Ok(()) };
         let parts = hanging.corners.iter().zip(&hanging.shares);
-        let mut bearing = parts.filter(|(_, shares)| shares[0].abs() > NO_PART).map(|(&b, _)| b);
+        let mut bearing = parts.filter(|(_, share)| share.x[0].abs() > NO_PART).map(|(&b, _)| b);
         let borne = bearing.all(|b| self.constraint(b as usize).is_some_and(|held| held.implies(asked)));
         if borne || !asked.holds() { Ok(()) } else { Err(ShellError::TieHeld { particle }) }
     }

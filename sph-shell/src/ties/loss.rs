@@ -3,7 +3,7 @@
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::ties::hanging::Hanging;
+use crate::ties::hanging::{Hanging, Vectors};
 
 /// Energy that the hosts of ties leave out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,8 +23,10 @@ impl Shell {
     pub fn tie_loss(&self) -> Option<TieLoss> {
         let scales = self.regions.scales(&*self.section);
         let lost = |(hanging, row): (&Hanging, &[f64; 6])| {
-            let bending = scales.at(hanging.cell as usize).bending;
-            (self.lost_at(hanging, row) / bending, hanging.particle)
+            let on = |&(cell, weight): &(u32, f64)| {
+                weight * self.lost_in(cell as usize, hanging, row) / scales.at(cell as usize).bending
+            };
+            (hanging.cells.iter().map(on).sum(), hanging.particle)
         };
         let all = self.ties.hanging.iter().zip(&self.ties.internal).map(lost);
         let (most, sum) = all
@@ -33,26 +35,26 @@ impl Shell {
         share.is_finite().then_some(TieLoss { share, particle: most.1 })
     }
 
-    /// Energy that the cell below one particle does not see, times its stiffness against bending \[F² L²\].
-    fn lost_at(&self, hanging: &Hanging, row: &[f64; 6]) -> f64 {
+    /// Energy that one cell below a particle does not see, times its stiffness against bending \[F² L²\]; none on its edges.
+    fn lost_in(&self, cell: usize, hanging: &Hanging, row: &[f64; 6]) -> f64 {
         let t = hanging.particle as usize;
         let positions = &self.reference.cloud.positions;
-        let point = &self.reference.operator.points[hanging.cell as usize];
         let [l1, l2] = hanging.line;
-        let line = l1.hypot(l2);
         // Edges on both sides of the particle are counted in full in the line.
-        let (width, across) = (0.5 * line, (point.frame.t2 * l1 - point.frame.t1 * l2) / line);
+        let width = 0.5 * l1.hypot(l2);
+        let direction = |v: &Vectors| (v[1] * l1 + v[2] * l2).normalize();
+        let along = direction(&hanging.vectors(&self.reference.rest()));
+        let across = self.reference.operator.points[cell].frame.n.cross(&along);
         let along_edge = |b: usize| positions[b].dot(&across);
-        let ends = hanging.corners.iter().map(|&b| along_edge(b as usize));
+        let ends = self.reference.cloud.cells[cell].particles().iter().map(|&b| along_edge(b as usize));
         let (low, high) =
             ends.fold((f64::INFINITY, -f64::INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let before = ((along_edge(t) - low) / (high - low)).clamp(0.0, 1.0);
         let vectors = hanging.vectors(&self.state);
         let (force, on_director) = (Vec3::new(row[0], row[1], row[2]), Vec3::new(row[3], row[4], row[5]));
-        let torque =
-            self.director(t).cross(&on_director) + (vectors[3] * hanging.rise(&vectors)).cross(&force);
-        let direction = vectors[1] * l1 + vectors[2] * l2;
-        let couple = torque.dot(&direction.normalize());
+        let lever = vectors[0] + vectors[3] * hanging.rise(&vectors) - hanging.foot(&self.state);
+        let torque = self.director(t).cross(&on_director) + lever.cross(&force);
+        let couple = torque.dot(&direction(&vectors));
         couple * couple * before * (1.0 - before) * (high - low) / (2.0 * width)
     }
 }

@@ -4,9 +4,11 @@
 //! φ_b of their bilinear interpolation at t and G_αb of the cell's gradient:
 //!
 //! ```text
-//! x_t = Σ φ_b x_b + [h + ½ S:(k − K)] m       m = Σ φ_b d_b,  k_αβ = x,α·d,β,  S = Σ φ_b ξ_b ξ_b about t,  h the height at rest
+//! x_t = Σ φ_b (x_b + h d_b) + ½ S:(k − K) m   m = Σ φ_b d_b,  k_αβ = x,α·d,β,  S = Σ φ_b ξ_b ξ_b about t,  h the height at rest
 //! d_t = R R₀ᵀ D_t                             R = [e₁ e₂ e₃],  e₃ along m,  e₁ along the part of w across e₃,  w = l₁ x,₁ + l₂ x,₂
 //! ```
+//!
+//! Where several cells are equally near it hangs on the mean of all of them (`host.rs`).
 //!
 //! S takes the chord of a bent cell to its arc: bilinear places alone fail the patch test of bending. l is the direction of the edge in the
 //! cell: about the normal directors turn as the line does on which they stand. With the mean spin of the cell in its place they would
@@ -18,6 +20,7 @@
 
 pub(crate) mod hanging;
 mod host;
+mod lines;
 pub(crate) mod list;
 pub(crate) mod loss;
 mod statics;
