@@ -6,7 +6,7 @@ use sph_core::{Cloud, Vec3};
 
 use crate::Shell;
 use crate::conditions::case::LoadCase;
-use crate::conditions::loads::{AppliedLoad, Body};
+use crate::conditions::loads::AppliedLoad;
 use crate::conditions::springs::Springs;
 use crate::conditions::supports::{Constraint, Supported, constraints};
 use crate::control::arcs::ChordLoss;
@@ -313,11 +313,13 @@ impl Shell {
         }
         self.put_hanging();
         self.evaluate_bodies(springs, &scale);
-        self.external.fill([0.0; 6]);
-        let body = Body { reference: &self.reference, state: &self.state };
+        let mut rows = std::mem::take(&mut self.external);
+        rows.fill([0.0; 6]);
+        let body = self.as_loaded();
         for applied in &self.loads {
-            applied.load.add(scale(applied), &body, &mut self.external);
+            applied.load.add(scale(applied), &body, &mut rows);
         }
+        self.external = rows;
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }

@@ -52,9 +52,11 @@ fn the_stiffness_of_every_load_is_its_derivative() {
                     [x.x, x.y, x.z, d.x, d.y, d.z]
                 })
                 .collect();
+            let reference = body.reference();
+            let masses = &reference.masses;
             let add = |state: &[[f64; 6]]| {
                 let mut forces = vec![[0.0; 6]; state.len()];
-                load.add(0.9, &Body { reference: body.reference(), state }, &mut forces);
+                load.add(0.9, &Body { reference, state, masses }, &mut forces);
                 forces
             };
             let mut dice = common::RandomNumbers(11);
@@ -68,7 +70,7 @@ fn the_stiffness_of_every_load_is_its_derivative() {
                     found[a as usize][i] += product;
                 }
             };
-            load.stiffness(0.9, &Body { reference: body.reference(), state: &state }, &mut put);
+            load.stiffness(0.9, &Body { reference, state: &state, masses }, &mut put);
             assert_eq!(any, follows, "{name}");
             let h = 1e-4;
             let at = |factor: f64| {

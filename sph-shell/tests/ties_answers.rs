@@ -12,8 +12,8 @@ use implicit_statics::{
 use shell_kinematics::{Isotropic, IsotropicSection};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{
-    AppliedLoad, Clamped, Force, Formulation, Held, Load, Parts, Reach, Shell, ShellError, StaticShell,
-    Support, Supported, SymmetryPlane, Tie,
+    AppliedLoad, Clamped, Force, Formulation, Gravity, Held, Load, Parts, Reach, Shell, ShellError,
+    StaticShell, Support, Supported, SymmetryPlane, Tie,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -240,6 +240,33 @@ fn residuals_fall_through_a_tie_far_from_rest_and_a_march_settles_there() {
     let lost = [0, 1].map(|k| (end[k] - start[k]).norm() / start[k].norm());
     println!("momentum {:.1e}, moment of momentum {:.1e}", lost[0], lost[1]);
     assert!(lost[0] < 1e-12 && lost[1] < 1e-12, "{lost:?}");
+}
+
+/// A rib over a slightly bent plate, off its lines and away from it, falls freely: as one stone, whichever way.
+#[test]
+fn what_is_tied_falls_as_one() {
+    for direction in [X, Y, Z, X - Y + Z * 0.5] {
+        let mut cloud = Sheets::default()
+            .add(Vec3::zeros(), [X, Y], [5, 4])
+            .add(X * 0.1 + Y * 0.43 + Z * 0.03, [X * 0.7 + Y * 0.2, Z * 0.4], [4, 2])
+            .cloud();
+        cloud.positions.iter_mut().take(30).for_each(|x| x.z += 0.03 * x.x * x.x);
+        let cloud = Cloud::from_sheets(cloud.positions, None, cloud.cells, Vec::new()).unwrap();
+        let edge = at(&cloud, |x| (x.z - 0.03).abs() < 1e-9).into_iter().filter(|&a| a >= 30).collect();
+        let gravity = Box::new(Gravity { acceleration: direction });
+        let tie = Tie { edge, host: (0..20).collect() };
+        let mut free = body(cloud, elastic(1200.0, 0.3, 0.1), Vec::new(), vec![gravity], &[tie]);
+        let start: Vec<Vec3> = (0..free.len()).map(|a| free.position(a)).collect();
+        let mut clock = Clock::start(&mut free, 1.0, 0.9, 0.0).unwrap();
+        for _ in 0..1000 {
+            clock.step(&mut free, f64::INFINITY, |_| 1.0).unwrap();
+        }
+        let fallen: Vec<Vec3> = (0..free.len()).map(|a| free.position(a) - start[a]).collect();
+        let way = direction * (0.5 * clock.now.time.powi(2));
+        let off = fallen.iter().map(|u| (u - fallen[0]).norm()).fold(0.0, f64::max) / way.norm();
+        println!("fallen {:.3} for {:.3}, torn apart by {off:.1e}", fallen[0].norm(), way.norm());
+        assert!(off < 1e-12, "{direction}: {off:.1e}");
+    }
 }
 
 /// Momentum and moment of momentum of what moves.

@@ -14,6 +14,8 @@ pub struct Body<'a> {
     pub reference: &'a Reference,
     /// Position and director of every particle, `[x, y, z, d_x, d_y, d_z]`.
     pub state: &'a [[f64; 6]],
+    /// Mass that each particle bears in the equations of motion \[M\]: with what hangs on it by ties, and none of what hangs.
+    pub masses: &'a [f64],
 }
 
 /// Derivatives between the rows `[x, d]` of two particles.
@@ -85,7 +87,8 @@ pub struct Force {
     pub total: Vec3,
 }
 
-/// Weight: acceleration times mass on every particle.
+/// Weight: acceleration times mass on every particle that moves by itself. What hangs by a tie weighs where its mass is lumped, at its corners: all of
+/// a shell falls alike.
 #[derive(Clone, Copy, Debug)]
 pub struct Gravity {
     /// Acceleration \[L/T²\].
@@ -112,7 +115,7 @@ impl Load for Force {
 
 impl Load for Gravity {
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
-        for (row, mass) in forces.iter_mut().zip(&body.reference.masses) {
+        for (row, mass) in forces.iter_mut().zip(body.masses) {
             for i in 0..3 {
                 row[i] += scale * mass * self.acceleration[i];
             }

@@ -3,7 +3,7 @@
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::loads::{AppliedLoad, Body};
+use crate::conditions::loads::AppliedLoad;
 
 /// A system of forces, reduced to a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,7 +33,7 @@ impl Shell {
     /// Each load in the present state, reduced to a point, in the order in which they were given; the amplitude is left out.
     pub fn load_resultants(&self, about: Vec3) -> Vec<Resultant> {
         let mut rows = vec![[0.0; 6]; if self.loads.is_empty() { 0 } else { self.len() }];
-        let body = Body { reference: &self.reference, state: &self.state };
+        let body = self.as_loaded();
         let reduced = |AppliedLoad { load, .. }: &AppliedLoad| {
             rows.fill([0.0; 6]);
             load.add(1.0, &body, &mut rows);

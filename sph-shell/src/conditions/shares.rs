@@ -3,7 +3,7 @@
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::loads::{AppliedLoad, Body};
+use crate::conditions::loads::AppliedLoad;
 
 /// Where a load acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ impl Shell {
     /// Found in the present state with the amplitude left out. A couple along a director turns nothing and does not count.
     pub fn load_shares(&self) -> Vec<LoadShare> {
         let mut rows = vec![[0.0; 6]; if self.loads.is_empty() { 0 } else { self.len() }];
-        let body = Body { reference: &self.reference, state: &self.state };
+        let body = self.as_loaded();
         let share = |AppliedLoad { load, .. }: &AppliedLoad| {
             rows.fill([0.0; 6]);
             load.add(1.0, &body, &mut rows);

@@ -9,7 +9,7 @@ use std::ops::DerefMut;
 use explicit_dynamics::Instant;
 
 use crate::Shell;
-use crate::conditions::loads::{Block, Body};
+use crate::conditions::loads::Block;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::static_shell::StaticShell;
 
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-9;
 impl Shell {
     /// The derivatives of all loads at a level and of the springs, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
-        let body = Body { reference: &self.reference, state: &self.state };
+        let body = self.as_loaded();
         for applied in &self.loads {
             let scale = applied.scale(Instant { time: 0.0, level }, self.case);
             applied.load.stiffness(scale, &body, put);

@@ -3,6 +3,7 @@
 use sph_core::Cloud;
 
 use crate::Shell;
+use crate::conditions::loads::Body;
 use crate::conditions::spread::check_cells;
 use crate::conditions::supports::Constraint;
 use crate::error::ShellError;
@@ -43,6 +44,8 @@ pub(crate) struct Ties {
     pub masses: Vec<f64>,
     pub inertias: Vec<f64>,
     pub turning: Vec<f64>,
+    /// The masses without those of what hangs \[M\].
+    pub weighing: Vec<f64>,
     /// Internal forces and loads on what hangs, before they went to the hosts.
     pub internal: Vec<Row>,
     pub external: Vec<Row>,
@@ -125,6 +128,7 @@ impl Ties {
             masses: none(),
             inertias: none(),
             turning: none(),
+            weighing: none(),
         };
         ties.weigh(shell);
         Ok(ties)
@@ -149,6 +153,8 @@ impl Ties {
                 lists.into_iter().zip(of).for_each(|(list, of)| list[b as usize] += share.x[0] * of);
             }
         }
+        self.weighing.clone_from(&self.masses);
+        self.hanging.iter().for_each(|hanging| self.weighing[hanging.particle as usize] = 0.0);
     }
 
     /// Puts what hangs where its hosts are.
@@ -261,6 +267,16 @@ impl Shell {
         } else {
             [&self.ties.masses, &self.ties.inertias]
         }
+    }
+
+    /// Masses on which gravity acts: those of [`Shell::moving_masses`] without what hangs \[M\].
+    pub(crate) fn weighing_masses(&self) -> &[f64] {
+        if self.ties.is_empty() { &self.reference.masses } else { &self.ties.weighing }
+    }
+
+    /// What loads see of it.
+    pub(crate) fn as_loaded(&self) -> Body<'_> {
+        Body { reference: &self.reference, state: &self.state, masses: self.weighing_masses() }
     }
 
     /// Refuses supports of what hangs that its corners do not have: it goes where they go.
