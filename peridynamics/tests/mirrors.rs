@@ -245,7 +245,7 @@ fn all() -> Vec<(String, Pair)> {
 fn a_part_has_the_forces_and_the_energy_of_the_whole() {
     for (name, mut pair) in all() {
         pair.shake();
-        // Measured: 1e-13 at most, rounding of strains of 2e-2 over places of 40 spacings.
+        // Rounding of places of 40 spacings in strains of 2e-2.
         let apart = pair.forces_apart();
         assert!(apart < 1e-11, "{name}: {apart:.1e}");
         let parallel = name.ends_with('2');
@@ -272,7 +272,7 @@ fn a_part_has_the_forces_and_the_energy_of_the_whole() {
 fn the_tangent_of_a_part_is_the_difference_of_its_forces() {
     for (name, mut pair) in all() {
         pair.shake();
-        // Central differences lose 1e-9 to rounding here.
+        // Central differences lose digits to rounding.
         let apart = tangent_apart(pair.part);
         assert!(apart < 1e-7, "{name}: {apart:.1e}");
     }
@@ -355,7 +355,7 @@ fn half_of_a_body_breaks_as_the_whole() {
                 apart = apart.max((own - all).norm());
                 assert!((pair.part.damage(*source) - pair.whole.damage(node)).abs() < 1e-12);
             }
-            // Measured: 1e-12 of a spacing; what breaks is the same.
+            // What breaks is the same.
             assert!(apart < 1e-9 * DX, "{law:?} {nodes:?}: {:.1e}", apart / DX);
             assert!((2.0 * dissipated[0] / dissipated[1] - 1.0).abs() < 1e-9, "{dissipated:?}");
         }

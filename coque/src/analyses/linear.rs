@@ -5,7 +5,7 @@ use implicit_statics::{
 };
 use sph_core::Vec3;
 
-use super::modes::{keep_enlarged, scaled};
+use super::modes::{extent, keep_enlarged, scaled};
 use super::path::loaded;
 use crate::Doubt;
 use crate::bodies::{Balanced, Configuration, Probe, Resultant};
@@ -156,8 +156,6 @@ const LARGE: [f64; 2] = [0.15, 0.5];
 /// Warns of an answer that is too large to be linear; `largest` is the largest displacement of the places `there`.
 fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
     let Configuration { rest, cells, .. } = system.configuration();
-    let corner = |pick: fn(f64, f64) -> f64| rest.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
-    let extent = (corner(f64::max).unwrap_or_default() - corner(f64::min).unwrap_or_default()).norm();
     // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
     let sides = cells.iter().flat_map(|cell| {
         let corners = cell.particles();
@@ -167,7 +165,7 @@ fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run
         let (fibre, motion) = (rest[b] - rest[a], there[b] - there[a] - (rest[b] - rest[a]));
         fibre.cross(&motion).norm() / fibre.norm_squared()
     });
-    let (moved, turned) = (largest / extent, turn.fold(0.0, f64::max));
+    let (moved, turned) = (largest / extent(rest), turn.fold(0.0, f64::max));
     if moved <= LARGE[0] && turned <= LARGE[1] {
         return;
     }

@@ -212,14 +212,19 @@ fn keep(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) 
 /// Counts a mode or a linear answer and keeps its shape, enlarged for the eye; returns the factor on its motion.
 pub(crate) fn keep_enlarged(start: &[Vec3], present: &[Vec3], level: f64, run: &mut Run<'_>) -> f64 {
     let motion: Vec<Vec3> = start.iter().zip(present).map(|(from, to)| to - from).collect();
-    let corner = |pick: fn(f64, f64) -> f64| start.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
-    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
     let largest = motion.iter().map(|u| u.norm()).fold(0.0, f64::max);
-    let factor = if largest > 0.0 { SCALE * (high - low).norm() / largest } else { 0.0 };
+    let factor = if largest > 0.0 { SCALE * extent(start) / largest } else { 0.0 };
     let positions = start.iter().zip(&motion).map(|(x, u)| x + u * factor).collect();
     run.record.steps += 1;
     run.keep_positions(positions, 0.0, level);
     factor
+}
+
+/// Diagonal of the box round some places \[L\].
+pub(super) fn extent(places: &[Vec3]) -> f64 {
+    let corner = |pick: fn(f64, f64) -> f64| places.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
+    (high - low).norm()
 }
 
 /// A motion times a factor.

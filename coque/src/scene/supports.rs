@@ -41,7 +41,8 @@ pub struct Support {
 #[serde(deny_unknown_fields)]
 pub struct Fixed {}
 
-/// Mirror plane: neither displacement nor director along its normal.
+/// Mirror plane: neither displacement nor director along its normal. On a solid of bonds it is a whole face, across which bonds reach to
+/// the images of the nodes.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Symmetry {
