@@ -303,12 +303,8 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
             if resumable {
                 say(&format!("with more room: coque resume {}", out.display()));
             }
-            let levels = summary.record.not_settled();
-            if levels.is_empty() {
-                return DONE;
-            }
-            let levels: Vec<String> = levels.iter().map(f64::to_string).collect();
-            say(&format!("not settled: {}", levels.join(", ")));
+            let Some(short) = summary.record.falls_short() else { return DONE };
+            say(&short);
             NOT_SETTLED
         }
         Ended::Diverged(error) => {

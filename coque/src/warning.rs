@@ -86,7 +86,7 @@ pub enum Doubt {
     FluidFirst,
     /// Boundaries that pull on a fluid and give way.
     PullingBoundary,
-    /// Bonds beyond their limit in a state of balance, which is none without them.
+    /// Bonds that broke in states of balance: a lattice holds a crack on each of its rows.
     BrokenAtRest,
     /// Supports that fix nodal parameters, which are no displacements.
     LeakySupport,

@@ -59,6 +59,18 @@ pub trait Equilibrium {
     /// must change nothing.
     fn accept(&mut self) {}
 
+    /// How far the present state takes what may break: the greatest of measures that are one at a limit and grow about in
+    /// proportion to the load; zero, the default, where nothing breaks.
+    fn utilisation(&mut self) -> f64 {
+        0.0
+    }
+
+    /// Breaks what the present state takes furthest, and whatever is taken as far but for rounding, for good: neither
+    /// [`Equilibrium::restore`] makes it whole. Returns the energy that it takes to bring them to their limits, at most what they hold \[F L\].
+    fn break_critical(&mut self) -> f64 {
+        0.0
+    }
+
     /// `out[i] = Σⱼ |K_ij|` over the unknowns, a bound of the spectrum for `relax`. The default assembles the
     /// tangent; a model may do without. Where parts turn far, unknowns that turn into each other take the largest sum of
     /// theirs: equal masses commute with rotations, and the bound holds on the way.

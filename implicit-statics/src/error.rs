@@ -206,6 +206,19 @@ pub enum EquilibriumError {
         #[source]
         cause: Box<EquilibriumError>,
     },
+    /// What broke at its limit leaves no balance behind.
+    #[error(
+        "step {step}, load level {level:.6e}: without what broke there the level has no balance: it is the greatest that the body bears, beyond it breaking goes on by itself; prescribe a motion instead of a load, or march in time"
+    )]
+    GaveWay {
+        /// Step of the path.
+        step: usize,
+        /// Load level.
+        level: f64,
+        /// How the search for a balance ended.
+        #[source]
+        cause: Box<EquilibriumError>,
+    },
     /// Conjugate gradients did not converge.
     #[error(
         "conjugate gradients left {residual:.3e} of the load's energy norm after {iterations} iterations, must be below {bound:.1e}; allow more iterations, or use the direct solver"

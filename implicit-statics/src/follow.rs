@@ -5,6 +5,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::breaking::Limit;
 use crate::critical::locate_all;
 use crate::options::{Control, CriticalOptions, PathOptions};
 use crate::path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
@@ -22,6 +23,13 @@ const PART: f64 = 0.125;
 const STEPS: usize = 200;
 /// Two states are the same if their distance is below this share of the way between the ends of the step.
 const SAME: f64 = 1e-3;
+
+/// Whether a path is kept, so that what reaches its limit on it breaks; or only looked at.
+#[derive(Clone, Copy, PartialEq)]
+enum Kept {
+    Yes,
+    No,
+}
 
 /// Told every converged point and the step that led there.
 type Observer<'a, E> = dyn FnMut(&Point, Option<&Increment>, &mut E) -> ControlFlow<()> + 'a;
@@ -54,8 +62,9 @@ impl Newton {
     ) -> Path {
         let mut path = Path::new(start);
         self.options = options.newton.clone();
-        path.end =
-            march(self, system, start, options, &mut path, &mut |point, _, system| observer(point, system));
+        path.end = march(self, system, (start, Kept::Yes), options, &mut path, &mut |point, _, system| {
+            observer(point, system)
+        });
         self.leave(system);
         path
     }
@@ -64,7 +73,7 @@ impl Newton {
 fn march<E: Equilibrium + ?Sized>(
     newton: &mut Newton,
     system: &mut E,
-    start: &Start,
+    (start, kept): (&Start, Kept),
     options: &PathOptions,
     path: &mut Path,
     observer: &mut Observer<'_, E>,
@@ -83,10 +92,19 @@ fn march<E: Equilibrium + ?Sized>(
         stepper.newton.step = step;
         let saved = system.save();
         let mut restarts = 0;
+        let (asked, mut limit) = (size, Limit::from(system));
         let (made, bound) = loop {
             let trial = clip(size, travelled, stepper.level, &options.control);
             match step_within(&mut stepper, system, &saved, trial, &options.control) {
-                Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => break done,
+                Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => {
+                    match limit.other_size(system, trial) {
+                        Some(other) if kept == Kept::Yes => {
+                            stepper.newton.go_back(system, &saved);
+                            size = other;
+                        }
+                        _ => break done,
+                    }
+                }
                 Ok(_) => {
                     stepper.newton.go_back(system, &saved);
                     restarts += 1;
@@ -112,18 +130,30 @@ fn march<E: Equilibrium + ?Sized>(
         let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(system, &saved, converged.level, increment);
-        system.accept();
+        if kept == Kept::Yes {
+            system.accept();
+        }
         path.restart = stepper.restart();
-        let point = Point { step, converged, size: size_made, restarts, unstable };
-        let stop = observer(&point, stepper.last.as_ref(), system);
-        path.points.push(point);
-        if stop.is_break() {
-            return Ok(End::Stopped);
+        let mut point = Point { step, converged, size: size_made, restarts, unstable };
+        loop {
+            let stop = observer(&point, stepper.last.as_ref(), system);
+            path.points.push(point);
+            if stop.is_break() {
+                return Ok(End::Stopped);
+            }
+            let gone = if kept == Kept::Yes { stepper.give_way(system)? } else { None };
+            let Some((converged, unstable, breach)) = gone else { break };
+            system.accept();
+            path.breaches.push(breach);
+            path.restart = stepper.restart();
+            point = Point { step, converged, size: 0.0, restarts: 0, unstable };
         }
         if bound || reached(travelled, stepper.level, first, &options.control) {
             return Ok(End::Reached);
         }
-        size = (size * ratio.sqrt().clamp(0.5, 2.0)).min(options.largest * first);
+        // A step that ended where a limit is met says nothing of what the next one may be.
+        let base = if limit.cuts() { asked } else { size };
+        size = (base * ratio.sqrt().clamp(0.5, 2.0)).min(options.largest * first);
     }
     Ok(End::Steps)
 }
@@ -282,7 +312,7 @@ fn trace<E: Equilibrium + ?Sized>(
     let Ok(mut newton) = Newton::new(system, &options.newton) else {
         return Traced { leads: Leads::Unknown, critical: Vec::new(), passages: Vec::new() };
     };
-    let end = march(&mut newton, system, &start, &arc, &mut path, &mut |point, step, _| {
+    let end = march(&mut newton, system, (&start, Kept::No), &arc, &mut path, &mut |point, step, _| {
         let Some(step) = step else { return ControlFlow::Continue(()) };
         let before = done;
         done += progress(step);
@@ -336,6 +366,8 @@ fn land<E: Equilibrium + ?Sized>(
     };
     let short = PathOptions { control, critical: None, ..options.clone() };
     let start = Start { level: from.level, ..Start::default() };
-    march(newton, system, &start, &short, &mut Path::new(&start), &mut |_, _, _| ControlFlow::Continue(()))
-        .map(|_| ())
+    march(newton, system, (&start, Kept::No), &short, &mut Path::new(&start), &mut |_, _, _| {
+        ControlFlow::Continue(())
+    })
+    .map(|_| ())
 }

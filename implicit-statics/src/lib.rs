@@ -86,6 +86,14 @@
 //! A state that is kept is told ([`Equilibrium::accept`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
 //! histories back with the state.
 //!
+//! # What breaks
+//!
+//! A system may have parts that break at a limit ([`Equilibrium::utilisation`]). A step that takes any beyond is made shorter, by a
+//! secant, to where the first limit is met; the critical set breaks ([`Equilibrium::break_critical`]), the level (the controlled displacement) is balanced
+//! without it, and so on until all is within its limits; then the path goes on. Each [`Breach`] tells the energy that the set
+//! held and what else was set free at a constant level; both and what is stored are the work of the loads. Where a level has no
+//! balance without what broke, the path ends by [`EquilibriumError::GaveWay`]: it is the greatest load borne.
+//!
 //! # Dynamic relaxation
 //!
 //! [`Relaxation`] lets the unknowns move as masses under the residual, with a fictitious step of one and M from row sums:
@@ -207,6 +215,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod bounds;
+mod breaking;
 mod buckling;
 mod critical;
 mod effort;
@@ -231,6 +240,7 @@ mod symbolic;
 mod vectors;
 
 pub use bounds::OutOfBounds;
+pub use breaking::Breach;
 pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use critical::switch_branch;
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};

@@ -199,6 +199,16 @@ impl Newton {
         self.factored = None;
     }
 
+    /// Knows no factor of the present state: the system has changed in it.
+    pub(crate) fn forget(&mut self) {
+        self.factored = None;
+    }
+
+    /// The loads last evaluated \[F\].
+    pub(crate) fn load(&self) -> &[f64] {
+        &self.external
+    }
+
     /// Takes note of a step that is kept.
     pub(crate) fn accept(&mut self, increment: &Increment) {
         for (sum, motion) in self.travelled.iter_mut().zip(&increment.motion) {

@@ -1,6 +1,6 @@
 //! What a path of equilibria is: its points, its critical points, what was passed, and where it can be continued.
 
-use crate::{Converged, EquilibriumError, Increment, Inertia};
+use crate::{Breach, Converged, EquilibriumError, Increment, Inertia};
 
 /// Where a path starts: the present state of the system at a level.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -62,6 +62,8 @@ pub struct Path {
     pub critical: Vec<CriticalPoint>,
     /// What was passed without being located.
     pub passages: Vec<Passage>,
+    /// What broke on the way, set by set.
+    pub breaches: Vec<Breach>,
     /// Whence it can be continued.
     pub restart: Start,
     /// How it ended.
@@ -75,6 +77,7 @@ impl Path {
             points: Vec::new(),
             critical: Vec::new(),
             passages: Vec::new(),
+            breaches: Vec::new(),
             restart: start.clone(),
             end: Ok(End::Steps),
         }

@@ -1,10 +1,11 @@
 //! One continuation step from a converged state: predictor, corrector, and what is kept between steps.
 
+use crate::breaking::Gone;
 use crate::newton::Constraint;
 use crate::options::{Control, PathOptions};
 use crate::path::Start;
 use crate::vectors::dot;
-use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
+use crate::{Breach, Converged, Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Part of a step left unexplained by the tangents at its ends above which it may have left its branch.
 ///
@@ -276,6 +277,28 @@ impl<'a> Stepper<'a> {
         self.level = level;
         self.last = Some(increment);
         self.departure = None;
+    }
+
+    /// Breaks what the last point takes furthest beyond its limit, and goes over to the balance without it, where the
+    /// controlled quantity is as it was; none where all is within its limits.
+    pub fn give_way<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+    ) -> Result<Option<(Converged, usize, Breach)>, EquilibriumError> {
+        let constraint = match self.control {
+            Control::Displacement { .. } => Constraint::Functional { weights: &self.weights, target: 0.0 },
+            _ => Constraint::Level,
+        };
+        let gone = self.newton.break_critical(system, self.level, &constraint)?;
+        let Some(Gone { breach, converged, increment }) = gone else { return Ok(None) };
+        self.newton.accept(&increment);
+        (self.level, self.departure) = (converged.level, None);
+        // The path has a corner here: its bend tells nothing of what follows.
+        if !matches!(self.control, Control::ArcLength { .. }) {
+            self.last = None;
+        }
+        let unstable = self.unstable(system, &converged)?;
+        Ok(Some((converged, unstable, breach)))
     }
 
     /// Whence the path goes on.

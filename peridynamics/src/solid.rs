@@ -15,6 +15,10 @@ use crate::parts::{Carrier, Parts};
 use crate::sheets::Plate;
 use crate::wetted::Surface;
 
+/// Part by which bonds that break together may differ in how far they are taken: those that symmetry makes alike differ by
+/// what is left of a balance.
+const ALIKE: f64 = 1e-6;
+
 /// A peridynamic body: nodes that move, and of a plate of two sheets their directors.
 ///
 /// What moves is a list of rows: the positions of the nodes, behind them the directors. All rows have masses, forces and
@@ -244,19 +248,27 @@ impl Solid {
         }
     }
 
-    /// Breaks the bonds that the present state takes beyond their limits; returns how many directed ones.
-    pub(crate) fn break_beyond_limits(&mut self) -> usize {
+    /// Counts the work that the present state does on bonds, if that breaks them; evaluated once more it does none.
+    pub(crate) fn count_work(&mut self) {
         let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
-        if !self.mechanics.noted() {
-            return 0;
-        }
-        let before = self.mechanics.broken()[0].len();
-        self.mechanics.break_bonds(&self.rows);
-        // Work goes on from the pulls of the bonds that are left; the forces stay those of the balance.
-        let (mut rows, mut forces) = (self.rows.clone(), self.internal.clone());
-        self.mechanics.evaluate(&mut rows, &mut forces, wanted);
-        self.mechanics.broken()[0].len() - before
+    }
+
+    /// How far the bond nearest to its limit is taken in the present state, one at the limit; zero where none breaks.
+    pub(crate) fn utilisation(&mut self) -> f64 {
+        self.evaluate_internal(false);
+        self.mechanics.utilisation(&self.rows)
+    }
+
+    /// Breaks the bonds that the present state, whose work was counted, takes furthest; returns the energy that it takes to bring
+    /// them to their limits: what they hold falls with the square of how far they are taken.
+    pub(crate) fn break_critical(&mut self) -> f64 {
+        let most = self.utilisation();
+        let share = 1.0 / (most * most).max(1.0);
+        let energy = self.mechanics.break_from(most * (1.0 - ALIKE), share, &self.rows);
+        // Work goes on from the pulls of the bonds that are left.
+        self.count_work();
+        energy
     }
 
     /// The loads at an instant.

@@ -1,6 +1,7 @@
 //! The analyses, one file each, and the run that hands a body to one of them; what was recorded is kept however the
 //! run ends.
 
+mod breaking;
 mod criticality;
 mod estimate;
 mod linear;

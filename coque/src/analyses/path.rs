@@ -7,6 +7,7 @@ use implicit_statics::{
     Point, Start, follow, linear_response,
 };
 
+use super::breaking::{at_rest, note_breaches};
 use super::criticality::{Follows, note};
 use crate::bodies::{Balanced, PrescribedPoint};
 use crate::run::Run;
@@ -74,6 +75,7 @@ pub(crate) fn levels(
             run.tell(before / last, run.record.steps, before, row[1])
         });
         count(&path, run);
+        note_breaches(&path.breaches, unit.as_deref(), &mut run.record);
         note(&path, Follows::Levels, unit.as_deref(), &mut run.record);
         match path.end {
             Ok(End::Reached) => {}
@@ -89,7 +91,7 @@ pub(crate) fn levels(
         }
         row[0] = level;
         let internal = row[1];
-        run.record.energies = Energies::at_rest(internal);
+        run.record.energies = at_rest(internal, 0.0, &run.record);
         run.push(row);
         // Under a prescribed motion the pivots are those of the force that brings it about.
         let inertia = path.points.last().filter(|_| run.driven.is_none()).map(Point::inertia);
@@ -150,6 +152,10 @@ pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn Balanced, run: &mu
         if reached || interrupted { ControlFlow::Break(()) } else { flow }
     });
     count(&path, run);
+    note_breaches(&path.breaches, unit.as_deref(), &mut run.record);
+    if path.points.len() > 1 {
+        run.record.energies = at_rest(run.record.energies.internal, 0.0, &run.record);
+    }
     note(&path, Follows::Arc, unit.as_deref(), &mut run.record);
     let level = path.restart.level;
     match path.end {

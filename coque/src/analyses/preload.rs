@@ -2,6 +2,7 @@
 
 use implicit_statics::{Control, End, Point, Start, follow};
 
+use super::breaking::note_breaches;
 use super::criticality::{Follows, note};
 use super::path::{newton, options, read};
 use crate::bodies::Balanced;
@@ -42,6 +43,7 @@ pub(crate) fn preload(
         run.tell(0.0, point.step as u64, 0.0, internal)
     });
     let mut found = RunRecord::default();
+    note_breaches(&path.breaches, None, &mut run.record);
     note(&path, Follows::Levels, None, &mut found);
     for mut warning in found.warnings {
         warning.message = format!("in the preload: {}", warning.message);

@@ -4,12 +4,13 @@ use std::ops::ControlFlow;
 
 use implicit_statics::{Damping, EquilibriumError, Relaxation, RelaxationOptions};
 
+use super::breaking::{at_rest, note_breaches};
 use super::criticality::note_snap;
 use crate::bodies::Balanced;
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
-use crate::run::record::{Energies, LevelSummary};
+use crate::run::record::LevelSummary;
 use crate::scene::{self, RelaxationDamping};
 
 /// Relaxes from level to level, from the start or from where an earlier run stood.
@@ -46,6 +47,8 @@ pub(crate) fn relaxation(
         }
         keep(run, 0, &relaxation, system);
     }
+    let broken = run.record.breaking.as_ref().map_or(0.0, |breaking| breaking.energy + breaking.released);
+    let mut freed = run.record.energies.dissipated - broken;
     let mut before = first.checked_sub(1).and_then(|last| list.get(last)).copied().unwrap_or(0.0);
     for (number, &level) in list.iter().enumerate().skip(first) {
         let steps = run.record.steps;
@@ -69,9 +72,10 @@ pub(crate) fn relaxation(
             ..LevelSummary::balanced(level, None, relaxed.iterations as u64)
         };
         run.record.levels.push(reached);
+        note_breaches(&relaxed.breaches, None, &mut run.record);
         let release = &relaxed.release;
         note_snap(release, (before, level), &mut run.record);
-        let freed = if release.snapped() { release.energy } else { 0.0 };
+        freed += if release.snapped() { release.energy } else { 0.0 };
         if record(run, system, level, relaxed.iterations, freed).is_break() {
             return Ended::Done;
         }
@@ -99,8 +103,6 @@ fn record(
 ) -> ControlFlow<()> {
     let internal = system.refresh(level);
     run.row(vec![level, internal, iterations as f64], system);
-    let dissipated = run.record.energies.dissipated + freed;
-    run.record.energies =
-        Energies { external: internal + dissipated, dissipated, ..Energies::at_rest(internal) };
+    run.record.energies = at_rest(internal, freed, &run.record);
     run.keep_shape(system, 0.0, level)
 }

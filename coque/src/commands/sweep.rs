@@ -159,7 +159,7 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         Err(error) => return refused(error),
     };
     let code = match outcome.ended {
-        Ended::Done if !outcome.summary.record.not_settled().is_empty() => NOT_SETTLED,
+        Ended::Done if outcome.summary.record.falls_short().is_some() => NOT_SETTLED,
         Ended::Done => DONE,
         Ended::Diverged(ref failure) if failure.is_input() => BAD_INPUT,
         Ended::Diverged(_) => DIVERGED,

@@ -25,6 +25,8 @@ pub struct RunRecord {
     pub conjugate_gradients: Option<ConjugateSummary>,
     /// What was applied before the analysis; none without a preload.
     pub preload: Option<PreloadSummary>,
+    /// What broke at its limit on a path of equilibria; none where nothing did.
+    pub breaking: Option<BreakingSummary>,
     /// Energies at the last record.
     pub energies: Energies,
     /// How well the energies of a march balance; none without time.
@@ -45,6 +47,18 @@ impl RunRecord {
     /// Adds a warning.
     pub(crate) fn warn(&mut self, doubt: Doubt, message: String) {
         self.warnings.push(Warning::new(doubt, message));
+    }
+
+    /// Why numbers fall short of what was asked although the run reached its end; none where they do not.
+    pub fn falls_short(&self) -> Option<String> {
+        let levels: Vec<String> = self.not_settled().iter().map(f64::to_string).collect();
+        if !levels.is_empty() {
+            return Some(format!("not settled: {}", levels.join(", ")));
+        }
+        let broken = self.warnings.iter().any(|warning| warning.doubt == Doubt::BrokenAtRest);
+        broken.then(|| {
+            "bonds broke in states of balance: the force is no more exact than the warning says".into()
+        })
     }
 
     /// Load levels that were left before the motion had died.
@@ -77,6 +91,38 @@ pub struct PreloadSummary {
     pub negative_pivots: usize,
     /// Critical points on the way; levels are parts of the preload.
     pub critical: Vec<CriticalSummary>,
+}
+
+/// What broke at its limit, one critical set at a time, with a balance between.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BreakingSummary {
+    /// Sets that broke.
+    pub sets: u64,
+    /// Load level at which the first did; with a `moved` support of one node the force.
+    pub first_level: f64,
+    /// Highest level at which one did.
+    pub highest_level: f64,
+    /// Greatest force that prescribed motions took as one broke, the root of the sum of squares over nodes \[F\].
+    pub greatest_driving_force: f64,
+    /// Energy that it takes to bring them to their limits \[F L\].
+    pub energy: f64,
+    /// Energy set free at constant levels, beyond that \[F L\].
+    pub released: f64,
+}
+
+impl BreakingSummary {
+    /// Nothing broke yet, at this level the first does.
+    pub(crate) fn from(level: f64) -> Self {
+        let zero = 0.0;
+        Self {
+            sets: 0,
+            first_level: level,
+            highest_level: level,
+            greatest_driving_force: zero,
+            energy: zero,
+            released: zero,
+        }
+    }
 }
 
 /// Energies at the last record \[F L\].

@@ -13,14 +13,19 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
+use crate::breaking::{Breach, nearer};
 use crate::error::require;
 use crate::options::RelaxationOptions;
+use crate::vectors::dot;
 use crate::{Equilibrium, EquilibriumError};
 use motion::Motion;
 use past::Past;
 use release::Energies;
 pub use release::Release;
 use slow::SlowModes;
+
+/// Tries at the level at which a first limit is met.
+const TRIES: usize = 6;
 
 /// How an equilibrium was relaxed.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,8 +44,11 @@ pub struct Relaxed {
     pub residuals: Vec<f64>,
     /// Bound that the last one met \[F\].
     pub bound: f64,
-    /// Energy set free between the levels: a snap, where it is beyond what a path leaves over.
+    /// Energy set free between the levels: a snap, where it is beyond what a path leaves over. Where something broke it is that of
+    /// the way from there on.
     pub release: Release,
+    /// What broke on the way, set by set.
+    pub breaches: Vec<Breach>,
 }
 
 /// Where a relaxation stands, told every hundred iterations.
@@ -126,7 +134,8 @@ impl Relaxation {
         &self.memory
     }
 
-    /// Finds the equilibrium at level `to` from the present state, which balances level `from`.
+    /// Finds the equilibrium at level `to` from the present state, which balances level `from`. What reaches its limit on the way
+    /// breaks, the critical set first, with a balance between.
     ///
     /// It sets out from where the levels before point, if there are two or more, and once more from the present state where
     /// that leads astray. Held values that move go along, or from level to level within the first iterations. After an error the
@@ -136,6 +145,75 @@ impl Relaxation {
     /// [`EquilibriumError::NotRelaxed`] where the iterations do not suffice, [`EquilibriumError::Strayed`] where the motion leaves
     /// the bounds of the model, [`EquilibriumError::Ended`] where the observer breaks off, [`EquilibriumError::Force`].
     pub fn to_level<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        (from, to): (f64, f64),
+        mut observer: impl FnMut(&Relaxing) -> ControlFlow<()>,
+    ) -> Result<Relaxed, EquilibriumError> {
+        let mut level = from;
+        let mut sum: Option<Relaxed> = None;
+        loop {
+            let start = system.utilisation();
+            let saved = system.save();
+            let mut relaxed = self.balance(system, (level, to), &mut observer)?;
+            let (mut at, mut tries) = (to, 0);
+            while let Some(share) = nearer(start, system.utilisation()).filter(|_| tries < TRIES) {
+                // Back to where the first limit is met.
+                system.restore(&saved);
+                at = level + share * (at - level);
+                tries += 1;
+                add(&mut sum, relaxed);
+                relaxed = self.balance(system, (level, at), &mut observer)?;
+            }
+            system.accept();
+            add(&mut sum, relaxed);
+            let breaches = self.give_way(system, at, &mut sum, &mut observer)?;
+            if let Some(sum) = &mut sum {
+                sum.breaches.extend(breaches);
+            }
+            if at == to {
+                return Ok(sum.unwrap_or_else(|| unreachable!("a level was balanced")));
+            }
+            level = at;
+        }
+    }
+
+    /// Breaks what is beyond its limit, set by set, with a balance of the same level between.
+    fn give_way<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        sum: &mut Option<Relaxed>,
+        observer: &mut impl FnMut(&Relaxing) -> ControlFlow<()>,
+    ) -> Result<Vec<Breach>, EquilibriumError> {
+        let mut out = Vec::new();
+        loop {
+            let utilisation = system.utilisation();
+            if utilisation < 1.0 {
+                return Ok(out);
+            }
+            let (driving_force, start, before) = (system.driving_force(), system.save(), system.energy());
+            let energy = system.break_critical();
+            self.memory.past.distrust();
+            let settled = Motion::new(self, system, (level, level)).settle(system, observer);
+            let (relaxed, way) = settled.map_err(|cause| {
+                system.restore(&start);
+                match cause {
+                    ended @ EquilibriumError::Ended { .. } => ended,
+                    cause => EquilibriumError::GaveWay { step: out.len(), level, cause: Box::new(cause) },
+                }
+            })?;
+            system.accept();
+            let mut load = vec![0.0; way.len()];
+            system.external(level, &mut load);
+            let released = before - energy - system.energy() + dot(&load, &way);
+            out.push(Breach { level, utilisation, driving_force, energy, released });
+            add(sum, relaxed);
+        }
+    }
+
+    /// Finds one equilibrium; nothing breaks, and the state is not yet kept.
+    fn balance<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         (from, to): (f64, f64),
@@ -155,7 +233,6 @@ impl Relaxation {
         }
         match outcome {
             Ok((mut relaxed, way)) => {
-                system.accept();
                 relaxed.release = self.memory.energies.found(system, (from, to), &start, way);
                 self.memory.past.found(system, to, &self.memory.masses);
                 Ok(relaxed)
@@ -166,4 +243,18 @@ impl Relaxation {
             }
         }
     }
+}
+
+/// Adds what one more balance took; all else is that of the last.
+fn add(sum: &mut Option<Relaxed>, more: Relaxed) {
+    let Some(sum) = sum else {
+        *sum = Some(more);
+        return;
+    };
+    sum.iterations += more.iterations;
+    sum.evaluations += more.evaluations;
+    sum.row_sums += more.row_sums;
+    sum.rests += more.rests;
+    sum.residuals.extend(more.residuals);
+    (sum.level, sum.bound, sum.release) = (more.level, more.bound, more.release);
 }

@@ -72,7 +72,7 @@ impl<'a> Motion<'a> {
             counts: Counts::default(),
         };
         if system.held_values_move() {
-            motion.ramp = motion.options.ramp;
+            motion.ramp = if levels.0 == levels.1 { 0 } else { motion.options.ramp };
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
             motion.counts.evaluations += 1;
@@ -120,8 +120,17 @@ impl<'a> Motion<'a> {
             if found {
                 let Counts { evaluations, row_sums, rests } = self.counts;
                 let release = Release::default();
-                let relaxed =
-                    Relaxed { level, iterations, evaluations, row_sums, rests, residuals, bound, release };
+                let relaxed = Relaxed {
+                    level,
+                    iterations,
+                    evaluations,
+                    row_sums,
+                    rests,
+                    residuals,
+                    bound,
+                    release,
+                    breaches: Vec::new(),
+                };
                 return Ok((relaxed, self.way));
             }
             if ends {

@@ -12,7 +12,7 @@ use super::images::Images;
 use super::limits::Limit;
 use super::network::{LANES, Network, Row};
 use super::repulsion::Repulsion;
-use super::whole::{Whole, clear};
+use super::whole::{Whole, clear, is_set};
 use super::work::Works;
 use crate::cracks::Cut;
 use crate::error::SolidError;
@@ -119,8 +119,62 @@ impl Breaking {
         rows: &[Row],
         contact: Option<&Repulsion>,
     ) -> f64 {
+        let lanes = self.noted(scratch).collect();
+        self.break_lanes(network, (lanes, 1.0), rows, contact)
+    }
+
+    /// Greatest of [`Breaking::utilisations`].
+    pub fn utilisation(&self, network: &Network, rows: &[Row]) -> f64 {
+        let mut most = 0.0_f64;
+        self.utilisations(network, rows, |_, utilisation| most = most.max(utilisation));
+        most
+    }
+
+    /// Breaks the bonds utilised this far or further; books a share of the energy that the body loses at these positions, whose
+    /// last places hold the dilatations, and returns it \[F L\].
+    pub fn break_from(
+        &mut self,
+        network: &mut Network,
+        (least, share): (f64, f64),
+        rows: &[Row],
+        contact: Option<&Repulsion>,
+    ) -> f64 {
+        let mut lanes = Vec::new();
+        self.utilisations(network, rows, |lane, utilisation| {
+            if utilisation >= least {
+                lanes.push(lane);
+            }
+        });
+        self.break_lanes(network, (lanes, share), rows, contact)
+    }
+
+    /// How far whole bonds that may break are taken, one at the limit: their stretch over its limit, or the root of their work
+    /// over its limit, which grows with the stretch. The same bits from both ends; lanes ascend.
+    fn utilisations(&self, network: &Network, rows: &[Row], mut visit: impl FnMut(usize, f64)) {
         let rows = &*network.extended(rows);
-        let lanes = self.with_images(network, self.noted(scratch).collect());
+        for node in 0..network.len() {
+            for lane in network.lanes_of(node) {
+                if let Some(watch) = self.watch.as_ref().filter(|watch| is_set(&watch.lanes, lane)) {
+                    let bond = network.bond(lane);
+                    let stretch = bond.extension(node, rows) / bond.length;
+                    visit(lane, (stretch / watch.tension).max(stretch / watch.compression));
+                }
+                if let Some(works) = self.works.as_ref().filter(|works| is_set(&works.lanes, lane)) {
+                    visit(lane, works.utilisation(network, node, lane, rows));
+                }
+            }
+        }
+    }
+
+    fn break_lanes(
+        &mut self,
+        network: &mut Network,
+        (lanes, booked): (Vec<usize>, f64),
+        rows: &[Row],
+        contact: Option<&Repulsion>,
+    ) -> f64 {
+        let rows = &*network.extended(rows);
+        let lanes = self.with_images(network, lanes);
         let mut next = lanes.as_slice();
         let mut lost = 0.0;
         while let Some(&first) = next.first() {
@@ -140,6 +194,7 @@ impl Breaking {
             if let Some(dilatation) = &network.dilatation {
                 held += dilatation.factors[node] * share * (theta - 0.5 * share);
             }
+            held *= booked;
             self.energies[node] += held;
             lost += held;
             next = &next[end..];

@@ -24,6 +24,13 @@ pub(crate) trait Mechanics: Send + Sync {
     /// places do not matter \[F L\].
     fn break_bonds(&mut self, rows: &[Row]) -> f64;
 
+    /// How far the bond that is nearest to its limit is taken in the rows last evaluated, one at the limit; zero where none breaks.
+    fn utilisation(&self, rows: &[Row]) -> f64;
+
+    /// Breaks the bonds taken so far or further in the rows last evaluated; books a share of the energy that the body loses, and
+    /// returns it \[F L\].
+    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64;
+
     /// Pairs of rows with second derivatives, by the bonds that are whole now.
     fn couplings(&self) -> Couplings;
 

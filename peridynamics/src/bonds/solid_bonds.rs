@@ -136,6 +136,15 @@ impl Mechanics for SolidBonds {
         breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref())
     }
 
+    fn utilisation(&self, rows: &[Row]) -> f64 {
+        self.breaking.as_ref().map_or(0.0, |breaking| breaking.utilisation(&self.network, rows))
+    }
+
+    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64 {
+        let Some(breaking) = &mut self.breaking else { return 0.0 };
+        breaking.break_from(&mut self.network, (least, share), rows, self.contact.as_ref())
+    }
+
     fn couplings(&self) -> Couplings {
         self.network.couplings()
     }

@@ -56,7 +56,7 @@ impl Whole {
 }
 
 /// Whether the bit of a lane is set.
-fn is_set(bits: &[u8], lane: usize) -> bool {
+pub(crate) fn is_set(bits: &[u8], lane: usize) -> bool {
     bits[lane / LANES] & (1 << (lane % LANES)) != 0
 }
 

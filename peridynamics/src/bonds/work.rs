@@ -33,6 +33,13 @@ struct Worked {
     limit: f64,
 }
 
+impl Worked {
+    /// Work up to a state not far from that of the last evaluation, by the mean of the pulls \[F L\].
+    fn up_to(&self, pull: f64, extension: f64) -> f64 {
+        self.done + 0.5 * (pull + self.pull) * (extension - self.extension)
+    }
+}
+
 impl Works {
     /// No work done; `limits` of lanes.
     pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize) -> f64) -> Self {
@@ -59,7 +66,7 @@ impl Works {
                     let (bond, worked) = (network.bond(lane), &mut chunk.bonds[lane - chunk.first]);
                     let extension = bond.extension(node, rows);
                     let pull = bond.pull(extension, node, rows);
-                    worked.done += 0.5 * (pull + worked.pull) * (extension - worked.extension);
+                    worked.done = worked.up_to(pull, extension);
                     (worked.pull, worked.extension) = (pull, extension);
                     if extension > 0.0 && worked.done > worked.limit {
                         chunk.beyond.push(lane as u32);
@@ -72,6 +79,15 @@ impl Works {
         } else {
             self.chunks.iter_mut().enumerate().for_each(one);
         }
+    }
+
+    /// `√(work/limit)` of a stretched bond were the work added up to these rows, zero of others; nothing is added.
+    pub fn utilisation(&self, network: &Network, node: usize, lane: usize, rows: &[Row]) -> f64 {
+        let chunk = &self.chunks[node / NODE_CHUNK];
+        let (bond, worked) = (network.bond(lane), &chunk.bonds[lane - chunk.first]);
+        let extension = bond.extension(node, rows);
+        let done = worked.up_to(bond.pull(extension, node, rows), extension);
+        if extension > 0.0 { (done.max(0.0) / worked.limit).sqrt() } else { 0.0 }
     }
 
     /// Lanes of bonds that went beyond their limit in the last evaluation, ascending.

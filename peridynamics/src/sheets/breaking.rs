@@ -17,11 +17,12 @@ impl Plate {
         }
         let lost = upper.break_noted(rows, z) + lower.break_noted(rows, -z);
         let rows = self.columns.extended(rows, true);
-        lost + self.slacken(Some(&rows))
+        lost + self.slacken(Some((&rows, 1.0)))
     }
 
-    /// Sets the rigidities of pairs by the bonds that are whole; returns the energy that pairs lose in these rows \[F L\].
-    pub fn slacken(&mut self, rows: Option<&[Row]>) -> f64 {
+    /// Sets the rigidities of pairs by the bonds that are whole; books a share of the energy that pairs lose in these rows, and
+    /// returns it \[F L\].
+    pub fn slacken(&mut self, rows: Option<(&[Row], f64)>) -> f64 {
         let count = self.columns.rest.len();
         let shear = &mut self.columns.shear;
         let mut lost = 0.0;
@@ -32,11 +33,11 @@ impl Plate {
                 let whole = self.sheets.iter().filter(|sheet| sheet.is_whole(lane)).count();
                 let (before, after) = (pair.stiffness, 0.5 * whole as f64 * pair.rigidity);
                 pair.stiffness = after;
-                let (Some(rows), true) = (rows, before != after) else { continue };
+                let (Some((rows, share)), true) = (rows, before != after) else { continue };
                 let end = (&rows[pair.other as usize], &rows[pair.turned as usize]);
                 let sheared = pair.sheared((&rows[node], &rows[count + node]), end);
                 // The other half is lost at the other end.
-                let held = 0.25 * (before - after) * sheared.strain * sheared.strain;
+                let held = share * 0.25 * (before - after) * sheared.strain * sheared.strain;
                 self.sheared_off[node] += held;
                 lost += held;
             }

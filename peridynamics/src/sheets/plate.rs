@@ -140,6 +140,17 @@ impl Mechanics for Plate {
         self.break_noted(rows)
     }
 
+    fn utilisation(&self, _rows: &[Row]) -> f64 {
+        let [upper, lower] = self.sheets.each_ref().map(Sheet::utilisation);
+        upper.max(lower)
+    }
+
+    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64 {
+        let lost: f64 = self.sheets.iter_mut().map(|sheet| sheet.break_from(least, share)).sum();
+        let rows = self.columns.extended(rows, true);
+        lost + self.slacken(Some((&rows, share)))
+    }
+
     fn couplings(&self) -> Couplings {
         self.pattern()
     }

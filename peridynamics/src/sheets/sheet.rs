@@ -109,6 +109,18 @@ impl Sheet {
         breaking.break_noted(&mut self.network, &self.scratch, &points, None)
     }
 
+    /// How far the bond nearest to its limit is taken in the last evaluation.
+    pub fn utilisation(&self) -> f64 {
+        self.breaking.as_ref().map_or(0.0, |breaking| breaking.utilisation(&self.network, &self.points))
+    }
+
+    /// Breaks the bonds taken so far or further in the last evaluation; books a share of the energy that the sheet loses, and
+    /// returns it \[F L\].
+    pub fn break_from(&mut self, least: f64, share: f64) -> f64 {
+        let Some(breaking) = &mut self.breaking else { return 0.0 };
+        breaking.break_from(&mut self.network, (least, share), &self.points, None)
+    }
+
     /// Whether the bond on a lane is whole.
     pub fn is_whole(&self, lane: usize) -> bool {
         self.breaking.as_ref().is_none_or(|breaking| breaking.bonds.is_whole(lane))

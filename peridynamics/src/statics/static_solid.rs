@@ -19,8 +19,8 @@ const SHORTEST: f64 = 0.1;
 /// A peridynamic body with what Newton's method and relaxation need.
 ///
 /// Contact is not in the tangent: bodies with it belong in time. Built only when a static analysis asks for it. The body is its own, or lent (`&mut Solid`) for a look at the tangent of
-/// a state. Bonds break in [`Equilibrium::accept`] alone: a state that is kept breaks the bonds that it stretches beyond
-/// their limits, and the next level finds the balance without them. Broken bonds stay broken, whatever state is restored.
+/// a state. Bonds break in [`Equilibrium::break_critical`] alone, those nearest to their limits first, and the path finds the
+/// balance without them before others do. Broken bonds stay broken, whatever state is restored.
 pub struct StaticSolid<S = Box<Solid>> {
     solid: S,
     unknowns: Unknowns,
@@ -28,8 +28,6 @@ pub struct StaticSolid<S = Box<Solid>> {
     couplings: OnceCell<Couplings>,
     /// Rows with a prescribed displacement.
     moved: Vec<u32>,
-    /// Greatest share of all bonds that one kept state broke.
-    broken_share: f64,
 }
 
 impl StaticSolid {
@@ -45,7 +43,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// of prescribed values too.
     pub fn lent(solid: S) -> Self {
         let unknowns = Unknowns::new(&solid.constraints, solid.len(), solid.block.greatest_spacing());
-        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new(), broken_share: 0.0 }
+        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new() }
     }
 
     /// The body in its present state; its forces are those last evaluated.
@@ -56,11 +54,6 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// The same, to put it into another state; whatever is evaluated is that of the state before.
     pub fn solid_mut(&mut self) -> &mut Solid {
         &mut self.solid
-    }
-
-    /// The greatest share of all bonds that broke in one state that was kept \[–\]. Without them that state is no balance.
-    pub fn broken_share(&self) -> f64 {
-        self.broken_share
     }
 
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
@@ -225,11 +218,17 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
         !self.moved.is_empty()
     }
 
-    /// Breaks the bonds that the state stretches beyond their limits; those left whole are within them, so that a second
-    /// call finds none.
+    /// Counts the work done on bonds. None breaks.
     fn accept(&mut self) {
-        let broken = self.solid.break_beyond_limits();
-        self.broken_share = self.broken_share.max(broken as f64 / self.solid.bonds() as f64);
+        self.solid.count_work();
+    }
+
+    fn utilisation(&mut self) -> f64 {
+        self.solid.utilisation()
+    }
+
+    fn break_critical(&mut self) -> f64 {
+        self.solid.break_critical()
     }
 
     /// Without a matrix: exact where no dilatation counts, else a bound. All unknowns of a node take the largest of theirs

@@ -6,6 +6,7 @@ mod blocks;
 mod bodies;
 mod closed_forms;
 mod equilibria;
+mod griffith;
 mod patch;
 mod slow_cracks;
 mod tangent;

@@ -58,11 +58,9 @@ fn spent(poisson: f64) -> f64 {
     let mut newton = Newton::new(&system, &NewtonOptions::default()).unwrap();
     let (from, mut level) = (tip(&system), 0.6);
     while tip(&system) < from + 0.5 {
-        let broken = system.solid().broken()[0].len();
         newton.at_level(&mut system, level).unwrap();
-        if system.solid().broken()[0].len() == broken {
-            level *= 1.03;
-        }
+        while newton.give_way(&mut system, level).unwrap().is_some() {}
+        level *= 1.03;
     }
     held(&system) / (TOUGHNESS * (tip(&system) - from))
 }
@@ -71,9 +69,9 @@ fn spent(poisson: f64) -> f64 {
 /// and the others are far beyond their limit when those break.
 #[test]
 fn bonds_of_a_slow_crack_hold_what_is_asked() {
-    for (poisson, measured) in [(0.2, 1.04), (0.45, 1.14)] {
+    for (poisson, measured) in [(0.2, 1.0), (0.45, 1.02)] {
         let spent = spent(poisson);
-        // What is over 1 are bonds that are beyond their limit when the crack leaps by a row, at steps of 3 % of the opening.
+        // Each bond is booked with what takes it to its limit; measured 0.999 and 1.018.
         assert!((spent - measured).abs() < 0.05, "ν = {poisson}: {spent}");
     }
 }

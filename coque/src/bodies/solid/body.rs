@@ -7,12 +7,10 @@ use explicit_dynamics::Dynamics;
 use peridynamics::{Solid, StaticSolid};
 use sph_core::Vec3;
 
-use super::doubts::broken_at_rest;
 use super::fields::fields;
 use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
 use crate::bodies::{Evaluated, Shown};
 use crate::scene::Measured;
-use crate::warning::Warning;
 
 impl Body for Solid {
     fn configuration(&self) -> Configuration<'_> {
@@ -101,10 +99,6 @@ impl<S: DerefMut<Target = Solid> + Send> Balanced for StaticSolid<S> {
 
     fn functional(&self, particle: usize, along: Vec3) -> Vec<f64> {
         StaticSolid::functional(self, &[particle as u32], along)
-    }
-
-    fn warnings(&self) -> Vec<Warning> {
-        broken_at_rest(self.broken_share()).into_iter().collect()
     }
 
     /// The thickness of a plate, else the spacing of nodes.

@@ -32,19 +32,6 @@ pub(super) fn doubts_of(scene: &Scene, body: &SolidScene, solid: &Solid) -> Vec<
     RULES.iter().filter_map(|(doubt, rule)| Some(Warning::new(*doubt, rule(&look)?))).collect()
 }
 
-/// Bonds that break where a state of balance is kept leave it out of balance.
-pub(super) fn broken_at_rest(share: f64) -> Option<Warning> {
-    (share > 0.0).then(|| {
-        let message = format!(
-            "{:.2} % of the bonds went beyond their limit in one state of balance and broke when it was kept: it is no balance \
-             without them, and the next one found is not on its path; take smaller steps of the load, or \
-             [analysis.explicit.transient], in which a crack runs at its own speed",
-            100.0 * share
-        );
-        Warning::new(Doubt::BrokenAtRest, message)
-    })
-}
-
 /// Horizons over the spacing between which cracks run freely and waves arrive in time.
 const USUAL: [f64; 2] = [2.5, 6.0];
 

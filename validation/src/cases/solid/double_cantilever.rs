@@ -234,21 +234,17 @@ impl Cantilever {
         let (from, spent_before) = (tip(&system), spent(&system));
         let (mut rates, mut solved, mut level) = (Vec::new(), 0, 0.98);
         while tip(&system) < from + 0.5 * ARM {
+            newton.at_level(&mut system, level)?;
+            solved += 1;
+            // The force of the balance, before its bonds break.
+            let force: f64 = up.iter().map(|&a| system.solid().reaction(a as usize).y).sum();
             let mut broke = false;
-            loop {
-                let broken = system.solid().broken()[0].len();
-                newton.at_level(&mut system, level)?;
+            while newton.give_way(&mut system, level)?.is_some() {
                 solved += 1;
-                let still = system.solid().broken()[0].len() == broken;
-                if !still && !broke && tip(&system) > from {
-                    // The forces of the balance, before its bonds broke.
-                    let force: f64 = up.iter().map(|&a| system.solid().reaction(a as usize).y).sum();
+                if !broke && tip(&system) > from {
                     rates.push(rate(&table, level * opening, force) / TOUGHNESS);
                 }
-                broke = !still;
-                if still {
-                    break;
-                }
+                broke = true;
             }
             level *= 1.01;
         }
