@@ -205,6 +205,7 @@ fn bonds_that_break_at_rest_raise_a_doubt() {
     };
     // Corners of the clamp are stretched twice as far as the rest.
     assert!(doubts(0.003).is_empty());
-    let told = doubts(0.015);
+    // The first corner breaks at 0.0075; at 0.0079 a node hangs by one bond, which is no balance.
+    let told = doubts(0.0077);
     assert!(told.len() == 1 && told[0].message.contains("Griffith"), "{told:?}");
 }

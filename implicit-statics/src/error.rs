@@ -208,7 +208,7 @@ pub enum EquilibriumError {
     },
     /// What broke at its limit leaves no balance behind.
     #[error(
-        "step {step}, load level {level:.6e}: without what broke there the level has no balance: it is the greatest that the body bears, beyond it breaking goes on by itself; prescribe a motion instead of a load, or march in time"
+        "step {step}, load level {level:.6e}: no balance was found without what broke there: breaking goes on by itself and the level is the greatest that the body bears, or a part hangs loose, as the cause says; prescribe a motion instead of a load, take a wider horizon, or march in time"
     )]
     GaveWay {
         /// Step of the path.
