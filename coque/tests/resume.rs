@@ -231,6 +231,15 @@ fn a_breaking_solid_goes_on_to_the_same_bits() {
     stopped_again_and_again("by-work", &text, &work, 5);
 }
 
+/// Bonds break between balances: the pattern of the tangent is that of the body before any broke.
+#[test]
+fn a_strip_that_tears_goes_on_to_the_same_bits() {
+    let strip = common::torn::strip(false);
+    stopped_again_and_again("torn-newton", &strip, &[], 3);
+    let relaxed = ("analysis", "{ relaxation = { levels = [0.25, 0.5, 0.75, 1.0] } }");
+    stopped_again_and_again("torn-relaxed", &strip, &[relaxed], 3);
+}
+
 #[test]
 fn static_runs_go_on_from_the_last_level_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");

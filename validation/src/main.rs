@@ -118,6 +118,7 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
     if let Some(result) = results.iter().find(|result| result.case.name == option_cost::NAME) {
         println!("\n{}", tables::numbers(&option_cost::table(&result.runs)?));
     }
+    println!("\n{}", tables::trust(&results));
     if let Some(file) = &cli.json {
         let records: Vec<&Record> = results.iter().flat_map(|result| &result.records).collect();
         let text = serde_json::to_string_pretty(&records).map_err(|error| write_error(file, &error))?;

@@ -8,6 +8,7 @@ pub mod fluids;
 pub mod galerkin;
 pub mod refused;
 pub mod solids;
+pub mod torn;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,10 @@
 //! Half of a body with a mirror against the whole.
 
-use super::{common::last, judge, ran};
+use super::{
+    common::{last, torn},
+    difference, judge, ran,
+};
+use coque::Outcome;
 
 /// The upper half or all of a bar pulled at its ends, its middle plane at y = 0.
 fn bar(half: bool, formulation: &str, loads: &str) -> String {
@@ -28,4 +32,20 @@ fn half_a_bar_moves_as_the_whole() {
         judge(&mut failures, "half", name, ((half / whole - 1.0).abs(), "u".into()), bound);
     }
     assert!(failures.is_empty(), "{failures:#?}");
+}
+
+/// A strip tears along its middle: the same forces before and after bonds break, half of the energies, the same sets one after another.
+#[test]
+fn half_a_strip_tears_as_the_whole() {
+    let mut failures = Vec::new();
+    let [half, whole] = [true, false].map(|half| ran(&torn::strip(half), &[], 1));
+    let factors: Vec<_> =
+        half.curve.columns.iter().map(|column| if column.name == "internal" { 2.0 } else { 1.0 }).collect();
+    judge(&mut failures, "half", "torn strip", difference(&half, &whole, &factors), 1e-9);
+    assert!(failures.is_empty(), "{failures:#?}");
+    let broken = |outcome: &Outcome| outcome.summary.record.breaking.clone().unwrap();
+    let [half, whole] = [broken(&half), broken(&whole)];
+    assert_eq!(half.sets, whole.sets);
+    assert!((2.0 * half.energy / whole.energy - 1.0).abs() < 1e-9, "{half:?} {whole:?}");
+    assert!((2.0 * half.released / whole.released - 1.0).abs() < 1e-9, "{half:?} {whole:?}");
 }

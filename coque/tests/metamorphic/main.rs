@@ -6,8 +6,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bodies;
 mod force_or_motion;
 mod half;
+mod meshes;
 mod order;
 mod threads;
 mod turned;

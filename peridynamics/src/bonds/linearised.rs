@@ -66,9 +66,10 @@ impl Network {
         self.lanes_of(node).map(|lane| self.bond(lane)).filter(carries)
     }
 
-    /// The nodes at the other ends of a node's whole bonds, and those whose images are there.
+    /// The nodes at the other ends of a node's bonds, and those whose images are there. Broken bonds count too, and some ends come
+    /// more than once: the pattern of a tangent stays as bonds break, and with it the order in which it is factored.
     pub fn neighbours(&self, node: usize) -> impl Iterator<Item = u32> {
-        self.whole(node).map(|bond| self.source(bond.other) as u32)
+        self.lanes_of(node).map(|lane| self.source(self.bond(lane).other) as u32)
     }
 
     /// The factors of the dilatations, if any of them counts.

@@ -31,7 +31,7 @@ pub(crate) trait Mechanics: Send + Sync {
     /// returns it \[F L\].
     fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64;
 
-    /// Pairs of rows with second derivatives, by the bonds that are whole now.
+    /// Pairs of rows with second derivatives, by all bonds, whole or broken.
     fn couplings(&self) -> Couplings;
 
     /// Second derivatives `∂²U/∂row∂row` at a state, one block a pair of the pattern; with a second state, the pulls of bonds

@@ -20,7 +20,7 @@ use super::network::Network;
 use crate::unknowns::Unknowns;
 
 impl Network {
-    /// Pairs of nodes that share a block of second derivatives, by the bonds that are whole now.
+    /// Pairs of nodes that share a block of second derivatives, by all bonds, whole or broken.
     pub fn couplings(&self) -> Couplings {
         let families: Vec<Vec<u32>> = (0..self.len()).map(|node| self.neighbours(node).collect()).collect();
         let wide = self.dilatation_factors().is_some();

@@ -1,5 +1,6 @@
 //! The record of one run: what it was, what it cost, its metrics with their verdicts, its curve.
 
+use coque::Warning;
 use serde::{Deserialize, Serialize};
 
 use super::case::Case;
@@ -37,6 +38,8 @@ pub struct Record {
     pub wall_seconds: f64,
     /// Particles times steps per second \[1/s\].
     pub particle_steps_per_second: f64,
+    /// Doubts that coque had about its numbers.
+    pub warnings: Vec<Warning>,
     /// What was measured.
     pub metrics: Vec<Metric>,
     /// What was recorded.
@@ -69,6 +72,7 @@ impl Record {
             threads: outcome.threads,
             wall_seconds: outcome.wall_seconds,
             particle_steps_per_second: outcome.particle_steps_per_second,
+            warnings: outcome.warnings.clone(),
             metrics,
             curve: Table {
                 columns: outcome.curve.columns.iter().map(coque::Column::title).collect(),
@@ -121,6 +125,7 @@ mod tests {
             threads: 1,
             wall_seconds: 0.5,
             particle_steps_per_second: 56.0,
+            warnings: Vec::new(),
             metrics,
             curve: Table { columns: vec!["level [-]".into()], rows: vec![vec![0.1 + 0.2], vec![1.0]] },
         }
