@@ -28,7 +28,7 @@ fn bodies_in_another_order_give_the_same_curve() {
         assert_ne!(backwards(text), text);
         let (one, other) = (ran(text, &[], 1), ran(&backwards(text), &[], 1));
         let ones = vec![1.0; one.curve.columns.len()];
-        judge(&mut failures, "bodies in another order", name, difference(&one, &other, &ones), 1e-6);
+        judge(&mut failures, "bodies in another order", name, difference(&one, &other, &ones), 1e-9);
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }
@@ -91,7 +91,7 @@ fn a_scene_in_a_mirror_gives_the_same_curve() {
         mirrored(&mut scene);
         let (one, other) = (ran(text, &[], 1), ran(&toml::to_string(&scene).unwrap(), &[], 1));
         let ones = vec![1.0; one.curve.columns.len()];
-        judge(&mut failures, "in a mirror", name, difference(&one, &other, &ones), 1e-6);
+        judge(&mut failures, "in a mirror", name, difference(&one, &other, &ones), 1e-9);
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }

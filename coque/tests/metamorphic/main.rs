@@ -11,6 +11,7 @@ mod force_or_motion;
 mod half;
 mod meshes;
 mod order;
+mod preload;
 mod threads;
 mod turned;
 mod units;

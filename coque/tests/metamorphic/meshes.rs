@@ -157,12 +157,12 @@ fn hold(relation: &str, change: impl Fn(Mesh) -> Mesh, place: impl Fn([f64; 3]) 
 
 #[test]
 fn a_mesh_that_is_counted_otherwise_gives_the_same_curve() {
-    hold("renumbered", Mesh::renumbered, |at| at, 1e-6);
+    hold("renumbered", Mesh::renumbered, |at| at, 1e-9);
 }
 
 #[test]
 fn a_mesh_that_is_mirrored_gives_the_same_curve() {
-    hold("mirrored", Mesh::mirrored, |[x, y, z]| [-x, y, z], 1e-6);
+    hold("mirrored", Mesh::mirrored, |[x, y, z]| [-x, y, z], 1e-9);
 }
 
 /// Ties find their hosts whatever rounding does to distances that are equal.
@@ -171,6 +171,6 @@ fn a_mesh_that_is_shifted_gives_the_same_curve() {
     for (number, shift) in [[3.3, -2.1, 0.7], [-0.123, 17.9, 0.031], [0.1, 0.1, 0.1]].into_iter().enumerate()
     {
         let place = move |at: [f64; 3]| std::array::from_fn(|axis| at[axis] + shift[axis]);
-        hold(&format!("shifted {number}"), |mesh| mesh.placed(place), place, 1e-6);
+        hold(&format!("shifted {number}"), |mesh| mesh.placed(place), place, 1e-9);
     }
 }

@@ -19,7 +19,7 @@ fn conditions_in_another_order_give_the_same_curve() {
     for scene in SCENES {
         let (one, other) = (of_the_list(scene), ran(&backwards(&text(scene.0)), scene.1, 1));
         let ones = vec![1.0; one.curve.columns.len()];
-        judge(&mut failures, "order", scene.0, difference(&one, &other, &ones), 1e-6);
+        judge(&mut failures, "order", scene.0, difference(&one, &other, &ones), 1e-9);
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }

@@ -10,7 +10,7 @@ fn a_scene_that_is_turned_gives_the_same_curve() {
         replaced.push(("orientation", "{ axis = [1.0, 2.0, -0.7], degrees = 37.0 }"));
         let (still, turned) = (of_the_list(scene), ran(&text(scene.0), &replaced, 1));
         let ones = vec![1.0; still.curve.columns.len()];
-        judge(&mut failures, "turned", scene.0, difference(&still, &turned, &ones), 1e-6);
+        judge(&mut failures, "turned", scene.0, difference(&still, &turned, &ones), 1e-8);
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }

@@ -108,7 +108,7 @@ fn a_scene_in_other_units_gives_the_same_curve_in_those() {
         let (one, other) = (ran(&text(name), &with, 1), ran(&toml::to_string(&scaled).unwrap(), &with, 1));
         let factors: Vec<_> =
             one.curve.columns.iter().map(|column| factor(&column.unit).unwrap_or(1.0)).collect();
-        judge(&mut failures, "units", name, difference(&one, &other, &factors), 1e-6);
+        judge(&mut failures, "units", name, difference(&one, &other, &factors), 1e-8);
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }
