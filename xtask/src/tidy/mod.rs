@@ -3,6 +3,7 @@
 mod circles;
 mod citations;
 mod layers;
+mod links;
 mod paths;
 mod sources;
 mod tree;
@@ -46,6 +47,7 @@ pub fn run() -> Result<(), String> {
     violations.extend(files.iter().flat_map(sources::check));
     violations.extend(circles::check(&files));
     violations.extend(citations.violations);
+    violations.extend(links::check(&files, &root));
     violations.sort();
 
     for warning in &citations.warnings {
