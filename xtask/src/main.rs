@@ -1,7 +1,8 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case`.
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case · soak · gallery`.
 
 mod bench;
 mod cargo;
+mod gallery;
 mod new_case;
 mod python;
 mod soak;
@@ -52,6 +53,7 @@ enum Task {
     /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, ignored tests, numbers of issues or
     /// paths of one machine; files and streams only in mesh-io, coque, validation and xtask.
     /// Citations: every key in square brackets has its entry in references.bib.
+    /// Links: those of Markdown pages lead to files and headings that are there.
     Tidy,
 
     /// The environment in target/python with which the tests read fields back: meshio and numpy, locked by hashes
@@ -72,6 +74,11 @@ enum Task {
     /// Runs with checkpoints are resumed, the others run anew. An error where a file is torn, a run does not end when it
     /// is asked to, or an end differs from that of a run left in peace. Needs the program `kill`; files in target/soak.
     Soak(soak::Options),
+
+    /// Run every scene of scenes/ and draw it: a page of pictures in target/gallery
+    ///
+    /// A scene that takes longer than the limit is drawn as it stands then. An error where a scene has no picture.
+    Gallery(gallery::Options),
 }
 
 fn main() -> ExitCode {
@@ -84,6 +91,7 @@ fn main() -> ExitCode {
         Task::Python => python::make(),
         Task::NewCase(options) => new_case::run(&options),
         Task::Soak(options) => soak::run(&options),
+        Task::Gallery(options) => gallery::run(&options),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
