@@ -84,6 +84,10 @@ pub enum Doubt {
     StiffLattice,
     /// A coupling that feeds energy into structures.
     FluidFirst,
+    /// A structure that gets, or may get, into a wall, which it does not feel.
+    NoContact,
+    /// Water at a face of a shell that the scene leaves dry.
+    DryFace,
     /// Boundaries that pull on a fluid and give way.
     PullingBoundary,
     /// Bonds beyond their limit in a state of balance, which is none without them.
@@ -145,6 +149,8 @@ impl Doubt {
             Self::LostFluid => "lost-fluid",
             Self::StiffLattice => "stiff-lattice",
             Self::FluidFirst => "fluid-first",
+            Self::NoContact => "no-contact",
+            Self::DryFace => "dry-face",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
             Self::LeakySupport => "leaky-support",
@@ -218,6 +224,8 @@ mod tests {
             Doubt::LostFluid,
             Doubt::StiffLattice,
             Doubt::FluidFirst,
+            Doubt::NoContact,
+            Doubt::DryFace,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
             Doubt::LeakySupport,

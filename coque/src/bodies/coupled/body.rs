@@ -10,6 +10,7 @@ use sph_core::{Cell, Vec3};
 
 use super::gauges::at_point;
 use super::layout::{Layout, Place};
+use super::watch::Watch;
 use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::{Sides, lost};
@@ -24,6 +25,8 @@ impl<S: Body + Wetted> Structure for S {}
 
 /// Name of the array of the clocks in a state; those of bodies have their names in front.
 const OF_CLOCKS: &str = "clocks";
+/// The same of what was seen where the run recorded.
+const OF_WATCH: &str = "watch";
 
 /// A fluid with its walls and the structures in it.
 pub(super) struct Coupled {
@@ -39,6 +42,8 @@ pub(super) struct Coupled {
     pub basins: Vec<Sides>,
     /// Speeds of the fluid so far.
     pub speeds: Speeds,
+    /// What is looked at where a run records.
+    pub watch: Watch,
 }
 
 impl Coupled {
@@ -121,7 +126,10 @@ impl Body for Coupled {
 
     fn found(&self) -> Found {
         let lost = lost(self.clocks.fluid(), &self.basins);
-        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds, lost)
+        let counts = self.clocks.counts();
+        let mut found = figures::found(self.clocks.fluid(), &counts, &self.added_mass, self.speeds, lost);
+        found.warnings.extend(self.watch.warnings());
+        found
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -133,6 +141,7 @@ impl Body for Coupled {
         let mut clocks = self.clocks.state();
         clocks.extend([self.speeds.greatest, self.speeds.fast]);
         all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
+        all.push(StateArray { name: OF_WATCH.into(), numbers: Cow::Owned(self.watch.state()) });
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
             all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
         }
@@ -172,6 +181,10 @@ impl Coupled {
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
         let (clocks, &[greatest, fast]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
         if !self.clocks.set_state(clocks) {
+            return Err(Mismatch);
+        }
+        let watch = arrays.iter().find(|array| array.name == OF_WATCH).ok_or(Mismatch)?;
+        if !self.watch.set_state(&watch.numbers) {
             return Err(Mismatch);
         }
         self.speeds = Speeds { greatest, fast };
@@ -217,4 +230,8 @@ impl Dynamics for Coupled {
     }
 }
 
-impl Marched for Coupled {}
+impl Marched for Coupled {
+    fn look(&mut self, time: f64) {
+        self.watch.look(time, &self.clocks);
+    }
+}

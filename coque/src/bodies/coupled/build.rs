@@ -10,6 +10,7 @@ use super::body::{Coupled, Structure};
 use super::layout::Layout;
 use super::probes::{Measuring, probes};
 use super::structures::{Wet, wet};
+use super::watched::watched;
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::basins;
 use crate::bodies::fluid::walls::{BuiltWalls, rows};
@@ -37,6 +38,7 @@ impl Scene {
         let mass = |wet: &Wet| liquid.density * liquid.sound_speed * step / wet.area_density;
         let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
         let mut built = Together::new(name, &fluid, &walls, &wets);
+        let (watch, unfelt) = watched(self, wanted, &fluid, &walls, &wets, &built.layout)?;
         let probes = {
             let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
             let measuring =
@@ -49,6 +51,7 @@ impl Scene {
         warnings.extend(fluid_first(coupling));
         warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
         warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
+        warnings.extend(unfelt);
         let mut made = Vec::new();
         for (name, wet) in wets {
             let own = wet.made.warnings.iter();
@@ -89,7 +92,8 @@ impl Scene {
         clocks.impedance = coupling.impedance;
         let Together { layout, rest, cells } = built;
         let basins = basins(self, wanted.geometry.spacing());
-        let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default() };
+        let body =
+            Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
         let made = Made {
             body: Ready::Dynamic(Box::new(body)),
             description,

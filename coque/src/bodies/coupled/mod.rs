@@ -2,7 +2,12 @@
 
 mod body;
 mod build;
+mod contact;
+mod dry;
 mod gauges;
 mod layout;
 mod probes;
+mod reach;
 mod structures;
+mod watch;
+mod watched;
