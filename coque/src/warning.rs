@@ -86,6 +86,8 @@ pub enum Doubt {
     FluidFirst,
     /// A structure that gets, or may get, into a wall, which it does not feel.
     NoContact,
+    /// A closed fluid that walls compress, and that has less pressure for it than it should.
+    SoftWalls,
     /// Water at a face of a shell that the scene leaves dry.
     DryFace,
     /// Boundaries that pull on a fluid and give way.
@@ -150,6 +152,7 @@ impl Doubt {
             Self::StiffLattice => "stiff-lattice",
             Self::FluidFirst => "fluid-first",
             Self::NoContact => "no-contact",
+            Self::SoftWalls => "soft-walls",
             Self::DryFace => "dry-face",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
@@ -225,6 +228,7 @@ mod tests {
             Doubt::StiffLattice,
             Doubt::FluidFirst,
             Doubt::NoContact,
+            Doubt::SoftWalls,
             Doubt::DryFace,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,

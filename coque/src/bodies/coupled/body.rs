@@ -88,10 +88,21 @@ impl Body for Coupled {
                 Measured::Displacement => (self.looked_at((piece, a)) - self.rest[number]).dot(along),
                 of => at_point(of, fluid, self.looked_at((piece, a))),
             },
-            Place::Piece(piece) => match of {
-                Measured::Moment => fluid.wall_moment(piece, Vec3::zeros()).dot(along),
-                _ => fluid.wall_force(piece).dot(along),
-            },
+            Place::Piece(piece) => {
+                let shares = self.layout.shares.get(piece).into_iter().flatten();
+                let shared = shares.map(|share| {
+                    let force = Vec3::from(fluid.wall_forces(share.piece)[share.particle]);
+                    let place = fluid.wall_positions(share.piece)[share.particle];
+                    (place, force.component_mul(&share.part))
+                });
+                match of {
+                    Measured::Moment => {
+                        let own = fluid.wall_moment(piece, Vec3::zeros());
+                        (own + shared.map(|(place, force)| place.cross(&force)).sum::<Vec3>()).dot(along)
+                    }
+                    _ => (fluid.wall_force(piece) + shared.map(|(_, force)| force).sum::<Vec3>()).dot(along),
+                }
+            }
             Place::Whole(structure) => match of {
                 Measured::Moment => fluid.structure_moment(structure, Vec3::zeros()).dot(along),
                 _ => fluid.structure_force(structure).dot(along),

@@ -8,6 +8,7 @@ mod gauges;
 mod layout;
 mod probes;
 mod reach;
+mod soft;
 mod structures;
 mod watch;
 mod watched;
