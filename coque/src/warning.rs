@@ -84,6 +84,12 @@ pub enum Doubt {
     StiffLattice,
     /// A coupling that feeds energy into structures.
     FluidFirst,
+    /// A structure that gets, or may get, into a wall, which it does not feel.
+    NoContact,
+    /// A closed fluid that walls compress, and that has less pressure for it than it should.
+    SoftWalls,
+    /// Water at a face of a shell that the scene leaves dry.
+    DryFace,
     /// Boundaries that pull on a fluid and give way.
     PullingBoundary,
     /// Bonds that broke in states of balance: a lattice holds a crack on each of its rows.
@@ -145,6 +151,9 @@ impl Doubt {
             Self::LostFluid => "lost-fluid",
             Self::StiffLattice => "stiff-lattice",
             Self::FluidFirst => "fluid-first",
+            Self::NoContact => "no-contact",
+            Self::SoftWalls => "soft-walls",
+            Self::DryFace => "dry-face",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
             Self::LeakySupport => "leaky-support",
@@ -218,6 +227,9 @@ mod tests {
             Doubt::LostFluid,
             Doubt::StiffLattice,
             Doubt::FluidFirst,
+            Doubt::NoContact,
+            Doubt::SoftWalls,
+            Doubt::DryFace,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
             Doubt::LeakySupport,

@@ -227,9 +227,14 @@ impl Fluid {
         &self.boundary.points[self.boundary.wall(wall)]
     }
 
+    /// Forces of the fluid on the particles of a wall \[F; F/L in a plane\], of the last evaluation.
+    pub fn wall_forces(&self, wall: usize) -> &[[f64; 3]] {
+        &self.boundary.forces[self.boundary.wall(wall)]
+    }
+
     /// Force of the fluid on a wall \[F; F/L in a plane\], of the last evaluation.
     pub fn wall_force(&self, wall: usize) -> Vec3 {
-        self.boundary.forces[self.boundary.wall(wall)].iter().map(|force| Vec3::from(*force)).sum()
+        self.wall_forces(wall).iter().map(|force| Vec3::from(*force)).sum()
     }
 
     /// Moment of the fluid on a wall about a point \[F L; F in a plane\], of the last evaluation.

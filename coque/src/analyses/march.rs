@@ -183,6 +183,7 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
         let columns =
             vec![at.time, at.level, energy.kinetic, energy.internal, energy.external, energy.dissipated];
         self.run.row(columns, body);
+        body.look(at.time);
         self.run.record.energies = Energies {
             kinetic: energy.kinetic,
             internal: energy.internal,

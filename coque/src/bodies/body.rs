@@ -69,6 +69,9 @@ pub trait Body: Send {
 
 /// A body that is marched in time.
 pub trait Marched: Body + Dynamics {
+    /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::found`].
+    fn look(&mut self, _time: f64) {}
+
     /// The same body without time, for a look at the tangent of the state at which it rests; none without an energy.
     fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
         None

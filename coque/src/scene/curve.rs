@@ -142,7 +142,8 @@ pub enum Measured {
     /// fly over the surface count as thick as they are \[L\].
     WetLength,
     /// Component of the force of a fluid on walls or on a structure \[F; by depth in a plane F/L\]. A column `NAME_mean` beside it
-    /// has the mean since the last record: the impulse over the time.
+    /// has the mean since the last record: the impulse over the time. In the corners of a basin each side has what acts along its normal,
+    /// and an equal part of what acts along the edge, so that the floor bears the weight of still water; if the basin turns, equal parts.
     Force,
     /// Component of the moment of the forces of a fluid on walls or on a structure \[F L; by depth in a plane F\]. A column
     /// `NAME_mean` beside it has the mean since the last record.

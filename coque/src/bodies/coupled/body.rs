@@ -10,6 +10,7 @@ use sph_core::{Cell, Vec3};
 
 use super::gauges::at_point;
 use super::layout::{Layout, Place};
+use super::watch::Watch;
 use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::{Sides, lost};
@@ -24,6 +25,8 @@ impl<S: Body + Wetted> Structure for S {}
 
 /// Name of the array of the clocks in a state; those of bodies have their names in front.
 const OF_CLOCKS: &str = "clocks";
+/// The same of what was seen where the run recorded.
+const OF_WATCH: &str = "watch";
 
 /// A fluid with its walls and the structures in it.
 pub(super) struct Coupled {
@@ -39,6 +42,8 @@ pub(super) struct Coupled {
     pub basins: Vec<Sides>,
     /// Speeds of the fluid so far.
     pub speeds: Speeds,
+    /// What is looked at where a run records.
+    pub watch: Watch,
 }
 
 impl Coupled {
@@ -83,10 +88,21 @@ impl Body for Coupled {
                 Measured::Displacement => (self.looked_at((piece, a)) - self.rest[number]).dot(along),
                 of => at_point(of, fluid, self.looked_at((piece, a))),
             },
-            Place::Piece(piece) => match of {
-                Measured::Moment => fluid.wall_moment(piece, Vec3::zeros()).dot(along),
-                _ => fluid.wall_force(piece).dot(along),
-            },
+            Place::Piece(piece) => {
+                let shares = self.layout.shares.get(piece).into_iter().flatten();
+                let shared = shares.map(|share| {
+                    let force = Vec3::from(fluid.wall_forces(share.piece)[share.particle]);
+                    let place = fluid.wall_positions(share.piece)[share.particle];
+                    (place, force.component_mul(&share.part))
+                });
+                match of {
+                    Measured::Moment => {
+                        let own = fluid.wall_moment(piece, Vec3::zeros());
+                        (own + shared.map(|(place, force)| place.cross(&force)).sum::<Vec3>()).dot(along)
+                    }
+                    _ => (fluid.wall_force(piece) + shared.map(|(_, force)| force).sum::<Vec3>()).dot(along),
+                }
+            }
             Place::Whole(structure) => match of {
                 Measured::Moment => fluid.structure_moment(structure, Vec3::zeros()).dot(along),
                 _ => fluid.structure_force(structure).dot(along),
@@ -121,7 +137,10 @@ impl Body for Coupled {
 
     fn found(&self) -> Found {
         let lost = lost(self.clocks.fluid(), &self.basins);
-        figures::found(self.clocks.fluid(), &self.clocks.counts(), &self.added_mass, self.speeds, lost)
+        let counts = self.clocks.counts();
+        let mut found = figures::found(self.clocks.fluid(), &counts, &self.added_mass, self.speeds, lost);
+        found.warnings.extend(self.watch.warnings());
+        found
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -133,6 +152,7 @@ impl Body for Coupled {
         let mut clocks = self.clocks.state();
         clocks.extend([self.speeds.greatest, self.speeds.fast]);
         all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
+        all.push(StateArray { name: OF_WATCH.into(), numbers: Cow::Owned(self.watch.state()) });
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
             all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
         }
@@ -172,6 +192,10 @@ impl Coupled {
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
         let (clocks, &[greatest, fast]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
         if !self.clocks.set_state(clocks) {
+            return Err(Mismatch);
+        }
+        let watch = arrays.iter().find(|array| array.name == OF_WATCH).ok_or(Mismatch)?;
+        if !self.watch.set_state(&watch.numbers) {
             return Err(Mismatch);
         }
         self.speeds = Speeds { greatest, fast };
@@ -217,4 +241,8 @@ impl Dynamics for Coupled {
     }
 }
 
-impl Marched for Coupled {}
+impl Marched for Coupled {
+    fn look(&mut self, time: f64) {
+        self.watch.look(time, &self.clocks);
+    }
+}

@@ -7,12 +7,14 @@ use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall, lattice_moduli};
 use sph_core::{Cell, Vec3};
 
 use super::body::{Coupled, Structure};
-use super::layout::Layout;
+use super::layout::{Layout, Share};
 use super::probes::{Measuring, probes};
+use super::soft::soft;
 use super::structures::{Wet, wet};
+use super::watched::watched;
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::basins;
-use crate::bodies::fluid::walls::{BuiltWalls, rows};
+use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
@@ -37,6 +39,7 @@ impl Scene {
         let mass = |wet: &Wet| liquid.density * liquid.sound_speed * step / wet.area_density;
         let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
         let mut built = Together::new(name, &fluid, &walls, &wets);
+        let (watch, unfelt) = watched(self, wanted, &fluid, &walls, &wets, &built.layout)?;
         let probes = {
             let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
             let measuring =
@@ -49,6 +52,8 @@ impl Scene {
         warnings.extend(fluid_first(coupling));
         warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
         warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
+        warnings.extend(unfelt);
+        warnings.extend(soft(&fluid, &walls));
         let mut made = Vec::new();
         for (name, wet) in wets {
             let own = wet.made.warnings.iter();
@@ -89,7 +94,8 @@ impl Scene {
         clocks.impedance = coupling.impedance;
         let Together { layout, rest, cells } = built;
         let basins = basins(self, wanted.geometry.spacing());
-        let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default() };
+        let body =
+            Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
         let made = Made {
             body: Ready::Dynamic(Box::new(body)),
             description,
@@ -201,10 +207,28 @@ impl Together {
                 layout.pieces.push(first..rest.len());
             }
             layout.walls.push(piece..layout.pieces.len());
+            layout.shares.extend(shares(body, piece));
             layout.names.push(body.name.into());
         }
         Self { layout, rest, cells }
     }
+}
+
+/// By piece of a body of walls, the first of which has this number: what it has of corners, less what is counted with its particles.
+fn shares(body: &BuiltWalls<'_>, first: usize) -> Vec<Vec<Share>> {
+    let rows = &body.rows;
+    let turns = body.scene.motion.as_ref().is_some_and(|motion| motion.rotation.is_some());
+    let of = |piece: usize| {
+        let corners =
+            rows.corners.iter().filter(move |corner| corner.sides.iter().any(|side| side.0 == piece));
+        let share = move |corner: &Corner| {
+            let counted = if corner.piece == piece { 1.0 } else { 0.0 };
+            let part = corner.part(piece, turns) - Vec3::repeat(counted);
+            Share { piece: first + corner.piece, particle: corner.particle, part }
+        };
+        corners.map(share).collect()
+    };
+    (0..rows.pieces.len()).map(of).collect()
 }
 
 /// Warnings of walls with gaps.

@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use sph_core::Vec3;
+
 use super::gauges::Gauge;
 
 /// How the bodies lie one behind the other.
@@ -18,10 +20,22 @@ pub(super) struct Layout {
     pub structures: Vec<Range<usize>>,
     /// Particles of each piece of walls, in the order of the fluid's walls.
     pub pieces: Vec<Range<usize>>,
+    /// By piece: what of forces on single particles it has besides, or has not.
+    pub shares: Vec<Vec<Share>>,
     /// Pieces of each body of walls.
     pub walls: Vec<Range<usize>>,
     /// Gauges: pressures, levels and fluxes are read there.
     pub gauges: Vec<Gauge>,
+}
+
+/// Parts of the force on a particle in the corner of a basin that count for a piece beyond those of its own particles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Share {
+    /// The piece that has the particle, and its number there.
+    pub piece: usize,
+    pub particle: usize,
+    /// The parts, by component \[–\].
+    pub part: Vec3,
 }
 
 /// What a number stands for.
@@ -92,7 +106,6 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::Vec3;
 
     #[test]
     fn every_number_stands_for_one_place() {

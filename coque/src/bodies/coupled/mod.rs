@@ -2,7 +2,13 @@
 
 mod body;
 mod build;
+mod contact;
+mod dry;
 mod gauges;
 mod layout;
 mod probes;
+mod reach;
+mod soft;
 mod structures;
+mod watch;
+mod watched;

@@ -26,11 +26,36 @@ pub(in crate::bodies) struct Piece {
     pub first: Vec<bool>,
 }
 
+/// A particle behind two sides of a basin or three.
+#[derive(Clone, Debug)]
+pub(in crate::bodies) struct Corner {
+    /// The piece that has it, and its number there.
+    pub piece: usize,
+    pub particle: usize,
+    /// The pieces of the sides that it is behind, each with the axis of its normal.
+    pub sides: Vec<(usize, usize)>,
+}
+
+impl Corner {
+    /// The part of the force on it, by component, that one of its sides is told: the whole of that along its own normal, none of that
+    /// along the normal of another, and an equal part of what lies along the edge. Of a basin that turns, whose normals are those of the
+    /// axes at rest only, equal parts.
+    pub fn part(&self, piece: usize, turns: bool) -> Vec3 {
+        let equal = 1.0 / self.sides.len() as f64;
+        Vec3::from([0, 1, 2].map(|axis| {
+            let normal = self.sides.iter().find(|side| side.1 == axis && !turns);
+            normal.map_or(equal, |side| f64::from(u8::from(side.0 == piece)))
+        }))
+    }
+}
+
 /// Walls of one body.
 #[derive(Clone, Debug, Default)]
 pub(in crate::bodies) struct Rows {
     /// Its pieces.
     pub pieces: Vec<Piece>,
+    /// Particles of which sides share the force.
+    pub corners: Vec<Corner>,
     /// Places where the first row has a gap through which a fluid may leak.
     pub leaks: usize,
 }
@@ -82,7 +107,7 @@ fn vector(list: &[f64]) -> Vec3 {
     Vec3::from([0, 1, 2].map(|axis| list.get(axis).copied().unwrap_or(0.0)))
 }
 
-/// The sides of a basin; particles of a corner belong to the side that they are farther behind.
+/// The sides of a basin; particles of a corner belong to the side that they are farther behind, the force on them to all of its sides.
 fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
     let (min, max, dimensions) = (vector(&basin.min), vector(&basin.max), basin.min.len());
     let open = [0, 1, 2, 3, 4, 5].map(|side| basin.open.iter().any(|open| open == OF_WALLS[side + 1]));
@@ -94,6 +119,7 @@ fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError
     let mut pieces: Vec<Piece> = (0..2 * dimensions)
         .map(|side| Piece { side: Some(OF_WALLS[side + 1]), ..Piece::default() })
         .collect();
+    let mut shared = Vec::new();
     for x in points {
         let mut own = (0, f64::NEG_INFINITY);
         for side in 0..2 * dimensions {
@@ -103,11 +129,21 @@ fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError
             }
         }
         let (side, depth) = own;
+        let sides: Vec<usize> = (0..2 * dimensions).filter(|&side| behind(side, &x) > 0.0).collect();
+        if sides.len() > 1 {
+            shared.push((side, pieces[side].points.len(), sides));
+        }
         pieces[side].points.push(x);
         pieces[side].first.push(depth <= FIRST * spacing);
     }
     pieces.retain(|piece| !piece.points.is_empty());
-    Ok(Rows { pieces, leaks: 0 })
+    let piece = |side: usize| pieces.iter().position(|piece| piece.side == Some(OF_WALLS[side + 1]));
+    let corner = |(side, particle, sides): (usize, usize, Vec<usize>)| {
+        let sides = sides.into_iter().filter_map(|side| Some((piece(side)?, side / 2))).collect();
+        Some(Corner { piece: piece(side)?, particle, sides })
+    };
+    let corners = shared.into_iter().filter_map(corner).collect();
+    Ok(Rows { pieces, corners, leaks: 0 })
 }
 
 fn of_obstacle(block: &Obstacle, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
@@ -119,14 +155,14 @@ fn of_obstacle(block: &Obstacle, spacing: f64, rows: usize) -> Result<Rows, Spac
         inside.fold(f64::INFINITY, f64::min)
     };
     let first = points.iter().map(|x| depth(x) <= FIRST * spacing).collect();
-    Ok(Rows { pieces: vec![Piece { side: None, points, first }], leaks: 0 })
+    Ok(Rows { pieces: vec![Piece { side: None, points, first }], ..Rows::default() })
 }
 
 /// One piece, looked at for gaps.
 fn whole(points: Vec<Vec3>, wanted: &[Vec3], dimensions: usize, spacing: f64) -> Rows {
     let leaks = leaks(wanted, &points, dimensions, spacing);
     let first = vec![true; points.len()];
-    Rows { pieces: vec![Piece { side: None, points, first }], leaks }
+    Rows { pieces: vec![Piece { side: None, points, first }], leaks, ..Rows::default() }
 }
 
 /// Vertices and triangles of a surface from a file.

@@ -56,6 +56,13 @@ pub struct ShellScene {
     pub velocity: Option<Velocity>,
 }
 
+impl ShellScene {
+    /// Whether a fluid wets both of its faces.
+    pub(crate) fn wets_both(&self) -> bool {
+        matches!(self.wet, None | Some(WetFaces::Both))
+    }
+}
+
 /// Faces of a shell that a fluid wets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]

@@ -165,7 +165,7 @@ fn judged(asked: bool, viscous: bool, run: &Run) -> Result<Vec<Metric>, JudgeErr
         });
     }
     let rate = Metric::compared(DECAY, run.last(DECAY)?, "1/s", friction);
-    found.push(rate.shown(if viscous { "1.4 times the closed form where layers are 2.5 spacings thick: what else takes energy is not isolated" } else { SHOWN }));
+    found.push(rate.shown(if viscous { "1.4 times the closed form, which leaves out water that sticks where the sides meet the surface (docs/fluids.md)" } else { SHOWN }));
     found.push(figure(run, BALANCE, "%")?.shown(SHOWN));
     Ok(found)
 }
