@@ -112,7 +112,7 @@ fn march<E: Equilibrium + ?Sized>(
         let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(system, &saved, converged.level, increment);
-        system.accept();
+        stepper.newton.keep(system);
         path.restart = stepper.restart();
         let point = Point { step, converged, size: size_made, restarts, unstable };
         let stop = observer(&point, stepper.last.as_ref(), system);
