@@ -4,7 +4,9 @@ use rayon::prelude::*;
 use solid_kinematics::{PointTangent, Tangent};
 
 use crate::body::Galerkin;
+use crate::discretisation::Cell;
 use crate::stiffness::{Scratch, cell_stiffness};
+use crate::volumes::{Coupled, Nine, couple};
 
 /// Cells whose matrices are computed at once.
 const BATCH: usize = 16;
@@ -69,7 +71,18 @@ impl Galerkin {
                 }
             }
         }
+        let coupled = self.couple(number, &mut room.moduli);
         cell_stiffness(cell, self.space.slice, room);
+        if let Some(coupled) = coupled {
+            add_coupled(cell, &coupled, &mut room.matrix);
+        }
+    }
+
+    /// Turns moduli of the points of a cell into those with a common change of volume, where there is one.
+    pub(crate) fn couple(&self, number: usize, moduli: &mut [PointTangent]) -> Option<Coupled> {
+        let points = number * self.space.points..(number + 1) * self.space.points;
+        let of_points = (&self.trials[points.clone()], &self.shared[points]);
+        self.sharing.map(|sharing| couple(sharing, of_points, &self.space.cells[number].volumes, moduli))
     }
 
     /// Derivative of the stress of a point; where the update failed, that of its last sound state.
@@ -77,4 +90,35 @@ impl Galerkin {
         let (from, trial) = (&self.history[point], &self.trials[point]);
         self.material.tangent(kind, from, trial).unwrap_or([[0.0; 9]; 9])
     }
+}
+
+/// Adds `q bᵀ + b qᵀ + S b bᵀ` to the matrix of a cell, b and q being the rows of mean and coupling over its parameters.
+fn add_coupled(cell: &Cell, coupled: &Coupled, matrix: &mut [f64]) {
+    let width = cell.width;
+    let [mean, side] = [&coupled.mean, &coupled.rows].map(|nines| over_parameters(cell, nines));
+    for node in 0..cell.nodes.len() {
+        for component in 0..9 {
+            let (i, k) = (component / 3, component % 3);
+            let (b, q) = (mean[i * width + node], side[i * width + node]);
+            let (mean, side) = (&mean[k * width..][..width], &side[k * width..][..width]);
+            let row = &mut matrix[(9 * node + component) * width..][..width];
+            for at in node..width {
+                row[at] += q * mean[at] + b * side[at] + coupled.scalar * (b * mean[at]);
+            }
+        }
+    }
+}
+
+/// `Σ_g ∂φ_I/∂X_J n_iJ` over the nodes of a cell, three rows.
+pub(crate) fn over_parameters(cell: &Cell, nines: &[Nine]) -> Vec<f64> {
+    let width = cell.width;
+    let mut out = vec![0.0; 3 * width];
+    for (point, nine) in nines.iter().enumerate() {
+        for (component, n) in nine.iter().enumerate() {
+            let row = &mut out[component / 3 * width..][..width];
+            let gradient = cell.gradient(point, component % 3);
+            row.iter_mut().zip(gradient).for_each(|(row, g)| *row += n * g);
+        }
+    }
+    out
 }

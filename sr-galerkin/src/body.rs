@@ -1,18 +1,19 @@
 //! A body: its space of displacements, its state, and the internal forces of a state.
 
 use implicit_statics::OutOfBounds;
-use rayon::prelude::*;
 use solid_kinematics::{Formulation, Material, PointError, PointState, Tangent, Tensor, Trial};
 use sph_core::{CellList, MovingLeastSquares, Vec3};
 
 use crate::blocks::Blocks;
-use crate::discretisation::{Cell, Discretisation, LANES};
+use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
 use crate::essential::Unknowns;
 use crate::loads::Loads;
-use crate::parts::Parts;
+use crate::parts::{Parts, Volumes};
 use crate::reduction::Reduction;
 use crate::stiffness::Scratch;
+use crate::sweep::force_stride;
+use crate::volumes::{Shared, Sharing};
 
 /// Nodes nearer than this share of the least radius of the support coincide.
 const COINCIDENT: f64 = 1e-9;
@@ -22,7 +23,7 @@ const SKEW: f64 = 1e-9;
 const WIDEST_TURN: f64 = 1.0;
 
 /// The point of a cell that cannot follow, and why.
-type Trouble = Option<(u32, PointError)>;
+pub(crate) type Trouble = Option<(u32, PointError)>;
 
 /// An element-free Galerkin body in equilibrium, or on its way there.
 ///
@@ -52,11 +53,14 @@ pub struct Galerkin {
     pub(crate) history: Vec<PointState>,
     /// Points at the present state.
     pub(crate) trials: Vec<Trial>,
+    /// How far the points of a cell share one change of volume, and what that does to each.
+    pub(crate) sharing: Option<Sharing>,
+    pub(crate) shared: Vec<Shared>,
     /// Forces on parameters, of cells and of all.
-    cell_forces: Vec<f64>,
+    pub(crate) cell_forces: Vec<f64>,
     pub(crate) internal: Vec<f64>,
     pub(crate) external: Vec<f64>,
-    troubles: Vec<Trouble>,
+    pub(crate) troubles: Vec<Trouble>,
     /// Whether points and internal forces are those of the parameters.
     pub(crate) evaluated: bool,
     /// Level at which held parameters stand.
@@ -97,6 +101,11 @@ impl Galerkin {
             accepted: vec![0.0; 3 * count],
             history: vec![rest; space.places.len()],
             trials: vec![trial; space.places.len()],
+            shared: vec![Shared::ALONE; space.places.len()],
+            sharing: match parts.volumes {
+                Volumes::Points => None,
+                Volumes::Shared => Sharing::of(&parts.material.moduli),
+            },
             cell_forces: vec![0.0; stride * space.cells.len()],
             internal: vec![0.0; 3 * count],
             external: vec![0.0; 3 * count],
@@ -170,32 +179,6 @@ impl Galerkin {
         }
     }
 
-    /// All points from the history to the present parameters, and the forces of their stresses.
-    fn sweep(&mut self) {
-        let stride = force_stride(&self.space);
-        let (points, material) = (self.space.points, &self.material);
-        let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);
-        let work = |number: usize, trials: &mut [Trial], forces: &mut [f64], trouble: &mut Trouble| {
-            let from = &history[number * points..][..points];
-            *trouble = sweep_cell(&cells[number], material, parameters, from, trials, forces).err();
-        };
-        if self.threads > 1 {
-            let both = self.trials.par_chunks_mut(points).zip(self.cell_forces.par_chunks_mut(stride));
-            let all = both.zip(self.troubles.par_iter_mut()).enumerate();
-            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
-        } else {
-            let both = self.trials.chunks_mut(points).zip(self.cell_forces.chunks_mut(stride));
-            let all = both.zip(self.troubles.iter_mut()).enumerate();
-            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
-        }
-        self.internal.fill(0.0);
-        for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
-            for (at, node) in cell.nodes.iter().enumerate() {
-                (0..3).for_each(|k| self.internal[3 * *node as usize + k] += forces[k * cell.width + at]);
-            }
-        }
-    }
-
     /// The first point that could not follow the last deformation tried, and why.
     pub fn trouble(&self) -> Option<(Vec3, PointError)> {
         let found = |(cell, trouble): (usize, &Trouble)| {
@@ -222,71 +205,6 @@ impl Galerkin {
             _ => Ok(()),
         }
     }
-}
-
-/// Numbers that a cell writes: three rows as wide as the widest.
-fn force_stride(space: &Discretisation) -> usize {
-    3 * space.cells.iter().fold(1, |most, cell| most.max(cell.width))
-}
-
-/// Leads the points of a cell from the history to the parameters; forces on its nodes, a row for each axis.
-///
-/// # Errors
-/// The first point that cannot follow; forces are then no numbers.
-fn sweep_cell(
-    cell: &Cell,
-    material: &Material,
-    parameters: &[f64],
-    history: &[PointState],
-    trials: &mut [Trial],
-    forces: &mut [f64],
-) -> Result<(), (u32, PointError)> {
-    const WIDEST: usize = 512;
-    let width = cell.width;
-    let mut room = [0.0; 3 * WIDEST];
-    let mut large = Vec::new();
-    let local: &mut [f64] = if width <= WIDEST {
-        &mut room[..3 * width]
-    } else {
-        large.resize(3 * width, 0.0);
-        &mut large
-    };
-    for (at, node) in cell.nodes.iter().enumerate() {
-        (0..3).for_each(|k| local[k * width + at] = parameters[3 * *node as usize + k]);
-    }
-    forces.fill(0.0);
-    for (point, from) in history.iter().enumerate() {
-        let gradient = Tensor::from_fn(|i, j| {
-            let one = if i == j { 1.0 } else { 0.0 };
-            one + dot(&local[i * width..][..width], cell.gradient(point, j))
-        });
-        match material.trial(from, &gradient) {
-            Ok(trial) => trials[point] = trial,
-            Err(error) => {
-                forces.fill(f64::NAN);
-                return Err((point as u32, error));
-            }
-        }
-        let piola = trials[point].piola * cell.volumes[point];
-        let [a, b, c] = [0, 1, 2].map(|j| cell.gradient(point, j));
-        for i in 0..3 {
-            let [p, q, r] = [0, 1, 2].map(|j| piola[(i, j)]);
-            let row = &mut forces[i * width..][..width];
-            for at in 0..width {
-                row[at] += p * a[at] + q * b[at] + r * c[at];
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Sum of products by lanes: the same order whatever the machine's vectors.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        (0..LANES).for_each(|lane| sums[lane] += a[lane] * b[lane]);
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
 
 /// Masses of nodes \[M\]: integrals of the shape functions; where one is not positive, those of their squares, scaled to the whole.

@@ -133,11 +133,13 @@ mod results;
 mod statics;
 mod steps;
 mod stiffness;
+mod sweep;
+mod volumes;
 
 pub use body::Galerkin;
 pub use error::GalerkinError;
 pub use one_solve::OneSolve;
-pub use parts::{Condition, Essential, Load, Parts};
+pub use parts::{Condition, Essential, Load, Parts, Volumes};
 pub use reactions::Supports;
 pub use results::PointResult;
 pub use steps::{Step, lead};

@@ -129,7 +129,8 @@ fn points(cells: &Hexahedra, faces: &[[u32; 4]], rule: usize) -> Result<Vec<Face
     if let Some(&node) = faces.iter().flatten().find(|&&corner| corner as usize >= count) {
         return Err(GalerkinError::NoSuchNode { what: "the face of a load", node, count });
     }
-    Ok(cells.face_points(faces, rule)?)
+    // The moment of a face that is no parallelogram takes two points.
+    Ok(cells.face_points(faces, rule.max(2))?)
 }
 
 fn finite(what: &'static str, number: usize, values: &[f64]) -> Result<(), GalerkinError> {

@@ -1,9 +1,10 @@
 //! What a body tells of its state: displacements, and at points stress, strain, rotation.
 
 use nalgebra::DMatrix;
-use solid_kinematics::{PAIRS, Tangent, Tensor, Trial, angle, strains};
+use solid_kinematics::{PAIRS, PointTangent, Tangent, Tensor, Trial, angle, strains};
 use sph_core::{ShapeError, Vec3};
 
+use crate::assembly::over_parameters;
 use crate::body::Galerkin;
 
 /// The state of a point of the quadrature.
@@ -57,6 +58,20 @@ impl Galerkin {
         out
     }
 
+    /// Force and moment about the origin of the loads at a level, on the body as it stands at rest \[F, F L\]: shape functions
+    /// reproduce places, so that both are those of the tractions and pressures themselves.
+    pub fn load_resultant(&self, level: f64) -> [Vec3; 2] {
+        let mut forces = vec![0.0; self.parameters.len()];
+        self.loads.forces(level, &vec![0.0; forces.len()], &mut forces);
+        let (mut force, mut moment) = (Vec3::zeros(), Vec3::zeros());
+        for (x, f) in self.space.nodes.iter().zip(forces.as_chunks::<3>().0) {
+            let f = Vec3::from(*f);
+            force += f;
+            moment += x.cross(&f);
+        }
+        [force, moment]
+    }
+
     /// All points of the quadrature, as they were when forces were last evaluated.
     pub fn point_results(&self) -> Vec<PointResult> {
         let of = |(trial, place): (&Trial, &Vec3)| {
@@ -89,8 +104,12 @@ impl Galerkin {
         let count = self.parameters.len();
         let mut full = DMatrix::zeros(count, count);
         for (number, cell) in self.space.cells.iter().enumerate() {
+            let all = 0..cell.volumes.len();
+            let moduli = |at| self.moduli_of(number * self.space.points + at, Tangent::Consistent);
+            let mut moduli: Vec<PointTangent> = all.map(moduli).collect();
+            let coupled = self.couple(number, &mut moduli);
             for (at, volume) in cell.volumes.iter().enumerate() {
-                let moduli = self.moduli_of(number * self.space.points + at, Tangent::Consistent);
+                let moduli = &moduli[at];
                 let gradients = [0, 1, 2].map(|j| cell.gradient(at, j));
                 for (a, row) in cell.nodes.iter().enumerate() {
                     let left: [[f64; 9]; 3] = std::array::from_fn(|i| {
@@ -106,6 +125,17 @@ impl Galerkin {
                             }
                         }
                     }
+                }
+            }
+            let Some(coupled) = coupled else { continue };
+            let [b, rows, columns] =
+                [&coupled.mean, &coupled.rows, &coupled.columns].map(|nines| over_parameters(cell, nines));
+            let parameter = |at: usize| 3 * cell.nodes[at % cell.width] as usize + at / cell.width;
+            let real = |at: &usize| at % cell.width < cell.nodes.len();
+            for row in (0..3 * cell.width).filter(real) {
+                for column in (0..3 * cell.width).filter(real) {
+                    full[(parameter(row), parameter(column))] +=
+                        rows[row] * b[column] + b[row] * (columns[column] + coupled.scalar * b[column]);
                 }
             }
         }

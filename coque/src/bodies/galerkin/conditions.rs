@@ -1,6 +1,6 @@
 //! Supports, loads and columns of a Galerkin solid.
 
-use sph_core::Vec3;
+use sph_core::{Hexahedra, Vec3};
 use sr_galerkin::{Condition, Load};
 
 use super::places::Places;
@@ -80,11 +80,12 @@ pub(super) fn driven(
     Ok(Some((number, PrescribedPoint { particle: node, direction, by })))
 }
 
-/// The loads at level one.
+/// The loads at level one; faces that a set cuts add their corners to the cells.
 pub(super) fn loads(
     scene: &Scene,
     density: f64,
     places: &Places,
+    cells: &mut Hexahedra,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<Load>, SceneError> {
     let mut out = Vec::new();
@@ -99,11 +100,11 @@ pub(super) fn loads(
                     out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
                 }
                 LoadKind::Traction(traction) => out.push(Load::Traction {
-                    faces: places.faces(sets, &path, &load.on)?,
+                    faces: places.faces(cells, sets, &path, &load.on)?,
                     traction: Vec3::from(traction.value),
                 }),
                 LoadKind::Pressure(pressure) => out.push(Load::Pressure {
-                    faces: places.faces(sets, &path, &load.on)?,
+                    faces: places.faces(cells, sets, &path, &load.on)?,
                     pressure: pressure.value,
                 }),
                 // The checks refuse it on a solid.
