@@ -29,7 +29,7 @@ fn lame() -> f64 {
 
 fn opened(replaced: Replaced) -> (f64, bool) {
     let outcome = overridden(TUBE, "tube.toml", replaced).unwrap().build(1).unwrap().run(&mut Silent);
-    let widened = outcome.summary.modelled.iter().any(|line| line.contains("times as wide as said"));
+    let widened = outcome.summary.body.modelled.iter().any(|line| line.contains("times as wide as said"));
     (last(&outcome, "u") / lame(), widened)
 }
 

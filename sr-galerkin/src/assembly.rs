@@ -1,10 +1,14 @@
 //! The stiffness of a body: cells in batches, added in their order, and what loads add that follow.
 
-use rayon::prelude::*;
-use solid_kinematics::{PointTangent, Tangent};
+use std::cmp::Ordering;
 
+use rayon::prelude::*;
+use solid_kinematics::{PointTangent, Tangent, Tensor};
+
+use crate::blocks::Blocks;
 use crate::body::Galerkin;
 use crate::discretisation::Cell;
+use crate::images::Images;
 use crate::stiffness::{Scratch, cell_stiffness};
 use crate::volumes::{Coupled, Nine, couple};
 
@@ -34,7 +38,11 @@ impl Galerkin {
                 rooms.iter_mut().enumerate().for_each(work);
             }
             for (cell, room) in self.space.cells[begin..].iter().zip(rooms.iter()) {
-                self.blocks.add_cell(cell, &room.matrix);
+                if cell.runs.is_empty() {
+                    add_mirrored(&mut self.blocks, cell, &self.space.images, &room.matrix);
+                } else {
+                    self.blocks.add_cell(cell, &room.matrix);
+                }
             }
         }
         self.scratch = scratch;
@@ -43,7 +51,7 @@ impl Galerkin {
     /// Adds the symmetric part of the stiffness of loads that follow.
     pub(crate) fn add_load_stiffness(&mut self, level: f64) {
         let blocks = &mut self.blocks;
-        self.loads.stiffness(&self.parameters, |row, column, k| {
+        self.loads.stiffness((&self.space.images, &self.parameters), |row, column, k| {
             let half = -0.5 * level;
             let straight: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| half * k[i][j]));
             let turned: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| half * k[j][i]));
@@ -89,6 +97,27 @@ impl Galerkin {
     pub(crate) fn moduli_of(&self, point: usize, kind: Tangent) -> PointTangent {
         let (from, trial) = (&self.history[point], &self.trials[point]);
         self.material.tangent(kind, from, trial).unwrap_or([[0.0; 9]; 9])
+    }
+}
+
+/// Adds the matrix of a cell that sees images: what couples images couples their nodes, `R_Iᵀ K R_J`.
+fn add_mirrored(blocks: &mut Blocks, cell: &Cell, images: &Images, matrix: &[f64]) {
+    let real: Vec<(u32, Tensor)> = cell.nodes.iter().map(|&number| images.real(number)).collect();
+    let mut add = |row: u32, column: u32, k: &Tensor| {
+        let rows = std::array::from_fn(|i| std::array::from_fn(|j| k[(i, j)]));
+        blocks.add(row, column, &rows);
+    };
+    for (a, (row, left)) in real.iter().enumerate() {
+        for (b, (column, right)) in real.iter().enumerate().skip(a) {
+            let own = Tensor::from_fn(|i, j| matrix[(9 * a + 3 * i + j) * cell.width + b]);
+            let k = left.transpose() * own * right;
+            match row.cmp(column) {
+                Ordering::Less => add(*row, *column, &k),
+                Ordering::Greater => add(*column, *row, &k.transpose()),
+                Ordering::Equal if a == b => add(*row, *row, &k),
+                Ordering::Equal => add(*row, *row, &(k + k.transpose())),
+            }
+        }
     }
 }
 

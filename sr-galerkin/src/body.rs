@@ -8,6 +8,7 @@ use crate::blocks::Blocks;
 use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
 use crate::essential::Unknowns;
+use crate::images::Images;
 use crate::loads::Loads;
 use crate::parts::{Parts, Volumes};
 use crate::reduction::Reduction;
@@ -77,14 +78,17 @@ impl Galerkin {
     /// [`GalerkinError`].
     pub fn new(parts: Parts) -> Result<Self, GalerkinError> {
         check(&parts)?;
-        let squares = MovingLeastSquares::new(&parts.nodes, parts.basis, parts.support, parts.weight)?;
-        let space = Discretisation::new(&parts, &squares)?;
-        let unknowns = Unknowns::new(&space.nodal, &parts.conditions, parts.essential)?;
+        let images = Images::new(&parts.nodes, &parts.mirrors, &parts.support);
+        let all = [parts.nodes.as_slice(), &images.places].concat();
+        let squares = MovingLeastSquares::new(&all, parts.basis, parts.support, parts.weight)?;
+        let space = Discretisation::new(&parts, images, &squares)?;
+        let unknowns = Unknowns::new(&space, &parts.conditions, parts.essential)?;
         let loads = Loads::new(&parts.loads, (&parts.cells, parts.rule), &squares, &space)?;
         let count = space.nodes.len();
-        let of_cells = space.cells.iter().map(|cell| cell.nodes.as_slice());
-        let together = of_cells.chain(loads.pressed.iter().map(|point| point.nodes.as_slice()));
-        let blocks = Blocks::new(count, &together.collect::<Vec<_>>());
+        let of_cells = space.cells.iter().map(|cell| &cell.nodes);
+        let together = of_cells.chain(loads.pressed.iter().map(|point| &point.nodes));
+        let together: Vec<Vec<u32>> = together.map(|numbers| space.images.reals(numbers)).collect();
+        let blocks = Blocks::new(count, &together.iter().map(Vec::as_slice).collect::<Vec<_>>());
         let reduction = Reduction::new(&blocks, &unknowns);
         let rest = PointState::rest(parts.axes);
         let trial = Trial {
@@ -149,7 +153,7 @@ impl Galerkin {
     /// level \[F\]. Where conditions say the same, the first of them has the force.
     pub fn reactions(&mut self, level: f64) -> Vec<f64> {
         self.evaluate_internal(level);
-        self.loads.forces(level, &self.parameters, &mut self.external);
+        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
         let forces: Vec<f64> = self.internal.iter().zip(&self.external).map(|(a, b)| a - b).collect();
         let mut out = vec![0.0; self.conditions];
         self.unknowns.reactions(&forces, &mut out);
@@ -207,14 +211,20 @@ impl Galerkin {
     }
 }
 
-/// Masses of nodes \[M\]: integrals of the shape functions; where one is not positive, those of their squares, scaled to the whole.
+/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive, those of their squares,
+/// scaled to the whole.
 fn masses(space: &Discretisation, density: f64) -> Vec<f64> {
-    let sum = |k: usize| space.integrals.iter().map(|integral| integral[k]).sum::<f64>();
-    if space.integrals.iter().all(|integral| integral[0] > 0.0) {
-        return space.integrals.iter().map(|integral| density * integral[0]).collect();
+    let mut integrals = space.integrals[..space.nodes.len()].to_vec();
+    for (image, own) in space.integrals.iter().enumerate().skip(space.nodes.len()) {
+        let node = space.images.real(image as u32).0 as usize;
+        (0..2).for_each(|k| integrals[node][k] += own[k]);
+    }
+    let sum = |k: usize| integrals.iter().map(|integral| integral[k]).sum::<f64>();
+    if integrals.iter().all(|integral| integral[0] > 0.0) {
+        return integrals.iter().map(|integral| density * integral[0]).collect();
     }
     let scale = density * sum(0) / sum(1);
-    space.integrals.iter().map(|integral| scale * integral[1]).collect()
+    integrals.iter().map(|integral| scale * integral[1]).collect()
 }
 
 fn check(parts: &Parts) -> Result<(), GalerkinError> {

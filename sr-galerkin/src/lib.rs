@@ -124,6 +124,7 @@ mod body;
 mod discretisation;
 mod error;
 mod essential;
+mod images;
 mod loads;
 mod one_solve;
 mod parts;
@@ -138,6 +139,7 @@ mod volumes;
 
 pub use body::Galerkin;
 pub use error::GalerkinError;
+pub use images::Mirror;
 pub use one_solve::OneSolve;
 pub use parts::{Condition, Essential, Load, Parts, Volumes};
 pub use reactions::Supports;

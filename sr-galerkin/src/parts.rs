@@ -3,6 +3,8 @@
 use solid_kinematics::{Material, Tangent, Tensor};
 use sph_core::{Basis, Hexahedra, Support, Vec3, Weight};
 
+use crate::images::Mirror;
+
 /// Everything that a body is built from.
 pub struct Parts {
     /// Nodes \[L\].
@@ -23,6 +25,8 @@ pub struct Parts {
     pub axes: Tensor,
     /// Density \[M/L³\].
     pub density: f64,
+    /// Planes of symmetry; what holds nodes on them is in the conditions.
+    pub mirrors: Vec<Mirror>,
     /// What holds and moves nodes.
     pub conditions: Vec<Condition>,
     /// How conditions are imposed.

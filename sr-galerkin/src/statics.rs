@@ -37,13 +37,13 @@ impl Equilibrium for Galerkin {
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.loads.forces(level, &self.parameters, &mut self.external);
+        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
         self.unknowns.project(&self.external, out);
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.loads.forces(1.0, &self.parameters, &mut self.external);
+        self.loads.forces(1.0, (&self.space.images, &self.parameters), &mut self.external);
         if self.unknowns.moves {
             self.assemble(level);
             let mut rates = vec![0.0; self.parameters.len()];
@@ -52,7 +52,7 @@ impl Equilibrium for Galerkin {
             self.blocks.product(&rates, &mut forces);
             self.external.iter_mut().zip(&forces).for_each(|(out, force)| *out -= force);
             let external = &mut self.external;
-            self.loads.stiffness(&self.parameters, |row, column, k| {
+            self.loads.stiffness((&self.space.images, &self.parameters), |row, column, k| {
                 for i in 0..3 {
                     let way = |j: usize| rates[3 * column as usize + j];
                     external[3 * row as usize + i] += level * (0..3).map(|j| k[i][j] * way(j)).sum::<f64>();

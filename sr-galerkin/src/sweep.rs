@@ -2,9 +2,11 @@
 
 use rayon::prelude::*;
 use solid_kinematics::{Material, PointError, PointState, Tensor, Trial};
+use sph_core::Vec3;
 
 use crate::body::Galerkin;
 use crate::discretisation::{Cell, Discretisation, LANES, MOST_POINTS};
+use crate::images::Images;
 use crate::volumes::{Shared, Sharing, mean_pressure, share, shared_piola};
 
 impl Galerkin {
@@ -12,7 +14,8 @@ impl Galerkin {
     pub(crate) fn sweep(&mut self) {
         let stride = force_stride(&self.space);
         let (points, material) = (self.space.points, &self.material);
-        let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);
+        let (history, cells) = (&self.history, &self.space.cells);
+        let parameters = (&self.space.images, self.parameters.as_slice());
         let sharing = self.sharing;
         let work = |number: usize, shared: &mut [Shared], (trials, forces): (&mut [Trial], &mut [f64])| {
             let from = &history[number * points..][..points];
@@ -30,9 +33,11 @@ impl Galerkin {
             all.for_each(|(number, ((both, shared), trouble))| *trouble = work(number, shared, both));
         }
         self.internal.fill(0.0);
+        let images = &self.space.images;
         for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
             for (at, node) in cell.nodes.iter().enumerate() {
-                (0..3).for_each(|k| self.internal[3 * *node as usize + k] += forces[k * cell.width + at]);
+                let force = Vec3::from_fn(|k, _| forces[k * cell.width + at]);
+                images.add(&mut self.internal, *node, &force);
             }
         }
     }
@@ -50,7 +55,7 @@ pub(crate) fn force_stride(space: &Discretisation) -> usize {
 fn sweep_cell(
     cell: &Cell,
     (material, sharing): (&Material, Option<Sharing>),
-    parameters: &[f64],
+    (images, parameters): (&Images, &[f64]),
     history: &[PointState],
     (shared, trials): (&mut [Shared], &mut [Trial]),
     forces: &mut [f64],
@@ -66,7 +71,8 @@ fn sweep_cell(
         &mut large
     };
     for (at, node) in cell.nodes.iter().enumerate() {
-        (0..3).for_each(|k| local[k * width + at] = parameters[3 * *node as usize + k]);
+        let own = images.parameter(parameters, *node);
+        (0..3).for_each(|k| local[k * width + at] = own[k]);
     }
     forces.fill(0.0);
     let mut gradients = [Tensor::zeros(); MOST_POINTS];

@@ -90,6 +90,7 @@ fn copy(parts: &Parts) -> Parts {
         nodes: parts.nodes.clone(),
         cells: parts.cells.clone(),
         material: parts.material.clone(),
+        mirrors: parts.mirrors.clone(),
         conditions: parts.conditions.clone(),
         loads: parts.loads.clone(),
         ..*parts

@@ -42,6 +42,7 @@ pub fn block(lengths: [f64; 3], counts: [usize; 3], disorder: f64) -> Parts {
         material: Material { moduli: Moduli::isotropic(1.0, 0.3).expect("moduli"), formulation: MIDPOINT },
         axes: Tensor::identity(),
         density: 1.0,
+        mirrors: Vec::new(),
         conditions: Vec::new(),
         essential: Essential::Collocation,
         loads: Vec::new(),

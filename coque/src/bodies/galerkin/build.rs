@@ -3,7 +3,7 @@
 use sph_core::Support;
 use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
-use super::conditions::{conditions, driven, holds, loads};
+use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
 use super::doubts::doubts_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
@@ -92,6 +92,7 @@ impl Scene {
         // Nobody pays for reactions that nobody reads.
         let read =
             self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
+        let mirrors = mirrors(self, &places, &sets)?;
         let essential = essential(options);
         let material = material(solid, options)
             .map_err(|error| self.body_error(material_path(solid), &error.to_string()))?;
@@ -105,6 +106,7 @@ impl Scene {
             material: material.clone(),
             axes: axes(solid),
             density: solid.material.density(),
+            mirrors: mirrors.clone(),
             conditions: conditions.clone(),
             essential,
             loads: loads.clone(),
