@@ -49,6 +49,12 @@ pub trait Equilibrium {
         false
     }
 
+    /// Whether the tangent at the present state depends on where the step to it began, which [`Equilibrium::accept`] forgets: a
+    /// factor of the end of a step is then none of the start of the next.
+    fn tangent_is_of_the_step(&self) -> bool {
+        false
+    }
+
     /// Whether held values depend on the level. Load steps are then predicted by [`Equilibrium::load_rate`], so that
     /// the rest of the system goes along instead of being torn.
     fn held_values_move(&self) -> bool {

@@ -130,8 +130,9 @@ fn march<E: Equilibrium + ?Sized>(
         let Made { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(system, &saved, converged.level, increment);
-        if kept == Kept::Yes {
-            system.accept();
+        // On a path that is only looked at, what `restore` takes back is committed: the history of steps, but no work on bonds.
+        if kept == Kept::Yes || system.tangent_is_of_the_step() {
+            stepper.newton.keep(system);
         }
         path.restart = stepper.restart();
         let mut point = Point { step, converged, size: size_made, restarts, unstable };
@@ -143,7 +144,7 @@ fn march<E: Equilibrium + ?Sized>(
             }
             let gone = if kept == Kept::Yes { stepper.give_way(system)? } else { None };
             let Some((converged, unstable, breach)) = gone else { break };
-            system.accept();
+            stepper.newton.keep(system);
             path.breaches.push(breach);
             path.restart = stepper.restart();
             point = Point { step, converged, size: 0.0, restarts: 0, unstable };

@@ -125,7 +125,7 @@ impl Newton {
         match &outcome {
             Ok(_) => {
                 self.accept(&increment);
-                system.accept();
+                self.keep(system);
             }
             Err(_) => self.go_back(system, &saved),
         }
@@ -207,6 +207,14 @@ impl Newton {
     /// The loads last evaluated \[F\].
     pub(crate) fn load(&self) -> &[f64] {
         &self.external
+    }
+
+    /// Has the system take its present state as one that is kept; the factor serves on where the tangent stays what it was.
+    pub(crate) fn keep<E: Equilibrium + ?Sized>(&mut self, system: &mut E) {
+        if system.tangent_is_of_the_step() {
+            self.factored = None;
+        }
+        system.accept();
     }
 
     /// Takes note of a step that is kept.

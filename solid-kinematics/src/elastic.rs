@@ -104,6 +104,14 @@ impl Moduli {
         0.5 * (0..6).map(|i| stress[i] * strain(i)).sum::<f64>()
     }
 
+    /// How much stiffer against a change of volume the Poisson's ratios make the solid: the bulk modulus over what it is without
+    /// them, `1/(1 − 2ν)` of an isotropic one.
+    pub fn coupling(&self) -> f64 {
+        let normal = |i: usize| self.compliance[i][..3].iter().sum::<f64>();
+        let alone: f64 = (0..3).map(|i| self.compliance[i][i]).sum();
+        alone / (0..3).map(normal).sum::<f64>()
+    }
+
     /// Moduli in space, the material axes being the columns of `axes`.
     pub fn turned(&self, axes: &Tensor) -> [[f64; 6]; 6] {
         if self.isotropic {

@@ -58,11 +58,6 @@ impl PointState {
     pub fn rest(axes: Tensor) -> Self {
         Self { gradient: Tensor::identity(), axes, stress: [0.0; 6] }
     }
-
-    /// The same with axes orthonormal to rounding.
-    pub fn settled(self) -> Self {
-        Self { axes: orthonormal(&self.axes), ..self }
-    }
 }
 
 /// A point at the end of a step that is tried.
@@ -111,7 +106,8 @@ impl Material {
             change.iter_mut().for_each(|s| *s *= mean);
         }
         let stress = std::array::from_fn(|i| from.stress[i] + change[i]);
-        let axes = rotation * from.axes;
+        // Without a step the bits stay; else axes are left orthonormal to rounding.
+        let axes = if spin == Tensor::zeros() { from.axes } else { orthonormal(&(rotation * from.axes)) };
         let kirchhoff = axes * stress_tensor(&stress) * axes.transpose();
         let piola = kirchhoff * inverse.transpose();
         let turn = spin_product(&spin, &spin).sqrt();

@@ -1,10 +1,16 @@
 //! The stiffness of a body: cells in batches, added in their order, and what loads add that follow.
 
-use rayon::prelude::*;
-use solid_kinematics::{PointTangent, Tangent};
+use std::cmp::Ordering;
 
+use rayon::prelude::*;
+use solid_kinematics::{PointTangent, Tangent, Tensor};
+
+use crate::blocks::Blocks;
 use crate::body::Galerkin;
+use crate::discretisation::Cell;
+use crate::images::Images;
 use crate::stiffness::{Scratch, cell_stiffness};
+use crate::volumes::{Coupled, Nine, couple};
 
 /// Cells whose matrices are computed at once.
 const BATCH: usize = 16;
@@ -32,7 +38,11 @@ impl Galerkin {
                 rooms.iter_mut().enumerate().for_each(work);
             }
             for (cell, room) in self.space.cells[begin..].iter().zip(rooms.iter()) {
-                self.blocks.add_cell(cell, &room.matrix);
+                if cell.runs.is_empty() {
+                    add_mirrored(&mut self.blocks, cell, &self.space.images, &room.matrix);
+                } else {
+                    self.blocks.add_cell(cell, &room.matrix);
+                }
             }
         }
         self.scratch = scratch;
@@ -41,7 +51,7 @@ impl Galerkin {
     /// Adds the symmetric part of the stiffness of loads that follow.
     pub(crate) fn add_load_stiffness(&mut self, level: f64) {
         let blocks = &mut self.blocks;
-        self.loads.stiffness(&self.parameters, |row, column, k| {
+        self.loads.stiffness((&self.space.images, &self.parameters), |row, column, k| {
             let half = -0.5 * level;
             let straight: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| half * k[i][j]));
             let turned: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| half * k[j][i]));
@@ -69,7 +79,18 @@ impl Galerkin {
                 }
             }
         }
+        let coupled = self.couple(number, &mut room.moduli);
         cell_stiffness(cell, self.space.slice, room);
+        if let Some(coupled) = coupled {
+            add_coupled(cell, &coupled, &mut room.matrix);
+        }
+    }
+
+    /// Turns moduli of the points of a cell into those with a common change of volume, where there is one.
+    pub(crate) fn couple(&self, number: usize, moduli: &mut [PointTangent]) -> Option<Coupled> {
+        let points = number * self.space.points..(number + 1) * self.space.points;
+        let of_points = (&self.trials[points.clone()], &self.shared[points]);
+        self.sharing.map(|sharing| couple(sharing, of_points, &self.space.cells[number].volumes, moduli))
     }
 
     /// Derivative of the stress of a point; where the update failed, that of its last sound state.
@@ -77,4 +98,56 @@ impl Galerkin {
         let (from, trial) = (&self.history[point], &self.trials[point]);
         self.material.tangent(kind, from, trial).unwrap_or([[0.0; 9]; 9])
     }
+}
+
+/// Adds the matrix of a cell that sees images: what couples images couples their nodes, `R_Iᵀ K R_J`.
+fn add_mirrored(blocks: &mut Blocks, cell: &Cell, images: &Images, matrix: &[f64]) {
+    let real: Vec<(u32, Tensor)> = cell.nodes.iter().map(|&number| images.real(number)).collect();
+    let mut add = |row: u32, column: u32, k: &Tensor| {
+        let rows = std::array::from_fn(|i| std::array::from_fn(|j| k[(i, j)]));
+        blocks.add(row, column, &rows);
+    };
+    for (a, (row, left)) in real.iter().enumerate() {
+        for (b, (column, right)) in real.iter().enumerate().skip(a) {
+            let own = Tensor::from_fn(|i, j| matrix[(9 * a + 3 * i + j) * cell.width + b]);
+            let k = left.transpose() * own * right;
+            match row.cmp(column) {
+                Ordering::Less => add(*row, *column, &k),
+                Ordering::Greater => add(*column, *row, &k.transpose()),
+                Ordering::Equal if a == b => add(*row, *row, &k),
+                Ordering::Equal => add(*row, *row, &(k + k.transpose())),
+            }
+        }
+    }
+}
+
+/// Adds `q bᵀ + b qᵀ + S b bᵀ` to the matrix of a cell, b and q being the rows of mean and coupling over its parameters.
+fn add_coupled(cell: &Cell, coupled: &Coupled, matrix: &mut [f64]) {
+    let width = cell.width;
+    let [mean, side] = [&coupled.mean, &coupled.rows].map(|nines| over_parameters(cell, nines));
+    for node in 0..cell.nodes.len() {
+        for component in 0..9 {
+            let (i, k) = (component / 3, component % 3);
+            let (b, q) = (mean[i * width + node], side[i * width + node]);
+            let (mean, side) = (&mean[k * width..][..width], &side[k * width..][..width]);
+            let row = &mut matrix[(9 * node + component) * width..][..width];
+            for at in node..width {
+                row[at] += q * mean[at] + b * side[at] + coupled.scalar * (b * mean[at]);
+            }
+        }
+    }
+}
+
+/// `Σ_g ∂φ_I/∂X_J n_iJ` over the nodes of a cell, three rows.
+pub(crate) fn over_parameters(cell: &Cell, nines: &[Nine]) -> Vec<f64> {
+    let width = cell.width;
+    let mut out = vec![0.0; 3 * width];
+    for (point, nine) in nines.iter().enumerate() {
+        for (component, n) in nine.iter().enumerate() {
+            let row = &mut out[component / 3 * width..][..width];
+            let gradient = cell.gradient(point, component % 3);
+            row.iter_mut().zip(gradient).for_each(|(row, g)| *row += n * g);
+        }
+    }
+    out
 }

@@ -1,18 +1,20 @@
 //! A body: its space of displacements, its state, and the internal forces of a state.
 
 use implicit_statics::OutOfBounds;
-use rayon::prelude::*;
 use solid_kinematics::{Formulation, Material, PointError, PointState, Tangent, Tensor, Trial};
 use sph_core::{CellList, MovingLeastSquares, Vec3};
 
 use crate::blocks::Blocks;
-use crate::discretisation::{Cell, Discretisation, LANES};
+use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
 use crate::essential::Unknowns;
+use crate::images::Images;
 use crate::loads::Loads;
-use crate::parts::Parts;
+use crate::parts::{Parts, Volumes};
 use crate::reduction::Reduction;
 use crate::stiffness::Scratch;
+use crate::sweep::force_stride;
+use crate::volumes::{Shared, Sharing};
 
 /// Nodes nearer than this share of the least radius of the support coincide.
 const COINCIDENT: f64 = 1e-9;
@@ -22,7 +24,7 @@ const SKEW: f64 = 1e-9;
 const WIDEST_TURN: f64 = 1.0;
 
 /// The point of a cell that cannot follow, and why.
-type Trouble = Option<(u32, PointError)>;
+pub(crate) type Trouble = Option<(u32, PointError)>;
 
 /// An element-free Galerkin body in equilibrium, or on its way there.
 ///
@@ -52,11 +54,14 @@ pub struct Galerkin {
     pub(crate) history: Vec<PointState>,
     /// Points at the present state.
     pub(crate) trials: Vec<Trial>,
+    /// How far the points of a cell share one change of volume, and what that does to each.
+    pub(crate) sharing: Option<Sharing>,
+    pub(crate) shared: Vec<Shared>,
     /// Forces on parameters, of cells and of all.
-    cell_forces: Vec<f64>,
+    pub(crate) cell_forces: Vec<f64>,
     pub(crate) internal: Vec<f64>,
     pub(crate) external: Vec<f64>,
-    troubles: Vec<Trouble>,
+    pub(crate) troubles: Vec<Trouble>,
     /// Whether points and internal forces are those of the parameters.
     pub(crate) evaluated: bool,
     /// Level at which held parameters stand.
@@ -73,14 +78,17 @@ impl Galerkin {
     /// [`GalerkinError`].
     pub fn new(parts: Parts) -> Result<Self, GalerkinError> {
         check(&parts)?;
-        let squares = MovingLeastSquares::new(&parts.nodes, parts.basis, parts.support, parts.weight)?;
-        let space = Discretisation::new(&parts, &squares)?;
-        let unknowns = Unknowns::new(&space.nodal, &parts.conditions, parts.essential)?;
+        let images = Images::new(&parts.nodes, &parts.mirrors, &parts.support);
+        let all = [parts.nodes.as_slice(), &images.places].concat();
+        let squares = MovingLeastSquares::new(&all, parts.basis, parts.support, parts.weight)?;
+        let space = Discretisation::new(&parts, images, &squares)?;
+        let unknowns = Unknowns::new(&space, &parts.conditions, parts.essential)?;
         let loads = Loads::new(&parts.loads, (&parts.cells, parts.rule), &squares, &space)?;
         let count = space.nodes.len();
-        let of_cells = space.cells.iter().map(|cell| cell.nodes.as_slice());
-        let together = of_cells.chain(loads.pressed.iter().map(|point| point.nodes.as_slice()));
-        let blocks = Blocks::new(count, &together.collect::<Vec<_>>());
+        let of_cells = space.cells.iter().map(|cell| &cell.nodes);
+        let together = of_cells.chain(loads.pressed.iter().map(|point| &point.nodes));
+        let together: Vec<Vec<u32>> = together.map(|numbers| space.images.reals(numbers)).collect();
+        let blocks = Blocks::new(count, &together.iter().map(Vec::as_slice).collect::<Vec<_>>());
         let reduction = Reduction::new(&blocks, &unknowns);
         let rest = PointState::rest(parts.axes);
         let trial = Trial {
@@ -97,6 +105,11 @@ impl Galerkin {
             accepted: vec![0.0; 3 * count],
             history: vec![rest; space.places.len()],
             trials: vec![trial; space.places.len()],
+            shared: vec![Shared::ALONE; space.places.len()],
+            sharing: match parts.volumes {
+                Volumes::Points => None,
+                Volumes::Shared => Sharing::of(&parts.material.moduli),
+            },
             cell_forces: vec![0.0; stride * space.cells.len()],
             internal: vec![0.0; 3 * count],
             external: vec![0.0; 3 * count],
@@ -140,7 +153,7 @@ impl Galerkin {
     /// level \[F\]. Where conditions say the same, the first of them has the force.
     pub fn reactions(&mut self, level: f64) -> Vec<f64> {
         self.evaluate_internal(level);
-        self.loads.forces(level, &self.parameters, &mut self.external);
+        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
         let forces: Vec<f64> = self.internal.iter().zip(&self.external).map(|(a, b)| a - b).collect();
         let mut out = vec![0.0; self.conditions];
         self.unknowns.reactions(&forces, &mut out);
@@ -167,32 +180,6 @@ impl Galerkin {
         if !self.evaluated {
             self.sweep();
             self.evaluated = true;
-        }
-    }
-
-    /// All points from the history to the present parameters, and the forces of their stresses.
-    fn sweep(&mut self) {
-        let stride = force_stride(&self.space);
-        let (points, material) = (self.space.points, &self.material);
-        let (history, parameters, cells) = (&self.history, &self.parameters, &self.space.cells);
-        let work = |number: usize, trials: &mut [Trial], forces: &mut [f64], trouble: &mut Trouble| {
-            let from = &history[number * points..][..points];
-            *trouble = sweep_cell(&cells[number], material, parameters, from, trials, forces).err();
-        };
-        if self.threads > 1 {
-            let both = self.trials.par_chunks_mut(points).zip(self.cell_forces.par_chunks_mut(stride));
-            let all = both.zip(self.troubles.par_iter_mut()).enumerate();
-            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
-        } else {
-            let both = self.trials.chunks_mut(points).zip(self.cell_forces.chunks_mut(stride));
-            let all = both.zip(self.troubles.iter_mut()).enumerate();
-            all.for_each(|(number, ((trials, forces), trouble))| work(number, trials, forces, trouble));
-        }
-        self.internal.fill(0.0);
-        for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
-            for (at, node) in cell.nodes.iter().enumerate() {
-                (0..3).for_each(|k| self.internal[3 * *node as usize + k] += forces[k * cell.width + at]);
-            }
         }
     }
 
@@ -224,79 +211,20 @@ impl Galerkin {
     }
 }
 
-/// Numbers that a cell writes: three rows as wide as the widest.
-fn force_stride(space: &Discretisation) -> usize {
-    3 * space.cells.iter().fold(1, |most, cell| most.max(cell.width))
-}
-
-/// Leads the points of a cell from the history to the parameters; forces on its nodes, a row for each axis.
-///
-/// # Errors
-/// The first point that cannot follow; forces are then no numbers.
-fn sweep_cell(
-    cell: &Cell,
-    material: &Material,
-    parameters: &[f64],
-    history: &[PointState],
-    trials: &mut [Trial],
-    forces: &mut [f64],
-) -> Result<(), (u32, PointError)> {
-    const WIDEST: usize = 512;
-    let width = cell.width;
-    let mut room = [0.0; 3 * WIDEST];
-    let mut large = Vec::new();
-    let local: &mut [f64] = if width <= WIDEST {
-        &mut room[..3 * width]
-    } else {
-        large.resize(3 * width, 0.0);
-        &mut large
-    };
-    for (at, node) in cell.nodes.iter().enumerate() {
-        (0..3).for_each(|k| local[k * width + at] = parameters[3 * *node as usize + k]);
-    }
-    forces.fill(0.0);
-    for (point, from) in history.iter().enumerate() {
-        let gradient = Tensor::from_fn(|i, j| {
-            let one = if i == j { 1.0 } else { 0.0 };
-            one + dot(&local[i * width..][..width], cell.gradient(point, j))
-        });
-        match material.trial(from, &gradient) {
-            Ok(trial) => trials[point] = trial,
-            Err(error) => {
-                forces.fill(f64::NAN);
-                return Err((point as u32, error));
-            }
-        }
-        let piola = trials[point].piola * cell.volumes[point];
-        let [a, b, c] = [0, 1, 2].map(|j| cell.gradient(point, j));
-        for i in 0..3 {
-            let [p, q, r] = [0, 1, 2].map(|j| piola[(i, j)]);
-            let row = &mut forces[i * width..][..width];
-            for at in 0..width {
-                row[at] += p * a[at] + q * b[at] + r * c[at];
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Sum of products by lanes: the same order whatever the machine's vectors.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        (0..LANES).for_each(|lane| sums[lane] += a[lane] * b[lane]);
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3])
-}
-
-/// Masses of nodes \[M\]: integrals of the shape functions; where one is not positive, those of their squares, scaled to the whole.
+/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive, those of their squares,
+/// scaled to the whole.
 fn masses(space: &Discretisation, density: f64) -> Vec<f64> {
-    let sum = |k: usize| space.integrals.iter().map(|integral| integral[k]).sum::<f64>();
-    if space.integrals.iter().all(|integral| integral[0] > 0.0) {
-        return space.integrals.iter().map(|integral| density * integral[0]).collect();
+    let mut integrals = space.integrals[..space.nodes.len()].to_vec();
+    for (image, own) in space.integrals.iter().enumerate().skip(space.nodes.len()) {
+        let node = space.images.real(image as u32).0 as usize;
+        (0..2).for_each(|k| integrals[node][k] += own[k]);
+    }
+    let sum = |k: usize| integrals.iter().map(|integral| integral[k]).sum::<f64>();
+    if integrals.iter().all(|integral| integral[0] > 0.0) {
+        return integrals.iter().map(|integral| density * integral[0]).collect();
     }
     let scale = density * sum(0) / sum(1);
-    space.integrals.iter().map(|integral| scale * integral[1]).collect()
+    integrals.iter().map(|integral| scale * integral[1]).collect()
 }
 
 fn check(parts: &Parts) -> Result<(), GalerkinError> {

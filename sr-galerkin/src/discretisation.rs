@@ -4,6 +4,7 @@ use rayon::prelude::*;
 use sph_core::{MovingLeastSquares, PointShape, Vec3, VolumePoint};
 
 use crate::error::GalerkinError;
+use crate::images::Images;
 use crate::parts::Parts;
 
 /// Lanes that the rows of a cell are padded to.
@@ -15,7 +16,7 @@ pub(crate) const MOST_POINTS: usize = 64;
 pub(crate) struct Cell {
     /// Nodes, ascending.
     pub nodes: Vec<u32>,
-    /// Parts of `nodes` that are numbered one after the other: first and length.
+    /// Parts of `nodes` that are numbered one after the other: first and length; none of a cell that sees images.
     pub runs: Vec<(u32, u32)>,
     /// Number of nodes, up to a multiple of the lanes.
     pub width: usize,
@@ -38,6 +39,7 @@ impl Cell {
     fn new(
         points: &[VolumePoint],
         squares: &MovingLeastSquares,
+        images: &Images,
         slice: usize,
     ) -> Result<(Self, Vec<[f64; 2]>), GalerkinError> {
         let shapes =
@@ -65,7 +67,12 @@ impl Cell {
             }
         }
         let volumes = points.iter().map(|point| point.volume).collect();
-        Ok((Self { runs: runs(&nodes), nodes, width, gradients, volumes, slices }, integrals))
+        let mirrored = nodes.last().is_some_and(|&node| images.is_image(node));
+        let runs = if mirrored { Vec::new() } else { runs(&nodes) };
+        if mirrored {
+            slices.fill((0, width as u32)); // numbers of images tell no place: slices in between may see none of them
+        }
+        Ok((Self { runs, nodes, width, gradients, volumes, slices }, integrals))
     }
 }
 
@@ -85,6 +92,8 @@ pub(crate) fn runs(nodes: &[u32]) -> Vec<(u32, u32)> {
 pub(crate) struct Discretisation {
     /// Nodes at rest \[L\].
     pub nodes: Vec<Vec3>,
+    /// Their images behind planes of symmetry, whose numbers follow those of the nodes wherever shape functions are.
+    pub images: Images,
     /// Cells with their points.
     pub cells: Vec<Cell>,
     /// Places of all points, cell by cell \[L\].
@@ -95,20 +104,20 @@ pub(crate) struct Discretisation {
     pub slice: usize,
     /// Shape functions at the nodes.
     pub nodal: Vec<PointShape>,
-    /// Integrals of the shape functions and of their squares \[L³\].
+    /// Integrals of the shape functions and of their squares \[L³\], of images as well.
     pub integrals: Vec<[f64; 2]>,
 }
 
 impl Discretisation {
-    pub fn new(parts: &Parts, squares: &MovingLeastSquares) -> Result<Self, GalerkinError> {
+    pub fn new(parts: &Parts, images: Images, squares: &MovingLeastSquares) -> Result<Self, GalerkinError> {
         let quadrature = parts.cells.volume_points(parts.rule)?;
         let slice = parts.rule * parts.rule;
         let built = quadrature
             .par_iter()
-            .map(|points| Cell::new(points, squares, slice))
+            .map(|points| Cell::new(points, squares, &images, slice))
             .collect::<Result<Vec<_>, GalerkinError>>()?;
         let nodal = parts.nodes.par_iter().map(|x| squares.at(x)).collect::<Result<Vec<_>, _>>()?;
-        let mut integrals = vec![[0.0; 2]; parts.nodes.len()];
+        let mut integrals = vec![[0.0; 2]; parts.nodes.len() + images.places.len()];
         let mut cells = Vec::with_capacity(built.len());
         for (cell, own) in built {
             for (node, own) in cell.nodes.iter().zip(own) {
@@ -118,6 +127,6 @@ impl Discretisation {
         }
         let places = quadrature.iter().flatten().map(|point| point.place).collect();
         let points = parts.rule.pow(3);
-        Ok(Self { nodes: parts.nodes.clone(), cells, places, points, slice, nodal, integrals })
+        Ok(Self { nodes: parts.nodes.clone(), images, cells, places, points, slice, nodal, integrals })
     }
 }

@@ -9,6 +9,7 @@
 
 use sph_core::{PointShape, Vec3};
 
+use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
 use crate::parts::{Condition, Essential};
 
@@ -57,13 +58,13 @@ struct Equation {
 impl Unknowns {
     /// Eliminates the conditions of a body with these shape functions at its nodes.
     pub fn new(
-        nodal: &[PointShape],
+        space: &Discretisation,
         conditions: &[Condition],
         essential: Essential,
     ) -> Result<Self, GalerkinError> {
-        let equations = equations(nodal, conditions, essential)?;
-        let mut out = Self { of: vec![0; 3 * nodal.len()], ..Self::default() };
-        let mut solved = eliminate(&equations, conditions, 3 * nodal.len())?;
+        let equations = equations(space, conditions, essential)?;
+        let mut out = Self { of: vec![0; 3 * space.nodes.len()], ..Self::default() };
+        let mut solved = eliminate(&equations, conditions, 3 * space.nodes.len())?;
         out.dropped = equations.len() - solved.len();
         solved.sort_by_key(|row| row.parameter);
         solved.iter().for_each(|row| out.of[row.parameter as usize] = HELD);
@@ -117,7 +118,7 @@ impl Unknowns {
 }
 
 fn equations(
-    nodal: &[PointShape],
+    space: &Discretisation,
     conditions: &[Condition],
     essential: Essential,
 ) -> Result<Vec<Equation>, GalerkinError> {
@@ -136,22 +137,34 @@ fn equations(
         }
         let n: Vec3 = condition.direction / length;
         for &node in &condition.nodes {
-            let Some(shape) = nodal.get(node as usize) else {
-                let count = nodal.len();
+            let Some(shape) = space.nodal.get(node as usize) else {
+                let count = space.nodal.len();
                 return Err(GalerkinError::NoSuchNode { what: "a condition", node, count });
             };
-            let own = ([node], [1.0]);
-            let (nodes, values): (&[u32], &[f64]) = match essential {
-                Essential::Collocation => (&shape.nodes, &shape.values),
-                Essential::Direct => (&own.0, &own.1),
-            };
-            let terms = nodes.iter().zip(values).flat_map(|(&b, &phi)| {
-                (0..3).filter(|&k| n[k] != 0.0).map(move |k| (3 * b + k as u32, phi * n[k]))
-            });
-            out.push(Equation { node, condition: number as u32, terms: terms.collect() });
+            let terms = row(space, essential, shape, (node, n));
+            out.push(Equation { node, condition: number as u32, terms });
         }
     }
     Ok(out)
+}
+
+/// Coefficients of the displacement of a node along a direction, by parameters; one may stand there twice.
+pub(crate) fn row(
+    space: &Discretisation,
+    essential: Essential,
+    shape: &PointShape,
+    (node, n): (u32, Vec3),
+) -> Vec<(u32, f64)> {
+    let own = ([node], [1.0]);
+    let (nodes, values): (&[u32], &[f64]) = match essential {
+        Essential::Collocation => (&shape.nodes, &shape.values),
+        Essential::Direct => (&own.0, &own.1),
+    };
+    let terms = nodes.iter().zip(values).flat_map(|(&b, &phi)| {
+        let (b, n) = space.images.direction(b, &n);
+        (0..3).filter(move |&k| n[k] != 0.0).map(move |k| (3 * b + k as u32, phi * n[k]))
+    });
+    terms.collect()
 }
 
 /// Solves equations one after the other, each for the parameter that it weighs most; those that say nothing new are left out.

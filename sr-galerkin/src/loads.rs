@@ -1,9 +1,11 @@
 //! Loads as forces on nodal parameters: dead ones once, pressure that follows the face as it deforms, with its stiffness.
 
+use solid_kinematics::Tensor;
 use sph_core::{FacePoint, Hexahedra, MovingLeastSquares, PointShape, Vec3};
 
 use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
+use crate::images::Images;
 use crate::parts::Load;
 
 /// A point of a face under pressure.
@@ -40,18 +42,18 @@ impl Loads {
                 Load::Body(force) => {
                     finite("body force", number, force.as_slice())?;
                     for (node, integral) in space.integrals.iter().enumerate() {
-                        (0..3).for_each(|k| out.dead[3 * node + k] += integral[0] * force[k]);
+                        space.images.add(&mut out.dead, node as u32, &(force * integral[0]));
                     }
                 }
                 Load::Point { place, force } => {
                     finite("the force of load", number, force.as_slice())?;
                     finite("the place of load", number, place.as_slice())?;
-                    out.add(&squares.at(place)?, force);
+                    out.add(&space.images, &squares.at(place)?, force);
                 }
                 Load::Traction { faces, traction } => {
                     finite("the traction of load", number, traction.as_slice())?;
                     for point in points(cells, faces, rule)? {
-                        out.add(&squares.at(&point.place)?, &(traction * point.area().norm()));
+                        out.add(&space.images, &squares.at(&point.place)?, &(traction * point.area().norm()));
                     }
                 }
                 Load::Pressure { faces, pressure } => {
@@ -73,35 +75,46 @@ impl Loads {
         Ok(out)
     }
 
-    fn add(&mut self, shape: &PointShape, force: &Vec3) {
+    fn add(&mut self, images: &Images, shape: &PointShape, force: &Vec3) {
         for (node, phi) in shape.nodes.iter().zip(&shape.values) {
-            (0..3).for_each(|k| self.dead[3 * *node as usize + k] += phi * force[k]);
+            images.add(&mut self.dead, *node, &(force * *phi));
         }
     }
 
     /// Forces on parameters at a level.
-    pub fn forces(&self, level: f64, parameters: &[f64], out: &mut [f64]) {
+    pub fn forces(&self, level: f64, (images, parameters): (&Images, &[f64]), out: &mut [f64]) {
         for (out, dead) in out.iter_mut().zip(&self.dead) {
             *out = level * dead;
         }
         for point in &self.pressed {
-            let [a, b] = point.present(parameters);
+            let [a, b] = point.present(images, parameters);
             let area = a.cross(&b) * level;
             for (node, value) in point.nodes.iter().zip(&point.values) {
-                (0..3).for_each(|k| out[3 * *node as usize + k] -= value * area[k]);
+                images.add(out, *node, &(area * -*value));
             }
         }
     }
 
     /// Visits `∂f_I/∂d_J` of the pressure at level one for all pairs of nodes of every point.
-    pub fn stiffness(&self, parameters: &[f64], mut found: impl FnMut(u32, u32, [[f64; 3]; 3])) {
+    pub fn stiffness(
+        &self,
+        (images, parameters): (&Images, &[f64]),
+        mut found: impl FnMut(u32, u32, [[f64; 3]; 3]),
+    ) {
         for point in &self.pressed {
-            let [a, b] = point.present(parameters);
+            let [a, b] = point.present(images, parameters);
             for (row, value) in point.nodes.iter().zip(&point.values) {
                 for (column, slopes) in point.nodes.iter().zip(&point.slopes) {
                     // d(a × b) = −[b]ₓ da + [a]ₓ db
                     let v = (a * slopes[1] - b * slopes[0]) * -*value;
-                    found(*row, *column, [[0.0, -v.z, v.y], [v.z, 0.0, -v.x], [-v.y, v.x, 0.0]]);
+                    let k = [[0.0, -v.z, v.y], [v.z, 0.0, -v.x], [-v.y, v.x, 0.0]];
+                    if !(images.is_image(*row) || images.is_image(*column)) {
+                        found(*row, *column, k);
+                        continue;
+                    }
+                    let ((row, left), (column, right)) = (images.real(*row), images.real(*column));
+                    let k = left.transpose() * Tensor::from_fn(|i, j| k[i][j]) * right;
+                    found(row, column, std::array::from_fn(|i| std::array::from_fn(|j| k[(i, j)])));
                 }
             }
         }
@@ -110,10 +123,10 @@ impl Loads {
 
 impl PressedPoint {
     /// Tangents of the deformed face.
-    fn present(&self, parameters: &[f64]) -> [Vec3; 2] {
+    fn present(&self, images: &Images, parameters: &[f64]) -> [Vec3; 2] {
         let mut out = self.tangents;
         for (node, slopes) in self.nodes.iter().zip(&self.slopes) {
-            let d = Vec3::from_column_slice(&parameters[3 * *node as usize..][..3]);
+            let d = images.parameter(parameters, *node);
             out[0] += d * slopes[0];
             out[1] += d * slopes[1];
         }
@@ -129,7 +142,8 @@ fn points(cells: &Hexahedra, faces: &[[u32; 4]], rule: usize) -> Result<Vec<Face
     if let Some(&node) = faces.iter().flatten().find(|&&corner| corner as usize >= count) {
         return Err(GalerkinError::NoSuchNode { what: "the face of a load", node, count });
     }
-    Ok(cells.face_points(faces, rule)?)
+    // The moment of a face that is no parallelogram takes two points.
+    Ok(cells.face_points(faces, rule.max(2))?)
 }
 
 fn finite(what: &'static str, number: usize, values: &[f64]) -> Result<(), GalerkinError> {

@@ -3,6 +3,8 @@
 use solid_kinematics::{Material, Tangent, Tensor};
 use sph_core::{Basis, Hexahedra, Support, Vec3, Weight};
 
+use crate::images::Mirror;
+
 /// Everything that a body is built from.
 pub struct Parts {
     /// Nodes \[L\].
@@ -23,6 +25,8 @@ pub struct Parts {
     pub axes: Tensor,
     /// Density \[M/L³\].
     pub density: f64,
+    /// Planes of symmetry; what holds nodes on them is in the conditions.
+    pub mirrors: Vec<Mirror>,
     /// What holds and moves nodes.
     pub conditions: Vec<Condition>,
     /// How conditions are imposed.
@@ -31,6 +35,8 @@ pub struct Parts {
     pub loads: Vec<Load>,
     /// Derivative that Newton's method iterates with.
     pub tangent: Tangent,
+    /// Where the change of volume is taken.
+    pub volumes: Volumes,
     /// Threads; the answer is the same to the last bit.
     pub threads: usize,
 }
@@ -56,6 +62,17 @@ impl Condition {
     pub fn fixed(nodes: &[u32]) -> [Self; 3] {
         [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| Self::held(nodes.to_vec(), axis))
     }
+}
+
+/// Where the change of volume is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Volumes {
+    /// Of a material that Poisson's ratios make more than three times as stiff against it (ν above ⅓) the points of a cell share its
+    /// mean, the more so the stiffer: else the solid locks as it becomes incompressible.
+    #[default]
+    Shared,
+    /// At every point by itself.
+    Points,
 }
 
 /// How conditions are imposed.

@@ -8,6 +8,7 @@
 use sph_core::Vec3;
 
 use crate::body::Galerkin;
+use crate::essential::row;
 use crate::parts::{Condition, Essential};
 
 /// A pivot of `AAᵀ` below this share of the first is a row that depends on others.
@@ -53,15 +54,7 @@ impl Supports {
 
     fn add(&mut self, body: &Galerkin, essential: Essential, node: u32, n: Vec3) {
         let shape = &body.space.nodal[node as usize];
-        let own = ([node], [1.0]);
-        let (nodes, values): (&[u32], &[f64]) = match essential {
-            Essential::Collocation => (&shape.nodes, &shape.values),
-            Essential::Direct => (&own.0, &own.1),
-        };
-        let terms = nodes.iter().zip(values).flat_map(|(&other, &phi)| {
-            (0..3).filter(|&k| n[k] != 0.0).map(move |k| (3 * other + k as u32, phi * n[k]))
-        });
-        self.rows.push(terms.collect());
+        self.rows.push(row(&body.space, essential, shape, (node, n)));
         self.nodes.push(node);
         self.directions.push(n);
     }
@@ -107,7 +100,7 @@ impl Supports {
     /// Forces of the supports on all nodes at a level \[F\].
     pub fn forces(&self, body: &mut Galerkin, level: f64, out: &mut [Vec3]) {
         body.evaluate_internal(level);
-        body.loads.forces(level, &body.parameters, &mut body.external);
+        body.loads.forces(level, (&body.space.images, &body.parameters), &mut body.external);
         let (internal, external) = (&body.internal, &body.external);
         let residual = |&(p, a): &(u32, f64)| a * (internal[p as usize] - external[p as usize]);
         let mut sought: Vec<f64> =

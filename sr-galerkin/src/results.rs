@@ -1,9 +1,10 @@
 //! What a body tells of its state: displacements, and at points stress, strain, rotation.
 
 use nalgebra::DMatrix;
-use solid_kinematics::{PAIRS, Tangent, Tensor, Trial, angle, strains};
+use solid_kinematics::{PAIRS, PointTangent, Tangent, Tensor, Trial, angle, strains};
 use sph_core::{ShapeError, Vec3};
 
+use crate::assembly::over_parameters;
 use crate::body::Galerkin;
 
 /// The state of a point of the quadrature.
@@ -28,7 +29,7 @@ impl Galerkin {
     /// Displacement of a node \[L\].
     pub fn displacement(&self, node: usize) -> Vec3 {
         let shape = &self.space.nodal[node];
-        let of = |node: u32| Vec3::from_column_slice(&self.parameters[3 * node as usize..][..3]);
+        let of = |node: u32| self.space.images.parameter(&self.parameters, node);
         shape.nodes.iter().zip(&shape.values).map(|(&node, phi)| of(node) * *phi).sum()
     }
 
@@ -38,7 +39,7 @@ impl Galerkin {
     /// [`ShapeError`] where too few nodes are near.
     pub fn displacement_at(&self, place: &Vec3) -> Result<Vec3, ShapeError> {
         let shape = self.squares.at(place)?;
-        let of = |node: u32| Vec3::from_column_slice(&self.parameters[3 * node as usize..][..3]);
+        let of = |node: u32| self.space.images.parameter(&self.parameters, node);
         Ok(shape.nodes.iter().zip(&shape.values).map(|(&node, phi)| of(node) * *phi).sum())
     }
 
@@ -49,12 +50,27 @@ impl Galerkin {
         for &node in nodes {
             let shape = &self.space.nodal[node as usize];
             for (&other, phi) in shape.nodes.iter().zip(&shape.values) {
-                (0..3).for_each(|k| forces[3 * other as usize + k] += phi * share[k]);
+                self.space.images.add(&mut forces, other, &(share * *phi));
             }
         }
         let mut out = vec![0.0; self.unknowns.count()];
         self.unknowns.project(&forces, &mut out);
         out
+    }
+
+    /// Force and moment about the origin of the loads at a level, on the body as it stands at rest \[F, F L\]: shape functions
+    /// reproduce places, so that both are those of the tractions and pressures themselves.
+    pub fn load_resultant(&self, level: f64) -> [Vec3; 2] {
+        let mut forces = vec![0.0; self.parameters.len()];
+        let rest = vec![0.0; forces.len()];
+        self.loads.forces(level, (&self.space.images, &rest), &mut forces);
+        let (mut force, mut moment) = (Vec3::zeros(), Vec3::zeros());
+        for (x, f) in self.space.nodes.iter().zip(forces.as_chunks::<3>().0) {
+            let f = Vec3::from(*f);
+            force += f;
+            moment += x.cross(&f);
+        }
+        [force, moment]
     }
 
     /// All points of the quadrature, as they were when forces were last evaluated.
@@ -87,10 +103,16 @@ impl Galerkin {
     pub fn exact_tangent(&mut self, level: f64) -> DMatrix<f64> {
         self.evaluate_internal(level);
         let count = self.parameters.len();
-        let mut full = DMatrix::zeros(count, count);
+        // Of nodes and images, and what the parameters of images are.
+        let all = 3 * self.space.integrals.len();
+        let mut full = DMatrix::zeros(all, all);
         for (number, cell) in self.space.cells.iter().enumerate() {
+            let all = 0..cell.volumes.len();
+            let moduli = |at| self.moduli_of(number * self.space.points + at, Tangent::Consistent);
+            let mut moduli: Vec<PointTangent> = all.map(moduli).collect();
+            let coupled = self.couple(number, &mut moduli);
             for (at, volume) in cell.volumes.iter().enumerate() {
-                let moduli = self.moduli_of(number * self.space.points + at, Tangent::Consistent);
+                let moduli = &moduli[at];
                 let gradients = [0, 1, 2].map(|j| cell.gradient(at, j));
                 for (a, row) in cell.nodes.iter().enumerate() {
                     let left: [[f64; 9]; 3] = std::array::from_fn(|i| {
@@ -108,8 +130,27 @@ impl Galerkin {
                     }
                 }
             }
+            let Some(coupled) = coupled else { continue };
+            let [b, rows, columns] =
+                [&coupled.mean, &coupled.rows, &coupled.columns].map(|nines| over_parameters(cell, nines));
+            let parameter = |at: usize| 3 * cell.nodes[at % cell.width] as usize + at / cell.width;
+            let real = |at: &usize| at % cell.width < cell.nodes.len();
+            for row in (0..3 * cell.width).filter(real) {
+                for column in (0..3 * cell.width).filter(real) {
+                    full[(parameter(row), parameter(column))] +=
+                        rows[row] * b[column] + b[row] * (columns[column] + coupled.scalar * b[column]);
+                }
+            }
         }
-        self.loads.stiffness(&self.parameters, |row, column, k| {
+        let mut mirrored = DMatrix::zeros(all, count);
+        for number in 0..all / 3 {
+            let (node, turn) = self.space.images.real(number as u32);
+            (0..9).for_each(|c| {
+                mirrored[(3 * number + c / 3, 3 * node as usize + c % 3)] = turn[(c / 3, c % 3)]
+            });
+        }
+        let mut full = mirrored.transpose() * full * mirrored;
+        self.loads.stiffness((&self.space.images, &self.parameters), |row, column, k| {
             for i in 0..3 {
                 (0..3).for_each(|j| {
                     full[(3 * row as usize + i, 3 * column as usize + j)] -= level * k[i][j];

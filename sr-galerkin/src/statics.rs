@@ -1,7 +1,7 @@
 //! The body as a system whose equilibria are sought.
 
 use implicit_statics::{Equilibrium, OutOfBounds};
-use solid_kinematics::{PointState, Tensor};
+use solid_kinematics::{PointState, Tangent, Tensor};
 
 use crate::body::Galerkin;
 
@@ -37,13 +37,13 @@ impl Equilibrium for Galerkin {
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.loads.forces(level, &self.parameters, &mut self.external);
+        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
         self.unknowns.project(&self.external, out);
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.loads.forces(1.0, &self.parameters, &mut self.external);
+        self.loads.forces(1.0, (&self.space.images, &self.parameters), &mut self.external);
         if self.unknowns.moves {
             self.assemble(level);
             let mut rates = vec![0.0; self.parameters.len()];
@@ -52,7 +52,7 @@ impl Equilibrium for Galerkin {
             self.blocks.product(&rates, &mut forces);
             self.external.iter_mut().zip(&forces).for_each(|(out, force)| *out -= force);
             let external = &mut self.external;
-            self.loads.stiffness(&self.parameters, |row, column, k| {
+            self.loads.stiffness((&self.space.images, &self.parameters), |row, column, k| {
                 for i in 0..3 {
                     let way = |j: usize| rates[3 * column as usize + j];
                     external[3 * row as usize + i] += level * (0..3).map(|j| k[i][j] * way(j)).sum::<f64>();
@@ -63,7 +63,8 @@ impl Equilibrium for Galerkin {
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
-        self.tangents += 1;
+        // At the state that the step starts from a solver may have a factor already: none of the trial.
+        self.tangents += usize::from(self.accepted != self.parameters);
         self.assemble(level);
         self.add_load_stiffness(level);
         self.reduction.reduce(&self.blocks, values);
@@ -72,6 +73,12 @@ impl Equilibrium for Galerkin {
     /// A stiffness and its factor cost ten times what forces and a solve do.
     fn keeps_factor(&self) -> bool {
         true
+    }
+
+    /// The consistent one is the derivative over the step.
+    fn tangent_is_of_the_step(&self) -> bool {
+        let over_the_step = self.tangent == Tangent::Consistent && self.accepted != self.parameters;
+        self.remembers() && (self.insists || over_the_step)
     }
 
     fn held_values_move(&self) -> bool {
@@ -86,7 +93,7 @@ impl Equilibrium for Galerkin {
         }
         self.evaluate_internal(self.level);
         for (state, trial) in self.history.iter_mut().zip(&self.trials) {
-            *state = trial.state.settled();
+            *state = trial.state;
         }
         self.accepted.copy_from_slice(&self.parameters);
         self.evaluated = false;

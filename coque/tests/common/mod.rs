@@ -7,6 +7,7 @@ pub mod fields;
 pub mod fluids;
 pub mod galerkin;
 pub mod refused;
+pub mod sittings;
 pub mod solids;
 pub mod torn;
 

@@ -46,7 +46,7 @@ impl Newton {
         }
         let inertia = self.tangent(system, level)?;
         self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
-        system.accept();
+        self.keep(system);
         Ok(Converged { level, iterations: 0, residuals: vec![size], bound, inertia })
     }
 }

@@ -50,7 +50,7 @@ pub fn lead(
 ) -> PointState {
     for step in 1..=steps {
         let t = span.0 + (span.1 - span.0) * step as f64 / steps as f64;
-        state = material.trial(&state, &path(t)).expect("accepted").state.settled();
+        state = material.trial(&state, &path(t)).expect("accepted").state;
     }
     state
 }

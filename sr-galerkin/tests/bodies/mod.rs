@@ -5,7 +5,7 @@
 use implicit_statics::{Newton, NewtonOptions};
 use solid_kinematics::{Formulation, Material, Moduli, StressMeasure, Tangent, Tensor, Update};
 use sph_core::{Basis, BlockLattice, Hexahedra, NodePlaces, Support, Vec3, Weight};
-use sr_galerkin::{Condition, Essential, Galerkin, Load, Parts, Step, lead};
+use sr_galerkin::{Condition, Essential, Galerkin, Load, Parts, Step, Volumes, lead};
 
 /// Midpoint increments of Kirchhoff's stress.
 pub const MIDPOINT: Formulation =
@@ -42,10 +42,12 @@ pub fn block(lengths: [f64; 3], counts: [usize; 3], disorder: f64) -> Parts {
         material: Material { moduli: Moduli::isotropic(1.0, 0.3).expect("moduli"), formulation: MIDPOINT },
         axes: Tensor::identity(),
         density: 1.0,
+        mirrors: Vec::new(),
         conditions: Vec::new(),
         essential: Essential::Collocation,
         loads: Vec::new(),
         tangent: Tangent::Continuum,
+        volumes: Volumes::Shared,
         threads: 1,
     }
 }

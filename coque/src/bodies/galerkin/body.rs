@@ -124,6 +124,10 @@ impl Equilibrium for GalerkinSolid {
         self.galerkin.tangent(level, values);
     }
 
+    fn tangent_is_of_the_step(&self) -> bool {
+        self.galerkin.tangent_is_of_the_step()
+    }
+
     fn held_values_move(&self) -> bool {
         self.galerkin.held_values_move()
     }

@@ -1,13 +1,15 @@
 //! From a scene to a Galerkin solid ready to be solved: nodes, cells, sets, supports, loads.
 
-use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports};
+use sph_core::Support;
+use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
-use super::conditions::{conditions, driven, holds, loads};
+use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
 use super::doubts::doubts_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
+use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
 use crate::bodies::memory::Memory;
 use crate::bodies::probe::Probe;
@@ -26,6 +28,8 @@ struct Built {
     driven: Option<PrescribedPoint>,
     supports: Option<Supports>,
     memory: Memory,
+    /// By what the support was widened so that nodes determine the basis everywhere.
+    widened: f64,
 }
 
 impl Scene {
@@ -36,11 +40,11 @@ impl Scene {
         options: &scene::Galerkin,
         threads: usize,
     ) -> Result<Model, SceneError> {
-        let Built { galerkin, places, probes, driven, supports, memory } =
+        let Built { galerkin, places, probes, driven, supports, memory, widened } =
             self.galerkin(solid, options, threads)?;
         let body = GalerkinSolid::new(galerkin, &places, supports);
         self.refuse_freedoms(body.freedoms())?;
-        let description = describe(self, solid, options, &body, places.block.greatest_spacing());
+        let description = describe(self, solid, options, (&body, widened), places.block.greatest_spacing());
         let warnings = doubts_of(options, places.lattice.lengths, &places.block);
         let (identity, judge) = (Identity::default(), None);
         let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
@@ -68,6 +72,7 @@ impl Scene {
         let nodes: f64 =
             solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
         let memory = self.room(nodes)?;
+        self.refuse_few_layers(solid, options)?;
         let places = Places::new(self, solid)?;
         let sets = NodeSets::find(self, &places.lattice, &places.block, &places.straight)?;
         let probes = probes(self, &sets)?;
@@ -77,7 +82,8 @@ impl Scene {
             let all = Vec::from_iter(0..places.block.len() as u32);
             free_of(&places.block.positions, &all, holds(&conditions))
         })?;
-        let mut loads = loads(self, solid.material.density(), &places, &sets)?;
+        let mut cells = places.cells.clone();
+        let mut loads = loads(self, solid.material.density(), &places, &mut cells, &sets)?;
         let driven = driven.map(|(_, point)| point);
         loads.extend(driven.map(|point| Load::Point {
             place: places.block.positions[point.particle as usize],
@@ -86,28 +92,80 @@ impl Scene {
         // Nobody pays for reactions that nobody reads.
         let read =
             self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
-        let (given, essential) = (conditions.clone(), essential(options));
-        let parts = Parts {
+        let mirrors = mirrors(self, &places, &sets)?;
+        let essential = essential(options);
+        let material = material(solid, options)
+            .map_err(|error| self.body_error(material_path(solid), &error.to_string()))?;
+        let parts = |support: Support| Parts {
             nodes: places.block.positions.clone(),
-            cells: places.cells.clone(),
+            cells: cells.clone(),
             rule: options.gauss,
             basis: basis(options),
-            support: support(solid, options, &places),
+            support,
             weight: weight(options),
-            material: material(solid, options)
-                .map_err(|error| self.body_error(material_path(solid), &error.to_string()))?,
+            material: material.clone(),
             axes: axes(solid),
             density: solid.material.density(),
-            conditions,
+            mirrors: mirrors.clone(),
+            conditions: conditions.clone(),
             essential,
-            loads,
+            loads: loads.clone(),
             tangent: tangent(options),
+            volumes: Volumes::Shared,
             threads: threads.max(1),
         };
-        let galerkin = Galerkin::new(parts).map_err(|error| self.galerkin_refusal(solid, &error))?;
+        let support = support(solid, options, &places);
+        let (galerkin, widened) = wide_enough(&support, |support| Galerkin::new(parts(support)))
+            .map_err(|error| self.galerkin_refusal(solid, &error))?;
+        if widened > 1.0 && options.support.is_some() {
+            return Err(self.too_narrow(options, widened));
+        }
         let sought = driven.map(|point| (point.particle, point.direction));
-        let supports = read.then(|| Supports::new(&galerkin, &given, essential, sought));
-        Ok(Built { galerkin, places, probes, driven, supports, memory })
+        let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
+        Ok(Built { galerkin, places, probes, driven, supports, memory, widened })
+    }
+
+    /// Refuses a support that was asked for and is too narrow by a factor.
+    fn too_narrow(&self, options: &scene::Galerkin, factor: f64) -> SceneError {
+        let (path, given) = options.support().said();
+        let widened: Vec<String> = given.iter().map(|radius| format!("{:.3}", factor * radius)).collect();
+        let given: Vec<String> = given.iter().map(f64::to_string).collect();
+        let list = |radii: &[String]| {
+            if radii.len() == 1 { radii[0].clone() } else { format!("[{}]", radii.join(", ")) }
+        };
+        let bound = "but the nodes in it do not determine the terms of the basis everywhere";
+        let repair = format!(
+            "{path} = {} is wide enough; left out, the support is widened as far as it has to be",
+            list(&widened)
+        );
+        let path = format!("formulation.galerkin.support.{path}");
+        self.body_scope().value(&path, list(&given), bound, &repair)
+    }
+
+    /// Refuses fewer layers of nodes along an axis than its powers in the basis ask for, whatever the support.
+    fn refuse_few_layers(&self, solid: &SolidScene, options: &scene::Galerkin) -> Result<(), SceneError> {
+        let Ok(cells) = solid.lattice().cells() else { return Ok(()) };
+        let Some((axis, least)) = (0..3).map(|k| (k, options.least_cells(k))).find(|&(k, n)| cells[k] < n)
+        else {
+            return Ok(());
+        };
+        let name = ["x", "y", "z"][axis];
+        let least_nodes = least + 1;
+        let bound = format!("but the basis asks for {least_nodes} nodes along {name} at least");
+        if solid.geometry.arc.is_some() {
+            let enough: Vec<String> =
+                (0..3).map(|k| cells[k].max(options.least_cells(k)).to_string()).collect();
+            let repair = format!(
+                "cells = [{}] is enough; basis = \"linear\" does with one cell but locks",
+                enough.join(", ")
+            );
+            return Err(self.body_scope().value("geometry.arc.cells", format!("{cells:?}"), &bound, &repair));
+        }
+        let spacing = solid.lattice().lengths[axis] / least as f64;
+        let repair =
+            format!("{spacing} along {name} is enough; basis = \"linear\" does with one cell but locks");
+        let given = format!("{} cells along {name}", cells[axis]);
+        Err(self.body_scope().value("geometry.block.spacing", given, &bound, &repair))
     }
 
     /// Puts a refusal of the solid where the scene causes it.

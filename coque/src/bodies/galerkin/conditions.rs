@@ -1,7 +1,7 @@
 //! Supports, loads and columns of a Galerkin solid.
 
-use sph_core::Vec3;
-use sr_galerkin::{Condition, Load};
+use sph_core::{Hexahedra, Vec3};
+use sr_galerkin::{Condition, Load, Mirror};
 
 use super::places::Places;
 use crate::bodies::PrescribedPoint;
@@ -10,6 +10,8 @@ use crate::bodies::solid::sets::NodeSets;
 use crate::scene::error::SceneError;
 use crate::scene::{LoadKind, Scene, SupportKind};
 
+/// Nodes nearer to a plane than this part of the spacing lie on it.
+const ON_PLANE: f64 = 1e-9;
 /// A held direction with more than this along a motion opposes it.
 const OPPOSED: f64 = 1e-9;
 
@@ -39,6 +41,39 @@ pub(super) fn conditions(
                 | SupportKind::Rotated(_)
                 | SupportKind::Turned(_)
                 | SupportKind::Spring(_) => {}
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// Planes of symmetry that whole cuts of the body lie in: behind them the solid goes on. A traction along a cut bends what a whole has
+/// there, and its plane is left out.
+pub(super) fn mirrors(
+    scene: &Scene,
+    places: &Places,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<Mirror>, SceneError> {
+    let mut out = Vec::new();
+    for (i, support) in scene.supports.iter().enumerate() {
+        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+        let symmetries = support.kinds().into_iter().filter_map(|(_, kind)| match kind {
+            SupportKind::Symmetry(mirror) => Some(Vec3::from(mirror.normal).normalize()),
+            _ => None,
+        });
+        for normal in symmetries {
+            let all = &places.block.positions;
+            let point = all[nodes[0] as usize];
+            let on = |x: &Vec3| (x - point).dot(&normal).abs() <= ON_PLANE * places.block.greatest_spacing();
+            let flat = nodes.iter().all(|&node| on(&all[node as usize]));
+            let whole = all.iter().filter(|x| on(x)).count() == nodes.len();
+            let mut pulled = false;
+            for (j, load) in scene.loads.iter().enumerate().filter(|(_, load)| load.traction.is_some()) {
+                let loaded = sets.at(&format!("loads[{j}].on"), &load.on)?;
+                pulled |= loaded.iter().all(|&node| on(&all[node as usize]));
+            }
+            if flat && whole && !pulled {
+                out.push(Mirror { point, normal });
             }
         }
     }
@@ -80,11 +115,12 @@ pub(super) fn driven(
     Ok(Some((number, PrescribedPoint { particle: node, direction, by })))
 }
 
-/// The loads at level one.
+/// The loads at level one; faces that a set cuts add their corners to the cells.
 pub(super) fn loads(
     scene: &Scene,
     density: f64,
     places: &Places,
+    cells: &mut Hexahedra,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<Load>, SceneError> {
     let mut out = Vec::new();
@@ -99,11 +135,11 @@ pub(super) fn loads(
                     out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
                 }
                 LoadKind::Traction(traction) => out.push(Load::Traction {
-                    faces: places.faces(sets, &path, &load.on)?,
+                    faces: places.faces(cells, sets, &path, &load.on)?,
                     traction: Vec3::from(traction.value),
                 }),
                 LoadKind::Pressure(pressure) => out.push(Load::Pressure {
-                    faces: places.faces(sets, &path, &load.on)?,
+                    faces: places.faces(cells, sets, &path, &load.on)?,
                     pressure: pressure.value,
                 }),
                 // The checks refuse it on a solid.

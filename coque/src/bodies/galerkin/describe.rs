@@ -16,11 +16,14 @@ pub(super) fn describe(
     scene: &Scene,
     solid: &SolidScene,
     options: &Galerkin,
-    body: &GalerkinSolid,
+    (body, widened): (&GalerkinSolid, f64),
     spacing: f64,
 ) -> Description {
     let galerkin = body.galerkin();
-    let (modelled, left_out) = lists(scene, solid, options, galerkin.dependent_conditions());
+    let (mut modelled, left_out) = lists(scene, solid, options, galerkin.dependent_conditions());
+    if widened > 1.0 {
+        modelled.push(format!("a support {widened:.2} times as wide as said: in less, nodes do not determine the basis everywhere"));
+    }
     Description {
         kind: "solid",
         method: options.describe(),

@@ -73,6 +73,21 @@ pub enum GalerkinSupport {
     Tensor(PerAxis),
 }
 
+impl GalerkinSupport {
+    /// Its word, and its radii as they were given.
+    pub fn said(&self) -> (&'static str, Vec<f64>) {
+        let radii = |radii: &PerAxis| match radii {
+            PerAxis::Same(radius) => vec![*radius],
+            PerAxis::Each(list) => list.clone(),
+        };
+        match self {
+            Self::Sphere(radius) => ("sphere", vec![*radius]),
+            Self::Ellipsoid(given) => ("ellipsoid", radii(given)),
+            Self::Tensor(given) => ("tensor", radii(given)),
+        }
+    }
+}
+
 /// How stress follows deformation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -130,6 +145,15 @@ impl Galerkin {
     /// Number of the axis across a thin part.
     pub fn across(&self) -> usize {
         self.across.unwrap_or_default() as usize
+    }
+
+    /// Fewest cells along an axis whose nodes determine the powers of its coordinate in the basis.
+    pub fn least_cells(&self, axis: usize) -> usize {
+        match self.basis {
+            GalerkinBasis::Linear => 1,
+            GalerkinBasis::Quadratic => 2,
+            GalerkinBasis::Plate17 => 3 - usize::from(axis == self.across()),
+        }
     }
 
     /// Where a node has weight, the default of its basis where nothing is said.

@@ -1,0 +1,69 @@
+//! Supports of shape functions that nodes do not fill: widened where nothing was said, else refused with a width that works.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::{Replaced, last, overridden};
+use coque::Silent;
+
+/// A quarter of a thick tube under internal pressure, in plane strain.
+const TUBE: &str = r#"title = "Quarter tube"
+units = { length = "m", force = "N", time = "s" }
+analysis.linear = {}
+supports = [{ on = "x0", symmetry = { normal = [1, 0, 0] } }, { on = "x1", symmetry = { normal = [0, 0, 1] } }, { on = "y0", symmetry = { normal = [0, 1, 0] } }, { on = "y1", symmetry = { normal = [0, 1, 0] } }]
+loads = [{ on = "z0", pressure = { value = 1.0, follower = true } }]
+curve = [{ name = "u", of = "displacement", on = "inner", direction = [0, 0, 1] }]
+sets.inner = { nearest = [0.0, 0.0, 0.5] }
+[bodies.tube.solid]
+geometry.arc = { radius = 1.0, angles = [0.0, 90.0], length = 0.5, thickness = 1.0, cells = [8, 2, 4] }
+material.elastic = { young = 1e3, poisson = 0.3, density = 1.0 }
+formulation.galerkin = { }
+"#;
+
+/// Lamé's displacement of the inner face: `(1 + ν) p a²/(E (b² − a²)) ((1 − 2ν) r + b²/r)` at r = a.
+fn lame() -> f64 {
+    let (a, b, nu) = (0.5_f64, 1.5_f64, 0.3);
+    (1.0 + nu) * a * a / (1e3 * (b * b - a * a)) * ((1.0 - 2.0 * nu) * a + b * b / a)
+}
+
+fn opened(replaced: Replaced) -> (f64, bool) {
+    let outcome = overridden(TUBE, "tube.toml", replaced).unwrap().build(1).unwrap().run(&mut Silent);
+    let widened = outcome.summary.body.modelled.iter().any(|line| line.contains("times as wide as said"));
+    (last(&outcome, "u") / lame(), widened)
+}
+
+#[test]
+fn a_quarter_of_a_tube_is_wide_enough_by_itself() {
+    for (cells, widened, bound) in [
+        ("[5, 3, 3]", true, 0.05),
+        ("[6, 2, 4]", true, 0.05),
+        ("[8, 2, 4]", true, 0.05),
+        ("[16, 2, 6]", false, 0.01),
+    ] {
+        let (ratio, was) = opened(&[("bodies.tube.solid.geometry.arc.cells", cells)]);
+        println!("{cells} {ratio} {was}");
+        assert!((ratio - 1.0).abs() < bound && was == widened, "{cells}: {ratio} {was}");
+    }
+}
+
+#[test]
+fn a_support_that_was_asked_for_is_refused_with_one_that_works() {
+    let cells = ("bodies.tube.solid.geometry.arc.cells", "[6, 2, 4]");
+    let with = |value: &str| {
+        let support = ("bodies.tube.solid.formulation.galerkin.support.ellipsoid", value);
+        overridden(TUBE, "tube.toml", &[cells, support])
+            .unwrap()
+            .build(1)
+            .err()
+            .map(|error| error.to_string())
+    };
+    let found = with("2.5").expect("a refusal");
+    assert!(found.contains("support.ellipsoid") && found.contains("do not determine"), "{found}");
+    let works = found.split("ellipsoid = ").nth(1).unwrap().split(' ').next().unwrap().to_string();
+    assert_eq!(with(&works), None, "{works}");
+    let found =
+        overridden(TUBE, "tube.toml", &[("bodies.tube.solid.geometry.arc.cells", "[8, 1, 4]")]).unwrap();
+    let found = found.build(1).err().expect("a refusal").to_string();
+    assert!(found.contains("geometry.arc.cells") && found.contains("[8, 2, 4] is enough"), "{found}");
+}
