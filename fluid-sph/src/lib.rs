@@ -72,6 +72,7 @@
 //! | the axes of a drop are those of an ideal fluid | `in_a_plane`, `in_space` (tests/drop.rs) |
 //! | the front of a falling column, and its energy | tests/dam.rs |
 //! | walls hand over impulses and work; laminar flow decays as its mode | tests/moving_walls.rs |
+//! | a closed fluid gains of a compression what walls leave that give way as layers of it, .57 h thick | tests/closed.rs |
 //! | each face of a thin plate bears its own water; past its edge both sides meet | tests/thin.rs |
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
 //! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |

@@ -1,10 +1,8 @@
 //! Closed fluids that walls compress.
 //!
-//! The equation of continuity sees walls that stand beside fluid that moves along them, and counts of a compression near a wall only what
-//! the fluid's own neighbours tell. With displacements linear in place a wall hides ⟨r⟩/π = .212 h (the mean of the kernel's distance,
-//! 2h/3 in a plane) times its area from the change of volume. Once pressures are equal again the layer has taken up fluid from the rest, and a
-//! wall gives way as a layer of fluid of .57 h would: measured from 5 × 20 to 40 × 80 particles in a plane and 6 × 6 × 12 to 12³ in space
-//! (fluid-sph/tests/closed.rs).
+//! The equation of continuity sees walls with their own velocity: of fluid that comes nearer a wall it counts less than if the motion
+//! went on into the wall as it does before it. Once pressures are equal again, a wall gives way as a layer of the fluid of .57 h would: measured
+//! from 5 × 20 to 40 × 80 particles in a plane and 6 × 6 × 12 to 12³ in space (fluid-sph/tests/closed.rs, docs/fluids.md).
 
 use fluid_sph::Fluid;
 use sph_core::CellList;
@@ -35,8 +33,8 @@ pub(super) fn soft(fluid: &Fluid, walls: &[BuiltWalls<'_>]) -> Option<Warning> {
     let message = || {
         format!(
             "the fluid is closed, and walls move while others stand: where they change its volume, pressures rise by about \
-             {:.0} % less than the equation of state has it, for the fluid's density does not see that it is compressed along a \
-             wall; half the spacing halves that",
+             {:.0} % less than the equation of state has it, for the density counts too little of fluid that comes nearer a wall; half \
+             the spacing halves that",
             100.0 * missing
         )
     };
