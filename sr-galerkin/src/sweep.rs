@@ -10,6 +10,25 @@ use crate::images::Images;
 use crate::volumes::{Shared, Sharing, mean_pressure, share, shared_piola};
 
 impl Galerkin {
+    /// Internal less external forces on images, at the state and the level last evaluated \[F\].
+    pub(crate) fn forces_on_images(&self, level: f64) -> Vec<Vec3> {
+        let (stride, images) = (force_stride(&self.space), &self.space.images);
+        let mut out = vec![Vec3::zeros(); images.places.len()];
+        let place = |number: u32| number as usize - self.space.nodes.len();
+        for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
+            for (at, &number) in cell.nodes.iter().enumerate().filter(|(_, number)| images.is_image(**number))
+            {
+                out[place(number)] += Vec3::from_fn(|k, _| forces[k * cell.width + at]);
+            }
+        }
+        self.loads.visit(level, (images, &self.parameters), |number, force| {
+            if images.is_image(number) {
+                out[place(number)] -= force;
+            }
+        });
+        out
+    }
+
     /// All points from the history to the present parameters, and the forces of their stresses.
     pub(crate) fn sweep(&mut self) {
         let stride = force_stride(&self.space);
