@@ -28,6 +28,14 @@ impl Newton {
         Ok(())
     }
 
+    /// Has the system take its present state as one that is kept; the factor serves on where the tangent stays what it was.
+    pub(crate) fn keep<E: Equilibrium + ?Sized>(&mut self, system: &mut E) {
+        if system.tangent_is_of_the_step() {
+            self.factored = None;
+        }
+        system.accept();
+    }
+
     /// Ends a path in the present state.
     pub(crate) fn leave<E: Equilibrium + ?Sized>(&mut self, system: &E) {
         self.left = system.save();
