@@ -60,10 +60,11 @@ fn a_box_presses_on_the_area_that_it_holds() {
 #[test]
 fn bands_layers_and_tractions_are_cut_as_well() {
     let traction = ("loads", "[{ on = 'part', traction = { value = [1.0, 2.0, 3.0] } }]");
-    let band = "{ plane = { point = [1, 0.5, 1], normal = [1, 1, 0], within = 0.3 } }";
+    let band = "{ plane = { point = [1, 0.5, 0.5], normal = [1, 1, 0], within = 0.8 } }";
     let [force, _] = resultant(BAR, &[("sets.part", band), traction]);
-    // Top and bottom each hold a parallelogram of width .6 over 1/√½; along y0 and y1 the band is .6 √2 wide and 1 high.
-    let area = 2.0 * 0.6 * 2.0_f64.sqrt() + 2.0 * 0.6 * 2.0_f64.sqrt();
+    // What two corners of top and bottom, legs c, and strips of the sides as wide leave of the whole surface of ten.
+    let c = 1.5 - 0.8 * 2.0_f64.sqrt();
+    let area = 10.0 - 2.0 * c * c - 4.0 * c;
     assert!((force - Vec3::new(1.0, 2.0, 3.0) * area).norm() < 1e-12, "{force} for {area}");
     let layer = ("sets.part", "{ layer = { face = 'x1', depth = 0.7 } }");
     let [force, _] = resultant(BAR, &[layer, traction]);

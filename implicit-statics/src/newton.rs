@@ -199,24 +199,6 @@ impl Newton {
         self.factored = None;
     }
 
-    /// Knows no factor of the present state: the system has changed in it.
-    pub(crate) fn forget(&mut self) {
-        self.factored = None;
-    }
-
-    /// The loads last evaluated \[F\].
-    pub(crate) fn load(&self) -> &[f64] {
-        &self.external
-    }
-
-    /// Has the system take its present state as one that is kept; the factor serves on where the tangent stays what it was.
-    pub(crate) fn keep<E: Equilibrium + ?Sized>(&mut self, system: &mut E) {
-        if system.tangent_is_of_the_step() {
-            self.factored = None;
-        }
-        system.accept();
-    }
-
     /// Takes note of a step that is kept.
     pub(crate) fn accept(&mut self, increment: &Increment) {
         for (sum, motion) in self.travelled.iter_mut().zip(&increment.motion) {

@@ -13,7 +13,6 @@ use crate::loads::Loads;
 use crate::parts::{Parts, Volumes};
 use crate::reduction::Reduction;
 use crate::stiffness::Scratch;
-use crate::sweep::force_stride;
 use crate::volumes::{Shared, Sharing};
 
 /// Nodes nearer than this share of the least radius of the support coincide.
@@ -98,7 +97,7 @@ impl Galerkin {
             inverse: Tensor::identity(),
             turn: 0.0,
         };
-        let stride = force_stride(&space);
+        let stride = space.force_stride();
         Ok(Self {
             masses: masses(&space, parts.density),
             parameters: vec![0.0; 3 * count],

@@ -129,4 +129,9 @@ impl Discretisation {
         let points = parts.rule.pow(3);
         Ok(Self { nodes: parts.nodes.clone(), images, cells, places, points, slice, nodal, integrals })
     }
+
+    /// Numbers that a cell writes: three rows as wide as the widest.
+    pub fn force_stride(&self) -> usize {
+        3 * self.cells.iter().fold(1, |most, cell| most.max(cell.width))
+    }
 }

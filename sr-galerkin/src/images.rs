@@ -31,6 +31,8 @@ pub(crate) struct Images {
     of: Vec<(u32, Tensor)>,
     /// Where images stand \[L\].
     pub places: Vec<Vec3>,
+    /// Planes: normals into the body, and where they cut them \[L\].
+    planes: Vec<(Vec3, f64)>,
 }
 
 impl Images {
@@ -96,6 +98,7 @@ impl Images {
             fresh = begin..places.len();
         }
         out.places = places.split_off(nodes.len());
+        out.planes = planes;
         out
     }
 
@@ -133,6 +136,28 @@ impl Images {
             None => (number, *direction),
             Some(image) => (self.of[image].0, self.of[image].1.transpose() * direction),
         }
+    }
+
+    /// The normal, into the body, of the plane in which a node is held along a direction, if it is one with images behind.
+    pub fn plane(&self, place: &Vec3, direction: &Vec3, slack: f64) -> Option<Vec3> {
+        let holds = |(normal, at): &&(Vec3, f64)| {
+            (normal.dot(place) - at).abs() <= slack && 1.0 - normal.dot(direction).abs() <= ROUNDING
+        };
+        self.planes.iter().find(holds).map(|plane| plane.0)
+    }
+
+    /// Images that turn the normal of the plane before them: their numbers, that normal, and the foot on the plane.
+    pub fn behind(&self) -> Vec<(u32, Vec3, Vec3)> {
+        let mut out = Vec::new();
+        for (image, ((_, turn), x)) in self.of.iter().zip(&self.places).enumerate() {
+            for (normal, at) in &self.planes {
+                let away = normal.dot(x) - at;
+                if away < 0.0 && normal.dot(&(turn * normal)) < 0.0 {
+                    out.push(((self.nodes + image) as u32, *normal, x - normal * away));
+                }
+            }
+        }
+        out
     }
 
     /// Nodes of rising numbers, each once and rising.

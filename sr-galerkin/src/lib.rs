@@ -39,6 +39,16 @@
 //! a search waits until it is small. To start a step from states extrapolated through the last ones does not pay for the same
 //! reason: 61 iterations and 42 tangents at best, and the line through the last two does not converge.
 //!
+//! Above ν = ⅓ the change of volume that varies within a cell is held back less and less, else the solid locks ([`Volumes`]; derived in
+//! `volumes.rs`): `P` is then that of a gradient F̄ whose determinant is nearer to the mean of the cell, and a cell has two products of vectors
+//! beside the moduli of its points.
+//!
+//! # Planes of symmetry
+//!
+//! Behind a [`Mirror`] nodes have images, with parameters `R d` and `R = I − 2 n nᵀ`: shape functions are those of the whole, and so are the
+//! displacements. The condition on the plane, `Σ_J φ_J n·d_J = 0` of its nodes, is then one on their own parameters: those of the others
+//! cancel their images'.
+//!
 //! # Conditions
 //!
 //! Fixing parameters does not fix displacements ([`Essential::Direct`], the paper's way: a clamped cantilever bends .9 to 2 % more).
@@ -104,6 +114,9 @@
 //! | thin plates, isotropic and orthotropic, to von Kármán's within .5 % | `an_isotropic_plate_with_immovable_edges`, `an_isotropic_plate_with_edges_that_move_along_their_normals`, `an_orthotropic_plate`, `the_basis_of_the_source_locks` (tests/plates.rs) |
 //! | affine parameters: one stress everywhere, any nodes | `affine_parameters_give_the_same_stress_everywhere` (tests/patch.rs) |
 //! | an affine boundary goes through but for the boundary between nodes; tractions, to the quadrature | `an_affine_displacement_of_the_boundary_goes_through`, `an_affine_displacement_is_left_by_the_boundary_between_nodes_and_by_the_quadrature` |
+//! | one change of volume a cell: the same, derivatives of energy and forces, six zero modes; a cantilever and Cook's panel to ν = .4999 | `a_cantilever_bends_as_far_whatever_poissons_ratio`, `cooks_panel_is_sheared_as_far_as_by_finer_cells` and others (tests/volumes.rs) |
+//! | a half, a quarter, an eighth move as the whole | `a_part_behind_planes_moves_as_the_whole`, `between_two_planes_the_body_repeats` (tests/mirrors.rs) |
+//! | what is taken up from a saved state goes on to the same bits | `a_march_goes_on_from_what_was_saved_to_the_same_bits` (tests/resumed.rs) |
 //! | forces without sum and moment; six zero modes | `internal_forces_have_neither_sum_nor_moment`, `a_free_body_has_six_zero_modes` |
 //! | a turned frame turns forces and leaves the energy | `a_turned_frame_turns_the_forces` |
 //! | forces are the derivative of St Venant's energy, tangents of forces and loads | `forces_are_the_derivative_of_st_venants_energy`, `tangents_are_derivatives_of_the_forces` |

@@ -23,8 +23,8 @@ pub(crate) struct PressedPoint {
 /// All loads of a body at level one.
 #[derive(Default)]
 pub(crate) struct Loads {
-    /// Dead forces on parameters.
-    pub dead: Vec<f64>,
+    /// Dead forces on nodes and images \[F\].
+    pub dead: Vec<Vec3>,
     /// Faces under pressure.
     pub pressed: Vec<PressedPoint>,
 }
@@ -36,24 +36,24 @@ impl Loads {
         squares: &MovingLeastSquares,
         space: &Discretisation,
     ) -> Result<Self, GalerkinError> {
-        let mut out = Self { dead: vec![0.0; 3 * space.nodes.len()], pressed: Vec::new() };
+        let mut out = Self { dead: vec![Vec3::zeros(); space.integrals.len()], pressed: Vec::new() };
         for (number, load) in loads.iter().enumerate() {
             match load {
                 Load::Body(force) => {
                     finite("body force", number, force.as_slice())?;
                     for (node, integral) in space.integrals.iter().enumerate() {
-                        space.images.add(&mut out.dead, node as u32, &(force * integral[0]));
+                        out.dead[node] += force * integral[0];
                     }
                 }
                 Load::Point { place, force } => {
                     finite("the force of load", number, force.as_slice())?;
                     finite("the place of load", number, place.as_slice())?;
-                    out.add(&space.images, &squares.at(place)?, force);
+                    out.add(&squares.at(place)?, force);
                 }
                 Load::Traction { faces, traction } => {
                     finite("the traction of load", number, traction.as_slice())?;
                     for point in points(cells, faces, rule)? {
-                        out.add(&space.images, &squares.at(&point.place)?, &(traction * point.area().norm()));
+                        out.add(&squares.at(&point.place)?, &(traction * point.area().norm()));
                     }
                 }
                 Load::Pressure { faces, pressure } => {
@@ -75,22 +75,33 @@ impl Loads {
         Ok(out)
     }
 
-    fn add(&mut self, images: &Images, shape: &PointShape, force: &Vec3) {
+    fn add(&mut self, shape: &PointShape, force: &Vec3) {
         for (node, phi) in shape.nodes.iter().zip(&shape.values) {
-            images.add(&mut self.dead, *node, &(force * *phi));
+            self.dead[*node as usize] += force * *phi;
         }
     }
 
     /// Forces on parameters at a level.
     pub fn forces(&self, level: f64, (images, parameters): (&Images, &[f64]), out: &mut [f64]) {
-        for (out, dead) in out.iter_mut().zip(&self.dead) {
-            *out = level * dead;
+        out.fill(0.0);
+        self.visit(level, (images, parameters), |number, force| images.add(out, number, force));
+    }
+
+    /// Visits forces on nodes and images at a level \[F\], some of them in parts.
+    pub fn visit(
+        &self,
+        level: f64,
+        (images, parameters): (&Images, &[f64]),
+        mut found: impl FnMut(u32, &Vec3),
+    ) {
+        for (number, dead) in self.dead.iter().enumerate() {
+            found(number as u32, &(dead * level));
         }
         for point in &self.pressed {
             let [a, b] = point.present(images, parameters);
             let area = a.cross(&b) * level;
             for (node, value) in point.nodes.iter().zip(&point.values) {
-                images.add(out, *node, &(area * -*value));
+                found(*node, &(area * -*value));
             }
         }
     }

@@ -61,15 +61,14 @@ impl Galerkin {
     /// Force and moment about the origin of the loads at a level, on the body as it stands at rest \[F, F L\]: shape functions
     /// reproduce places, so that both are those of the tractions and pressures themselves.
     pub fn load_resultant(&self, level: f64) -> [Vec3; 2] {
-        let mut forces = vec![0.0; self.parameters.len()];
-        let rest = vec![0.0; forces.len()];
-        self.loads.forces(level, (&self.space.images, &rest), &mut forces);
+        let (space, rest) = (&self.space, vec![0.0; self.parameters.len()]);
         let (mut force, mut moment) = (Vec3::zeros(), Vec3::zeros());
-        for (x, f) in self.space.nodes.iter().zip(forces.as_chunks::<3>().0) {
-            let f = Vec3::from(*f);
+        self.loads.visit(level, (&space.images, &rest), |number, f| {
+            let image = (number as usize).checked_sub(space.nodes.len());
+            let x = image.map_or_else(|| space.nodes[number as usize], |image| space.images.places[image]);
             force += f;
-            moment += x.cross(&f);
-        }
+            moment += x.cross(f);
+        });
         [force, moment]
     }
 

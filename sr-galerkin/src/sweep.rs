@@ -5,14 +5,33 @@ use solid_kinematics::{Material, PointError, PointState, Tensor, Trial};
 use sph_core::Vec3;
 
 use crate::body::Galerkin;
-use crate::discretisation::{Cell, Discretisation, LANES, MOST_POINTS};
+use crate::discretisation::{Cell, LANES, MOST_POINTS};
 use crate::images::Images;
 use crate::volumes::{Shared, Sharing, mean_pressure, share, shared_piola};
 
 impl Galerkin {
+    /// Internal less external forces on images, at the state and the level last evaluated \[F\].
+    pub(crate) fn forces_on_images(&self, level: f64) -> Vec<Vec3> {
+        let (stride, images) = (self.space.force_stride(), &self.space.images);
+        let mut out = vec![Vec3::zeros(); images.places.len()];
+        let place = |number: u32| number as usize - self.space.nodes.len();
+        for (cell, forces) in self.space.cells.iter().zip(self.cell_forces.chunks(stride)) {
+            for (at, &number) in cell.nodes.iter().enumerate().filter(|(_, number)| images.is_image(**number))
+            {
+                out[place(number)] += Vec3::from_fn(|k, _| forces[k * cell.width + at]);
+            }
+        }
+        self.loads.visit(level, (images, &self.parameters), |number, force| {
+            if images.is_image(number) {
+                out[place(number)] -= force;
+            }
+        });
+        out
+    }
+
     /// All points from the history to the present parameters, and the forces of their stresses.
     pub(crate) fn sweep(&mut self) {
-        let stride = force_stride(&self.space);
+        let stride = self.space.force_stride();
         let (points, material) = (self.space.points, &self.material);
         let (history, cells) = (&self.history, &self.space.cells);
         let parameters = (&self.space.images, self.parameters.as_slice());
@@ -41,11 +60,6 @@ impl Galerkin {
             }
         }
     }
-}
-
-/// Numbers that a cell writes: three rows as wide as the widest.
-pub(crate) fn force_stride(space: &Discretisation) -> usize {
-    3 * space.cells.iter().fold(1, |most, cell| most.max(cell.width))
 }
 
 /// Leads the points of a cell from the history to the parameters; forces on its nodes, a row for each axis.

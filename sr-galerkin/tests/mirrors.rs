@@ -6,7 +6,7 @@ use bodies::{block, body, newton, nodes};
 use implicit_statics::Equilibrium;
 use nalgebra::DMatrix;
 use sph_core::{Basis, Support, Vec3};
-use sr_galerkin::{Condition, Essential, Galerkin, Load, Mirror, Parts};
+use sr_galerkin::{Condition, Essential, Galerkin, Load, Mirror, Parts, Supports};
 
 /// A block of 4 by 3 by 2 about the origin, or what of it lies beyond planes through it; pressed from above by what follows.
 fn part(cut: [bool; 3], mirrored: bool, essential: Essential) -> Parts {
@@ -109,6 +109,24 @@ fn between_two_planes_the_body_repeats() {
     let one = Mirror { point: origin, normal: Vec3::x() };
     let other = Mirror { point: origin, normal: Vec3::new(-1.0, 1.0, 0.0) };
     assert_eq!(differs(&aslant(vec![one, other]), &aslant(Vec::new())), 0.0);
+}
+
+/// What planes and other supports bear balances the loads, as if there were no images.
+#[test]
+fn reactions_in_planes_balance_the_loads() {
+    for essential in [Essential::Collocation, Essential::Direct] {
+        let mut parts = part([true, true, false], true, essential);
+        parts.loads = vec![Load::Body(Vec3::new(3e-3, -2e-3, 1e-3))];
+        let conditions = parts.conditions.clone();
+        let mut body = solved(parts);
+        let supports = Supports::new(&body, &conditions, essential, None);
+        let mut forces = vec![Vec3::zeros(); body.nodes()];
+        supports.forces(&mut body, 1.0, &mut forces);
+        let [load, _] = body.load_resultant(1.0);
+        assert!((load - Vec3::new(18e-3, -12e-3, 6e-3)).norm() < 1e-14, "{load}"); // on six of volume
+        let borne: Vec3 = forces.iter().sum();
+        assert!((borne + load).norm() < 1e-9 * load.norm(), "{essential:?}: {borne} for {load}");
+    }
 }
 
 /// Forces are the derivative of St Venant's energy, the tangent that of forces, with images as well.

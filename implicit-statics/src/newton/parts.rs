@@ -28,6 +28,24 @@ impl Newton {
         Ok(())
     }
 
+    /// Has the system take its present state as one that is kept; the factor serves on where the tangent stays what it was.
+    pub(crate) fn keep<E: Equilibrium + ?Sized>(&mut self, system: &mut E) {
+        if system.tangent_is_of_the_step() {
+            self.factored = None;
+        }
+        system.accept();
+    }
+
+    /// Knows no factor of the present state: the system has changed in it.
+    pub(crate) fn forget(&mut self) {
+        self.factored = None;
+    }
+
+    /// The loads last evaluated \[F\].
+    pub(crate) fn load(&self) -> &[f64] {
+        &self.external
+    }
+
     /// Ends a path in the present state.
     pub(crate) fn leave<E: Equilibrium + ?Sized>(&mut self, system: &E) {
         self.left = system.save();

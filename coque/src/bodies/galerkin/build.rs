@@ -127,45 +127,35 @@ impl Scene {
 
     /// Refuses a support that was asked for and is too narrow by a factor.
     fn too_narrow(&self, options: &scene::Galerkin, factor: f64) -> SceneError {
-        let (path, given) = options.support().said();
-        let widened: Vec<String> = given.iter().map(|radius| format!("{:.3}", factor * radius)).collect();
-        let given: Vec<String> = given.iter().map(f64::to_string).collect();
-        let list = |radii: &[String]| {
+        let (word, given) = options.support().said();
+        let list = |factor: f64| {
+            let radii: Vec<String> =
+                given.iter().map(|radius| format!("{}", (1e3 * factor * radius).ceil() / 1e3)).collect();
             if radii.len() == 1 { radii[0].clone() } else { format!("[{}]", radii.join(", ")) }
         };
-        let bound = "but the nodes in it do not determine the terms of the basis everywhere";
-        let repair = format!(
-            "{path} = {} is wide enough; left out, the support is widened as far as it has to be",
-            list(&widened)
-        );
-        let path = format!("formulation.galerkin.support.{path}");
-        self.body_scope().value(&path, list(&given), bound, &repair)
+        let wide = list(factor);
+        let bound = format!("about {wide} at least: nodes in less do not determine the basis at every point");
+        let repair =
+            format!("use {word} = {wide}, or leave the support out: it is then as wide as it has to be");
+        let path = format!("formulation.galerkin.support.{word}");
+        self.body_scope().value(&path, list(1.0), &bound, &repair)
     }
 
     /// Refuses fewer layers of nodes along an axis than its powers in the basis ask for, whatever the support.
     fn refuse_few_layers(&self, solid: &SolidScene, options: &scene::Galerkin) -> Result<(), SceneError> {
-        let Ok(cells) = solid.lattice().cells() else { return Ok(()) };
-        let Some((axis, least)) = (0..3).map(|k| (k, options.least_cells(k))).find(|&(k, n)| cells[k] < n)
-        else {
-            return Ok(());
+        let lattice = solid.lattice();
+        let Ok(cells) = lattice.cells() else { return Ok(()) };
+        let enough = [0, 1, 2].map(|axis| cells[axis].max(options.least_cells(axis)));
+        let Some(axis) = (0..3).find(|&axis| cells[axis] < enough[axis]) else { return Ok(()) };
+        let why = format!("the basis asks for {} nodes along {}", enough[axis] + 1, ["x", "y", "z"][axis]);
+        let (key, given, bound, wide) = if solid.geometry.arc.is_some() {
+            ("geometry.arc.cells", format!("{cells:?}"), "at least", format!("{enough:?}"))
+        } else {
+            let spacing = [0, 1, 2].map(|axis| lattice.lengths[axis] / enough[axis] as f64);
+            ("geometry.block.spacing", format!("{:?}", lattice.spacing), "at most", format!("{spacing:?}"))
         };
-        let name = ["x", "y", "z"][axis];
-        let least_nodes = least + 1;
-        let bound = format!("but the basis asks for {least_nodes} nodes along {name} at least");
-        if solid.geometry.arc.is_some() {
-            let enough: Vec<String> =
-                (0..3).map(|k| cells[k].max(options.least_cells(k)).to_string()).collect();
-            let repair = format!(
-                "cells = [{}] is enough; basis = \"linear\" does with one cell but locks",
-                enough.join(", ")
-            );
-            return Err(self.body_scope().value("geometry.arc.cells", format!("{cells:?}"), &bound, &repair));
-        }
-        let spacing = solid.lattice().lengths[axis] / least as f64;
-        let repair =
-            format!("{spacing} along {name} is enough; basis = \"linear\" does with one cell but locks");
-        let given = format!("{} cells along {name}", cells[axis]);
-        Err(self.body_scope().value("geometry.block.spacing", given, &bound, &repair))
+        let repair = format!("use {wide}; basis = \"linear\" does with one cell, but locks in bending");
+        Err(self.body_scope().value(key, given, &format!("{wide} {bound}: {why}"), &repair))
     }
 
     /// Puts a refusal of the solid where the scene causes it.

@@ -14,7 +14,8 @@ pub struct Galerkin {
     pub basis: GalerkinBasis,
     /// Axis across a thin part, of `plate17`; left out, `z`.
     pub across: Option<Across>,
-    /// Where a node has weight; left out, an ellipsoid of 2.5 spacings, of `plate17` a box of 3.5 along the plate and 2.5 across.
+    /// Where a node has weight; left out, an ellipsoid of 2.5 spacings, of `plate17` a box of 3.5 along the plate and 2.5 across, widened
+    /// where nodes do not determine the basis.
     pub support: Option<GalerkinSupport>,
     /// Weight of a node by its distance: `csrbf2`, or a kernel of shells.
     #[serde(default = "csrbf2")]

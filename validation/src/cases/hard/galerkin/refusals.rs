@@ -38,7 +38,7 @@ fn variants() -> Vec<Variant> {
         tried(
             "too few nodes",
             &[("bodies.beam.solid.formulation.galerkin.support", "{ ellipsoid = 1.2 }")],
-            "nodes in its support",
+            "nodes in less do not determine the basis",
         ),
         tried(
             "free to move",
