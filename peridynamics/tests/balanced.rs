@@ -43,7 +43,11 @@ fn stress(space: Space, nu: f64, strain: &Matrix3<f64>) -> Matrix3<f64> {
         Space::PlaneStress => YOUNG * nu / (1.0 - nu * nu),
         _ => YOUNG * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
     };
-    let plane = if space == Space::Solid { Matrix3::identity() } else { Matrix3::from_diagonal(&Vec3::new(1.0, 1.0, 0.0)) };
+    let plane = if space == Space::Solid {
+        Matrix3::identity()
+    } else {
+        Matrix3::from_diagonal(&Vec3::new(1.0, 1.0, 0.0))
+    };
     plane * (lambda * strain.trace()) + strain * (2.0 * mu)
 }
 
@@ -83,7 +87,17 @@ fn uniform_strains_are_in_balance_at_every_node() {
     let mut random = Random(5);
     for (name, block, shape) in bodies() {
         let started = std::time::Instant::now();
-        let mut solid = match Solid::new(parts(block.clone(), Elastic { young: YOUNG, poisson: poisson(shape.space, shape.law), density: 1.0 }, shape)) { Ok(s) => s, Err(e) => { println!("{name}: {e}"); continue } };
+        let mut solid = match Solid::new(parts(
+            block.clone(),
+            Elastic { young: YOUNG, poisson: poisson(shape.space, shape.law), density: 1.0 },
+            shape,
+        )) {
+            Ok(s) => s,
+            Err(e) => {
+                println!("{name}: {e}");
+                continue;
+            }
+        };
         let took = started.elapsed();
         let d = block.dimensions;
         let strain = Matrix3::from_fn(|_, _| random.next());
@@ -102,7 +116,8 @@ fn uniform_strains_are_in_balance_at_every_node() {
             }
         }
         let size = areas(&block).iter().map(|a| (sigma * a).norm()).fold(0.0, f64::max);
-        let apart = areas(&block).iter().zip(&forces).map(|(a, f)| (sigma * a - f).norm()).fold(0.0, f64::max) / size;
+        let apart =
+            areas(&block).iter().zip(&forces).map(|(a, f)| (sigma * a - f).norm()).fold(0.0, f64::max) / size;
         let volume: f64 = block.volumes.iter().sum();
         let whole = 0.5 * volume * sigma.dot(&strain);
         println!("{name}: {apart:.1e} {:.1e} {took:?}", energy / whole - 1.0);

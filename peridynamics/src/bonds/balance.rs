@@ -109,12 +109,18 @@ impl Balance<'_> {
             families.of(node).for_each(|bond| shares[bond] *= whole[node]);
         }
         let mut twins = families.twins();
-        // As much as a bond has at both ends it may change; some of the dilatation have little where their family is cut.
-        let least = if positive { 0.0 } else { LEAST * mean(&shares) };
-        let mobility = (0..shares.len())
-            .map(|bond| (shares[bond].abs() + shares[twins.next(bond)].abs()).max(least))
-            .collect();
+        // Stiffnesses change in parts of their own; of dilatations some are nothing where a family is cut, and may become more.
+        let mut mobility = Vec::with_capacity(shares.len());
+        for node in 0..families.len() {
+            for bond in families.of(node) {
+                let both = shares[bond] + shares[twins.next(bond)];
+                let volumes = whole[node] * families.volumes[bond];
+                mobility.push(if positive { both.max(0.0) } else { volumes * families.lengths[bond] });
+            }
+        }
+        let near = self.near();
         let mut wanted = Wanted {
+            near: &near,
             families,
             positions: self.positions,
             spacing: self.spacing,
@@ -136,9 +142,19 @@ impl Balance<'_> {
     }
 }
 
-/// Least mobility of a share of the dilatation over the mean share.
-const LEAST: f64 = 0.1;
-
-fn mean(shares: &[f64]) -> f64 {
-    shares.iter().map(|share| share.abs()).sum::<f64>() / shares.len() as f64
+impl Balance<'_> {
+    /// Nodes in reach of those that have a face in theirs.
+    fn near(&self) -> Vec<bool> {
+        let mut faces = Vec::new();
+        for axis in 0..self.moduli.dimensions {
+            for sign in [-1.0, 1.0] {
+                let on_face = |&node: &usize| sign * self.areas[node][axis] > 0.0;
+                let node = (0..self.areas.len()).find(on_face);
+                faces.extend(node.map(|node| (axis, self.positions[node][axis])));
+            }
+        }
+        let depth = 2.0 * self.families.reach;
+        let near = |x: &Vec3| faces.iter().any(|&(axis, at)| (x[axis] - at).abs() <= depth);
+        self.positions[..self.families.len()].iter().map(near).collect()
+    }
 }

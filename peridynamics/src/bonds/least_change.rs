@@ -23,13 +23,17 @@ use sph_core::Vec3;
 use super::families::Families;
 
 /// Residuals over the greatest row wanted: while it is looked which bonds take part, then ever finer.
-const STAGES: [f64; 3] = [1e-3, 1e-6, 1e-11];
-/// Rows that start this close to what is wanted are left alone, with the bonds of their nodes.
+const STAGES: [f64; 4] = [1e-3, 1e-6, 1e-11, 1e-13];
+/// Rows that start this close to what is wanted are left alone, with the bonds of their nodes, far from faces.
 const QUIET: f64 = 1e-10;
 /// A residual that is good enough when rounding lets it fall no further.
 const GOOD: f64 = 1e-9;
 /// Most iterations of one solution.
 const MOST: usize = 20_000;
+/// Iterations within which a residual that is good enough halves, or it is as small as rounding lets it be.
+const PATIENCE: usize = 200;
+/// Growth of a residual over its least that no solution comes back from.
+const LOST: f64 = 1e6;
 /// Rounds of bonds that drop out.
 const ROUNDS: usize = 200;
 /// Part of the trace added to blocks, some of which are singular.
@@ -50,6 +54,8 @@ pub(super) struct Wanted<'a, const T: usize> {
     pub shares: Vec<f64>,
     /// w of directed bonds, the same from both ends.
     pub mobility: Vec<f64>,
+    /// Nodes whose rows may be fulfilled by chance, because what is wrong on either side cancels.
+    pub near: &'a [bool],
     /// Whether the sum of the shares of a bond may not fall below zero.
     pub positive: bool,
 }
@@ -61,8 +67,9 @@ impl<const T: usize> Wanted<'_, T> {
         let scale = self.rows.iter().map(SVector::amax).fold(0.0, f64::max);
         let twins = self.twins();
         let zero = vec![SVector::zeros(); count];
-        let quiet: Vec<bool> =
-            self.residual(&twins, &self.shares).iter().map(|row| row.amax() <= QUIET * scale).collect();
+        let lacking = self.residual(&twins, &self.shares);
+        let quiet =
+            (0..count).map(|node| !self.near[node] && lacking[node].amax() <= QUIET * scale).collect();
         let mut system = System { wanted: self, mobility: self.mobility.clone(), quiet, scale };
         for node in 0..count {
             for bond in self.families.of(node) {
@@ -240,8 +247,17 @@ impl<const T: usize> System<'_, T> {
         }
         let mut z = scaled(&r);
         let (mut p, mut rz) = (z.clone(), dot(&r, &z));
+        // The system is singular: rounding grows once nothing else is left, so that the best that was met is kept.
+        let (mut best, mut least, mut since) = (lambda.to_vec(), greatest(&r), 0);
         for _ in 0..MOST {
-            if greatest(&r) <= tolerance || !(rz > 0.0) {
+            let left = greatest(&r);
+            if left <= 0.5 * least {
+                best.copy_from_slice(lambda);
+                (least, since) = (left, 0);
+            }
+            since += 1;
+            let tired = since > PATIENCE && least <= GOOD * self.scale;
+            if left <= tolerance || tired || !(rz > 0.0 && left < LOST * least) {
                 break;
             }
             let along = self.product(&p);
@@ -258,7 +274,11 @@ impl<const T: usize> System<'_, T> {
             }
             rz = next;
         }
-        greatest(&r) / self.scale
+        let left = greatest(&r);
+        if left.is_nan() || left > least {
+            lambda.copy_from_slice(&best);
+        }
+        least.min(left) / self.scale
     }
 
     /// The shares as the multipliers change them.
