@@ -61,7 +61,10 @@ pub(super) struct Wanted<'a, const T: usize> {
 }
 
 impl<const T: usize> Wanted<'_, T> {
-    /// Changes the shares; returns the residual over the greatest row wanted.
+    /// Changes the shares.
+    ///
+    /// # Errors
+    /// The residual over the greatest row wanted, where it stays too large.
     pub fn solve(&mut self) -> Result<(), f64> {
         let count = self.families.len();
         let scale = self.rows.iter().map(SVector::amax).fold(0.0, f64::max);

@@ -79,8 +79,8 @@ pub enum Correction {
     /// Weights for which the energy of the six unit strains is exact at every node.
     #[default]
     Even,
-    /// Those, changed as little as makes uniform strains balance the tractions on faces at every node: ends of bars, layers in bending
-    /// and clamped edges are right. Nodes stand on the edges of a block without cut-outs.
+    /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
+    /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
     Balanced,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,
