@@ -72,6 +72,8 @@ pub enum Doubt {
     FewLayers,
     /// A motion prescribed on less than the depth of the horizon.
     ThinLayer,
+    /// The displacement of a loaded face on which bonds are missing.
+    LoadedFace,
     /// A fluid that was compressed more than its method bears.
     Compressed,
     /// A speed of sound too low for the speed that the fluid reached.
@@ -145,6 +147,7 @@ impl Doubt {
             Self::FlatCells => "flat-cells",
             Self::FewLayers => "few-layers",
             Self::ThinLayer => "thin-layer",
+            Self::LoadedFace => "loaded-face",
             Self::Compressed => "compressed",
             Self::SlowSound => "slow-sound",
             Self::LeakyWall => "leaky-wall",
@@ -221,6 +224,7 @@ mod tests {
             Doubt::FlatCells,
             Doubt::FewLayers,
             Doubt::ThinLayer,
+            Doubt::LoadedFace,
             Doubt::Compressed,
             Doubt::SlowSound,
             Doubt::LeakyWall,

@@ -44,6 +44,11 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
     for analysis in ["{ modal = { modes = 1 } }", "{ buckling = { modes = 1 } }"] {
         assert_eq!(doubts(BAR, &[long, ("analysis", analysis)]), [Doubt::FewLayers], "{analysis}");
     }
+    // Nodes on faces lack bonds beyond them: the loaded one moves two spacings of strain too far, of sixteen.
+    let edges = ("bodies.bar.solid.geometry.block.nodes", "\"edges\"");
+    assert_eq!(doubts(BAR, &[edges]), [Doubt::LoadedFace]);
+    let balanced = ("bodies.bar.solid.formulation.state-based.correction", "\"balanced\"");
+    assert_eq!(doubts(BAR, &[edges, balanced]), []);
     let moved =
         |on: &str| format!("{{ on = \"{on}\", moved = {{ direction = [1.0, 0.0, 0.0], by = 0.1 }} }}");
     let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");

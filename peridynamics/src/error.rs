@@ -68,6 +68,12 @@ pub enum SolidError {
         "contact with the mirror image of a body is not modelled; model the whole body, or leave contact out"
     )]
     MirroredContact,
+    /// A body that the correction `balanced` is not for.
+    #[error(
+        "balanced weights hold uniform strains on the faces of a body: {0}; put the nodes on the edges of a block without \
+         holes, or take the correction `even`"
+    )]
+    Unbalanced(&'static str),
     /// A set without nodes.
     #[error("{0} acts on an empty set of nodes; name a set that holds at least one")]
     EmptySet(&'static str),

@@ -59,6 +59,9 @@ pub enum Correction {
     None,
     /// Weights of bonds for which the energy of the six unit strains is exact at every node.
     Even,
+    /// Those, changed so that uniform strains are in balance with the tractions on faces at every node: for blocks whose nodes stand
+    /// on their faces.
+    Balanced,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,
 }

@@ -33,7 +33,7 @@ pub(crate) struct Weights {
     pub deviatoric: Vec<f64>,
 }
 
-/// The shares of all bonds.
+/// The shares of all bonds; balanced ones before they are brought into balance (`balance`).
 pub(crate) fn weights(
     families: &Families,
     positions: &[Vec3],
@@ -46,8 +46,10 @@ pub(crate) fn weights(
     let mut out = plain.weights();
     match formulation.correction {
         Correction::None => {}
-        Correction::Even if moduli.dimensions == 3 => plain.even(&mut out, least_of_six),
-        Correction::Even => plain.even(&mut out, least_of_three),
+        Correction::Even | Correction::Balanced if moduli.dimensions == 3 => {
+            plain.even(&mut out, least_of_six)
+        }
+        Correction::Even | Correction::Balanced => plain.even(&mut out, least_of_three),
         Correction::EnergyFactor => plain.energy_factor(&mut out),
     }
     out

@@ -1,13 +1,16 @@
 //! Bonds: families of nodes, what corrects their weights, the forces they carry, and how they break.
 
 mod applied;
+pub(crate) mod balance;
 pub(crate) mod breaking;
 pub(crate) mod correction;
 pub(crate) mod couplings;
+pub(crate) mod faces;
 pub(crate) mod families;
 pub(crate) mod forces;
 pub(crate) mod fragments;
 pub(crate) mod images;
+mod least_change;
 pub(crate) mod limits;
 mod linearised;
 pub(crate) mod mechanics;

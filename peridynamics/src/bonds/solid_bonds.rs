@@ -1,8 +1,10 @@
 //! Bonds between the nodes of a solid, as its mechanics.
 
+use super::balance::Balance;
 use super::breaking::Breaking;
 use super::correction::weights;
 use super::couplings::{Coupling, Couplings};
+use super::faces::areas;
 use super::families::{Families, Nodes};
 use super::forces::{Scratch, Wanted};
 use super::fragments::fragments;
@@ -11,7 +13,7 @@ use super::mechanics::{Evaluation, Mechanics};
 use super::network::{Network, Row};
 use super::repulsion::{Repulsion, Touching};
 use crate::error::SolidError;
-use crate::formulation::Formulation;
+use crate::formulation::{Correction, Formulation};
 use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mirror::Mirror;
@@ -51,7 +53,14 @@ impl SolidBonds {
             return Err(SolidError::OneLayer);
         }
         let thickness = if moduli.dimensions == 2 { block.spacing[2] } else { 1.0 };
-        let weights = weights(&families, &block.positions, formulation, &moduli, thickness);
+        let mut weights = weights(&families, &block.positions, formulation, &moduli, thickness);
+        if formulation.correction == Correction::Balanced {
+            let areas = areas(block, mirrors, families.images.as_deref())?;
+            let (families, volumes) = (&families, &block.volumes);
+            let body =
+                Balance { families, positions: places, volumes, areas: &areas, spacing, moduli: &moduli };
+            body.bring(&mut weights)?;
+        }
         let mut network = Network::new(&families, &weights, &block.volumes, &moduli);
         let scratch = Scratch::new(&network);
         let mut breaking = breakage.breaks().then(|| Breaking::new(&network, &families, &block.volumes));

@@ -7,8 +7,10 @@ use super::columns::Columns;
 use super::lie::{directors, plan};
 use super::shear::Shear;
 use super::sheet::{Cloth, Sheet};
+use crate::bonds::balance::Balance;
 use crate::bonds::correction::weights;
 use crate::bonds::couplings::{Coupling, Couplings};
+use crate::bonds::faces::areas;
 use crate::bonds::families::{Families, Nodes};
 use crate::bonds::fragments::fragments;
 use crate::bonds::limits::Lattice;
@@ -16,6 +18,7 @@ use crate::bonds::mechanics::{Evaluation, Mechanics};
 use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 use crate::error::SolidError;
+use crate::formulation::Correction;
 use crate::fracture::Breakage;
 use crate::material::{Elastic, Moduli, Space};
 use crate::mirror::Mirror;
@@ -53,7 +56,21 @@ impl Plate {
         let places = &*families.extended(&block.positions);
         let directors = directors(places, &families, formulation.influence)?;
         let normals = &*families.reflected(&directors);
-        let weights = weights(&families, &plan, &formulation, &moduli, 0.5 * thickness);
+        let mut weights = weights(&families, &plan, &formulation, &moduli, 0.5 * thickness);
+        if formulation.correction == Correction::Balanced {
+            let flat = Block { positions: plan.clone(), ..block.clone() };
+            let mut areas = areas(&flat, mirrors, families.images.as_deref())?;
+            areas.iter_mut().for_each(|area| *area *= 0.5);
+            Balance {
+                families: &families,
+                positions: &families.extended(&plan),
+                volumes: &volumes,
+                areas: &areas,
+                spacing: nodes.spacing,
+                moduli: &moduli,
+            }
+            .bring(&mut weights)?;
+        }
         let spacing = [block.spacing[0], block.spacing[1], 0.5 * thickness];
         let lattice = Lattice { formulation: &formulation, moduli: &moduli, spacing };
         let fracture = breakage.fracture.as_ref();

@@ -153,6 +153,7 @@ impl Scene {
             }
             SolidError::Contradiction { .. } => format!("supports[{moved}].moved"),
             SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
+            SolidError::Unbalanced(_) => of_body(&format!("{formulation}.correction")),
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
             SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),

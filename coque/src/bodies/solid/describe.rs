@@ -13,7 +13,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
     let block = solid.block();
     Description {
         kind: "solid",
-        method: solid_scene.formulation.describe(),
+        method: solid_scene.formulation.describe(solid_scene.correction()),
         particles: solid.len(),
         points: solid.bonds(),
         dof: solid.freedoms(),
@@ -36,7 +36,10 @@ fn lists(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -> (Vec<String>
     };
     let bonds = solid.bonds() / 2;
     let mut modelled = vec![
-        format!("{bonds} bonds, {word}, finite rotations, {}", solid_scene.formulation.describe()),
+        format!(
+            "{bonds} bonds, {word}, finite rotations, {}",
+            solid_scene.formulation.describe(solid_scene.correction())
+        ),
         "isotropic elasticity, linear in the extension of bonds".into(),
     ];
     let mut left_out: Vec<String> = vec!["plasticity".into()];

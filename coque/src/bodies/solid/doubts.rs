@@ -4,19 +4,22 @@ use peridynamics::Solid;
 use sph_core::Vec3;
 
 use super::bending::stiffness;
+use super::ends::excess;
 use super::sets::NodeSets;
-use crate::scene::{Analysis, Scene, SolidScene};
+use crate::scene::sets::OF_SOLIDS;
+use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene};
 use crate::warning::{Doubt, Warning};
 
 /// A rule: what is doubtful, and whether it is so.
 type Rule = (Doubt, fn(&Look<'_>) -> Option<String>);
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 4] = [
+const RULES: [Rule; 5] = [
     (Doubt::OddHorizon, odd_horizon),
     (Doubt::FlatCells, flat_cells),
     (Doubt::FewLayers, few_layers),
     (Doubt::ThinLayer, thin_layer),
+    (Doubt::LoadedFace, loaded_face),
 ];
 
 /// What the rules look at.
@@ -91,11 +94,15 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
         Analysis::Buckling(_) => ("buckling loads in bending", stiffness),
         _ => ("deflections", 1.0 / stiffness),
     };
+    let balanced = match look.body.correction() {
+        Correction::Balanced => "",
+        _ => " nodes = \"edges\" with correction = \"balanced\",",
+    };
     ((stiffness - 1.0).abs() > BENDING).then(|| {
         format!(
             "{} layers of nodes across a member that bends, along {}, at a horizon of {} spacings have about {:.2} of its \
              stiffness in bending: {what} come out about {:+.0} % off; what is missing falls with the square of horizon over \
-             thickness: use a narrower spacing or a shorter horizon, or formulation.two-sheets for a thin plate",
+             thickness: use a narrower spacing or a shorter horizon,{balanced} or formulation.two-sheets for a thin plate",
             cells[axis],
             ["x", "y", "z"][axis],
             look.body.formulation.horizon(),
@@ -126,6 +133,39 @@ fn bends(look: &Look<'_>, axis: usize) -> bool {
 /// Whether a vector has more than a tenth of its length along an axis.
 fn across(v: [f64; 3], axis: usize) -> bool {
     v[axis].abs() > 0.1 * Vec3::from(v).norm()
+}
+
+/// Part of the displacement of a loaded face that may be too much, or missing.
+const FACE: f64 = 0.05;
+
+/// A face that is pulled along its normal moves farther than its strain says where bonds are missing, and a column reads it.
+fn loaded_face(look: &Look<'_>) -> Option<String> {
+    let (scene, lattice) = (look.scene, look.body.lattice());
+    let pulled = |face: &str, axis: usize| {
+        scene.loads.iter().filter(|load| load.on == face).any(|load| {
+            let spread = load.traction.filter(|traction| traction.depth.is_none());
+            let values = [load.force.map(|force| force.total), spread.map(|traction| traction.value)];
+            values.into_iter().flatten().any(|value| across(value, axis))
+        })
+    };
+    let read = |face: &str| {
+        scene.curve.iter().any(|column| column.on == face && matches!(column.of, Measured::Displacement))
+    };
+    let faces = OF_SOLIDS[1..].iter().enumerate().take(2 * lattice.dimensions);
+    let mut found = faces.filter(|(number, face)| pulled(face, number / 2) && read(face)).peekable();
+    found.peek()?;
+    let excess = excess(look.body)?;
+    found.find_map(|(number, face)| {
+        let part = excess * look.solid.block().spacing[number / 2] / lattice.lengths[number / 2];
+        (part.abs() > FACE).then(|| {
+            format!(
+                "the loaded face `{face}` moves by {excess:+.1} spacings times the strain behind it beyond what that strain makes of the \
+                 body, {:+.0} % of the whole under a uniform stress: bonds are missing there; use nodes = \"edges\" with correction = \
+                 \"balanced\", or read the displacement of a section a horizon inside",
+                100.0 * part
+            )
+        })
+    })
 }
 
 /// A motion that is prescribed on less than the depth of the horizon is felt by part of each family only.

@@ -6,6 +6,7 @@ mod build;
 pub(super) mod conditions;
 mod describe;
 mod doubts;
+mod ends;
 pub(super) mod fields;
 mod parts;
 pub(super) mod sets;

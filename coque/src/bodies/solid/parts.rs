@@ -32,9 +32,10 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Carrier {
         scene::Influence::Inverse => Influence::Inverse,
         scene::Influence::Linear => Influence::Linear,
     };
-    let correction = match solid.formulation.correction() {
+    let correction = match solid.correction() {
         scene::Correction::None => peridynamics::Correction::None,
         scene::Correction::Even => peridynamics::Correction::Even,
+        scene::Correction::Balanced => peridynamics::Correction::Balanced,
         scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
     };
     let horizon = solid.formulation.horizon();

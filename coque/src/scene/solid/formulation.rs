@@ -46,9 +46,8 @@ pub struct TwoSheets {
     /// How much a bond counts by its length.
     #[serde(default = "inverse")]
     pub influence: Influence,
-    /// What corrects lattices and surfaces.
-    #[serde(default)]
-    pub correction: Correction,
+    /// What corrects lattices and surfaces; left out, `balanced` where nodes stand on the edges of a whole block in order, else `even`.
+    pub correction: Option<Correction>,
 }
 
 /// What acts across a plane.
@@ -80,6 +79,9 @@ pub enum Correction {
     /// Weights for which the energy of the six unit strains is exact at every node.
     #[default]
     Even,
+    /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
+    /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
+    Balanced,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,
     /// Nothing.
@@ -131,17 +133,17 @@ impl SolidFormulation {
         }
     }
 
-    /// What corrects lattices and surfaces.
-    pub fn correction(&self) -> Correction {
+    /// What corrects lattices and surfaces, if it is said.
+    pub fn correction(&self) -> Option<Correction> {
         match self {
-            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.correction,
+            Self::BondBased(bonds) | Self::StateBased(bonds) => Some(bonds.correction),
             Self::TwoSheets(sheets) => sheets.correction,
-            Self::Galerkin(_) => Correction::None,
+            Self::Galerkin(_) => Some(Correction::None),
         }
     }
 
-    /// One line that names the formulation with its options.
-    pub fn describe(&self) -> String {
+    /// One line that names the formulation with its options and what corrects it.
+    pub fn describe(&self, correction: Correction) -> String {
         if let Self::Galerkin(galerkin) = self {
             return galerkin.describe();
         }
@@ -155,8 +157,9 @@ impl SolidFormulation {
             Influence::Inverse => "inverse",
             Influence::Linear => "linear",
         };
-        let correction = match self.correction() {
+        let correction = match correction {
             Correction::Even => "even correction",
+            Correction::Balanced => "balanced correction",
             Correction::EnergyFactor => "energy factors",
             Correction::None => "no correction",
         };

@@ -11,10 +11,10 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::velocity::Velocity;
-use formulation::SolidFormulation;
+use formulation::{Correction, SolidFormulation};
 use fracture::{Contact, Crack, Fracture};
 use galerkin::Galerkin;
-use geometry::SolidGeometry;
+use geometry::{NodePlaces, SolidGeometry};
 use material::SolidMaterial;
 
 /// A solid: of nodes joined by bonds in space, in a plane, or as a thin plate of two sheets; or of shape functions in space.
@@ -67,6 +67,18 @@ impl SolidScene {
     /// Whether it is a plate of two sheets, which has directors.
     pub fn has_directors(&self) -> bool {
         matches!(self.formulation, SolidFormulation::TwoSheets(_))
+    }
+
+    /// What corrects lattices and surfaces; of two sheets the best that their nodes allow, where nothing is said.
+    pub fn correction(&self) -> Correction {
+        let block = self.geometry.block.as_ref();
+        let in_order = block.is_some_and(|block| {
+            block.nodes != Some(NodePlaces::Centres)
+                && block.disorder.is_none()
+                && self.geometry.cut_outs.is_empty()
+        });
+        let best = if in_order { Correction::Balanced } else { Correction::Even };
+        self.formulation.correction().unwrap_or(best)
     }
 
     /// Whether its nodes move in a plane only.

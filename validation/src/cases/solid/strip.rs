@@ -122,7 +122,7 @@ impl Strip {
         let correction = match self.correction {
             Correction::None => "no",
             Correction::EnergyFactor => "energy-based",
-            Correction::Even => return Ok(Vec::new()),
+            Correction::Even | Correction::Balanced => return Ok(Vec::new()),
         };
         let volumes = if self.volumes == Volumes::Partial { "pv" } else { "none" };
         let table = reference(TABLE)?;
