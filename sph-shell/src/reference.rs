@@ -23,6 +23,8 @@ pub struct Reference {
     /// Rotary inertias of the shell itself \[M L²\] where it has several sections or bears masses; empty for one, whose
     /// radius of gyration is that of its thickness.
     pub rotary: Vec<f64>,
+    /// Density where no region has its own \[M/L³\].
+    pub density: f64,
     /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
 }
@@ -33,7 +35,7 @@ impl Reference {
     /// Rotary inertia is `ρ t A_a max(t²/12, Ā_a/12)` with Ā_a the mean area of the cells at the particle: for
     /// thin shells it is scaled up so that the stable step does not collapse with the thickness (statics are
     /// untouched, bending waves shorter than a few spacings are slowed). Modes of vibration take `ρ t A_a t²/12`,
-    /// see [`crate::StaticShell`].
+    /// see [`crate::StaticShell`], and cells of rigid sets their own thickness in marches too.
     ///
     /// With a material axis the first direction of every sampling point is its projection on the surface; without, it is
     /// whatever the stencils chose.
@@ -65,7 +67,7 @@ impl Reference {
         let inertias =
             masses.iter().zip(&cell_areas).map(|(m, cell)| m * (t * t).max(*cell) / 12.0).collect();
         let sound_speed = (section.membrane / (density * t)).sqrt();
-        Ok(Self { cloud, operator, masses, inertias, rotary: Vec::new(), sound_speed })
+        Ok(Self { cloud, operator, masses, inertias, rotary: Vec::new(), density, sound_speed })
     }
 
     /// Rows `[x, d]` of all particles at rest.

@@ -166,12 +166,18 @@ impl Shell {
                 + self.ties.turning.get(a).copied().unwrap_or(0.0)
         };
         let own = set.inertia + of_arm(&(set.at - pole)) * set.mass;
+        // Cells that are rigid turn by their own extents, and their directors by the thickness: no step in time hangs on those.
+        let (missing, scaled) = self.of_rigid_cells(&particles, &pole);
         let tensor = |inertia: &dyn Fn(usize) -> f64| -> Matrix3<f64> {
             let part = |&a: &u32| {
                 let a = a as usize;
                 of_arm(&(cloud.positions[a] - pole)) * masses[a] + across(&cloud.frames[a].n) * inertia(a)
             };
-            own + particles.iter().map(part).sum::<Matrix3<f64>>()
+            own + missing + particles.iter().map(part).sum::<Matrix3<f64>>()
+        };
+        let marching = |a: usize| {
+            let share = scaled[particles.partition_point(|&b| (b as usize) < a)];
+            share * inertias[a] + (1.0 - share) * turning(a)
         };
         let triad = triad_of(&normal(upright), &(place(far) - place(0)));
         let inverse = triad.transpose();
@@ -187,7 +193,7 @@ impl Shell {
             far,
             rest: triad,
             held: constraint.held().iter().map(|n| n * n.transpose()).sum(),
-            marching: in_triad(tensor(&|a| inertias[a])),
+            marching: in_triad(tensor(&marching)),
             modal: in_triad(tensor(&turning)),
             number,
             mass: set.mass,

@@ -339,6 +339,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             .collect()
     }
 
+    fn vibrating_masses(&self) -> Vec<f64> {
+        self.with_moved_masses(self.masses())
+    }
+
     fn name_unknown(&self, unknown: usize) -> String {
         let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
