@@ -70,9 +70,12 @@ fn march<E: Equilibrium + ?Sized>(
     observer: &mut Observer<'_, E>,
 ) -> Result<End, EquilibriumError> {
     options.check(system)?;
+    let before = newton.effort;
     let (mut stepper, converged, (mut size, first)) = Stepper::new(newton, system, start, options)?;
     let unstable = converged.inertia.negative;
-    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable };
+    let mut spent = stepper.newton.effort;
+    let effort = spent.since(&before);
+    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable, effort };
     let stop = observer(&point, None, system);
     path.points.push(point);
     if stop.is_break() {
@@ -114,7 +117,9 @@ fn march<E: Equilibrium + ?Sized>(
         stepper.accept(system, &saved, converged.level, increment);
         system.accept();
         path.restart = stepper.restart();
-        let point = Point { step, converged, size: size_made, restarts, unstable };
+        let effort = stepper.newton.effort.since(&spent);
+        spent = stepper.newton.effort;
+        let point = Point { step, converged, size: size_made, restarts, unstable, effort };
         let stop = observer(&point, stepper.last.as_ref(), system);
         path.points.push(point);
         if stop.is_break() {

@@ -288,6 +288,7 @@ mod state;
 mod statics;
 mod ties;
 mod time;
+mod turning;
 mod wetted;
 
 use explicit_dynamics::Work;
@@ -323,12 +324,13 @@ pub use formulation::{Formulation, Reach};
 pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
-pub use reference::Reference;
+pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
+pub use turning::TurningInertia;
 pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.

@@ -128,3 +128,33 @@ fn a_rigid_plate_flips_with_its_own_inertia() {
         }
     }
 }
+
+/// What marches make of a plate of n cells a side: `1 + 2/n²` by its corners, `1/n²` more about its own axes by directors of the size of a
+/// cell; about its edge four times as much inertia has the same error. Rigid cells have none, nor has a shell that cannot turn.
+#[test]
+fn the_error_of_the_inertia_of_marches_is_told() {
+    let (n, thickness) = (10.0_f64, 1e-4);
+    let told = |supports| {
+        let cloud = flat([11, 11], [1.0, 1.0]);
+        let body =
+            common::shell(cloud, CELL, thickness, &shell_kinematics::StretchCorrected, supports, Vec::new());
+        body.turning_inertia().unwrap()
+    };
+    let free = told(Vec::new());
+    assert!((free.whole - 1.0 - 3.0 / (n * n)).abs() < 1e-6 && free.free == Some(free.whole), "{free:?}");
+    let edge = |support: fn(Vec<u32>) -> sph_shell::Supported| {
+        let sides = flat([11, 11], [1.0, 1.0]).sides.unwrap();
+        told(vec![support(sides.edge(sph_core::Side::U0).to_vec())])
+    };
+    let hinged = edge(|particles| common::supported(particles, sph_shell::Hinged)).free.unwrap();
+    assert!((hinged - 1.0 - 0.75 / (n * n)).abs() < 1e-6, "{hinged}");
+    let clamped = edge(|particles| common::supported(particles, sph_shell::Clamped));
+    assert!(clamped.free.is_none() && clamped.whole == free.whole, "{clamped:?}");
+    let stiff = rigid(flat([11, 11], [1.0, 1.0]), thickness, Vec3::zeros()).turning_inertia().unwrap();
+    assert!((stiff.whole - 1.0).abs() < 1e-12, "{stiff:?}");
+    // A curved sheet has no error that its chords make.
+    let cloud = common::curved([21, 21]);
+    let told = free_shell(cloud, CELL, 0.01).turning_inertia().unwrap();
+    // Of 20 cells a side, as of a plate.
+    assert!((told.whole - 1.0075).abs() < 1e-3, "{told:?}");
+}

@@ -83,6 +83,12 @@ impl Shell {
         if !matches!(self.formulation, Formulation::StressPoint(Reach::Cell)) {
             return Err(ShellError::RigidOfWideStencils);
         }
+        let origin = self.reference.origin;
+        let from_origin = |set: &RigidSet| {
+            let holds = set.holds.iter().cloned().map(|holds| holds.about(&origin)).collect();
+            RigidSet { at: set.at - origin, holds, ..set.clone() }
+        };
+        let sets: Vec<RigidSet> = sets.iter().map(from_origin).collect();
         let mut owner = vec![0_usize; self.len()];
         for (set, number) in sets.iter().zip(1..) {
             self.check_rigid(number - 1, set, &mut owner)?;
@@ -271,7 +277,6 @@ impl Shell {
             return moment;
         }
         moment
-            + (group.pole(&self.state) - self.position(group.first()))
-                .cross(&Vec3::new(row[0], row[1], row[2]))
+            + (group.pole(&self.state) - self.place(group.first())).cross(&Vec3::new(row[0], row[1], row[2]))
     }
 }

@@ -346,7 +346,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn name_unknown(&self, unknown: usize) -> String {
         let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
-        let x = self.shell.reference.cloud.positions[particle];
+        let x = self.shell.rest_position(particle);
         let what = match (moves, self.shell.junctions.of(particle)) {
             (true, _) => "moving",
             (false, None) => "its director turning",
