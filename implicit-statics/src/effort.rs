@@ -13,6 +13,20 @@ pub struct Effort {
     pub solves: usize,
 }
 
+impl Effort {
+    /// What was done after an earlier look.
+    pub fn since(&self, before: &Self) -> Self {
+        let factorisations = self.factorisations - before.factorisations;
+        Self { factorisations, solves: self.solves - before.solves }
+    }
+
+    /// Adds what another search took.
+    pub fn add(&mut self, other: &Self) {
+        self.factorisations += other.factorisations;
+        self.solves += other.solves;
+    }
+}
+
 /// Asked before every factorisation and every solve; `Break` ends the search with [`EquilibriumError::Stopped`].
 pub type Watch<'a> = dyn FnMut(&Effort) -> ControlFlow<()> + 'a;
 

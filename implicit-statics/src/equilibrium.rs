@@ -134,8 +134,13 @@ pub trait Equilibrium {
     /// Internal energy of the present state \[F L\].
     fn energy(&mut self) -> f64;
 
-    /// Diagonal mass of each unknown \[M, M L²\], for modes of vibration.
+    /// Diagonal mass of each unknown \[M, M L²\].
     fn masses(&self) -> Vec<f64>;
+
+    /// The same for modes of vibration, where a system has masses that integrate better and yet give no step in time.
+    fn vibrating_masses(&self) -> Vec<f64> {
+        self.masses()
+    }
 
     /// What an unknown is, for messages: the particle or node, and the direction.
     fn name_unknown(&self, unknown: usize) -> String;

@@ -79,9 +79,12 @@ fn march<E: Equilibrium + ?Sized>(
     observer: &mut Observer<'_, E>,
 ) -> Result<End, EquilibriumError> {
     options.check(system)?;
+    let before = newton.effort;
     let (mut stepper, converged, (mut size, first)) = Stepper::new(newton, system, start, options)?;
     let unstable = converged.inertia.negative;
-    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable };
+    let mut spent = stepper.newton.effort;
+    let effort = spent.since(&before);
+    let point = Point { step: 0, converged, size: 0.0, restarts: 0, unstable, effort };
     let stop = observer(&point, None, system);
     path.points.push(point);
     if stop.is_break() {
@@ -135,7 +138,9 @@ fn march<E: Equilibrium + ?Sized>(
             stepper.newton.keep(system);
         }
         path.restart = stepper.restart();
-        let mut point = Point { step, converged, size: size_made, restarts, unstable };
+        let mut effort = stepper.newton.effort.since(&spent);
+        spent = stepper.newton.effort;
+        let mut point = Point { step, converged, size: size_made, restarts, unstable, effort };
         loop {
             let stop = observer(&point, stepper.last.as_ref(), system);
             path.points.push(point);
@@ -147,7 +152,9 @@ fn march<E: Equilibrium + ?Sized>(
             stepper.newton.keep(system);
             path.breaches.push(breach);
             path.restart = stepper.restart();
-            point = Point { step, converged, size: 0.0, restarts: 0, unstable };
+            effort = stepper.newton.effort.since(&spent);
+            spent = stepper.newton.effort;
+            point = Point { step, converged, size: 0.0, restarts: 0, unstable, effort };
         }
         if bound || reached(travelled, stepper.level, first, &options.control) {
             return Ok(End::Reached);

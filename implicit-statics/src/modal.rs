@@ -47,7 +47,7 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
-    let masses = system.masses();
+    let masses = system.vibrating_masses();
     let solver = CountingSolver::new(masses.len(), &pattern, system.places().as_deref(), watch)?;
     modes_of(solver, &pattern, &values, &masses, count, shift).map_err(|error| error.named(system, 0, level))
 }

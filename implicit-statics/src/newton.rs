@@ -3,6 +3,7 @@
 mod parts;
 mod search;
 
+use crate::effort::Effort;
 use crate::error::require;
 use crate::options::NewtonOptions;
 use crate::vectors::{dot, norm};
@@ -71,6 +72,8 @@ pub struct Newton {
     force_scale: f64,
     travelled: Vec<f64>,
     first_way: f64,
+    /// What was factorised and solved so far.
+    pub effort: Effort,
     /// Most negative pivots of a tangent since the last correction began.
     pub(crate) most_negative: usize,
     /// Level at which the tangent of the present state was factorised, if it was.
@@ -104,6 +107,7 @@ impl Newton {
             force_scale: 0.0,
             travelled: vec![0.0; n],
             first_way: 0.0,
+            effort: Effort::default(),
             most_negative: 0,
             factored: None,
             answer: None,
@@ -141,6 +145,7 @@ impl Newton {
         if self.factored != Some(level) {
             system.tangent(level, &mut self.values);
             self.solver.factor(&self.values)?;
+            self.effort.factorisations += 1;
             (self.factored, self.answer) = (Some(level), None);
             self.most_negative = self.most_negative.max(self.solver.inertia().negative);
         }
@@ -177,6 +182,7 @@ impl Newton {
         system.load_rate(level, &mut self.rate);
         let mut response = self.rate.clone();
         self.solver.solve(&mut response).map_err(|error| error.named(system, self.step, level))?;
+        self.effort.solves += 1;
         self.answer = Some(response.clone());
         Ok(response)
     }
@@ -220,7 +226,9 @@ impl Newton {
         bent: bool,
     ) -> Result<Converged, EquilibriumError> {
         self.most_negative = 0;
-        let keeps = system.keeps_factor() && !matches!(constraint, Constraint::Sphere { .. });
+        let keeps = system.keeps_factor()
+            && self.options.keep > 0.0
+            && !matches!(constraint, Constraint::Sphere { .. });
         let mut residuals: Vec<f64> = Vec::new();
         let mut rest = f64::INFINITY;
         // Where the last correction began, if it was by the factor of another state.
@@ -338,6 +346,7 @@ impl Newton {
     ) -> Result<Increment, EquilibriumError> {
         let mut motion = self.residual.clone();
         self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
+        self.effort.solves += 1;
         if let Constraint::Level = constraint {
             return Ok(Increment { motion, level: 0.0 });
         }

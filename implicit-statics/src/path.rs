@@ -1,6 +1,6 @@
 //! What a path of equilibria is: its points, its critical points, what was passed, and where it can be continued.
 
-use crate::{Breach, Converged, EquilibriumError, Increment, Inertia};
+use crate::{Breach, Converged, Effort, EquilibriumError, Increment, Inertia};
 
 /// Where a path starts: the present state of the system at a level.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,6 +28,8 @@ pub struct Point {
     /// Directions in which the equilibrium is unstable under the control: negative pivots; where a displacement is
     /// given by a force along it, less the one that it holds.
     pub unstable: usize,
+    /// What was factorised and solved since the point before, for trials that failed and critical points on the way too.
+    pub effort: Effort,
 }
 
 impl Point {
@@ -81,6 +83,13 @@ impl Path {
             restart: start.clone(),
             end: Ok(End::Steps),
         }
+    }
+
+    /// What all of its points took.
+    pub fn effort(&self) -> Effort {
+        let mut sum = Effort::default();
+        self.points.iter().for_each(|point| sum.add(&point.effort));
+        sum
     }
 }
 

@@ -283,6 +283,11 @@ pub enum ShellError {
         /// Its area \[L²\].
         area: f64,
     },
+    /// A shell whose places are kept from an origin, in a fluid, whose places are not.
+    #[error(
+        "the places of this shell are kept from an origin, those of a fluid from zero; build it without an origin"
+    )]
+    WetFromAfar,
     /// A spacing of the fluid that is none.
     #[error("the spacing of the fluid is {0}; it must be positive and finite")]
     WetSpacing(f64),

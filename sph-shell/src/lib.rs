@@ -70,7 +70,7 @@
 //! ψ is the section's energy per area, U_h that of the zero-energy control, the dots its forces. Masses are
 //! `m_a = ρ t A_a` ([`Reference::masses`]), rotary inertias `I_a = ρ t A_a max(t², Ā_a)/12` with Ā_a the mean area of
 //! the cells at a ([`Reference::inertias`]): scaled up for thin shells, so that the stable step does not collapse with
-//! the thickness. Modes of vibration take `ρ t A_a t²/12`. Since [`Shell`] sums forces by the transpose of the
+//! the thickness. Modes of vibration take `ρ t A_a t²/12`, and masses that turn as the surface does (second_moments.rs). Since [`Shell`] sums forces by the transpose of the
 //! stencils, a free shell keeps momentum and moment of momentum to round-off, and energy to second order of the step.
 //!
 //! # The dial: where strains are sampled
@@ -281,12 +281,14 @@ mod points;
 mod reference;
 mod regions;
 mod registers;
+mod second_moments;
 mod shared;
 mod shell;
 mod state;
 mod statics;
 mod ties;
 mod time;
+mod turning;
 mod wetted;
 
 use explicit_dynamics::Work;
@@ -322,12 +324,13 @@ pub use formulation::{Formulation, Reach};
 pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
-pub use reference::Reference;
+pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
+pub use turning::TurningInertia;
 pub use wetted::wetting::{Sides, Wetting};
 
 /// A shell of SPH particles, ready to be marched.

@@ -12,8 +12,12 @@ use crate::formulation::{Formulation, Reach};
 /// What never changes during a run.
 #[derive(Clone, Debug)]
 pub struct Reference {
-    /// Particles, frames, areas, cells.
+    /// Particles, frames, areas, cells; positions from the origin.
     pub cloud: Cloud,
+    /// From where places are kept \[L\]: zero unless the shell was built about one.
+    pub origin: Vec3,
+    /// Positions from zero as they were given; empty where the origin is zero.
+    pub(crate) given: Vec<Vec3>,
     /// Sampling points with their stencils.
     pub operator: SamplingOperator,
     /// Masses `ρ t A_a` \[M\].
@@ -23,6 +27,8 @@ pub struct Reference {
     /// Rotary inertias of the shell itself \[M L²\] where it has several sections or bears masses; empty for one, whose
     /// radius of gyration is that of its thickness.
     pub rotary: Vec<f64>,
+    /// Density where no region has its own \[M/L³\].
+    pub density: f64,
     /// Speed of sound in the mid-surface, `√(E/(ρ(1−ν²)))`, of the stiffest direction \[L/T\].
     pub sound_speed: f64,
 }
@@ -33,7 +39,7 @@ impl Reference {
     /// Rotary inertia is `ρ t A_a max(t²/12, Ā_a/12)` with Ā_a the mean area of the cells at the particle: for
     /// thin shells it is scaled up so that the stable step does not collapse with the thickness (statics are
     /// untouched, bending waves shorter than a few spacings are slowed). Modes of vibration take `ρ t A_a t²/12`,
-    /// see [`crate::StaticShell`].
+    /// see [`crate::StaticShell`], and cells of rigid sets their own thickness in marches too.
     ///
     /// With a material axis the first direction of every sampling point is its projection on the surface; without, it is
     /// whatever the stencils chose.
@@ -65,10 +71,26 @@ impl Reference {
         let inertias =
             masses.iter().zip(&cell_areas).map(|(m, cell)| m * (t * t).max(*cell) / 12.0).collect();
         let sound_speed = (section.membrane / (density * t)).sqrt();
-        Ok(Self { cloud, operator, masses, inertias, rotary: Vec::new(), sound_speed })
+        Ok(Self {
+            cloud,
+            origin: Vec3::zeros(),
+            given: Vec::new(),
+            operator,
+            masses,
+            inertias,
+            rotary: Vec::new(),
+            density,
+            sound_speed,
+        })
     }
 
-    /// Rows `[x, d]` of all particles at rest.
+    /// A place from zero, of one from the origin \[L\].
+    pub fn from_zero(&self, place: Vec3) -> Vec3 {
+        // Adding zero would turn −0 into 0.
+        if self.origin == Vec3::zeros() { place } else { place + self.origin }
+    }
+
+    /// Rows `[x, d]` of all particles at rest, from the origin.
     pub(crate) fn rest(&self) -> Vec<[f64; 6]> {
         let rows = self.cloud.positions.iter().zip(&self.cloud.frames);
         rows.map(|(x, f)| [x.x, x.y, x.z, f.n.x, f.n.y, f.n.z]).collect()
@@ -116,6 +138,19 @@ fn consistent_nodal(operator: SamplingOperator, cloud: &Cloud) -> Result<Samplin
 pub(crate) fn pair_gradients(cloud: &Cloud) -> Result<SamplingOperator, ShellError> {
     // Smoothing length 1.3 spacings: the smallest that holds the five neighbours of order 2 with room to spare.
     Ok(nodal_operator(cloud, &CubicSpline, 2, 1.3)?)
+}
+
+/// From where the places of a cloud are best kept: zero unless it stands farther from there than it is long, else near its middle, a whole number of
+/// powers of two, so that differences of places lose nothing.
+pub fn origin_of(cloud: &Cloud) -> Vec3 {
+    let ends = |pick: fn(f64, f64) -> f64| cloud.positions.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let Some((low, high)) = ends(f64::min).zip(ends(f64::max)) else { return Vec3::zeros() };
+    let (middle, size) = ((low + high) * 0.5, (high - low).norm());
+    if !(middle.norm() > size && size > 0.0) {
+        return Vec3::zeros();
+    }
+    let unit = libm::ldexp(1.0, libm::frexp(size).1);
+    middle.map(|place| libm::round(place / unit) * unit)
 }
 
 /// Mean area of the cells at each particle \[L²\]; without cells its own area.

@@ -105,6 +105,11 @@ impl Regions {
         self.regions.get((number as usize).checked_sub(1)?)
     }
 
+    /// Density of the region of a cell, if it has one \[M/L³\].
+    pub fn density(&self, cell: usize) -> Option<f64> {
+        self.at(cell).map(|region| region.density)
+    }
+
     /// Stiffness scales of all points, in the order of the cells.
     pub fn scales(&self, base: &dyn Section) -> Scales {
         let uniform = base.scales();

@@ -62,6 +62,21 @@ impl Shell {
     /// # Errors
     /// As [`Shell::new`], for cells in two regions, and for regions where strains are not sampled in cells.
     pub fn with_regions(parts: Parts, regions: Vec<Region>) -> Result<Self, ShellError> {
+        Self::about(parts, regions, Vec3::zeros())
+    }
+
+    /// The same, with all places kept from an origin: displacements of a shell far from zero keep the digits that its places would take. Places
+    /// that are given and read ([`Shell::position`], [`crate::RigidSet`], axes of turns) are from zero all the same; only
+    /// those of [`Reference::cloud`] and of [`Shell::motion`] are from the origin. Not together with a fluid.
+    ///
+    /// # Errors
+    /// As [`Shell::with_regions`].
+    pub fn about(mut parts: Parts, regions: Vec<Region>, origin: Vec3) -> Result<Self, ShellError> {
+        let mut given = Vec::new();
+        if origin != Vec3::zeros() {
+            given.clone_from(&parts.cloud.positions);
+            parts.cloud.positions.iter_mut().for_each(|x| *x -= origin);
+        }
         let cells = matches!(parts.formulation, Formulation::StressPoint(Reach::Cell));
         if !cells && !parts.cloud.joined.is_empty() {
             return Err(ShellError::JunctionOfWideStencils);
@@ -75,6 +90,7 @@ impl Shell {
             parts.density,
             parts.material_axis.as_ref().filter(|_| !own_axes),
         )?;
+        (reference.origin, reference.given) = (origin, given);
         let regions = Regions::new(regions, &reference, &parts.formulation)?;
         if own_axes {
             regions.align(parts.material_axis, &mut reference)?;
@@ -83,7 +99,7 @@ impl Shell {
         for load in &parts.loads {
             load.load.check(&reference)?;
         }
-        let (constraint_of, constraints) = constraints(&reference.cloud, &parts.supports)?;
+        let (constraint_of, constraints) = constraints(&reference, &parts.supports)?;
         let junctions = Junctions::new(&reference, [&reference.masses, &reference.inertias], |_| true)?;
         let scales = regions.scales(base);
         let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;

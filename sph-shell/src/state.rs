@@ -7,13 +7,28 @@ use crate::Shell;
 impl Shell {
     /// Present position of a particle \[L\].
     pub fn position(&self, particle: usize) -> Vec3 {
+        self.reference.from_zero(self.place(particle))
+    }
+
+    /// Position of a particle at rest \[L\].
+    pub fn rest_position(&self, particle: usize) -> Vec3 {
+        self.rest_positions()[particle]
+    }
+
+    /// Positions of all particles at rest \[L\].
+    pub fn rest_positions(&self) -> &[Vec3] {
+        if self.reference.given.is_empty() { &self.reference.cloud.positions } else { &self.reference.given }
+    }
+
+    /// Present position from the origin \[L\].
+    pub(crate) fn place(&self, particle: usize) -> Vec3 {
         let row = &self.state[particle];
         Vec3::new(row[0], row[1], row[2])
     }
 
     /// Displacement of a particle \[L\].
     pub fn displacement(&self, particle: usize) -> Vec3 {
-        self.position(particle) - self.reference.cloud.positions[particle]
+        self.place(particle) - self.reference.cloud.positions[particle]
     }
 
     /// Present director of a particle (unit vector).
@@ -53,7 +68,7 @@ impl Shell {
 
     /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
     pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
-        let d = director.normalize();
+        let (d, position) = (director.normalize(), position - self.reference.origin);
         self.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 

@@ -16,6 +16,7 @@ use sph_shell::{
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
+const THICK: f64 = 0.1;
 
 /// A heavy body on a patch of a plate, or round the joint of a tee, with three unlike moments of inertia.
 fn set_on(cloud: &sph_core::Cloud) -> RigidSet {
@@ -30,7 +31,7 @@ fn set_on(cloud: &sph_core::Cloud) -> RigidSet {
 /// A free shell with that body that spins, drifts and shakes; its set.
 fn thrown(cloud: sph_core::Cloud) -> (Shell, RigidSet) {
     let set = set_on(&cloud);
-    let mut body = free_shell(cloud, CELL, 0.1);
+    let mut body = free_shell(cloud, CELL, THICK);
     body.rigid(std::slice::from_ref(&set)).unwrap();
     let (spin, drift) = (Vec3::new(0.9, -0.6, 1.5), Vec3::new(1.0, 0.5, -0.2));
     for a in 0..body.len() {
@@ -43,6 +44,28 @@ fn thrown(cloud: sph_core::Cloud) -> (Shell, RigidSet) {
         );
     }
     (body, set)
+}
+
+/// What rectangles `a × b` of the set turn with beside their corners: `−m a²/6`, `−m b²/6` along their sides, and the inertia of
+/// their directors by the thickness in place of the scaled one.
+fn of_rigid_cells(body: &Shell, set: &RigidSet) -> Matrix3<f64> {
+    let reference = body.reference();
+    let cells = reference
+        .cloud
+        .cells
+        .iter()
+        .filter(|cell| cell.particles().iter().all(|a| set.particles.contains(a)));
+    let of_cell = |cell: &sph_core::Cell| {
+        let corners = cell.corners.map(|a| reference.cloud.positions[a as usize]);
+        let (a, b) = (corners[1] - corners[0], corners[3] - corners[0]);
+        let mass = common::DENSITY * THICK * a.cross(&b).norm();
+        let excess = (a * a.transpose() + b * b.transpose()) * (mass / 6.0);
+        let n = a.cross(&b).normalize();
+        let scaled = cell.corners.map(|a| reference.inertias[a as usize] / reference.masses[a as usize]);
+        let turning = mass * (THICK * THICK / 12.0 - scaled.iter().sum::<f64>() / 4.0);
+        (Matrix3::identity() - n * n.transpose()) * turning + excess - Matrix3::identity() * excess.trace()
+    };
+    cells.map(of_cell).sum()
 }
 
 /// Momentum and moment of momentum: of the particles, whose directors of one sheet turn as the body does, and of the body's own mass.
@@ -72,7 +95,8 @@ fn momenta(body: &Shell, set: &RigidSet) -> (Vec3, Vec3) {
     let place = body.position(of(0)) + turn * (set.at - rest(of(0)));
     let speed = body.velocity(of(0)) + spin.cross(&(place - body.position(of(0))));
     sum.0 += speed * set.mass;
-    sum.1 += place.cross(&(speed * set.mass)) + turn * set.inertia * turn.transpose() * spin;
+    let own = set.inertia + of_rigid_cells(body, set);
+    sum.1 += place.cross(&(speed * set.mass)) + turn * own * turn.transpose() * spin;
     sum
 }
 

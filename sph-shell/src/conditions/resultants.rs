@@ -27,11 +27,12 @@ impl Shell {
     pub fn centroid(&self) -> Vec3 {
         let cloud = &self.reference.cloud;
         let sum: Vec3 = cloud.positions.iter().zip(&cloud.areas).map(|(x, area)| x * *area).sum();
-        sum / cloud.areas.iter().sum::<f64>()
+        self.reference.from_zero(sum / cloud.areas.iter().sum::<f64>())
     }
 
     /// Each load in the present state, reduced to a point, in the order in which they were given; the amplitude is left out.
     pub fn load_resultants(&self, about: Vec3) -> Vec<Resultant> {
+        let about = about - self.reference.origin;
         let mut rows = vec![[0.0; 6]; if self.loads.is_empty() { 0 } else { self.len() }];
         let body = self.as_loaded();
         let reduced = |AppliedLoad { load, .. }: &AppliedLoad| {
@@ -39,7 +40,7 @@ impl Shell {
             load.add(1.0, &body, &mut rows);
             let mut sum = Resultant::default();
             for (a, &[fx, fy, fz, tx, ty, tz]) in rows.iter().enumerate() {
-                let arm = self.position(a) - about;
+                let arm = self.place(a) - about;
                 sum.add(arm, Vec3::new(fx, fy, fz), self.director(a), Vec3::new(tx, ty, tz));
             }
             for ([force, couple], at) in self.on_bodies(&**load) {
@@ -54,10 +55,11 @@ impl Shell {
     /// What the supports and springs exert on the shell, reduced to a point, for the last forces evaluated: of every particle the part of
     /// `[∂U/∂x, ∂U/∂d]` less the load along the directions that are held.
     pub fn support_resultant(&self, about: Vec3) -> Resultant {
+        let about = about - self.reference.origin;
         let mut sum = Resultant::default();
         for (a, row) in self.sprung.iter().enumerate() {
             let force = Vec3::new(row[0], row[1], row[2]);
-            sum.add(self.position(a) - about, force, self.director(a), Vec3::new(row[3], row[4], row[5]));
+            sum.add(self.place(a) - about, force, self.director(a), Vec3::new(row[3], row[4], row[5]));
         }
         for group in self.junctions.groups.iter().filter(|group| group.body.is_some()) {
             let row = self.spring_row_of_body(group.first());
@@ -79,7 +81,7 @@ impl Shell {
             let [fx, fy, fz, tx, ty, tz] = std::array::from_fn(|k| sum_of[k] - load[k]);
             let (force, couple) = ([fx, fy, fz], Vec3::new(tx, ty, tz));
             let force = Vec3::from(force) - Vec3::from(held.free_translation(force));
-            let arm = self.position(a) - about;
+            let arm = self.place(a) - about;
             if let Some(group) = self.junctions.of(a) {
                 // A group bears a torque: of the moment about its pole what the force at the reference point of a body leaves.
                 sum.add(group.pole(&self.state) - about, force, Vec3::zeros(), Vec3::zeros());

@@ -1,11 +1,12 @@
 //! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
 
 use explicit_dynamics::Amplitude;
-use sph_core::{Cloud, Vec3};
+use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation};
 use crate::error::ShellError;
+use crate::reference::Reference;
 
 /// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
 const OUT_OF_PLANE: f64 = 1e-6;
@@ -21,6 +22,16 @@ pub struct Holds {
     pub motion: Option<Motion>,
     /// A rotation of the director, which must then be held fixed by nothing else.
     pub rotation: Option<Rotation>,
+}
+
+impl Holds {
+    /// The same with the axis of a turn from another origin.
+    pub(crate) fn about(mut self, origin: &Vec3) -> Self {
+        if let Some(turn) = self.motion.as_mut().and_then(|motion| motion.turn.as_mut()) {
+            turn.point -= origin;
+        }
+        self
+    }
 }
 
 /// What is asked of a director.
@@ -163,9 +174,10 @@ fn axes() -> Vec<Vec3> {
 
 /// Joins all supports of each particle: the number of its entry, one up and zero for a free one, and the entries.
 pub(crate) fn constraints(
-    cloud: &Cloud,
+    reference: &Reference,
     supports: &[Supported],
 ) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
+    let cloud = &reference.cloud;
     let count = cloud.len();
     let mut asked: Vec<Vec<(usize, Holds)>> = vec![Vec::new(); count];
     for (support, supported) in supports.iter().enumerate() {
@@ -178,7 +190,7 @@ pub(crate) fn constraints(
                 particle,
                 count,
             })?;
-            let holds = supported.support.holds();
+            let holds = supported.support.holds().about(&reference.origin);
             if let DirectorHold::InPlane(normal) = holds.director {
                 // The turn that is left free runs along ν × d.
                 let along = normal.dot(&cloud.frames[particle as usize].n);

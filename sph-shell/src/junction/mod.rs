@@ -24,7 +24,7 @@ mod kick;
 mod march;
 mod prescribed;
 pub(crate) mod rigid;
-mod rotation;
+pub(crate) mod rotation;
 mod spectrum;
 mod springs;
 mod statics;

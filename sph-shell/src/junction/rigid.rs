@@ -83,6 +83,12 @@ impl Shell {
         if !matches!(self.formulation, Formulation::StressPoint(Reach::Cell)) {
             return Err(ShellError::RigidOfWideStencils);
         }
+        let origin = self.reference.origin;
+        let from_origin = |set: &RigidSet| {
+            let holds = set.holds.iter().cloned().map(|holds| holds.about(&origin)).collect();
+            RigidSet { at: set.at - origin, holds, ..set.clone() }
+        };
+        let sets: Vec<RigidSet> = sets.iter().map(from_origin).collect();
         let mut owner = vec![0_usize; self.len()];
         for (set, number) in sets.iter().zip(1..) {
             self.check_rigid(number - 1, set, &mut owner)?;
@@ -166,12 +172,18 @@ impl Shell {
                 + self.ties.turning.get(a).copied().unwrap_or(0.0)
         };
         let own = set.inertia + of_arm(&(set.at - pole)) * set.mass;
+        // Cells that are rigid turn by their own extents, and their directors by the thickness: no step in time hangs on those.
+        let (missing, scaled) = self.of_rigid_cells(&particles, &pole);
         let tensor = |inertia: &dyn Fn(usize) -> f64| -> Matrix3<f64> {
             let part = |&a: &u32| {
                 let a = a as usize;
                 of_arm(&(cloud.positions[a] - pole)) * masses[a] + across(&cloud.frames[a].n) * inertia(a)
             };
-            own + particles.iter().map(part).sum::<Matrix3<f64>>()
+            own + missing + particles.iter().map(part).sum::<Matrix3<f64>>()
+        };
+        let marching = |a: usize| {
+            let share = scaled[particles.partition_point(|&b| (b as usize) < a)];
+            share * inertias[a] + (1.0 - share) * turning(a)
         };
         let triad = triad_of(&normal(upright), &(place(far) - place(0)));
         let inverse = triad.transpose();
@@ -187,7 +199,7 @@ impl Shell {
             far,
             rest: triad,
             held: constraint.held().iter().map(|n| n * n.transpose()).sum(),
-            marching: in_triad(tensor(&|a| inertias[a])),
+            marching: in_triad(tensor(&marching)),
             modal: in_triad(tensor(&turning)),
             number,
             mass: set.mass,
@@ -265,7 +277,6 @@ impl Shell {
             return moment;
         }
         moment
-            + (group.pole(&self.state) - self.position(group.first()))
-                .cross(&Vec3::new(row[0], row[1], row[2]))
+            + (group.pole(&self.state) - self.place(group.first())).cross(&Vec3::new(row[0], row[1], row[2]))
     }
 }

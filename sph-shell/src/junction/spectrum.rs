@@ -19,7 +19,7 @@ impl Shell {
         let free = self.without_held(group, std::array::from_fn(|k| v[6 * first + k]));
         let [u, theta] = halves(&self.mass_scaled(group, free));
         let w = theta.cross(&director(&self.state[a]));
-        let arm = group.far_pole(&self.state).map(|pole| self.position(a) - pole);
+        let arm = group.far_pole(&self.state).map(|pole| self.place(a) - pole);
         let u = arm.map_or(u, |arm| u + theta.cross(&arm));
         [u.x, u.y, u.z, w.x, w.y, w.z]
     }

@@ -1,7 +1,6 @@
 //! The range of the model: no point turned inside out, stretched or crushed out of all proportion.
 
 use shell_kinematics::LANES;
-use sph_core::Vec3;
 
 use crate::Shell;
 use crate::formulation::{Formulation, Reach};
@@ -71,7 +70,7 @@ impl Shell {
             Formulation::StressPoint(Reach::Kernel(..)) => "the point of cell",
             _ => "particle",
         };
-        let x: Vec3 = self.reference.operator.points[point].position;
+        let x = self.reference.from_zero(self.reference.operator.points[point].position);
         format!("{kind} {point} at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z)
     }
 }

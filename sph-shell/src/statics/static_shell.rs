@@ -339,10 +339,14 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             .collect()
     }
 
+    fn vibrating_masses(&self) -> Vec<f64> {
+        self.with_moved_masses(self.masses())
+    }
+
     fn name_unknown(&self, unknown: usize) -> String {
         let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
-        let x = self.shell.reference.cloud.positions[particle];
+        let x = self.shell.rest_position(particle);
         let what = match (moves, self.shell.junctions.of(particle)) {
             (true, _) => "moving",
             (false, None) => "its director turning",

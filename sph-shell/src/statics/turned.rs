@@ -58,7 +58,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         }
         shell.ties.follow(&shell.state, &mut rates);
-        let positions: Vec<Vec3> = (0..rates.len()).map(|a| shell.position(a)).collect();
+        let positions: Vec<Vec3> = (0..rates.len()).map(|a| shell.place(a)).collect();
         let velocities: Vec<Vec3> = rates.iter().map(|row| Vec3::from_column_slice(&row[..3])).collect();
         let of =
             |a: usize| self.pattern.of_row(a).map(move |number| (a, self.pattern.columns[number] as usize));

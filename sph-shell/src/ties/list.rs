@@ -157,6 +157,16 @@ impl Ties {
         self.hanging.iter().for_each(|hanging| self.weighing[hanging.particle as usize] = 0.0);
     }
 
+    /// Takes numbers of what hangs to the corners it hangs on, in shares of the place.
+    pub fn hang(&self, numbers: &mut [f64]) {
+        for hanging in &self.hanging {
+            let own = numbers[hanging.particle as usize];
+            for (&b, share) in hanging.corners.iter().zip(&hanging.shares) {
+                numbers[b as usize] += share.x[0] * own;
+            }
+        }
+    }
+
     /// Puts what hangs where its hosts are.
     pub fn put(&self, state: &mut [Row]) {
         for hanging in self.hanging.iter().rev() {

@@ -1,6 +1,7 @@
 //! A shell as a structure that a fluid wets.
 
 use explicit_dynamics::{BoundaryLayout, BoundaryLoad, BoundaryState, Wetted};
+use sph_core::Vec3;
 
 use crate::Shell;
 use crate::error::ShellError;
@@ -14,9 +15,12 @@ impl Shell {
     /// Lays points over the wet faces, through which a fluid acts on the shell from now on; it acts on nothing else.
     ///
     /// # Errors
-    /// [`ShellError`] for a spacing or rows out of bounds, for edges that are none, and in a plane problem for a
+    /// [`ShellError`] for a shell about an origin, a spacing or rows out of bounds, for edges that are none, and in a plane problem for a
     /// shell that is no strip across the plane.
     pub fn wet(&mut self, wetting: &Wetting) -> Result<(), ShellError> {
+        if self.reference.origin != Vec3::zeros() {
+            return Err(ShellError::WetFromAfar);
+        }
         let surface = Surface::new(&self.reference.cloud, self.thickness(), wetting)?;
         if self.external.is_empty() {
             self.external = vec![[0.0; 6]; self.len()];
