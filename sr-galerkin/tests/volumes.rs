@@ -237,7 +237,7 @@ fn cook(cells: usize, nu: f64, volumes: Volumes) -> f64 {
     let corner = nodes(&parts, |x| x.x == 48.0 && x.z == 44.0)[1];
     parts.nodes.iter_mut().chain(&mut parts.cells.corners).for_each(|x| *x = map(x));
     parts.material =
-        Material { moduli: Moduli::isotropic(1.0, nu).unwrap(), formulation: Formulation::StVenant };
+        Material { moduli: Moduli::isotropic(1.0, nu).expect("moduli"), formulation: Formulation::StVenant };
     parts.volumes = volumes;
     let s = 48.0 / cells as f64;
     parts.support = Support::ellipsoid([3.5 * s, 2.5 * s, 3.5 * s]);
