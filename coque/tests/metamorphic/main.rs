@@ -9,6 +9,7 @@ mod common;
 mod force_or_motion;
 mod half;
 mod order;
+mod shifted;
 mod threads;
 mod turned;
 mod units;
