@@ -44,6 +44,8 @@ pub enum Doubt {
     ThinProfile,
     /// Sections high over their particles where masses count.
     OffsetInertia,
+    /// A body that turns freely with the rotary inertia of its masses in time, which is not its own.
+    ScaledInertia,
     /// Patterns of single cells among the modes of a sheet in tension.
     PatternModes,
     /// A run that sets out under stresses that nothing balances.
@@ -133,6 +135,7 @@ impl Doubt {
             Self::ShallowSheet => "shallow-sheet",
             Self::ThinProfile => "thin-profile",
             Self::OffsetInertia => "offset-inertia",
+            Self::ScaledInertia => "scaled-inertia",
             Self::PatternModes => "pattern-modes",
             Self::NotAtRest => "not-at-rest",
             Self::SharpCorners => "sharp-corners",
@@ -200,6 +203,7 @@ mod tests {
             Doubt::StrongForm,
             Doubt::NodalLocking,
             Doubt::PatternModes,
+            Doubt::ScaledInertia,
             Doubt::NotAtRest,
             Doubt::WideThin,
             Doubt::UnevenCells,

@@ -99,6 +99,29 @@ fn each_rule_fires_on_a_scene_that_breaks_it() {
 }
 
 /// Eight cells round a circle turn by 0.79 from one to the next; fifty, as the scene has them, by 0.13.
+/// A free plate of n cells a side turns in time with `1 + 3/n²` of its inertia: told above 1 %, and in the summary always. Modes have the true one.
+#[test]
+fn a_plate_that_turns_freely_is_told_its_inertia_in_time() {
+    const FREE: (&str, &str) = ("supports", "[]");
+    const IN_TIME: (&str, &str) =
+        ("analysis", "{ explicit = { transient = { duration = 1e-3, record_every = 1e-3 } } }");
+    const MODES: (&str, &str) = ("analysis", "{ modal = { modes = 7 } }");
+    let made = |particles: &str, replaced: &[(&str, &str)]| {
+        let all =
+            [&[("geometry.plate.particles", particles), ("loads", "[]"), ("curve", "[]")], replaced].concat();
+        let model = scene("plate.toml", &all).unwrap().build(1).unwrap();
+        let told = model.warnings().iter().any(|warning| warning.doubt == Doubt::ScaledInertia);
+        (told, model.description.rotary_inertia_over_true)
+    };
+    let (told, ratio) = made("[11, 11]", &[FREE, IN_TIME]);
+    assert!(told && (ratio.unwrap() - 1.03).abs() < 1e-3, "{ratio:?}");
+    let (told, ratio) = made("[21, 21]", &[FREE, IN_TIME]);
+    assert!(!told && (ratio.unwrap() - 1.0075).abs() < 1e-3, "{ratio:?}");
+    assert_eq!(made("[11, 11]", &[FREE, MODES]), (false, None));
+    // Supports that leave no rotation leave no doubt.
+    assert!(!made("[11, 11]", &[IN_TIME]).0);
+}
+
 #[test]
 fn turns_of_the_deformed_shell_are_told_once() {
     let replaced = [("geometry.plate.particles", "[9, 3]"), ("analysis", "{ static = { levels = 8 } }")];

@@ -85,10 +85,10 @@ impl Path {
         }
     }
 
-    /// What all of its points took.
+    /// What its points after the first took: what the first needs, a path that goes on has at hand or makes anew.
     pub fn effort(&self) -> Effort {
         let mut sum = Effort::default();
-        self.points.iter().for_each(|point| sum.add(&point.effort));
+        self.points.iter().skip(1).for_each(|point| sum.add(&point.effort));
         sum
     }
 }

@@ -19,8 +19,6 @@ use sph_core::{Cell, Cloud, Vec3};
 use std::ops::DerefMut;
 
 use crate::Shell;
-use crate::junction::group::{Group, director, place};
-use crate::packs::Row;
 use crate::reference::Reference;
 use crate::statics::static_shell::StaticShell;
 
@@ -132,7 +130,13 @@ impl Around<'_> {
 }
 
 /// What goes to each particle in modes, beside its lumped mass, for cells of some masses; sums to nothing.
-pub(crate) fn moved_masses(reference: &Reference, cell_mass: impl Fn(usize) -> f64) -> Vec<f64> {
+///
+/// Particles that are not free get nothing: a rigid body turns about its centre of mass, which stays where it is.
+pub(crate) fn moved_masses(
+    reference: &Reference,
+    cell_mass: impl Fn(usize) -> f64,
+    free: impl Fn(u32) -> bool,
+) -> Vec<f64> {
     let cloud = &reference.cloud;
     let mut moved = vec![0.0; cloud.len()];
     let mut cells_at = vec![Vec::new(); cloud.len()];
@@ -148,7 +152,11 @@ pub(crate) fn moved_masses(reference: &Reference, cell_mass: impl Fn(usize) -> f
         return moved;
     }
     let around = Around { cloud, cells_at, spacing: cloud.spacing() };
-    let fits: Vec<Option<Fit>> = (0..cloud.len()).map(|a| around.fit(a)).collect();
+    let fit = |a: usize| {
+        let fit = around.fit(a).filter(|_| free(a as u32))?;
+        fit.neighbours.iter().all(|&b| free(b)).then_some(fit)
+    };
+    let fits: Vec<Option<Fit>> = (0..cloud.len()).map(fit).collect();
     let inner = |particles: &[u32]| -> Vec<u32> {
         particles.iter().copied().filter(|&a| fits[a as usize].is_some()).collect()
     };
@@ -229,7 +237,8 @@ impl Shell {
     /// What moves with each particle in modes beside [`Shell::moving_masses`] \[M\].
     pub(crate) fn moved_masses(&self) -> Vec<f64> {
         let within = |c: usize| self.body_around(&self.reference.cloud.cells[c]).is_some();
-        let mut moved = moved_masses(&self.reference, |c| if within(c) { 0.0 } else { self.cell_mass(c) });
+        let mass = |c: usize| if within(c) { 0.0 } else { self.cell_mass(c) };
+        let mut moved = moved_masses(&self.reference, mass, |a| self.body_of(a as usize).is_none());
         self.ties.hang(&mut moved);
         moved
     }
@@ -280,30 +289,15 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Masses of unknowns with what moves beside.
     pub(crate) fn with_moved_masses(&self, mut masses: Vec<f64>) -> Vec<f64> {
         let moved = self.shell.moved_masses();
-        let state = &self.shell.state;
         for (unknown, mass) in masses.iter_mut().enumerate() {
-            let (particle, number, moves) = self.dofs.find(unknown);
+            let (particle, _, moves) = self.dofs.find(unknown);
             *mass += match self.shell.junctions.of(particle) {
                 None if moves => moved[particle],
                 None => 0.0,
                 Some(group) if moves => group.particles.iter().map(|&a| moved[a as usize]).sum(),
-                Some(group) => {
-                    let axis = self.basis(particle).directions[number];
-                    group.swung(state, &axis, &moved) / self.dofs.arc.powi(2)
-                }
+                Some(_) => 0.0,
             };
         }
         masses
-    }
-}
-
-impl Group {
-    /// `Σ m_k |v_k|²` of masses at its particles as it turns about an axis with a spin of one: of a body alone, whose places go along.
-    fn swung(&self, state: &[Row], axis: &Vec3, masses: &[f64]) -> f64 {
-        let Some(pole) = self.far_pole(state) else { return 0.0 };
-        let guided = self.of_pole(state, [0.0, 0.0, 0.0, axis.x, axis.y, axis.z]);
-        let square =
-            |a: usize| (place(&guided) + director(&guided).cross(&(place(&state[a]) - pole))).norm_squared();
-        self.particles.iter().map(|&a| masses[a as usize] * square(a as usize)).sum()
     }
 }

@@ -210,6 +210,9 @@ fn count(path: &Path, run: &mut Run<'_>) {
     let made = path.points.iter().skip(1);
     run.record.newton_iterations += made.clone().map(|point| point.converged.iterations as u64).sum::<u64>();
     run.record.steps += made.count() as u64;
+    let effort = path.effort();
+    run.record.factorisations += effort.factorisations as u64;
+    run.record.solves += effort.solves as u64;
 }
 
 /// The level of the loads: the force that brings a prescribed motion about is the reaction that is sought, not a load.

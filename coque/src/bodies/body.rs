@@ -223,6 +223,10 @@ pub struct Description {
     pub spacing: f64,
     /// Memory that a step touches, per particle \[bytes\].
     pub bytes_per_particle: f64,
+    /// Rotary inertia of a march over that of the surface, for a turn of the whole body about the axis where it is farthest from one \[–\];
+    /// none where no time passes, and of a body that is no shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotary_inertia_over_true: Option<f64>,
     /// Bodies that it is made of, by name; none of a body that is one.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub bodies: BTreeMap<String, Description>,

@@ -13,6 +13,13 @@ pub struct RunRecord {
     pub steps: u64,
     /// Newton iterations; zero for analyses in time.
     pub newton_iterations: u64,
+    /// Factorisations of the tangent along a path, those of trials that failed and of the search for critical points too; zero for analyses
+    /// without a path. A factor is kept while it serves, which takes more iterations.
+    #[serde(default)]
+    pub factorisations: u64,
+    /// Solves with a factor, counted likewise.
+    #[serde(default)]
+    pub solves: u64,
     /// Critical points found on a path without time.
     pub critical: Vec<CriticalSummary>,
     /// Greatest stable step of the reference configuration \[T\]; zero if none was found, or without time.

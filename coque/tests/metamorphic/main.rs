@@ -12,6 +12,7 @@ mod half;
 mod meshes;
 mod order;
 mod preload;
+mod shifted;
 mod threads;
 mod turned;
 mod units;

@@ -32,6 +32,7 @@ pub(super) fn describe(
         dof: body.freedoms(),
         spacing,
         bytes_per_particle: NUMBER * POINT * galerkin.points() as f64 / galerkin.nodes() as f64,
+        rotary_inertia_over_true: None,
         bodies: BTreeMap::new(),
         modelled,
         left_out,

@@ -20,7 +20,7 @@ impl Body for Shell {
     fn configuration(&self) -> Configuration<'_> {
         let cloud = &self.reference().cloud;
         let present = (0..self.len()).map(|a| self.position(a)).collect();
-        Configuration { rest: &cloud.positions, present, cells: &cloud.cells }
+        Configuration { rest: self.rest_positions(), present, cells: &cloud.cells }
     }
 
     fn read(&self, of: Measured, a: usize, along: &Vec3) -> f64 {

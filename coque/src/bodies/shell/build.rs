@@ -2,7 +2,9 @@
 
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
-use sph_shell::{AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting};
+use sph_shell::{
+    AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of,
+};
 
 use super::cells::CellSets;
 use super::describe::describe;
@@ -120,7 +122,10 @@ impl Scene {
             loads,
             threads,
         };
-        let shell = Shell::with_regions(parts, sections.regions);
+        // Files may stand anywhere, and a part of several bodies shares its places with the others.
+        let far = imported.is_some() && !self.source.is_part();
+        let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
+        let shell = Shell::about(parts, sections.regions, origin);
         let mut shell = shell.map_err(|e| builder.refusal(&e))?;
         shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
         shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;

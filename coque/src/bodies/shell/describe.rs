@@ -31,6 +31,12 @@ pub(crate) fn describe(
         dof,
         spacing: shell.reference().cloud.spacing(),
         bytes_per_particle: shell.bytes_per_particle(),
+        rotary_inertia_over_true: scene
+            .analysis
+            .kind()
+            .passes_time
+            .then(|| shell.turning_inertia().map(|found| found.whole))
+            .flatten(),
         bodies: BTreeMap::new(),
         modelled,
         left_out,

@@ -80,6 +80,7 @@ impl Builder<'_> {
                 number.map_or("supports".into(), |(i, _)| format!("supports[{i}].spring.axis"))
             }
             ShellError::RegionsWithoutCells => of_body("formulation"),
+            ShellError::WetFromAfar => of_body("geometry"),
             ShellError::NoSuchParticle { .. }
             | ShellError::NoSuchCell { .. }
             | ShellError::EmptySet(_)

@@ -19,6 +19,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
         dof: solid.freedoms(),
         spacing: block.greatest_spacing(),
         bytes_per_particle: solid.bytes_per_particle(),
+        rotary_inertia_over_true: None,
         bodies: BTreeMap::new(),
         modelled,
         left_out,

@@ -1,7 +1,9 @@
 //! What the rules look at: the shell at rest, measured once.
 
+use std::borrow::Cow;
+
 use nalgebra::Rotation3;
-use sph_core::Vec3;
+use sph_core::{Cloud, Vec3};
 use sph_shell::{LoadShare, Shell};
 
 use super::sheet::{Sheet, neighbours};
@@ -68,6 +70,15 @@ impl<'a> Look<'a> {
             curvature: if curvature * cloud.spacing() < 1e-9 { 0.0 } else { curvature },
             lattice: extents,
         }
+    }
+
+    /// The cloud with its places from zero, for rules that name one.
+    pub(crate) fn cloud(&self) -> Cow<'a, Cloud> {
+        let reference = self.shell.reference();
+        if reference.origin == Vec3::zeros() {
+            return Cow::Borrowed(&reference.cloud);
+        }
+        Cow::Owned(Cloud { positions: self.shell.rest_positions().to_vec(), ..reference.cloud.clone() })
     }
 
     /// Mean radius of curvature over thickness; infinite for flat bodies.

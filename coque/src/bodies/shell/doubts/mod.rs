@@ -35,7 +35,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 20] = [
+const RULES: [Rule; 21] = [
     Rule { doubt: Doubt::NoWork, of: senseless::no_work },
     Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
     Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
@@ -50,6 +50,7 @@ const RULES: [Rule; 20] = [
     Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
     Rule { doubt: Doubt::ThinProfile, of: profile::profile },
     Rule { doubt: Doubt::OffsetInertia, of: offset::inertia },
+    Rule { doubt: Doubt::ScaledInertia, of: offset::scaled },
     Rule { doubt: Doubt::PatternModes, of: patterns::among_modes },
     Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
     Rule { doubt: Doubt::CoarseBending, of: coarse::bending },

@@ -1,4 +1,4 @@
-//! Sections high over their particles: what diagonal masses leave out of their motion.
+//! What diagonal masses make of motions: of sections high over their particles, and of bodies that turn as a whole.
 
 use std::f64::consts::PI;
 
@@ -8,6 +8,27 @@ use super::look::Look;
 
 /// Relative error of a frequency above which it is told.
 const OFF: f64 = 0.02;
+
+/// Relative error of a rotary inertia above which it is told: half of it is that of a frequency or of the time of a turn.
+const TURNS: f64 = 0.01;
+
+/// Masses at the corners of n cells a side and directors of the size of a cell turn with `1 + 3/n²` of the inertia of a thin plate in a march; what
+/// that is for the rigid motions that supports leave free is found from the cells.
+pub(super) fn scaled(look: &Look<'_>) -> Option<String> {
+    if !look.scene?.analysis.kind().passes_time {
+        return None;
+    }
+    let off = look.shell.turning_inertia()?.free? - 1.0;
+    (off.abs() > TURNS).then(|| {
+        format!(
+            "the body is free to turn, and in time it does so with {:.1} % more rotary inertia than it has, at most {:.0} % are let pass: masses stand \
+             at the corners of cells and directors turn as if they were as thick as a cell is wide; take finer cells (the error falls as the \
+             square), or make what does not deform a rigid set, which has its own inertia",
+            100.0 * off,
+            100.0 * TURNS
+        )
+    })
+}
 
 /// A section whose middle lies e over its particles has, besides what masses hold, the kinetic energy `ρ t e u̇·ḋ`.
 ///

@@ -18,7 +18,7 @@ const FLAT: f64 = 0.05;
 
 /// Profiles that bend too easily.
 pub(super) fn profile(look: &Look<'_>) -> Option<String> {
-    profile_of(&look.shell.reference().cloud, &look.across)
+    profile_of(&look.cloud(), &look.across)
 }
 
 /// The same of a cloud alone.

@@ -67,7 +67,7 @@ pub(super) fn far_nearest(look: &Look<'_>) -> Option<String> {
     let cloud = &look.shell.reference().cloud;
     let bound = FAR * look.spacing + look.thickness;
     let far = |(name, region): (&String, &crate::scene::Region)| {
-        let point = look.turn * Vec3::from(region.nearest?);
+        let point = look.turn * Vec3::from(region.nearest?) - look.shell.reference().origin;
         let least = cloud.positions.iter().map(|x| (x - point).norm_squared()).reduce(f64::min)?.sqrt();
         (least > bound).then_some((name.clone(), least))
     };

@@ -17,7 +17,7 @@ const FEW: usize = 3;
 
 /// Cells tied along two opposite edges.
 pub(super) fn both_sides(look: &Look<'_>) -> Option<String> {
-    both_sides_of(&look.shell.reference().cloud, &look.across)
+    both_sides_of(&look.cloud(), &look.across)
 }
 
 /// The same of a cloud alone.
@@ -38,7 +38,7 @@ pub(super) fn both_sides_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String
 
 /// Sheets of one or two cells from a junction to an edge that is free.
 pub(super) fn shallow(look: &Look<'_>) -> Option<String> {
-    shallow_of(&look.shell.reference().cloud, &look.across)
+    shallow_of(&look.cloud(), &look.across)
 }
 
 /// The same of a cloud alone.
@@ -78,7 +78,7 @@ pub(crate) fn between_lines(shell: &Shell) -> Option<Warning> {
         "edges tied inside cells hand over couples that those do not see, most of them at {}: {:.1} % of the energy is missing, and \
          displacements under loads are so much too small (bound {} %); put a line of the host's particles under the edge, or halve the \
          host's cells",
-        place(&shell.reference().cloud.positions[loss.particle as usize]),
+        place(&shell.rest_position(loss.particle as usize)),
         100.0 * loss.share,
         100.0 * LOST
     );
