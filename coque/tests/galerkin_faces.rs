@@ -14,7 +14,7 @@ fn resultant(text: &str, replaced: Replaced) -> [Vec3; 2] {
 }
 
 fn refusal(text: &str, replaced: Replaced) -> String {
-    overridden(text, "galerkin.toml", replaced).unwrap().build(1).err().expect("a refusal").to_string()
+    overridden(text, "galerkin.toml", replaced).unwrap().build(1).expect_err("a refusal").to_string()
 }
 
 /// Of a rectangle under a pressure.

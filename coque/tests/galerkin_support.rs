@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Replaced, last, overridden};
+use common::{last, overridden};
 use coque::Silent;
 
 /// A quarter of a thick tube under internal pressure, in plane strain.
@@ -37,14 +37,14 @@ fn a_quarter_of_a_tube_is_wide_enough_by_itself() {
     let lame = (1.0 + nu) * a * a / (1e3 * (b * b - a * a)) * ((1.0 - 2.0 * nu) * a + b * b / a);
     let planes = "[{ on = 'x0', symmetry = { normal = [1, 0, 0] } }, { on = 'x1', symmetry = { normal = [0, 0, 1] } }, \
                   { on = 'y0', symmetry = { normal = [0, 1, 0] } }, { on = 'y1', symmetry = { normal = [0, 1, 0] } }]";
-    for cells in ["[5, 3, 3]", "[8, 2, 4]", "[16, 2, 6]"] {
+    // The mesh: −17, −4.9 and −.76 % were measured.
+    for (cells, off) in [("[5, 3, 3]", 0.2), ("[8, 2, 4]", 0.06), ("[16, 2, 6]", 0.01)] {
         let (u, widened) = opened(planes, cells);
-        println!("{cells}: {} {widened}", u / lame);
+        assert!((u / lame - 1.0).abs() < off && !widened, "{cells}: {} {widened}", u / lame);
     }
     let held = "[{ on = 'x1', clamped = {} }]";
     for (cells, expected) in [("[5, 3, 3]", true), ("[6, 2, 4]", true), ("[16, 2, 4]", false)] {
         let (u, widened) = opened(held, cells);
-        println!("{cells}: {u} {widened}");
         assert!(u.is_finite() && widened == expected, "{cells}: {u} {widened}");
     }
 }
@@ -67,6 +67,6 @@ fn a_support_that_was_asked_for_is_refused_with_one_that_works() {
     assert_eq!(with(&works), None, "{works}");
     let found =
         overridden(TUBE, "tube.toml", &[("bodies.tube.solid.geometry.arc.cells", "[8, 1, 4]")]).unwrap();
-    let found = found.build(1).err().expect("a refusal").to_string();
+    let found = found.build(1).expect_err("a refusal").to_string();
     assert!(found.contains("geometry.arc.cells") && found.contains("[8, 2, 4] at least"), "{found}");
 }
