@@ -12,11 +12,11 @@ fn done(outcome: Outcome) -> Outcome {
     outcome
 }
 
-/// The frequencies that the scene tells of the beam with its body.
+/// The frequencies that the scene tells of the beam with its body. A strip of n cells is too stiff by .15/n² of its first frequency, here 9e-5.
 #[test]
 fn the_template_finds_the_frequencies_of_the_beam() {
     let omega = column(&done(run("heavy-end.toml", &[])), "circular_frequency");
-    for (exact, bound) in [(22.4587, 5e-5), (185.0862, 2e-3), (546.384, 4e-3)] {
+    for (exact, bound) in [(22.4587, 1e-4), (185.0862, 2e-3), (546.384, 4e-3)] {
         let off = omega.iter().map(|found| (found / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
         println!("{exact}: {off:.1e}");
         assert!(off < bound, "{exact}: {off}");
