@@ -168,7 +168,7 @@ mod tests {
         assert_eq!(
             keys(&value[0]),
             "case commit curve dof method metrics particle_steps_per_second particles spacing steps threads title variant \
-             wall_seconds"
+             wall_seconds warnings"
         );
         assert_eq!(
             keys(&value[0]["metrics"][0]),
