@@ -55,7 +55,7 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
         if critical.kind == CriticalKind::Bifurcation && after > before && first {
             let message = format!(
                 "beyond the bifurcation at {} the equilibria that follow are unstable in {after} of the ways to move: \
-                 the shell leaves this path there, and a slight imperfection makes it leave before",
+                 the shell leaves this path there, and with a slight imperfection it may leave before",
                 place(critical.level)
             );
             found.warn(Doubt::PassedCritical, message);

@@ -191,7 +191,7 @@ impl Run<'_> {
             let message = format!(
                 "the loads have no potential: entries of up to {share:.2} of the largest in their stiffness are skew \
                  (pressure over free edges, couples about moving edges) and left out of the tangent; equilibria are \
-                 exact, but critical levels and negative pivots are those of the symmetric part, and flutter is not \
+                 exact, but critical levels and negative pivots are those of the symmetric part and may be others, and flutter is not \
                  looked for: check with [analysis.explicit.transient]"
             );
             self.record.warn(Doubt::NoPotential, message);

@@ -56,7 +56,8 @@ impl Mesh {
     fn renumbered(mut self) -> Self {
         // A step without a divisor in common with the count visits every node once.
         let count = self.nodes.len();
-        let coprime = |step: &usize| (2..=*step).all(|d| step % d != 0 || count % d != 0);
+        let coprime =
+            |step: &usize| (2..=*step).all(|d| !(step.is_multiple_of(d) && count.is_multiple_of(d)));
         let step = (count / 3..).find(coprime).unwrap();
         let new = |old: usize| (old * step + 5) % count;
         let mut nodes = self.nodes.clone();

@@ -3,14 +3,15 @@
 use std::fmt;
 
 use super::overview::relative;
-use crate::judge::{CaseResult, Record, Run, Solver};
+use crate::judge::{CaseResult, Problem, Record, Run};
 
 /// Error \[%\] up to which a number that is warned of is exact: the warning has to say that it *may* be off.
 const EXACT: f64 = 1.0;
 /// Error \[%\] beyond which a number has to be warned of.
 const OFF: f64 = 3.0;
 
-/// Runs of particles that reached their end and whose headline has an error in percent, by what coque said of them.
+/// Runs of scenes that reached their end and whose headline has an error in percent, by what coque said of them. Studies on bare models
+/// leave coque out, and with it its warnings.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Trust {
     /// All of them.
@@ -65,7 +66,7 @@ pub fn trust(results: &[CaseResult]) -> Trust {
 fn error(result: &CaseResult, run: &Run, record: &Record) -> Option<f64> {
     let headline = result.case.headline?;
     let (error, unit) = relative(record.metric(headline.metric)?);
-    error.filter(|_| unit == "%" && run.done() && run.outcome.solver != Solver::Elements)
+    error.filter(|_| unit == "%" && run.done() && matches!(run.variant.source, Problem::Scene { .. }))
 }
 
 impl fmt::Display for Trust {

@@ -44,8 +44,8 @@ const MEANT: f64 = 0.2;
 pub(super) fn large_strain(found: f64) -> Option<Warning> {
     (found > MEANT).then(|| {
         let message = format!(
-            "a principal strain is {found:.2} in the last state: linear laws of increments are meant for less than {MEANT}; the \
-             other law, law = \"st-venant\", tells how much that matters"
+            "a principal strain is {found:.2} in the last state: linear laws of increments are meant for less than {MEANT} and may be \
+             off beyond; the other law, law = \"st-venant\", tells how much that matters"
         );
         Warning::new(Doubt::LargeStrain, message)
     })

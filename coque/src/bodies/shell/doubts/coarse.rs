@@ -104,7 +104,7 @@ pub(super) fn bending(look: &Look<'_>) -> Option<String> {
         let least = look.curved.iter().map(|point| point.cells(t)).fold(f64::INFINITY, f64::min);
         return Some(format!(
             "{least:.2} cells to a bending length √(Rt) at the least, fewer than {LAYER} on {:.0} % of the surface (R/t = {:.0}): where an \
-             edge or a load bends the shell, the answer is off by {:.0} % and more; use {:.0} times as many particles along the \
+             edge or a load bends the shell, the answer may be off by {:.0} % and more; use {:.0} times as many particles along the \
              curvature",
             100.0 * coarse / whole,
             look.slenderness(),
@@ -121,7 +121,7 @@ pub(super) fn bending(look: &Look<'_>) -> Option<String> {
     (least < DIMPLE).then(|| {
         format!(
             "{least:.2} cells to a bending length √(Rt) round particle {particle}, on which a force acts alone; with fewer than {DIMPLE} \
-             its dimple is about {:.0} % too stiff: use {:.0} times as many particles along the curvature, or spread the force",
+             its dimple may be about {:.0} % too stiff: use {:.0} times as many particles along the curvature, or spread the force",
             6.0 / (least * least),
             (2.0 * DIMPLE / least).ceil()
         )

@@ -41,8 +41,8 @@ pub(super) fn profile_of(cloud: &Cloud, across: &[[u32; 4]]) -> Option<String> {
     }
     let (loss, at) = worst.filter(|(loss, _)| *loss > LOSS)?;
     Some(format!(
-        "a profile of thin walls (the cut at {}) has too few cells a wall: one point a cell sees no bending in its plane, and about its \
-         weak axis the profile is {:.1} % too soft, in lateral buckling more; the error falls with the square of the cells, {:.1} times \
+        "a profile of thin walls (the cut at {}) has too few cells a wall: one point a cell sees no bending in its plane, and bent \
+         about its weak axis the profile may be {:.1} % too soft, in lateral buckling more; the error falls with the square of the cells, {:.1} times \
          as many a wall leave 1 %",
         place(&cloud.cells[at].geometry(&cloud.positions).centroid),
         100.0 * loss,
