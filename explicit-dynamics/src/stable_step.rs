@@ -131,6 +131,14 @@ fn pseudo_random(n: usize) -> Vec<f64> {
 mod tests {
     use super::*;
 
+    /// The second and third number of the generator from zero, as its authors' program prints them: 6e789e6aa1b965f4, 06c45d188009454f.
+    #[test]
+    fn the_numbers_are_those_of_the_generator() {
+        let [first, second] = [0x6E78_9E6A_A1B9_65F4_u64, 0x06C4_5D18_8009_454F];
+        let expected = [first, second].map(|bits| (bits >> 11) as f64 * 2_f64.powi(-53) - 0.5);
+        assert_eq!(pseudo_random(2), expected);
+    }
+
     /// A chain of unit masses and springs: eigenvalues `2 − 2cos(kπ/(n+1))`.
     struct Chain(usize);
 

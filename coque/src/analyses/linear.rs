@@ -172,7 +172,7 @@ fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run
     let turns =
         if cells.is_empty() { String::new() } else { format!(" and turns fibres by {turned:.2} rad") };
     let message = format!(
-        "the linear answer moves the body by {moved:.2} of its extent{turns}, beyond {} and {} rad: it is no longer small, and a linear \
+        "the linear answer moves the body by {moved:.2} of its extent{turns}, beyond {} and {} rad: it is no longer small and may be far off: a linear \
          answer grows with its load without end, already {:.0} % too far for a strip that bends by {} of its length. Lower the load, or \
          follow it with [analysis.static]",
         LARGE[0],

@@ -12,7 +12,6 @@ mod half;
 mod meshes;
 mod order;
 mod preload;
-mod shifted;
 mod threads;
 mod turned;
 mod units;

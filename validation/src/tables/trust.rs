@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use coque::{Doubt, Warning};
+
 use super::overview::relative;
 use crate::judge::{CaseResult, Problem, Record, Run};
 
@@ -9,6 +11,14 @@ use crate::judge::{CaseResult, Problem, Record, Run};
 const EXACT: f64 = 1.0;
 /// Error \[%\] beyond which a number has to be warned of.
 const OFF: f64 = 3.0;
+
+/// What is told as a fact about a run, not as a doubt about its numbers.
+const FACTS: [Doubt; 4] = [Doubt::Unstable, Doubt::PassedCritical, Doubt::NoWork, Doubt::HeldLoad];
+
+/// Whether a warning says no more than that a number may be off.
+fn says_may(warning: &Warning) -> bool {
+    FACTS.contains(&warning.doubt) || warning.message.split_whitespace().any(|word| word == "may")
+}
 
 /// Runs of scenes that reached their end and whose headline has an error in percent, by what coque said of them. Studies on bare models
 /// leave coque out, and with it its warnings.

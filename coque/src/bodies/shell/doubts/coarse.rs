@@ -187,7 +187,7 @@ pub(super) fn corners(look: &Look<'_>) -> Option<String> {
     (sharp > MUCH * whole).then(|| {
         format!(
             "{:.0} % of the surface lies in cells with a corner below {SHARP}° (the sharpest {sharpest:.0}°): they are long cells in \
-             disguise, 7 % too stiff on a plate at 20° and 27 % at 10°, more where curved; mesh anew with rounder cells",
+             disguise and may be too stiff, by 7 % on a plate at 20° and 27 % at 10°, more where curved; mesh anew with rounder cells",
             100.0 * sharp / whole
         )
     })
@@ -206,7 +206,7 @@ pub(super) fn pole(look: &Look<'_>) -> Option<String> {
     (most as usize >= SPOKES).then(|| {
         format!(
             "{most} triangles meet in particle {particle} (from {SPOKES} on it is a pole): thirds of a pressure are more than flat facets \
-             bear there, and the pole alone moves out, 10 % too far on a sphere; use blocks of quadrangles there"
+             bear there, and the pole alone moves out and may go 10 % too far on a sphere; use blocks of quadrangles there"
         )
     })
 }

@@ -26,7 +26,7 @@ pub(super) fn nodal(look: &Look<'_>) -> Option<String> {
     let bent = look.spacing.powi(2) * look.curvature / look.thickness;
     if order < 3 {
         return Some(format!(
-            "formulation nodal of order {order} is 2 to 14 % off on clamped plates of 21 by 21 particles of any thickness, and \
+            "formulation nodal of order {order} may be far off, 2 to 14 % on clamped plates of 21 by 21 particles of any thickness, and \
              locks as spacing over thickness grows (here {to_thickness:.2}; by 40 % at 500): use formulation.stress-point, or \
              order 3 below {FLAT}"
         ));
@@ -39,7 +39,7 @@ pub(super) fn nodal(look: &Look<'_>) -> Option<String> {
         return None;
     };
     Some(format!(
-        "formulation nodal of order 3 locks: {what} is {value:.2}, and beyond {bound} it is more than 2 % too stiff; use \
+        "formulation nodal of order 3 locks: {what} is {value:.2}, and beyond {bound} it may be more than 2 % too stiff; use \
          formulation.stress-point, or more particles"
     ))
 }
@@ -57,7 +57,7 @@ pub(super) fn wide(look: &Look<'_>) -> Option<String> {
     (to_thickness > THIN && uneven > UNEVEN).then(|| {
         format!(
             "stencils of reach {reach} on a thin shell of uneven cells: spacing over thickness is {to_thickness:.0}, and neighbouring \
-             cells differ by {:.0} % of their sum; beyond {THIN} and {:.0} % plates are 2 to 4 % too stiff: use \
+             cells differ by {:.0} % of their sum; beyond {THIN} and {:.0} % plates may be 2 to 4 % too stiff: use \
              formulation.stress-point.support = \"cell\", or an even lattice",
             100.0 * uneven,
             100.0 * UNEVEN
@@ -94,7 +94,7 @@ pub(super) fn uneven(look: &Look<'_>) -> Option<String> {
         let off = 100.0 * (1.0 - 1.0 / (1.0 + STIFFENING * locking));
         format!(
             "uneven cells on a thin curved shell (R/t = {:.0}, {:.1} spacings to √(Rt)): chords put {locking:.2} of the bending energy into \
-             the membrane, and from {LOCKED} on that is more than 2 %; a bending without stretch comes out up to {off:.0} % too stiff: use \
+             the membrane, and from {LOCKED} on that is more than 2 %; a bending without stretch may come out up to {off:.0} % too stiff: use \
              a lattice, or more particles (the figure falls with the fourth power of the spacing)",
             look.slenderness(),
             look.spacing * (look.curvature / look.thickness).sqrt()

@@ -96,7 +96,7 @@ pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
         if beam { (extents[1], "length") } else { (extents[0] * (1 + mirrors) as f64, "width") };
     if t > 0.5 * width {
         return Some(format!(
-            "the thickness is {:.2} of the {name} ({t:.3e} of {width:.3e}); beyond half of it no mid-surface describes the body: \
+            "the thickness is {:.2} of the {name} ({t:.3e} of {width:.3e}); beyond half of it a mid-surface may no longer describe the body: \
              model it as a solid",
             t / width
         ));
