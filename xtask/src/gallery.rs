@@ -47,7 +47,8 @@ pub fn run(options: &Options) -> Result<(), String> {
         }
         let text =
             fs::read_to_string(root.join(&scene)).map_err(|error| format!("cannot read {scene}: {error}"))?;
-        let picture = draw(&program, &root.join(&scene), &folder, Duration::from_secs(options.seconds));
+        let picture =
+            draw(&program, (&root.join(&scene), &text), &folder, Duration::from_secs(options.seconds));
         println!("{scene}: {}", picture.as_ref().map_or_else(|why| why.as_str(), |_| "drawn"));
         entries.push(Entry { title: title(&text).to_owned(), scene, picture });
     }
@@ -81,12 +82,20 @@ fn title(text: &str) -> &str {
 }
 
 /// Runs a scene and draws it; the name of the picture in the folder.
-fn draw(program: &Path, scene: &Path, folder: &Path, limit: Duration) -> Result<String, String> {
+fn draw(
+    program: &Path,
+    (scene, text): (&Path, &str),
+    folder: &Path,
+    limit: Duration,
+) -> Result<String, String> {
     let name = scene.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let out: PathBuf = folder.join(&name);
     let _ = fs::remove_dir_all(&out);
     let mut run = Command::new(program);
     run.arg("run").arg(scene).arg("--out").arg(&out).stdout(Stdio::null()).stderr(Stdio::null());
+    if !text.contains("fields") {
+        run.args(["--set", "output.fields={}"]);
+    }
     let mut child = run.spawn().map_err(|error| format!("cannot start coque: {error}"))?;
     let start = Instant::now();
     let mut asked = false;
