@@ -59,10 +59,7 @@ pub fn trust(results: &[CaseResult]) -> Trust {
             out.warned += 1;
             if error > EXACT {
                 out.warned_off += 1;
-            } else if warnings
-                .iter()
-                .all(|warning| warning.message.split_whitespace().any(|word| word == "may"))
-            {
+            } else if warnings.iter().all(says_may) {
                 out.warned_may += 1;
             } else {
                 out.false_alarms.push(name());
