@@ -2,9 +2,9 @@
 
 mod bodies;
 
+use bodies::derivatives::{the_tangent_derives_from_forces, wiggle};
 use bodies::{block, body, newton, nodes};
 use implicit_statics::Equilibrium;
-use nalgebra::DMatrix;
 use sph_core::{Basis, Support, Vec3};
 use sr_galerkin::{Condition, Essential, Galerkin, Load, Mirror, Parts, Supports};
 
@@ -138,37 +138,6 @@ fn tangents_are_derivatives_of_the_forces() {
     parts.material.moduli = solid_kinematics::Moduli::isotropic(1.0, 0.45).expect("moduli");
     parts.conditions.truncate(2);
     let mut body = body(parts);
-    let n = body.unknowns();
-    let change: Vec<f64> = (0..n).map(|i| 0.05 * ((i * 7 % 11) as f64 / 11.0 - 0.45)).collect();
-    body.update(&change);
-    let exact = body.exact_tangent(0.8);
-    let scale = exact.amax();
-    let step = 1e-6;
-    for unknown in (0..n).step_by(7) {
-        let residual = |sign: f64, body: &mut Galerkin| {
-            let saved = body.save();
-            let mut way = vec![0.0; n];
-            way[unknown] = sign * step;
-            body.update(&way);
-            let (mut inner, mut outer) = (vec![0.0; n], vec![0.0; n]);
-            body.internal(0.8, &mut inner);
-            body.external(0.8, &mut outer);
-            body.restore(&saved);
-            inner.iter().zip(outer).map(|(a, b)| a - b).collect::<Vec<f64>>()
-        };
-        let (after, before) = (residual(1.0, &mut body), residual(-1.0, &mut body));
-        for i in 0..n {
-            let difference = (after[i] - before[i]) / (2.0 * step);
-            assert!((exact[(i, unknown)] - difference).abs() < 1e-8 * scale, "{i} {unknown}");
-        }
-    }
-    let pattern = body.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    body.tangent(0.8, &mut values);
-    let mut sparse = DMatrix::zeros(n, n);
-    for (&(row, column), &value) in pattern.iter().zip(&values) {
-        (sparse[(row, column)], sparse[(column, row)]) = (value, value);
-    }
-    let miss = (&sparse - (&exact + exact.transpose()) * 0.5).amax() / scale;
-    assert!(miss < 1e-13, "{miss:e}");
+    wiggle(&mut body, 0.05);
+    the_tangent_derives_from_forces("with images", &mut body, 7);
 }

@@ -2,9 +2,9 @@
 
 mod bodies;
 
+use bodies::derivatives::{forces_derive_from_the_energy, stressed, the_tangent_derives_from_forces};
 use bodies::{MIDPOINT, STEP_START, block, body, newton, nodes};
 use implicit_statics::{Equilibrium, SymmetricSolver};
-use nalgebra::DMatrix;
 use solid_kinematics::{Formulation, Moduli, Orthotropic, Tangent, Tensor};
 use sph_core::{Basis, Hexahedra, Support, Vec3};
 use sr_galerkin::{Condition, Galerkin, Load, Parts};
@@ -254,80 +254,21 @@ fn loaded(formulation: Formulation) -> Galerkin {
     let top = parts.cells.faces[5].clone();
     parts.loads.push(Load::Pressure { faces: top, pressure: 0.05 });
     parts.loads.push(Load::Traction { faces: end, traction: Vec3::new(0.1, 0.02, -0.03) });
-    let mut body = body(parts);
-    let wiggle = |body: &mut Galerkin, size: f64| {
-        let change: Vec<f64> =
-            (0..body.unknowns()).map(|i| size * ((i * 7 % 11) as f64 / 11.0 - 0.45)).collect();
-        body.update(&change);
-    };
-    wiggle(&mut body, 0.04);
-    internal(&mut body);
-    body.accept();
-    wiggle(&mut body, -0.07);
-    body
+    stressed(parts)
 }
 
 #[test]
 fn forces_are_the_derivative_of_st_venants_energy() {
-    let mut body = loaded(Formulation::StVenant);
-    let forces = internal(&mut body);
-    let step = 1e-6;
-    for unknown in (0..body.unknowns()).step_by(5) {
-        let mut way = vec![0.0; body.unknowns()];
-        way[unknown] = step;
-        let energy = |sign: f64, body: &mut Galerkin| {
-            let saved = body.save();
-            body.update(&way.iter().map(|w| sign * w).collect::<Vec<_>>());
-            let energy = body.energy();
-            body.restore(&saved);
-            energy
-        };
-        let difference = (energy(1.0, &mut body) - energy(-1.0, &mut body)) / (2.0 * step);
-        // energies near .1 carry roundings of 1e-17, over 2e-6
-        assert!((forces[unknown] - difference).abs() < 1e-9 * norm(&forces).max(1.0), "unknown {unknown}");
-    }
+    forces_derive_from_the_energy(&mut loaded(Formulation::StVenant));
 }
 
 #[test]
 fn tangents_are_derivatives_of_the_forces() {
     for formulation in [MIDPOINT, STEP_START, Formulation::StVenant] {
-        let mut body = loaded(formulation);
-        let n = body.unknowns();
-        let step = 1e-6;
-        let mut differences = DMatrix::zeros(n, n);
-        for unknown in 0..n {
-            let residual = |sign: f64, body: &mut Galerkin| {
-                let saved = body.save();
-                let mut way = vec![0.0; n];
-                way[unknown] = sign * step;
-                body.update(&way);
-                let (mut inner, mut outer) = (vec![0.0; n], vec![0.0; n]);
-                body.internal(0.8, &mut inner);
-                body.external(0.8, &mut outer);
-                body.restore(&saved);
-                inner.iter().zip(outer).map(|(a, b)| a - b).collect::<Vec<f64>>()
-            };
-            let (after, before) = (residual(1.0, &mut body), residual(-1.0, &mut body));
-            (0..n).for_each(|i| differences[(i, unknown)] = (after[i] - before[i]) / (2.0 * step));
-        }
-        let exact = body.exact_tangent(0.8);
-        let scale = exact.amax();
-        let miss = (&exact - &differences).amax() / scale;
-        assert!(miss < 1e-8, "{formulation:?}: {miss:e}"); // roundings of forces near one, over 2e-6
-        let skew = (&exact - exact.transpose()).amax() / scale;
-        assert!(skew > 1e-5, "{formulation:?}: a load that follows has a skew share, found {skew:e}");
-        // what is factorised is the symmetric part
-        let pattern = body.pattern();
-        let mut values = vec![0.0; pattern.len()];
-        body.tangent(0.8, &mut values);
-        let mut sparse = DMatrix::zeros(n, n);
-        for (&(row, column), &value) in pattern.iter().zip(&values) {
-            sparse[(row, column)] = value;
-            sparse[(column, row)] = value;
-        }
-        let symmetric = (&exact + exact.transpose()) * 0.5;
-        let miss = (&sparse - symmetric).amax() / scale;
-        assert!(miss < 1e-13, "{formulation:?}: {miss:e}");
+        let name = format!("{formulation:?}");
+        let exact = the_tangent_derives_from_forces(&name, &mut loaded(formulation), 1);
+        let skew = (&exact - exact.transpose()).amax() / exact.amax();
+        assert!(skew > 1e-5, "{name}: a load that follows has a skew share, found {skew:e}");
     }
 }
 

@@ -2,6 +2,8 @@
 
 #![allow(dead_code)] // no test uses all of it
 
+pub mod derivatives;
+
 use implicit_statics::{Newton, NewtonOptions};
 use solid_kinematics::{Formulation, Material, Moduli, StressMeasure, Tangent, Tensor, Update};
 use sph_core::{Basis, BlockLattice, Hexahedra, NodePlaces, Support, Vec3, Weight};
