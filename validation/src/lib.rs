@@ -15,6 +15,7 @@
 //! | the four answers side by side, the survival table, the printed table | `tables/*.rs` |
 //! | charts and shapes that a case may show | `figures/*.rs` |
 //! | the HTML report | `report/*.rs` |
+//! | what is stored of a run for review, and the page of what changed | `review/*.rs` |
 //! | what each option costs | `cases/option_cost/*.rs` |
 //!
 //! `main.rs` hands the cases to the judge, which names none of them.
@@ -109,6 +110,7 @@
 pub mod cases;
 pub mod judge;
 pub mod report;
+pub mod review;
 pub mod tables;
 
 mod error;

@@ -2,7 +2,7 @@
 
 use crate::cargo;
 use clap::Args;
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
 /// What is passed on to the program `validate`.
 #[derive(Args, Default)]
@@ -28,6 +28,9 @@ pub struct Options {
     /// Write the report with plots into this folder
     #[arg(long, value_name = "DIR")]
     pub report: Option<String>,
+    /// Show what changed since it was reviewed: old curve, new curve and reference on one page
+    #[arg(long, exclusive = true)]
+    pub review: bool,
     /// Further arguments, after `--`, passed on as they are
     #[arg(last = true)]
     pub rest: Vec<String>,
@@ -35,12 +38,34 @@ pub struct Options {
 
 /// Run the cases and return what the judge returned.
 pub fn run(options: &Options) -> ExitCode {
+    if options.review {
+        return review();
+    }
     let words = options.words();
     // not at the root: FILE and DIR are relative to where the caller stands
-    match cargo::command(&words).status() {
+    finished(&words, &mut cargo::command(&words))
+}
+
+/// The quick set against its snapshots: the test leaves each difference beside its snapshot, and all of them on a page.
+fn review() -> ExitCode {
+    let words = cargo::words(&["test", "--workspace", "--test", "quick"]);
+    // also where CI is set, which keeps insta from leaving files
+    let code = finished(&words, cargo::command(&words).env("INSTA_UPDATE", "new"));
+    if code == ExitCode::SUCCESS {
+        println!("nothing to review: the quick set is as it was reviewed");
+    } else {
+        println!("the page named above shows what changed; accept or refuse it with: cargo insta review");
+        println!("(cargo insta is installed by: cargo install cargo-insta)");
+    }
+    code
+}
+
+/// Runs a command to its end and returns its exit code.
+fn finished(words: &[String], command: &mut Command) -> ExitCode {
+    match command.status() {
         Ok(status) => ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)),
         Err(error) => {
-            eprintln!("error: cannot start {}: {error}", cargo::spelled(&words));
+            eprintln!("error: cannot start {}: {error}", cargo::spelled(words));
             ExitCode::FAILURE
         }
     }
@@ -88,6 +113,7 @@ mod tests {
             cases: cargo::words(&["ring", "panel"]),
             json: Some("a.json".to_owned()),
             report: Some("out".to_owned()),
+            review: false,
             rest: cargo::words(&["--threads", "2"]),
         };
         assert_eq!(

@@ -7,6 +7,7 @@ mod runs;
 mod section;
 
 pub use page::Page;
+pub(crate) use page::show;
 
 use crate::JudgeError;
 use crate::cases::option_cost;
@@ -15,7 +16,6 @@ use crate::judge::{CaseResult, Effort, Record, Selection};
 use crate::tables::{counts, overview, survival};
 use cost::family_charts;
 use list::list;
-use page::show;
 use runs::every_run;
 use section::section;
 

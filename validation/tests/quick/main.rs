@@ -6,7 +6,11 @@
 mod snapshots;
 mod tolerances;
 
-use validation::{Case, CaseResult, Effort, Selection, cases, judge};
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use validation::{Case, CaseResult, Effort, Selection, cases, judge, report};
 
 /// What is wrong with the results, one line or paragraph each.
 type Faults = Vec<String>;
@@ -37,6 +41,9 @@ fn held_against(cases: Vec<Case>, hard: bool, checks: &[(&str, Check)]) {
         Err(error) => panic!("{error}"),
     };
     let mut told = String::new();
+    if let Err(error) = keep_report(&results, &selection) {
+        told += &format!("the report could not be kept: {error}\n");
+    }
     for (what, check) in checks {
         for fault in check(&results) {
             told += &format!("{what}: {fault}\n");
@@ -46,4 +53,15 @@ fn held_against(cases: Vec<Case>, hard: bool, checks: &[(&str, Check)]) {
         told += &format!("table or report leave something out: {fault}\n");
     }
     assert!(told.is_empty(), "{told}");
+}
+
+/// Leaves the report of a set in target/quick-report or target/quick-hard-report, where a failure can be looked at.
+fn keep_report(results: &[CaseResult], selection: &Selection) -> Result<(), Box<dyn Error>> {
+    let name = if selection.hard { "quick-hard-report" } else { "quick-report" };
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target").join(name);
+    fs::create_dir_all(&folder)?;
+    for page in report::pages(results, selection)? {
+        fs::write(folder.join(page.file), page.html)?;
+    }
+    Ok(())
 }

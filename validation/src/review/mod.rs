@@ -1,0 +1,8 @@
+//! Review of results that are not as they were: the values that were reviewed, those of now and the reference side by side.
+
+mod curves;
+mod page;
+mod reviewed;
+
+pub use page::{Change, page};
+pub use reviewed::Reviewed;
