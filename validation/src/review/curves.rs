@@ -3,7 +3,7 @@
 
 use coque::Curve;
 
-use super::page::Change;
+use super::change::Change;
 use super::reviewed::{Reviewed, kept};
 use crate::Run;
 use crate::figures::{Axis, BLUE, Chart, Figure, Line, Mark, Series, VERMILION};

@@ -1,27 +1,12 @@
 //! The page of a review: a section for each case that changed, its numbers first, then its curves.
 
+use super::change::Change;
 use super::curves::{Changed, changed, charts};
 use super::reviewed::Reviewed;
 use crate::figures::{Figure, Numbers, escape};
 use crate::format::short;
-use crate::judge::CaseResult;
 use crate::report::{Page, show};
 use crate::{JudgeError, Record};
-
-/// A case whose results are not as they were reviewed.
-pub struct Change<'a> {
-    /// The case as it is now.
-    pub result: &'a CaseResult,
-    /// Its runs as they were reviewed; empty where the case is new.
-    pub stored: Vec<Reviewed>,
-}
-
-impl Change<'_> {
-    /// A run as it was reviewed; none if it is new.
-    pub fn reviewed(&self, method: &str, grid: &str) -> Option<&Reviewed> {
-        self.stored.iter().find(|run| run.method == method && run.grid == grid)
-    }
-}
 
 /// The page `review.html`.
 ///
