@@ -75,7 +75,7 @@ pub trait Wetted: Dynamics {
     /// Adds to the impulses of the points \[F T; F T/L in a plane problem\] what they resist from now on for a time `span`
     /// \[T\], beyond the forces of the load: `−span ρ₀c₀ A (δv·n) n` with the present velocities. Of a thin body the first
     /// points of a column below its wet faces stand for it. Nothing, unless a structure says otherwise.
-    fn resist(&self, _span: f64, _impulses: &mut [[f64; 3]]) {}
+    fn impedance_impulses(&self, _span: f64, _impulses: &mut [[f64; 3]]) {}
 
     /// Velocities of the points at present \[L/T\]: what a fluid is told of a structure that starts in motion. At rest unless
     /// a structure says otherwise.
@@ -102,13 +102,13 @@ pub trait BoundaryDriven: Dynamics {
 
     /// Takes the opposite of impulses on the points of a structure \[F T; F T/L in a plane problem\] between a kick and the
     /// drift behind it: what the points resisted beyond the forces.
-    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]);
+    fn apply_reactions(&mut self, structure: usize, impulses: &[[f64; 3]]);
 
     /// ρ₀c₀ \[F T/L³\].
     fn impedance(&self) -> f64;
 
     /// How far a boundary point may go in one step \[L\].
-    fn greatest_advance(&self) -> f64;
+    fn greatest_displacement(&self) -> f64;
 
     /// Particles that [`Dynamics::within_bounds`] may name: those of structures are counted on from here.
     fn particles(&self) -> usize {

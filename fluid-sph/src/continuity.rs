@@ -1,15 +1,42 @@
-//! The rate of density: `dρ_a/dt = Σ_b m F_ab v_ab·r_ab` over all neighbours, and its diffusion over those of the fluid.
+//! The rate of density: `dρ_a/dt = Σ_b m F_ab v_ab·r_ab` over all neighbours, and its diffusion over those of the fluid
+//! \[molteni2009\], free of what gravity makes of the density as in \[fourtakas2019\]:
+//!
+//! ```text
+//! dρ_a/dt += δ h c₀ Σ_b 2 ψ_ab (−F r²)/(r² + η²) 2m/(ρ_a + ρ_b),   ψ_ab = ρ_b − ρ_a − (ρ₀/c₀²) g·(r_b − r_a)
+//! ```
+//!
+//! The mean density in the volume makes the exchange of mass antisymmetric.
 
-use sph_core::lanes::{Lanes, Sweep};
+use lanes::{Lanes, Reals, Sweep, Vector};
+use sph_core::Vec3;
 
 use crate::cells::Grid;
-use crate::diffusion::Diffusion;
-use crate::gather::{Pairs, Room, gather};
+use crate::formulation::Formulation;
 use crate::kernel::Wendland;
-use crate::pair::Shape;
-use crate::row::{Four, Row};
+use crate::liquid::Liquid;
+use crate::neighbours::{CellCursor, Pairs, Scratch, gather};
+use crate::pair::{Four, Row, Shape};
 use crate::sorted::Sorted;
-use crate::walk::Walk;
+
+/// What the exchange needs beside the pair.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Diffusion {
+    /// 4δhc₀ \[L²/T\]; none at zero.
+    pub strength: f64,
+    /// Density gradient of rest `(ρ₀/c₀²) g` \[M/L⁴\].
+    pub rest: [f64; 3],
+}
+
+impl Diffusion {
+    /// That of a formulation.
+    pub fn new(formulation: &Formulation, liquid: &Liquid, kernel: &Wendland, gravity: &Vec3) -> Self {
+        let Liquid { density, sound_speed } = *liquid;
+        Self {
+            strength: 4.0 * formulation.density_diffusion * kernel.h * sound_speed,
+            rest: (gravity * (density / (sound_speed * sound_speed))).into(),
+        }
+    }
+}
 
 /// What pairs need beside themselves.
 #[derive(Clone, Copy, Debug)]
@@ -21,55 +48,45 @@ pub(crate) struct Continuity {
 }
 
 /// Numbers of all pairs, in lanes.
-struct Constants<L: Lanes> {
+#[derive(Clone, Copy)]
+struct Constants<L: Lanes, const D: usize> {
     shape: Shape<L>,
-    rest: [L::Four; 3],
+    rest: Vector<L, D>,
 }
 
-impl<L: Lanes> Clone for Constants<L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<L: Lanes> Copy for Constants<L> {}
-
-impl<L: Lanes> Constants<L> {
+impl<L: Lanes, const D: usize> Constants<L, D> {
     #[inline(always)]
     fn new(lanes: L, Continuity { kernel, diffusion, .. }: &Continuity) -> Self {
-        let [x, y, z] = diffusion.rest;
-        Self { shape: Shape::new(lanes, kernel), rest: [lanes.splat(x), lanes.splat(y), lanes.splat(z)] }
+        Self { shape: Shape::new(lanes, kernel), rest: lanes.vector(diffusion.rest) }
     }
 }
 
 /// The sum over the neighbours of one particle, without the factors of all pairs; `DIFFUSED` those that exchange density.
 struct Rate<L: Lanes, const D: usize, const DIFFUSED: bool> {
-    constants: Constants<L>,
-    own: Four<L>,
-    divergence: L::Four,
-    exchange: L::Four,
+    constants: Constants<L, D>,
+    own: Four<L, D>,
+    divergence: Reals<L>,
+    exchange: Reals<L>,
 }
 
 impl<L: Lanes, const D: usize, const DIFFUSED: bool> Rate<L, D, DIFFUSED> {
     #[inline(always)]
-    fn new(lanes: L, constants: Constants<L>, row: &Row) -> Self {
+    fn new(lanes: L, constants: Constants<L, D>, row: &Row) -> Self {
         let zero = constants.shape.zero;
         Self { constants, own: Four::all(lanes, row), divergence: zero, exchange: zero }
     }
 }
 
-impl<L: Lanes, const D: usize, const DIFFUSED: bool> Pairs<L> for Rate<L, D, DIFFUSED> {
+impl<L: Lanes, const D: usize, const DIFFUSED: bool> Pairs<L, D> for Rate<L, D, DIFFUSED> {
     #[inline(always)]
-    fn add(&mut self, lanes: L, four: Four<L>) {
-        let Constants { shape, rest } = self.constants;
-        let pair = shape.pair::<D>(lanes, &self.own, &four);
-        self.divergence = lanes.add(self.divergence, lanes.mul(pair.slope, pair.closing));
+    fn add(&mut self, four: Four<L, D>) {
+        let (Constants { shape, rest }, own) = (self.constants, self.own);
+        let pair = shape.pair(&own, &four);
+        self.divergence += pair.slope * pair.closing;
         if DIFFUSED {
-            let densities = lanes.add(self.own.density, four.density);
-            let volume = lanes.mul(lanes.add(pair.square, shape.eta2), densities);
-            let level = lanes.dot::<D>(&rest, &pair.way);
-            let excess = lanes.add(lanes.sub(four.density, self.own.density), level);
-            let share = lanes.mul(lanes.mul(pair.slope, pair.square), excess);
-            self.exchange = lanes.add(self.exchange, lanes.div(share, volume));
+            let excess = four.density - own.density + rest.dot(pair.way);
+            let volume = (pair.square + shape.eta2) * (own.density + four.density);
+            self.exchange += pair.slope * pair.square * excess / volume;
         }
     }
 }
@@ -97,29 +114,26 @@ impl<const D: usize> Sweep for Rates<'_, '_, D> {
         let Continuity { kernel, mass, diffusion } = continuity;
         let constants = Constants::new(lanes, continuity);
         let (factor, strength) = (mass * kernel.slope, diffusion.strength);
-        let mut walk = Walk::new(grid, of, first, sets, kernel.reach());
-        let mut room = Room::new();
+        let mut cursor = CellCursor::new(grid, of, first, sets, kernel.reach());
+        let mut scratch = Scratch::new();
         for (slot, out) in (first..).zip(out) {
-            walk.go(slot, &mut room);
+            cursor.go(slot, &mut scratch);
             *out = [0.0; 2];
-            if let Some(search) = walk.own(slot) {
+            if let Some(search) = cursor.own(slot) {
                 if strength != 0.0 {
                     let mut rate = Rate::<L, D, true>::new(lanes, constants, &of.rows[slot]);
-                    gather::<L, _, D>(lanes, search, &mut room, &mut rate);
-                    *out = [
-                        factor * lanes.total(rate.divergence),
-                        -strength * factor * lanes.total(rate.exchange),
-                    ];
+                    gather::<L, _, D>(lanes, search, &mut scratch, &mut rate);
+                    *out = [factor * rate.divergence.total(), -strength * factor * rate.exchange.total()];
                 } else {
                     let mut rate = Rate::<L, D, false>::new(lanes, constants, &of.rows[slot]);
-                    gather::<L, _, D>(lanes, search, &mut room, &mut rate);
-                    out[0] = factor * lanes.total(rate.divergence);
+                    gather::<L, _, D>(lanes, search, &mut scratch, &mut rate);
+                    out[0] = factor * rate.divergence.total();
                 }
             }
-            if let Some(search) = walk.other(slot) {
+            if let Some(search) = cursor.other(slot) {
                 let mut rate = Rate::<L, D, false>::new(lanes, constants, &of.rows[slot]);
-                gather::<L, _, D>(lanes, search, &mut room, &mut rate);
-                out[0] += factor * lanes.total(rate.divergence);
+                gather::<L, _, D>(lanes, search, &mut scratch, &mut rate);
+                out[0] += factor * rate.divergence.total();
             }
         }
     }

@@ -28,8 +28,8 @@ impl Fluid {
             kinetic: 0.5 * self.mass * kinetic,
             compression: self.compression(),
             potential: -self.mass * weight,
-            viscous: self.books.viscous,
-            diffusion: self.books.diffusion,
+            viscous: self.ledger.viscous,
+            diffusion: self.ledger.diffusion,
         }
     }
 
@@ -45,6 +45,6 @@ impl Fluid {
 
     /// Greatest |ρ/ρ₀ − 1| of a particle so far.
     pub fn greatest_density_error(&self) -> f64 {
-        self.books.density_error
+        self.ledger.density_error
     }
 }

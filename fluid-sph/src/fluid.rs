@@ -3,21 +3,19 @@
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
 
-use crate::books::{Books, Sums};
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
-use crate::continuity::Continuity;
-use crate::diffusion::Diffusion;
+use crate::continuity::{Continuity, Diffusion};
 use crate::error::FluidError;
 use crate::formulation::Formulation;
 use crate::kernel::Wendland;
+use crate::ledger::{Ledger, Sums};
 use crate::liquid::Liquid;
-use crate::momentum::{Felt, Momentum};
+use crate::momentum::{ForceSum, Momentum, Viscosity};
+use crate::pair::Row;
 use crate::parts::{Parts, Start};
-use crate::row::Row;
 use crate::sorted::Sorted;
 use crate::start;
-use crate::viscosity::Viscosity;
 
 /// Width of a cell over the reach of the kernel: particles may go so far before they are sorted anew.
 pub(crate) const CELL: f64 = 1.02;
@@ -75,15 +73,15 @@ pub struct Fluid {
     pub(crate) rates: Vec<[f64; 2]>,
     pub(crate) drags: Vec<[f64; 3]>,
     /// By chunk.
-    pub(crate) felts: Vec<Felt>,
+    pub(crate) force_sums: Vec<ForceSum>,
     pub(crate) sums: Vec<Sums>,
-    pub(crate) felt: Felt,
+    pub(crate) force_sum: ForceSum,
     /// Whether forces belong to the present state.
     pub(crate) fresh: bool,
     /// Greatest speed at the last kick \[L/T\].
     pub(crate) fastest: f64,
     pub(crate) bounds: StepBounds,
-    pub(crate) books: Books,
+    pub(crate) ledger: Ledger,
 }
 
 impl Fluid {
@@ -134,13 +132,13 @@ impl Fluid {
             accelerations: vec![[0.0; 3]; count],
             rates: vec![[0.0; 2]; count],
             drags: Vec::new(),
-            felts: Vec::new(),
+            force_sums: Vec::new(),
             sums: Vec::new(),
-            felt: Felt::default(),
+            force_sum: ForceSum::default(),
             fresh: false,
             fastest: 0.0,
             bounds: StepBounds::default(),
-            books: Books::default(),
+            ledger: Ledger::default(),
         };
         fluid.sort(0.0, 0.0);
         fluid.check_overlap()?;
@@ -253,7 +251,7 @@ impl Fluid {
     /// Bytes held for each particle, boundaries included.
     pub fn bytes_per_particle(&self) -> usize {
         let by_slot = 24 * (self.accelerations.len() + self.drags.len()) + 16 * self.rates.len();
-        let chunks = size_of::<Felt>() * self.felts.len() + size_of::<Sums>() * self.sums.len();
+        let chunks = size_of::<ForceSum>() * self.force_sums.len() + size_of::<Sums>() * self.sums.len();
         let fluid = (24 + 56) * self.len() + by_slot + chunks;
         (fluid + self.sorted.bytes() + self.boundary.bytes()) / self.len()
     }
@@ -276,15 +274,15 @@ impl BoundaryDriven for Fluid {
         &self.boundary.forces[self.boundary.structure(structure)]
     }
 
-    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
-        self.take_impulses_back(structure, impulses);
+    fn apply_reactions(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+        self.return_impulses(structure, impulses);
     }
 
     fn impedance(&self) -> f64 {
         self.liquid.impedance()
     }
 
-    fn greatest_advance(&self) -> f64 {
+    fn greatest_displacement(&self) -> f64 {
         0.25 * self.momentum.kernel.h
     }
 }

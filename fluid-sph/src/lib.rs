@@ -12,7 +12,7 @@
 //!
 //! \[monaghan1992, monaghan1994\] for the sums, \[cole1948\] for the state, \[molteni2009\] for the diffusion of density, which
 //! runs between particles of the fluid only and is free of what gravity makes of the density, as in \[fourtakas2019\];
-//! the term of ν is laminar friction along the line of centres (src/viscosity.rs). Every expression of a pair is symmetric,
+//! the term of ν is laminar friction along the line of centres (src/momentum.rs). Every expression of a pair is symmetric,
 //! so that forces are opposite to the bit, and acts along r_ab, so that momentum and its moment are kept.
 //!
 //! Two sums over a lattice are wrong at any Δx, and choose h = 1.55 Δx. One is its modulus of shear under pressure, which makes
@@ -65,7 +65,7 @@
 //! | moments sum to those of the weight and of what walls bear | `moments_sum_to_the_weight_and_what_walls_bear` (tests/pairs.rs) |
 //! | torques, profile and ledger of the flow between two cylinders | tests/couette.rs |
 //! | a lattice under pressure hardly resists shear | src/lattice.rs |
-//! | laminar friction hardly depends on the direction of a lattice | src/viscosity.rs |
+//! | laminar friction hardly depends on the direction of a lattice | src/momentum.rs |
 //! | the same bits for 1, 2 and 4 threads, and after a resume; no step allocates | tests/threads.rs |
 //! | a flow turned or mirrored is the same | `quarters_and_mirrors` (tests/turned.rs) |
 //! | water at rest is hydrostatic and stays at rest | `in_a_plane`, `in_space` (tests/water.rs) |
@@ -77,42 +77,34 @@
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
 //! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |
 //! | the kernel is one in sum, its factor its slope; the state has its sound and energy | src/kernel.rs, src/liquid.rs |
-//! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, src/parallel.rs |
+//! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |
 #![warn(missing_docs)]
 
-mod books;
 mod boundary;
-mod candidates;
 mod cells;
 mod continuity;
-mod diffusion;
 mod energies;
 mod error;
 mod fluid;
 mod flux;
 mod formulation;
-mod gather;
 mod gauges;
-mod hidden;
+mod impulses;
 mod kernel;
 mod lattice;
+mod ledger;
 mod liquid;
 mod momentum;
-mod nearby;
+mod neighbours;
 mod overlap;
 mod pair;
-mod parallel;
 mod parts;
-mod row;
 mod sorted;
 mod start;
 mod state;
 mod sweeps;
-mod take_back;
 mod time;
 mod transport;
-mod viscosity;
-mod walk;
 mod walls;
 
 pub use energies::Energies;

@@ -25,7 +25,7 @@ impl Liquid {
 
     /// P/ρ² \[L⁵/(M T²)\].
     #[inline(always)]
-    pub(crate) fn share(&self, density: f64) -> f64 {
+    pub(crate) fn p_over_rho2(&self, density: f64) -> f64 {
         self.pressure(density) / (density * density)
     }
 

@@ -2,17 +2,59 @@
 //!
 //! Every expression of a pair changes no bit, or its sign only, when a and b change places: forces are opposite to the bit.
 //! All act along the line of centres, so that they exert no moment on the pair.
+//!
+//! # Friction
+//!
+//! Between two particles: the artificial viscosity of \[monaghan1992\], and laminar flow.
+//!
+//! ```text
+//! a_a = −Σ m_b Π_ab F r_ab
+//! Π_ab = −α c̄ h min(v_ab·r_ab, 0)/[ρ̄ (r² + η²)] − 4(d + 2) ν v_ab·r_ab/[(ρ_a + ρ_b) κh²],   κ = 10/9 in a plane, 4/3 in space
+//! ```
+//!
+//! The second acts along the line of centres, as that of \[monaghan2005\] does, so that it exerts no moment and does not
+//! resist a rigid rotation. To second order `v_ab = (r·∇)v − ½(r·∇)²v`. The first term sums to zero by symmetry; with
+//! `∫F r² dV = −d` and `κh² = ∫F r⁴ dV/∫F r² dV`
+//!
+//! ```text
+//! ∫ F r_i r_j r_k r_l/(κh²) dV = −(δ_ij δ_kl + δ_ik δ_jl + δ_il δ_jk)/(d + 2)
+//! ```
+//!
+//! leaves ν∇²v + 2ν∇(∇·v): the friction of a Newtonian fluid where the volume hardly changes. The published weight
+//! F/(r² + η²) has the same integral but gives the nearest so much that a square lattice of h = 1.3 Δx is 20 % too soft in
+//! shear along its rows and 12 % too stiff across; F/(κh²) is within 5 % for any direction (h/Δx from 1.3 to 2). Forces
+//! along v_ab \[lo2002\] stand for the stress ν∇v, which resists rotation: torques on curved walls are wrong by ν v/r.
 
-use sph_core::lanes::{Lanes, Sweep};
+use lanes::{Lanes, Reals, Sweep, Vector};
 
 use crate::cells::Grid;
-use crate::gather::{Pairs, Room, gather};
+use crate::formulation::Formulation;
 use crate::kernel::Wendland;
-use crate::pair::Shape;
-use crate::row::{Four, Row};
+use crate::liquid::Liquid;
+use crate::neighbours::{CellCursor, Pairs, Scratch, gather};
+use crate::pair::{Four, Row, Shape};
 use crate::sorted::Sorted;
-use crate::viscosity::Viscosity;
-use crate::walk::Walk;
+
+/// What both need beside the pair.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Viscosity {
+    /// `α h c₀/ρ₀³`: with it `Π = −artificial (ρ_a³ + ρ_b³) min(v·r, 0)/[(ρ_a + ρ_b)(r² + η²)]`, as c ∝ ρ³.
+    pub artificial: f64,
+    /// `4(d + 2)ν/(κh²)` \[1/T\].
+    pub laminar: f64,
+}
+
+impl Viscosity {
+    /// Those of a formulation, in so many dimensions.
+    pub fn new(dimensions: usize, formulation: &Formulation, liquid: &Liquid, kernel: &Wendland) -> Self {
+        let (d, ratio) = if dimensions == 2 { (2.0, 10.0 / 9.0) } else { (3.0, 4.0 / 3.0) };
+        let cube = liquid.density * liquid.density * liquid.density;
+        Self {
+            artificial: formulation.viscosity * kernel.h * liquid.sound_speed / cube,
+            laminar: 4.0 * (d + 2.0) * formulation.kinematic_viscosity / (ratio * kernel.h * kernel.h),
+        }
+    }
+}
 
 /// What pairs need beside themselves.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +69,7 @@ pub(crate) struct Momentum {
 
 /// What a chunk of particles feels beside their accelerations.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Felt {
+pub(crate) struct ForceSum {
     /// Sum over the particles: power that friction takes a unit of mass \[L²/T³\].
     pub friction: f64,
     /// Greatest `c_a + max_b |h v_ab·r_ab/(r² + η²)| 2ρ_a/(ρ_a + ρ_b)` \[L/T\].
@@ -36,7 +78,7 @@ pub(crate) struct Felt {
     pub square: f64,
 }
 
-impl Felt {
+impl ForceSum {
     /// Of two chunks together.
     pub fn and(self, other: &Self) -> Self {
         Self {
@@ -48,26 +90,20 @@ impl Felt {
 }
 
 /// Numbers of all pairs, in lanes.
+#[derive(Clone, Copy)]
 struct Constants<L: Lanes> {
     shape: Shape<L>,
-    artificial: L::Four,
-    laminar: L::Four,
+    artificial: Reals<L>,
+    laminar: Reals<L>,
 }
-
-impl<L: Lanes> Clone for Constants<L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<L: Lanes> Copy for Constants<L> {}
 
 impl<L: Lanes> Constants<L> {
     #[inline(always)]
     fn new(lanes: L, Momentum { kernel, viscosity, .. }: &Momentum) -> Self {
         Self {
             shape: Shape::new(lanes, kernel),
-            artificial: lanes.splat(viscosity.artificial),
-            laminar: lanes.splat(viscosity.laminar),
+            artificial: lanes.same(viscosity.artificial),
+            laminar: lanes.same(viscosity.laminar),
         }
     }
 }
@@ -76,13 +112,14 @@ impl<L: Lanes> Constants<L> {
 /// `LAMINAR` with laminar friction.
 struct Force<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> {
     constants: Constants<L>,
-    own: Four<L>,
+    own: Four<L, D>,
     /// Velocity with which friction does work on the particle, where its neighbours bear the rest of it.
-    slide: [L::Four; 3],
-    cube: L::Four,
-    acceleration: [L::Four; 3],
-    friction: L::Four,
-    approach: L::Four,
+    slide: Vector<L, D>,
+    /// `ρ_a³`.
+    cube: Reals<L>,
+    acceleration: Vector<L, D>,
+    friction: Reals<L>,
+    approach: Reals<L>,
 }
 
 impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Force<L, D, WALL, LAMINAR> {
@@ -91,40 +128,37 @@ impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Force<L, D
         let (own, zero) = (Four::all(lanes, row), constants.shape.zero);
         Self {
             constants,
-            slide: velocity.map(|v| lanes.splat(v)),
-            cube: lanes.mul(lanes.mul(own.density, own.density), own.density),
+            slide: lanes.vector(velocity),
+            cube: own.density * own.density * own.density,
             own,
-            acceleration: [zero; 3],
+            acceleration: Vector([zero; 3]),
             friction: zero,
             approach: zero,
         }
     }
 }
 
-impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Pairs<L>
+impl<L: Lanes, const D: usize, const WALL: bool, const LAMINAR: bool> Pairs<L, D>
     for Force<L, D, WALL, LAMINAR>
 {
     #[inline(always)]
-    fn add(&mut self, lanes: L, four: Four<L>) {
-        let Constants { shape, artificial, laminar } = self.constants;
-        let pair = shape.pair::<D>(lanes, &self.own, &four);
-        let densities = lanes.add(self.own.density, four.density);
-        let volume = lanes.mul(lanes.add(pair.square, shape.eta2), densities);
-        let inverse = lanes.div(shape.one, volume);
-        let cubes = lanes.add(self.cube, lanes.mul(lanes.mul(four.density, four.density), four.density));
-        let speed = lanes.mul(pair.closing, inverse);
+    fn add(&mut self, four: Four<L, D>) {
+        let (Constants { shape, artificial, laminar }, own) = (self.constants, self.own);
+        let pair = shape.pair(&own, &four);
+        let square = pair.square + shape.eta2;
+        // v·r/[(r² + η²)(ρ_a + ρ_b)].
+        let speed = pair.closing * (shape.one / (square * (own.density + four.density)));
+        let cubes = self.cube + four.density * four.density * four.density;
         // −Π.
-        let mut friction = lanes.mul(lanes.mul(artificial, cubes), lanes.min(speed, shape.zero));
+        let mut friction = artificial * cubes * speed.min(shape.zero);
         if LAMINAR {
-            let speed = lanes.mul(speed, lanes.add(pair.square, shape.eta2));
-            friction = lanes.add(friction, lanes.mul(laminar, speed));
+            friction += laminar * (speed * square);
         }
-        let stress = lanes.sub(lanes.add(self.own.share, four.share), friction);
-        let along = lanes.mul(pair.slope, stress);
-        self.acceleration = lanes.add_scaled::<D>(&self.acceleration, along, &pair.way);
-        let power = if WALL { lanes.dot::<D>(&self.slide, &pair.way) } else { pair.closing };
-        self.friction = lanes.add(self.friction, lanes.mul(lanes.mul(pair.slope, friction), power));
-        self.approach = lanes.max(self.approach, lanes.max(speed, lanes.sub(shape.zero, speed)));
+        let stress = own.p_over_rho2 + four.p_over_rho2 - friction;
+        self.acceleration += pair.way * (pair.slope * stress);
+        let power = if WALL { self.slide.dot(pair.way) } else { pair.closing };
+        self.friction += pair.slope * friction * power;
+        self.approach = self.approach.max(speed.max(shape.zero - speed));
     }
 }
 
@@ -147,10 +181,10 @@ pub(crate) struct Forces<'a, 'b, const D: usize> {
 }
 
 impl<const D: usize> Sweep for Forces<'_, '_, D> {
-    type Output = Felt;
+    type Output = ForceSum;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> Felt {
+    fn run<L: Lanes>(self, lanes: L) -> ForceSum {
         if self.momentum.viscosity.laminar == 0.0 {
             self.sum::<L, false>(lanes)
         } else {
@@ -161,44 +195,77 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
 
 impl<const D: usize> Forces<'_, '_, D> {
     #[inline(always)]
-    fn sum<L: Lanes, const LAMINAR: bool>(self, lanes: L) -> Felt {
+    fn sum<L: Lanes, const LAMINAR: bool>(self, lanes: L) -> ForceSum {
         let Self { momentum, grid, of, first, sets, gravity, velocities, out } = self;
         let Momentum { kernel, mass, sound, .. } = momentum;
         let constants = Constants::new(lanes, momentum);
         let factor = -mass * kernel.slope;
-        let mut walk = Walk::new(grid, of, first, sets, kernel.reach());
-        let (mut room, mut felt) = (Room::new(), Felt::default());
+        let mut cursor = CellCursor::new(grid, of, first, sets, kernel.reach());
+        let (mut scratch, mut sum) = (Scratch::new(), ForceSum::default());
         for (slot, out) in (first..).zip(out) {
-            walk.go(slot, &mut room);
+            cursor.go(slot, &mut scratch);
             let row = &of.rows[slot];
             let velocity = velocities.get(of.order[slot] as usize).map_or(row.velocity(), |v| (*v).into());
             let (mut acceleration, mut friction, mut approach) = ([0.0; 3], 0.0, 0.0);
-            if let Some(search) = walk.own(slot) {
+            if let Some(search) = cursor.own(slot) {
                 let mut force = Force::<L, D, false, LAMINAR>::new(lanes, constants, row, velocity);
-                gather::<L, _, D>(lanes, search, &mut room, &mut force);
-                acceleration = lanes.totals(&force.acceleration);
+                gather::<L, _, D>(lanes, search, &mut scratch, &mut force);
+                acceleration = force.acceleration.totals();
                 // The other of the pair counts the other half.
-                friction = 0.5 * lanes.total(force.friction);
-                approach = lanes.greatest(force.approach);
+                friction = 0.5 * force.friction.total();
+                approach = force.approach.greatest();
             }
-            if let Some(search) = walk.other(slot) {
+            if let Some(search) = cursor.other(slot) {
                 let mut force = Force::<L, D, true, LAMINAR>::new(lanes, constants, row, velocity);
-                gather::<L, _, D>(lanes, search, &mut room, &mut force);
-                for (sum, more) in acceleration.iter_mut().zip(lanes.totals(&force.acceleration)) {
+                gather::<L, _, D>(lanes, search, &mut scratch, &mut force);
+                for (sum, more) in acceleration.iter_mut().zip(force.acceleration.totals()) {
                     *sum += more;
                 }
-                friction += lanes.total(force.friction);
-                approach = approach.max(lanes.greatest(force.approach));
+                friction += force.friction.total();
+                approach = approach.max(force.approach.greatest());
             }
             let [x, y, z] = acceleration;
             *out = [factor * x + gravity[0], factor * y + gravity[1], factor * z + gravity[2]];
             let density = row.density();
-            felt = felt.and(&Felt {
+            sum = sum.and(&ForceSum {
                 friction: factor * friction,
                 signal: sound * (density * density * density) + 2.0 * kernel.h * density * approach,
                 square: out[0] * out[0] + out[1] * out[1] + out[2] * out[2],
             });
         }
-        felt
+        sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Shear along the rows of a lattice and across, from the sums over the lattice themselves: measured −4.0 to +4.4 % of ν.
+    #[test]
+    fn friction_of_a_lattice_hardly_depends_on_the_direction() {
+        let liquid = Liquid { density: 1.0, sound_speed: 1.0 };
+        for dimensions in [2, 3] {
+            for smoothing in [1.3, 1.55, 2.0] {
+                let kernel = Wendland::new(dimensions, smoothing);
+                let formulation = Formulation { kinematic_viscosity: 1.0, ..Formulation::default() };
+                let laminar = Viscosity::new(dimensions, &formulation, &liquid, &kernel).laminar;
+                let (mut rows, mut along) = (0.0, 0.0);
+                let depth = if dimensions == 2 { 0 } else { 4 };
+                for (i, j) in (-4_i32..=4).flat_map(|i| (-4_i32..=4).map(move |j| (i, j))) {
+                    for k in -depth..=depth {
+                        let [x, y] = [i, j].map(f64::from);
+                        // Of v_y = ½x² the sum is −¼ Σ 4(d + 2)ν/(κh²) F x²y², masses and densities one.
+                        let weight = -0.25 * laminar * kernel.factor(f64::from(i * i + j * j + k * k).sqrt());
+                        rows += weight * x * x * y * y;
+                        along += weight * x * x * x * x;
+                    }
+                }
+                // Turned by 45°, x²y² becomes ¼(x² − y²)².
+                for found in [rows, 0.5 * (along - rows)] {
+                    assert!((found - 1.0).abs() < 0.06, "{dimensions} {smoothing}: {found}");
+                }
+            }
+        }
     }
 }

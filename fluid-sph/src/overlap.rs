@@ -4,7 +4,7 @@ use sph_core::Vec3;
 
 use crate::error::FluidError;
 use crate::fluid::Fluid;
-use crate::hidden::opposite;
+use crate::sorted::opposite;
 
 /// Distance below which particles overlap, in spacings.
 const OVERLAP: f64 = 0.5;

@@ -1,11 +1,10 @@
 //! Particles in the order of their cells: what the sweeps read.
 
-use sph_core::lanes::EIGHT;
+use lanes::EIGHT;
+use parallel::chunks;
 
 use crate::cells::{Grid, NOWHERE};
-use crate::hidden::{Hidden, opposite};
-use crate::parallel::chunks;
-use crate::row::Row;
+use crate::pair::Row;
 
 /// Particles of a kind, sorted.
 #[derive(Clone, Debug, Default)]
@@ -48,7 +47,7 @@ impl Sorted {
     }
 
     /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`]. Places may be
-    /// told by the slots before.
+    /// found by the slots before.
     pub fn sort(
         &mut self,
         threads: usize,
@@ -118,15 +117,19 @@ impl Sorted {
 
     /// What a particle of the fluid does not see of its own kind: those on the other side of a thin structure.
     #[inline(always)]
-    pub fn hidden_sides(&self, slot: usize) -> Hidden<'_> {
-        self.sides.get(slot).map_or(Hidden::NONE, |&side| Hidden { faces: opposite(side), of: &self.sides })
+    pub fn hidden_sides(&self, slot: usize) -> Visibility<'_> {
+        self.sides
+            .get(slot)
+            .map_or(Visibility::ALL, |&side| Visibility { faces: opposite(side), of: &self.sides })
     }
 
     /// What a particle does not see of the other kind: a point of a face the fluid that faces the other, and the fluid the
     /// points of the other face.
     #[inline(always)]
-    pub fn hidden_faces<'a>(&self, slot: usize, other: &'a Self) -> Hidden<'a> {
-        self.faces.get(slot).map_or(Hidden::NONE, |&face| Hidden { faces: opposite(face), of: &other.faces })
+    pub fn hidden_faces<'a>(&self, slot: usize, other: &'a Self) -> Visibility<'a> {
+        self.faces
+            .get(slot)
+            .map_or(Visibility::ALL, |&face| Visibility { faces: opposite(face), of: &other.faces })
     }
 
     /// Bytes held for each of so many particles.
@@ -135,4 +138,24 @@ impl Sorted {
         let places = self.x.len() + self.y.len() + self.z.len();
         4 * (words + places + self.faces.len() + self.sides.len()) + size_of::<Row>() * self.rows.len()
     }
+}
+
+/// Which neighbours a particle does not see though they are near: those on the other side of a thin structure.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Visibility<'a> {
+    /// Faces that it does not see.
+    pub faces: u32,
+    /// By slot of the neighbours: faces that they belong to.
+    pub of: &'a [u32],
+}
+
+impl Visibility<'_> {
+    /// All are seen.
+    pub const ALL: Self = Self { faces: 0, of: &[] };
+}
+
+/// The other face of each structure: faces of a structure are two bits next to each other.
+#[inline(always)]
+pub(crate) fn opposite(faces: u32) -> u32 {
+    (faces & 0x5555_5555) << 1 | (faces & 0xAAAA_AAAA) >> 1
 }

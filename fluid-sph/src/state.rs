@@ -18,13 +18,13 @@ fn put(list: &mut [Vec3], numbers: &[f64]) {
 impl Fluid {
     /// The arrays that change, by name.
     pub fn state(&self) -> Vec<(&'static str, Cow<'_, [f64]>)> {
-        let (present, boundary, books) = (&self.present, &self.boundary, &self.books);
+        let (present, boundary, ledger) = (&self.present, &self.boundary, &self.ledger);
         let ledger = vec![
-            books.viscous,
-            books.diffusion,
-            books.external,
-            books.dissipated,
-            books.density_error,
+            ledger.viscous,
+            ledger.diffusion,
+            ledger.external,
+            ledger.dissipated,
+            ledger.density_error,
             self.fastest,
             boundary.ledger.time,
         ];
@@ -68,7 +68,7 @@ impl Fluid {
         else {
             return Err(FluidError::State("ledger"));
         };
-        let (present, boundary, books) = (&mut self.present, &mut self.boundary, &mut self.books);
+        let (present, boundary, own) = (&mut self.present, &mut self.boundary, &mut self.ledger);
         put(&mut present.positions, positions);
         put(&mut present.velocities, velocities);
         present.densities.copy_from_slice(densities);
@@ -85,8 +85,8 @@ impl Fluid {
         }
         if let [viscous, diffusion, external, dissipated, density_error, fastest, time] = *ledger {
             boundary.ledger.time = time;
-            (books.viscous, books.diffusion, books.external) = (viscous, diffusion, external);
-            (books.dissipated, books.density_error, self.fastest) = (dissipated, density_error, fastest);
+            (own.viscous, own.diffusion, own.external) = (viscous, diffusion, external);
+            (own.dissipated, own.density_error, self.fastest) = (dissipated, density_error, fastest);
         }
         boundary.advance = 0.0;
         self.fresh = false;

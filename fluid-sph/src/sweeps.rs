@@ -1,17 +1,17 @@
 //! The sweeps of a fluid over its particles: sorted, filled, forces, rates.
 
+use lanes::widest;
+use parallel::{chunks, reduced};
+
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::Rates;
-use sph_core::lanes::widest;
-
 use crate::fluid::{CELL, Fluid};
 use crate::formulation::WallRule;
-use crate::momentum::{Felt, Forces};
-use crate::parallel::{chunks, reduced};
-use crate::row::Row;
+use crate::momentum::{ForceSum, Forces};
+use crate::pair::Row;
 use crate::transport::Transport;
-use crate::walls::extrapolated::{Means, Seen};
+use crate::walls::extrapolated::{Means, WallMean};
 
 impl Fluid {
     /// Sorts the particles, moved on by a time, and the boundaries, so long before the end of the step \[T\].
@@ -35,7 +35,7 @@ impl Fluid {
         sorted.fill(*threads, *dimensions, grid, far, |i, slot, before| {
             let slot = if sorted_anew { before[i] as usize } else { slot };
             let (v, density) = (present.velocities[i], present.densities[i]);
-            Row::new(present.place(i, drags, slot, ahead), density, v, liquid.share(density))
+            Row::new(present.place(i, drags, slot, ahead), density, v, liquid.p_over_rho2(density))
         });
         boundary.fill(*dimensions, grid, far, before_end);
     }
@@ -71,7 +71,7 @@ impl Fluid {
                 let Boundary { sorted, densities, .. } = &mut self.boundary;
                 for (row, &point) in sorted.rows.iter_mut().zip(&sorted.order) {
                     let density = densities[point as usize];
-                    row.press(density, self.liquid.share(density));
+                    row.press(density, self.liquid.p_over_rho2(density));
                 }
             }
         }
@@ -83,26 +83,26 @@ impl Fluid {
         } = self;
         let boundary_rows = &boundary.sorted;
         let (kernel, gravity) = (&momentum.kernel, (*gravity).into());
-        chunks(*threads, &mut boundary.seen[..], |first, out: &mut [Seen]| {
+        chunks(*threads, &mut boundary.means[..], |first, out: &mut [WallMean]| {
             if *dimensions == 2 {
                 widest(Means::<2> { kernel, gravity, grid, of: boundary_rows, first, fluid: sorted, out });
             } else {
                 widest(Means::<3> { kernel, gravity, grid, of: boundary_rows, first, fluid: sorted, out });
             }
         });
-        let count = boundary.seen.len();
-        let lists = (&mut boundary.sorted.rows[..count], &mut boundary.seen[..]);
-        chunks(*threads, lists, |_, (rows, seen): (&mut [Row], &mut [Seen])| {
-            for (row, seen) in rows.iter_mut().zip(seen) {
-                let wet = seen.weight > 0.0;
-                let pressure = if wet { seen.pressure / seen.weight } else { 0.0 };
+        let count = boundary.means.len();
+        let lists = (&mut boundary.sorted.rows[..count], &mut boundary.means[..]);
+        chunks(*threads, lists, |_, (rows, means): (&mut [Row], &mut [WallMean])| {
+            for (row, mean) in rows.iter_mut().zip(means) {
+                let wet = mean.weight > 0.0;
+                let pressure = if wet { mean.pressure / mean.weight } else { 0.0 };
                 let pressure = if formulation.confined { pressure } else { pressure.max(0.0) };
                 let density = if pressure == 0.0 { liquid.density } else { liquid.density_at(pressure) };
                 row.press(density, pressure / (density * density));
                 if wet && formulation.kinematic_viscosity > 0.0 {
                     let mut velocity = row.velocity();
-                    for (v, sum) in velocity.iter_mut().zip(seen.velocity) {
-                        *v = 2.0 * *v - sum / seen.weight;
+                    for (v, sum) in velocity.iter_mut().zip(mean.velocity) {
+                        *v = 2.0 * *v - sum / mean.weight;
                     }
                     row.set_velocity(velocity);
                 }
@@ -113,9 +113,18 @@ impl Fluid {
     /// Accelerations of the fluid and forces on the boundaries, from the rows as they are.
     pub(crate) fn sweep_forces(&mut self) {
         let Self {
-            threads, dimensions, gravity, grid, momentum, sorted, boundary, accelerations, felts, ..
+            threads,
+            dimensions,
+            gravity,
+            grid,
+            momentum,
+            sorted,
+            boundary,
+            accelerations,
+            force_sums,
+            ..
         } = self;
-        let Boundary { sorted: points, velocities, felt, .. } = boundary;
+        let Boundary { sorted: points, velocities, accelerations: own, .. } = boundary;
         let (fluid, points, momentum, grid) = (&*sorted, &*points, &*momentum, &*grid);
         let plane = *dimensions == 2;
         let forces = |first, of, sets, gravity, velocities, out: &mut [[f64; 3]]| {
@@ -126,16 +135,16 @@ impl Fluid {
             }
         };
         let gravity = (*gravity).into();
-        reduced(*threads, &mut accelerations[..], felts, |first, out| {
+        reduced(*threads, &mut accelerations[..], force_sums, |first, out| {
             forces(first, fluid, [Some(fluid), Some(points)], gravity, &[], out)
         });
-        let fluids = felts.iter().fold(Felt::default(), Felt::and);
-        reduced(*threads, &mut felt[..], felts, |first, out| {
+        let fluids = force_sums.iter().fold(ForceSum::default(), ForceSum::and);
+        reduced(*threads, &mut own[..], force_sums, |first, out| {
             forces(first, points, [None, Some(fluid)], [0.0; 3], velocities, out)
         });
         // Boundaries have no signal and no acceleration of their own; what their motion does to friction counts.
-        let friction: f64 = felts.iter().map(|felt| felt.friction).sum();
-        self.felt = Felt { friction: fluids.friction + friction, ..fluids };
+        let friction: f64 = force_sums.iter().map(|sum| sum.friction).sum();
+        self.force_sum = ForceSum { friction: fluids.friction + friction, ..fluids };
         boundary.keep_forces(self.mass);
     }
 

@@ -1,30 +1,26 @@
 //! XSPH \[monaghan1992\]: particles move with a share of the mean velocity about them, `ε Σ_b 2m/(ρ_a + ρ_b) (v_b − v_a) W`.
 
-use sph_core::lanes::{Lanes, Sweep};
+use lanes::{Lanes, Sweep, Vector};
 
 use crate::cells::Grid;
-use crate::gather::{Pairs, Room, gather};
 use crate::kernel::Wendland;
-use crate::pair::Shape;
-use crate::row::Four;
+use crate::neighbours::{CellCursor, Pairs, Scratch, gather};
+use crate::pair::{Four, Shape};
 use crate::sorted::Sorted;
-use crate::walk::Walk;
 
 /// The sum over the neighbours of one particle, without the factor of all pairs.
 struct Drag<L: Lanes, const D: usize> {
     shape: Shape<L>,
-    own: Four<L>,
-    sum: [L::Four; 3],
+    own: Four<L, D>,
+    sum: Vector<L, D>,
 }
 
-impl<L: Lanes, const D: usize> Pairs<L> for Drag<L, D> {
+impl<L: Lanes, const D: usize> Pairs<L, D> for Drag<L, D> {
     #[inline(always)]
-    fn add(&mut self, lanes: L, four: Four<L>) {
-        let way = lanes.difference::<D>(&self.own.at, &four.at);
-        let value = self.shape.value(lanes, lanes.dot::<D>(&way, &way));
-        let weight = lanes.div(value, lanes.add(self.own.density, four.density));
-        let ahead = lanes.difference::<D>(&four.velocity, &self.own.velocity);
-        self.sum = lanes.add_scaled::<D>(&self.sum, weight, &ahead);
+    fn add(&mut self, four: Four<L, D>) {
+        let way = self.own.at - four.at;
+        let weight = self.shape.value(way.dot(way)) / (self.own.density + four.density);
+        self.sum += (four.velocity - self.own.velocity) * weight;
     }
 }
 
@@ -49,16 +45,16 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
         let Self { kernel, share, grid, fluid, first, out } = self;
         let shape = Shape::new(lanes, kernel);
         let factor = share * kernel.scale;
-        let mut walk = Walk::new(grid, fluid, first, [Some(fluid), None], kernel.reach());
-        let mut room = Room::new();
+        let mut cursor = CellCursor::new(grid, fluid, first, [Some(fluid), None], kernel.reach());
+        let mut scratch = Scratch::new();
         for (slot, out) in (first..).zip(out) {
-            walk.go(slot, &mut room);
+            cursor.go(slot, &mut scratch);
             let own = Four::all(lanes, &fluid.rows[slot]);
-            let mut drag = Drag::<L, D> { shape, own, sum: [shape.zero; 3] };
-            if let Some(search) = walk.own(slot) {
-                gather::<L, _, D>(lanes, search, &mut room, &mut drag);
+            let mut drag = Drag::<L, D> { shape, own, sum: Vector([shape.zero; 3]) };
+            if let Some(search) = cursor.own(slot) {
+                gather::<L, _, D>(lanes, search, &mut scratch, &mut drag);
             }
-            *out = lanes.totals(&drag.sum).map(|sum| factor * sum);
+            *out = drag.sum.totals().map(|sum| factor * sum);
         }
     }
 }

@@ -140,7 +140,7 @@ fn what_a_plate_resisted_goes_to_the_water_on_its_side() {
         assert_eq!(back[6 * column + 1], Face::Back);
         impulses[6 * column + 1] = [3.0 + column as f64, -1.0, 0.0];
     }
-    fluid.take_back(0, &impulses);
+    fluid.apply_reactions(0, &impulses);
     let given: Vec3 = impulses.iter().map(|impulse| Vec3::from(*impulse)).sum();
     assert!((fluid.momentum() - momentum + given).norm() < 1e-12 * given.norm());
     for ((new, old), place) in fluid.velocities().iter().zip(&before).zip(fluid.positions()) {

@@ -104,7 +104,7 @@ impl Surface {
     }
 
     /// Adds to the impulses of the nodes what they resist over a span.
-    pub fn resist(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
+    pub fn impedance_impulses(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
         let part = span / self.thickness.unwrap_or(1.0);
         for (node, force) in self.resistances(rates) {
             (0..3).for_each(|k| impulses[node][k] += part * force[k]);

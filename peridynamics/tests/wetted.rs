@@ -104,7 +104,7 @@ fn in_space_a_face_resists_with_its_area() {
     assert!((total.z / expected - 1.0).abs() < 1e-6 && total.x.abs() < 1e-12, "{total}");
     // What the fluid takes back: the force by the span.
     let mut impulses = vec![[0.0; 3]; body.len()];
-    body.resist(0.5, &mut impulses);
+    body.impedance_impulses(0.5, &mut impulses);
     let taken: f64 = impulses.iter().map(|impulse| impulse[2]).sum();
     assert!((taken / (0.5 * expected) - 1.0).abs() < 1e-12, "{taken}");
 }
@@ -159,11 +159,11 @@ impl BoundaryDriven for Press {
         &self.forces
     }
     // Half a space carries what it takes back away.
-    fn take_back(&mut self, _: usize, _: &[[f64; 3]]) {}
+    fn apply_reactions(&mut self, _: usize, _: &[[f64; 3]]) {}
     fn impedance(&self) -> f64 {
         2.0
     }
-    fn greatest_advance(&self) -> f64 {
+    fn greatest_displacement(&self) -> f64 {
         DX
     }
 }

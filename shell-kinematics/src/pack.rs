@@ -6,6 +6,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use lanes::{Lanes, Reals};
 use wide::f64x4;
 
 /// Points treated together.
@@ -48,6 +49,24 @@ impl Number for f64 {
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> f64 {
         f(self)
+    }
+}
+
+impl<L: Lanes> Number for Reals<L> {
+    #[inline(always)]
+    fn all(self, value: f64) -> Self {
+        self.lanes.same(value)
+    }
+
+    #[inline(always)]
+    fn below(self, bound: f64) -> bool {
+        self.outside(self.all(bound), self.all(f64::INFINITY)) == 0b1111
+    }
+
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        let [a, b, c, d] = self.pack();
+        self.lanes.read(&[f(a), f(b), f(c), f(d)])
     }
 }
 

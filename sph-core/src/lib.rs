@@ -128,10 +128,6 @@
 //! [`MovingLeastSquares`] gives shape functions on nodes in space, with exact gradients, that reproduce a [`Basis`]; [`Hexahedra`] are the
 //! background cells with Gauss points, over which a method without elements integrates.
 //!
-//! # Lanes
-//!
-//! [`lanes`] are four numbers at a time for the sweeps of models, with AVX2 and without to the same bits.
-//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -151,7 +147,6 @@
 //! | fluid in a basin has the neighbours of an endless lattice | `fluid_in_a_closed_basin_has_the_neighbours_of_an_endless_lattice` (tests/walls.rs) |
 //! | walls are closed at corners of any angle, no two particles too near | `corners_of_any_angle_are_closed_outside`, `round_any_star_of_fluid_the_wall_is_closed` |
 //! | surfaces: no hole, one particle for each square of the spacing | `the_row_behind_a_face_has_no_hole`, `a_box_of_triangles_is_closed_outside_and_inside` (tests/surface_walls.rs) |
-//! | lanes of AVX2 and plain loops agree to the bit | `four_lanes_give_the_bits_of_the_plain_loops`, `eight_lanes_give_the_bits_of_the_plain_loops` (src/lanes/avx2.rs) |
 //! | moving least squares reproduce their basis and its gradient; gradients are derivatives | `shape_functions_reproduce_their_basis_and_its_gradient`, `gradients_are_the_derivatives_of_the_values` (tests/least_squares.rs) |
 //! | hexahedra integrate to the degree of their rule; faces close | `hexahedra_integrate_volumes_and_areas` |
 //! | what is refused names its place | `wrong_clouds_are_refused_with_the_place` and its neighbours (tests/clouds.rs) |
@@ -161,7 +156,6 @@
 mod block;
 mod error;
 mod kernel;
-pub mod lanes;
 mod neighbours;
 mod random;
 mod sampling;

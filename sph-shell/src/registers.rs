@@ -1,12 +1,10 @@
 //! Registers that hold a number of each of four points, and how constants, rows of particles and forces come and go.
 //!
 //! [`Baseline`] computes with [`Pack`], whatever the processor. The [`Lanes`] that the processor chooses carry a whole pack
-//! in one register; [`Wide`] gives them the operators in which the point formulas are written. Both give the same bits.
+//! in one register; [`Reals`] give them the operators in which the point formulas are written. Both give the same bits.
 
-use std::ops::{Add, AddAssign, Div, Mul, Sub};
-
+use lanes::{Lanes, Reals};
 use shell_kinematics::{LANES, Measures, Number, Pack};
-use sph_core::lanes::Lanes;
 
 /// Position and director of a particle, or the forces on them: `[x, y, z, d_x, d_y, d_z]`.
 pub(crate) type Row = [f64; 6];
@@ -143,38 +141,31 @@ impl Registers for Baseline {
     }
 }
 
-/// A pack in a register of some lanes.
-#[derive(Clone, Copy)]
-pub(crate) struct Wide<L: Lanes> {
-    lanes: L,
-    four: L::Four,
-}
-
 impl<L: Lanes> Registers for L {
-    type Four = Wide<L>;
+    type Four = Reals<L>;
 
     #[inline(always)]
-    fn splat(self, value: f64) -> Wide<L> {
-        Wide { lanes: self, four: Lanes::splat(self, value) }
+    fn splat(self, value: f64) -> Reals<L> {
+        self.same(value)
     }
 
     #[inline(always)]
-    fn load(self, pack: &Pack) -> Wide<L> {
-        Wide { lanes: self, four: Lanes::load(self, pack.as_array()) }
+    fn load(self, pack: &Pack) -> Reals<L> {
+        self.read(pack.as_array())
     }
 
     #[inline(always)]
-    fn four(self, four: &[f64; LANES]) -> Wide<L> {
-        Wide { lanes: self, four: Lanes::load(self, four) }
+    fn four(self, four: &[f64; LANES]) -> Reals<L> {
+        self.read(four)
     }
 
     #[inline(always)]
-    fn store(self, four: Wide<L>) -> Pack {
+    fn store(self, four: Reals<L>) -> Pack {
         Pack::new(Lanes::store(self, four.four))
     }
 
     #[inline(always)]
-    fn columns(self, [a, b, c, d]: [&Row; LANES]) -> [Wide<L>; 6] {
+    fn columns(self, [a, b, c, d]: [&Row; LANES]) -> [Reals<L>; 6] {
         let [x, y, z, u] = Lanes::columns(
             self,
             [
@@ -187,17 +178,17 @@ impl<L: Lanes> Registers for L {
         let [v, w] = self.columns_of_two([&[a[4], a[5]], &[b[4], b[5]], &[c[4], c[5]], &[d[4], d[5]]]);
         let of = self;
         [
-            Wide { lanes: of, four: x },
-            Wide { lanes: of, four: y },
-            Wide { lanes: of, four: z },
-            Wide { lanes: of, four: u },
-            Wide { lanes: of, four: v },
-            Wide { lanes: of, four: w },
+            Reals { lanes: of, four: x },
+            Reals { lanes: of, four: y },
+            Reals { lanes: of, four: z },
+            Reals { lanes: of, four: u },
+            Reals { lanes: of, four: v },
+            Reals { lanes: of, four: w },
         ]
     }
 
     #[inline(always)]
-    fn rows(self, [x, y, z, u, v, w]: [Wide<L>; 6]) -> [Row; LANES] {
+    fn rows(self, [x, y, z, u, v, w]: [Reals<L>; 6]) -> [Row; LANES] {
         let starts = Lanes::rows(self, [x.four, y.four, z.four, u.four]);
         let ends = self.rows_of_two([v.four, w.four]);
         let mut rows = [[0.0; 6]; LANES];
@@ -211,81 +202,15 @@ impl<L: Lanes> Registers for L {
     }
 
     #[inline(always)]
-    fn halves(self, row: &Row) -> [Wide<L>; 2] {
+    fn halves(self, row: &Row) -> [Reals<L>; 2] {
         let [x, y, z, u, v, w] = *row;
         [self.four(&[x, y, z, u]), self.four(&[z, u, v, w])]
     }
 
     #[inline(always)]
-    fn turned(self, [a, b, c, d]: [[Wide<L>; 2]; LANES]) -> [Wide<L>; 6] {
+    fn turned(self, [a, b, c, d]: [[Reals<L>; 2]; LANES]) -> [Reals<L>; 6] {
         let [x, y, z, u] = Lanes::rows(self, [a[0].four, b[0].four, c[0].four, d[0].four]);
         let [_, _, v, w] = Lanes::rows(self, [a[1].four, b[1].four, c[1].four, d[1].four]);
         [self.four(&x), self.four(&y), self.four(&z), self.four(&u), self.four(&v), self.four(&w)]
-    }
-}
-
-impl<L: Lanes> Number for Wide<L> {
-    #[inline(always)]
-    fn all(self, value: f64) -> Self {
-        Registers::splat(self.lanes, value)
-    }
-
-    #[inline(always)]
-    fn below(self, bound: f64) -> bool {
-        let (bound, endless) = (self.all(bound), self.all(f64::INFINITY));
-        self.lanes.outside(self.four, bound.four, endless.four) == 0b1111
-    }
-
-    #[inline(always)]
-    fn each(self, f: impl Fn(f64) -> f64) -> Self {
-        let [a, b, c, d] = Lanes::store(self.lanes, self.four);
-        Self { four: Lanes::load(self.lanes, &[f(a), f(b), f(c), f(d)]), ..self }
-    }
-}
-
-impl<L: Lanes> Add for Wide<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { four: self.lanes.add(self.four, other.four), ..self }
-    }
-}
-
-impl<L: Lanes> Sub for Wide<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { four: self.lanes.sub(self.four, other.four), ..self }
-    }
-}
-
-impl<L: Lanes> Mul for Wide<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self { four: self.lanes.mul(self.four, other.four), ..self }
-    }
-}
-
-impl<L: Lanes> Div for Wide<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Self { four: self.lanes.div(self.four, other.four), ..self }
-    }
-}
-
-impl<L: Lanes> Mul<f64> for Wide<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        self * self.all(factor)
-    }
-}
-
-impl<L: Lanes> AddAssign for Wide<L> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
     }
 }

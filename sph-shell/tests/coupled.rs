@@ -77,11 +77,11 @@ impl BoundaryDriven for Waves {
         &self.forces
     }
     // Half a space carries what it takes back away.
-    fn take_back(&mut self, _: usize, _: &[[f64; 3]]) {}
+    fn apply_reactions(&mut self, _: usize, _: &[[f64; 3]]) {}
     fn impedance(&self) -> f64 {
         self.impedance
     }
-    fn greatest_advance(&self) -> f64 {
+    fn greatest_displacement(&self) -> f64 {
         1.0
     }
 }

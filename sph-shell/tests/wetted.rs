@@ -309,7 +309,7 @@ fn what_moves_against_the_fluid_is_resisted_on_loaded_faces() {
     assert!((both[1] - 2.0 * loaded[1]).abs() < 1e-12);
     // What the fluid takes back, per depth: the force by the span, half of it at the first row below each face.
     let mut impulses = vec![[0.0; 3]; points];
-    shell.resist(0.5, &mut impulses);
+    shell.impedance_impulses(0.5, &mut impulses);
     let sums =
         [&impulses[..points / 2], &impulses[points / 2..]].map(|face| face.iter().map(|j| j[1]).sum::<f64>());
     assert!(sums.iter().all(|sum| (sum - 0.25 * both[1] / 0.2).abs() < 1e-9), "{sums:?} {both:?}");

@@ -158,7 +158,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     /// Books the impulses of a kick of its own that is about to come.
     fn push(&mut self, span: f64) {
         push(&mut self.ahead, &self.load, span);
-        self.body.resist(span, &mut self.resisted);
+        self.body.impedance_impulses(span, &mut self.resisted);
     }
 
     /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick

@@ -69,7 +69,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
             structure.estimate(safety)?;
             speed = speed.max(structure.fastest().1);
         }
-        let bound = ADVANCE * self.fluid.greatest_advance() / speed;
+        let bound = ADVANCE * self.fluid.greatest_displacement() / speed;
         self.counts.shortened += u64::from(bound < dt);
         Ok(StableStep { dt: dt.min(bound), holds: 1 })
     }
@@ -124,7 +124,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         if self.impedance {
             let fluid = &mut self.fluid;
             for (number, structure) in self.structures.iter_mut().enumerate() {
-                structure.hand_back(|impulses| fluid.take_back(number, impulses));
+                structure.hand_back(|impulses| fluid.apply_reactions(number, impulses));
             }
         }
     }

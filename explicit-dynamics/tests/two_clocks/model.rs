@@ -122,7 +122,7 @@ impl BoundaryDriven for Column {
     fn boundary_forces(&self, structure: usize) -> &[[f64; 3]] {
         &self.forces[structure]
     }
-    fn take_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+    fn apply_reactions(&mut self, structure: usize, impulses: &[[f64; 3]]) {
         let nearest = if structure == 0 { 0 } else { self.velocities.len() - 1 };
         let mass = DENSITY * self.cell;
         let (old, gain) = (self.velocities[nearest], -impulses[0][0] / mass);
@@ -132,7 +132,7 @@ impl BoundaryDriven for Column {
     fn impedance(&self) -> f64 {
         DENSITY * SOUND
     }
-    fn greatest_advance(&self) -> f64 {
+    fn greatest_displacement(&self) -> f64 {
         self.advance
     }
     fn particles(&self) -> usize {
@@ -224,7 +224,7 @@ impl Wetted for Spring {
     fn apply_load(&mut self, load: &BoundaryLoad<'_>) {
         self.load = [load.forces[0][0], load.seen[0][0], load.impedance];
     }
-    fn resist(&self, span: f64, impulses: &mut [[f64; 3]]) {
+    fn impedance_impulses(&self, span: f64, impulses: &mut [[f64; 3]]) {
         let [_, seen, impedance] = self.load;
         impulses[0][0] -= span * impedance * (self.v - seen);
     }

@@ -10,10 +10,10 @@ use crate::boundary::ledger::Ledger;
 use crate::boundary::sides::Thin;
 use crate::cells::{Grid, NOWHERE};
 use crate::error::FluidError;
+use crate::pair::Row;
 use crate::parts::{Motion, Parts, Structure, Wall};
-use crate::row::Row;
 use crate::sorted::Sorted;
-use crate::walls::extrapolated::Seen;
+use crate::walls::extrapolated::WallMean;
 use crate::walls::motion::place;
 
 /// A wall: its particles, and where they are when its motion is zero.
@@ -45,14 +45,14 @@ pub(crate) struct Boundary {
     /// As the sweeps read them.
     pub sorted: Sorted,
     /// By slot: means of the fluid beside, forces, rates of density.
-    pub seen: Vec<Seen>,
-    pub felt: Vec<[f64; 3]>,
+    pub means: Vec<WallMean>,
+    pub accelerations: Vec<[f64; 3]>,
     pub rates: Vec<[f64; 2]>,
     /// Structures with two sides.
     pub thin: Vec<Thin>,
     /// Greatest way of a point over the last step \[L\].
     pub advance: f64,
-    /// Work that is booked at both ends of a step.
+    /// Work that is recorded at both ends of a step.
     pub ledger: Ledger,
     /// Densities kept.
     kept: Vec<f64>,
@@ -148,7 +148,8 @@ impl Boundary {
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         let rest: usize = self.walls.iter().map(|wall| wall.rest.len()).sum();
-        let slots = size_of::<Seen>() * self.seen.len() + 24 * self.felt.len() + 16 * self.rates.len();
+        let slots =
+            size_of::<WallMean>() * self.means.len() + 24 * self.accelerations.len() + 16 * self.rates.len();
         (80 + 16) * self.points.len() + 4 * self.faces.len() + 24 * rest + slots + self.sorted.bytes()
     }
 
@@ -199,8 +200,8 @@ impl Boundary {
             faces.extend(order.iter().map(|&i| self.faces[i as usize]));
         }
         let count = self.sorted.len();
-        self.seen.resize(count, Seen::default());
-        self.felt.resize(count, [0.0; 3]);
+        self.means.resize(count, WallMean::default());
+        self.accelerations.resize(count, [0.0; 3]);
         self.rates.resize(count, [0.0; 2]);
     }
 
@@ -215,8 +216,8 @@ impl Boundary {
     /// Hands forces found by slot back to the points.
     pub fn keep_forces(&mut self, mass: f64) {
         for (force, &slot) in self.forces.iter_mut().zip(&self.sorted.slots) {
-            let felt = if slot == NOWHERE { [0.0; 3] } else { self.felt[slot as usize] };
-            *force = felt.map(|a| mass * a);
+            let acceleration = if slot == NOWHERE { [0.0; 3] } else { self.accelerations[slot as usize] };
+            *force = acceleration.map(|a| mass * a);
         }
     }
 

@@ -15,7 +15,7 @@ use sph_core::Vec3;
 
 use crate::boundary::points::Boundary;
 use crate::cells::NOWHERE;
-use crate::row::Row;
+use crate::pair::Row;
 
 impl Boundary {
     /// Power of the motion of all points on the fluid \[F L/T\]: minus that of the fluid on them.
@@ -26,7 +26,7 @@ impl Boundary {
 
     /// Power of the pressure of all points on the fluid, over the mass of a particle, from rows and rates as they are.
     pub fn pressing(&self) -> f64 {
-        let power = |(row, rate): (&Row, &[f64; 2])| -row.share() * rate[0];
+        let power = |(row, rate): (&Row, &[f64; 2])| -row.p_over_rho2() * rate[0];
         self.sorted.rows.iter().zip(&self.rates).map(power).sum()
     }
 
@@ -48,7 +48,7 @@ impl Boundary {
         let mut work = 0.0;
         let Self { sorted, ledger, .. } = self;
         for ((share, owed), &slot) in ledger.shares.iter_mut().zip(&mut ledger.owed).zip(&sorted.slots) {
-            *share = if slot == NOWHERE { 0.0 } else { sorted.rows[slot as usize].share() };
+            *share = if slot == NOWHERE { 0.0 } else { sorted.rows[slot as usize].p_over_rho2() };
             work -= *share * std::mem::take(owed);
         }
         let time = std::mem::take(&mut ledger.time);

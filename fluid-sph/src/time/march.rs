@@ -5,18 +5,17 @@
 //! ρ^{n+1} = ρⁿ + Δt D(rⁿ + ½Δt u, v^{n+½}, ρⁿ),    r^{n+1} = rⁿ + Δt u,   u = v^{n+½}, or the mean of XSPH
 //! ```
 //!
-//! Boundaries end a step where they are told, and stand half a step of their mean velocities behind in its middle.
+//! Boundaries end a step where the march puts them, and stand half a step of their mean velocities behind in its middle.
 
 use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, OutOfBounds, OutOfRange, StableStep, Step, Work,
 };
-
+use parallel::reduced;
 use sph_core::Vec3;
 
-use crate::books::Sums;
 use crate::fluid::{CELL, Fluid};
 use crate::formulation::{Scheme, WallRule};
-use crate::parallel::reduced;
+use crate::ledger::Sums;
 use crate::start::outside;
 
 impl Dynamics for Fluid {
@@ -31,15 +30,15 @@ impl Dynamics for Fluid {
         let mut work = Work { kinetic, ..Work::default() };
         if step.kick > 0.0 {
             if self.formulation.scheme == Scheme::KickDriftKick {
-                let friction = step.kick * self.mass * self.felt.friction;
-                self.books.viscous += friction;
+                let friction = step.kick * self.mass * self.force_sum.friction;
+                self.ledger.viscous += friction;
                 work.dissipated += friction + 2.0 * step.damping * step.kick * kinetic;
                 work.external += step.kick * self.mass * self.gravity.dot(&sums.velocity);
                 work.change = 0.5 * self.mass * sums.change;
                 work.resisted = step.kick * self.mass * sums.resisted;
             }
-            work.external += std::mem::take(&mut self.books.external);
-            work.dissipated += std::mem::take(&mut self.books.dissipated);
+            work.external += std::mem::take(&mut self.ledger.external);
+            work.dissipated += std::mem::take(&mut self.ledger.dissipated);
             self.fastest = sums.fastest.sqrt();
         }
         work
@@ -91,7 +90,7 @@ impl Fluid {
         self.find_sides();
         self.press_boundaries();
         self.sweep_forces();
-        self.books.external += self.boundary.work_after(self.mass);
+        self.ledger.external += self.boundary.work_after(self.mass);
         self.fresh = true;
     }
 
@@ -135,7 +134,7 @@ impl Fluid {
             self.find_sides();
         }
         self.sweep_rates();
-        self.books.external += self.boundary.work_before(self.mass, dt);
+        self.ledger.external += self.boundary.work_before(self.mass, dt);
         self.advance_boundary_densities(dt);
         self.advance_places(dt, resort);
     }
@@ -157,9 +156,9 @@ impl Fluid {
         });
         let sums = Sums::total(sums);
         let loss = *mass * sums.loss;
-        self.books.diffusion += loss;
-        self.books.dissipated += loss;
-        self.books.density_error = self.books.density_error.max(sums.error);
+        self.ledger.diffusion += loss;
+        self.ledger.dissipated += loss;
+        self.ledger.density_error = self.ledger.density_error.max(sums.error);
     }
 
     /// New densities of boundaries that have their own; never below that of no pressure, for a wall does not pull.

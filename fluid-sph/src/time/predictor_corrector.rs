@@ -5,16 +5,16 @@
 //! ```
 //!
 //! In terms of a march of kicks and drifts the forces at xⁿ are its evaluation, the drift is the whole step, and a kick only
-//! hands over what the step before it booked. So records show velocities at their own instant, and mass-proportional damping
+//! hands over what the step before it recorded. So records show velocities at their own instant, and mass-proportional damping
 //! is explicit.
 
+use parallel::reduced;
 use sph_core::Vec3;
 
-use crate::books::Sums;
 use crate::cells::Grid;
 use crate::fluid::{CELL, Fluid, State};
-use crate::parallel::reduced;
-use crate::row::Row;
+use crate::ledger::Sums;
+use crate::pair::Row;
 
 /// Rates at the start, by the slots that particles had there, and the time to the middle of the step \[T\].
 struct Prediction<'a> {
@@ -75,13 +75,13 @@ impl Fluid {
         sorted.fill(*threads, *dimensions, grid, far, |i, _, before| {
             let slot = before[i] as usize;
             let density = middle.density(i, slot);
-            Row::new(middle.place(i, slot), density, middle.velocity(i, slot), liquid.share(density))
+            Row::new(middle.place(i, slot), density, middle.velocity(i, slot), liquid.p_over_rho2(density))
         });
         boundary.sort(grid, half);
         boundary.fill(*dimensions, grid, far, half);
     }
 
-    /// `state += dt R(half)`, and what that did is booked.
+    /// `state += dt R(half)`, and what that did is recorded.
     fn correct(&mut self, dt: f64, damping: f64) {
         let Self { threads, liquid, present, sorted, accelerations, rates, drags, sums, .. } = self;
         let State { positions, velocities, densities } = present;
@@ -102,13 +102,13 @@ impl Fluid {
             sums
         });
         let sums = Sums::total(sums);
-        let Self { mass, books, .. } = self;
-        let (loss, friction) = (*mass * sums.loss, dt * *mass * self.felt.friction);
+        let Self { mass, ledger, .. } = self;
+        let (loss, friction) = (*mass * sums.loss, dt * *mass * self.force_sum.friction);
         let power = self.gravity.dot(&sums.velocity) + self.boundary.pressing();
-        books.diffusion += loss;
-        books.viscous += friction;
-        books.dissipated += loss + friction + damping * dt * *mass * sums.square;
-        books.external += dt * (*mass * power + self.boundary.power());
-        books.density_error = books.density_error.max(sums.error);
+        ledger.diffusion += loss;
+        ledger.viscous += friction;
+        ledger.dissipated += loss + friction + damping * dt * *mass * sums.square;
+        ledger.external += dt * (*mass * power + self.boundary.power());
+        ledger.density_error = ledger.density_error.max(sums.error);
     }
 }

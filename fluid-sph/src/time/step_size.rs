@@ -14,8 +14,8 @@ impl Fluid {
         let h = self.momentum.kernel.h;
         let quotient = |a: f64, b: f64| if b > 0.0 { a / b } else { f64::INFINITY };
         self.bounds = StepBounds {
-            force: quotient(h, self.felt.square.sqrt()).sqrt(),
-            sound: h / self.felt.signal,
+            force: quotient(h, self.force_sum.square.sqrt()).sqrt(),
+            sound: h / self.force_sum.signal,
             friction: quotient(0.125 * h * h, self.formulation.kinematic_viscosity),
             boundary: quotient(0.25 * h, self.boundary.speed()),
         };

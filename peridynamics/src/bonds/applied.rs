@@ -7,11 +7,11 @@
 //! δ(∂U/∂xᵢ) = −Σⱼ [δP M + (P/y)(δ − δe M)]
 //! ```
 
-use sph_core::lanes::{Lanes, Sweep, widest};
+use lanes::{Lanes, Reals, Sweep, Vector, widest};
 
-use super::forces::Scratch;
+use super::forces::{Scratch, downhill};
 use super::network::{LANES, Network, Row};
-use super::present::{Present, in_chunks, keep, present, spread};
+use super::present::{Own, Present, in_chunks, keep};
 
 /// A state, and a displacement from it; their last places are `θ̂` and its change.
 #[derive(Clone, Copy)]
@@ -26,29 +26,26 @@ struct Linear<'a> {
 struct Change<L: Lanes> {
     at: Present<L>,
     /// δ.
-    difference: [L::Four; 3],
+    difference: Vector<L, 3>,
     /// Last places of the displacement at the other ends.
-    last: L::Four,
+    last: Reals<L>,
     /// `1/y`.
-    inverse: L::Four,
+    inverse: Reals<L>,
     /// δe.
-    extension: L::Four,
+    extension: Reals<L>,
 }
 
-#[inline(always)]
-fn change<L: Lanes>(
-    lanes: L,
-    own: &[[L::Four; 4]; 2],
-    others: &[u32; LANES],
-    rows: [&[Row]; 2],
-) -> Change<L> {
-    let at = present(lanes, &own[0], others, rows[0]);
-    let [x, y, z, last] = lanes.columns(others.map(|other| &rows[1][other as usize]));
-    let difference = [lanes.sub(x, own[1][0]), lanes.sub(y, own[1][1]), lanes.sub(z, own[1][2])];
-    let part = |axis: usize| lanes.mul(at.reach[axis], difference[axis]);
-    let inverse = lanes.div(lanes.splat(1.0), at.length);
-    let extension = lanes.mul(lanes.add(lanes.add(part(0), part(1)), part(2)), inverse);
-    Change { at, difference, last, inverse, extension }
+impl<L: Lanes> Change<L> {
+    /// Of a node, at the state and as it moves, and the other ends of four of its bonds.
+    #[inline(always)]
+    fn of(lanes: L, own: &[Own<L>; 2], others: &[u32; LANES], rows: [&[Row]; 2]) -> Self {
+        let at = Present::of(lanes, &own[0], others, rows[0]);
+        let moved = Own::of(lanes, others, rows[1]);
+        let difference = moved.at - own[1].at;
+        let inverse = lanes.same(1.0) / at.length;
+        let extension = at.reach.dot(difference) * inverse;
+        Self { at, difference, last: moved.last, inverse, extension }
+    }
 }
 
 /// Changes of dilatations of one chunk of nodes.
@@ -66,14 +63,14 @@ impl Sweep for Dilate<'_> {
         let Some(dilatation) = &network.dilatation else { return };
         for (i, value) in out.iter_mut().enumerate() {
             let node = first + i;
-            let own = [spread(lanes, &rows[node]), spread(lanes, &along[node])];
+            let own = [Own::all(lanes, &rows[node]), Own::all(lanes, &along[node])];
             let packs = network.packs_of(node);
-            let mut sum = lanes.splat(0.0);
+            let mut sum = lanes.same(0.0);
             for (others, share) in network.others[packs.clone()].iter().zip(&dilatation.own[packs]) {
-                let bond = change(lanes, &own, others, [rows, along]);
-                sum = lanes.add(sum, lanes.mul(lanes.load(share), bond.extension));
+                let bond = Change::of(lanes, &own, others, [rows, along]);
+                sum += lanes.read(share) * bond.extension;
             }
-            *value = dilatation.factors[node] * lanes.total(sum);
+            *value = dilatation.factors[node] * sum.total();
         }
     }
 }
@@ -92,32 +89,27 @@ impl<const DILATATION: bool> Sweep for Chunk<'_, DILATATION> {
         let Self { at: Linear { network, rows, along, first }, out } = self;
         for (i, out) in out.iter_mut().enumerate() {
             let node = first + i;
-            let own = [spread(lanes, &rows[node]), spread(lanes, &along[node])];
-            let mut sum = [lanes.splat(0.0); 3];
+            let own = [Own::all(lanes, &rows[node]), Own::all(lanes, &along[node])];
+            let mut sum = lanes.vector([0.0; 3]);
             let packs = network.packs_of(node);
             let [here, there] = network.shares(packs.clone());
             let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
             let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there));
             for ((others, (rest, stiffness)), (here, there)) in bonds {
-                let bond = change(lanes, &own, others, [rows, along]);
-                let stiffness = lanes.load(stiffness);
-                let mut pull = lanes.mul(stiffness, lanes.sub(bond.at.length, lanes.load(rest)));
-                let mut more = lanes.mul(stiffness, bond.extension);
+                let bond = Change::of(lanes, &own, others, [rows, along]);
+                let stiffness = lanes.read(stiffness);
+                let mut pull = stiffness * (bond.at.length - lanes.read(rest));
+                let mut more = stiffness * bond.extension;
                 if DILATATION {
-                    let (here, there) = (lanes.load(here), lanes.load(there));
-                    let both = |own, last| lanes.add(lanes.mul(own, here), lanes.mul(last, there));
-                    pull = lanes.add(pull, both(own[0][3], bond.at.last));
-                    more = lanes.add(more, both(own[1][3], bond.last));
+                    let (here, there) = (lanes.read(here), lanes.read(there));
+                    pull += own[0].last * here + bond.at.last * there;
+                    more += own[1].last * here + bond.last * there;
                 }
-                let across = lanes.mul(pull, bond.inverse);
-                let along = lanes.mul(lanes.sub(more, lanes.mul(across, bond.extension)), bond.inverse);
-                for axis in 0..3 {
-                    let one = lanes.mul(along, bond.at.reach[axis]);
-                    let other = lanes.mul(across, bond.difference[axis]);
-                    sum[axis] = lanes.add(sum[axis], lanes.add(one, other));
-                }
+                let across = pull * bond.inverse;
+                let along = (more - across * bond.extension) * bond.inverse;
+                sum += bond.at.reach * along + bond.difference * across;
             }
-            *out = [-lanes.total(sum[0]), -lanes.total(sum[1]), -lanes.total(sum[2]), 0.0];
+            *out = downhill(sum);
         }
     }
 }

@@ -4,11 +4,11 @@
 //! `θ̂ = (λ − μ) V θ`. Each direction of a bond is worked out at its own node. The extension is the same from both ends to
 //! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step.
 
+use lanes::{Lanes, Sweep, Vector, widest};
 use rayon::prelude::*;
-use sph_core::lanes::{Lanes, Sweep, widest};
 
 use super::network::{LANES, NODE_CHUNK, Network, Row};
-use super::present::{present, spread};
+use super::present::{Own, Present};
 
 /// Which bonds may break, and beyond which stretch.
 #[derive(Clone, Debug)]
@@ -68,13 +68,13 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let Self { network, rows, first, forces, watch, beyond } = self;
         let mut energy = 0.0;
-        let none = lanes.splat(0.0);
+        let none = lanes.same(0.0);
         let [low, high] =
-            watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.splat(s)));
+            watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.same(s)));
         for (i, force) in forces.iter_mut().enumerate() {
             let node = first + i;
-            let own = spread(lanes, &rows[node]);
-            let mut sum = [none; 3];
+            let own = Own::all(lanes, &rows[node]);
+            let mut sum = lanes.vector([0.0; 3]);
             let mut stored = none;
             let packs = network.packs_of(node);
             let start = packs.start;
@@ -82,37 +82,31 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
             let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
             let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there)).enumerate();
             for (k, ((others, (rest, stiffness)), (here, there))) in bonds {
-                let bond = present(lanes, &own, others, rows);
-                let rest = lanes.load(rest);
-                let extension = lanes.sub(bond.length, rest);
-                let mut pull = lanes.mul(lanes.load(stiffness), extension);
+                let bond = Present::of(lanes, &own, others, rows);
+                let rest = lanes.read(rest);
+                let extension = bond.length - rest;
+                let mut pull = lanes.read(stiffness) * extension;
                 if ENERGY {
-                    stored = lanes.add(stored, lanes.mul(pull, extension));
+                    stored += pull * extension;
                 }
                 if DILATATION {
                     // The sum of the two products first: the same from both ends.
-                    let (here, there) = (lanes.load(here), lanes.load(there));
-                    let both = lanes.add(lanes.mul(own[3], here), lanes.mul(bond.last, there));
-                    pull = lanes.add(pull, both);
+                    pull += own.last * lanes.read(here) + bond.last * lanes.read(there);
                 }
                 // One quotient in place of three: the pull over the length, times the reach along each axis.
-                let pull = lanes.div(pull, bond.length);
-                for axis in 0..3 {
-                    sum[axis] = lanes.add(sum[axis], lanes.mul(pull, bond.reach[axis]));
-                }
+                sum += bond.reach * (pull / bond.length);
                 if WATCH && let Some(watch) = watch {
-                    let over = lanes.outside(extension, lanes.mul(low, rest), lanes.mul(high, rest));
+                    let over = extension.outside(low * rest, high * rest);
                     let over = over & watch.lanes[start + k];
                     if over != 0 {
                         note(over, start + k, beyond);
                     }
                 }
             }
-            // ∂U/∂x of the node is minus the pull of its bonds.
-            *force = [-lanes.total(sum[0]), -lanes.total(sum[1]), -lanes.total(sum[2]), 0.0];
+            *force = downhill(sum);
             if ENERGY {
                 // Half of each bond's energy belongs to each of its ends, and each bond is met at both.
-                energy += 0.25 * lanes.total(stored);
+                energy += 0.25 * stored.total();
                 if let Some(dilatation) = &network.dilatation
                     && dilatation.factors[node] != 0.0
                 {
@@ -122,6 +116,13 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
         }
         energy
     }
+}
+
+/// `∂U/∂x` of a node as a row: minus what its bonds pull it with.
+#[inline(always)]
+pub(super) fn downhill<L: Lanes>(pull: Vector<L, 3>) -> Row {
+    let [x, y, z] = pull.totals();
+    [-x, -y, -z, 0.0]
 }
 
 /// Notes the bonds of a pack that are beyond their limit.
@@ -214,7 +215,7 @@ impl Network {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::lanes::Plain;
+    use lanes::Plain;
 
     /// Bonds of uneven families, some of them broken, one of these between nodes that coincide.
     fn network(nodes: usize, state_based: bool) -> Network {

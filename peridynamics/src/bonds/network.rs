@@ -9,7 +9,7 @@ use super::images::Images;
 pub(crate) use super::images::Row;
 use crate::material::Moduli;
 
-pub(crate) use sph_core::lanes::{LANES, Pack};
+pub(crate) use lanes::{LANES, Pack};
 
 /// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
 pub(crate) const NODE_CHUNK: usize = 256;

@@ -1,41 +1,56 @@
 //! Four bonds at the present: how far they reach, and the dilatations that follow from their extensions.
 
+use lanes::{Lanes, Reals, Sweep, Vector, widest};
 use rayon::prelude::*;
-use sph_core::lanes::{Lanes, Sweep, widest};
 
 use super::network::{LANES, NODE_CHUNK, Network, Row};
 
 /// Least square of a present length \[L²\]: a bond that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-200;
 
+/// A row in all lanes: a place, and its last place.
+#[derive(Clone, Copy)]
+pub(super) struct Own<L: Lanes> {
+    /// A place, or a displacement \[L\].
+    pub at: Vector<L, 3>,
+    /// The last place of the row.
+    pub last: Reals<L>,
+}
+
+impl<L: Lanes> Own<L> {
+    /// The same row in all lanes.
+    #[inline(always)]
+    pub fn all(lanes: L, row: &Row) -> Self {
+        let [x, y, z, last] = lanes.spread(row);
+        Self { at: Vector([x, y, z]), last }
+    }
+
+    /// The rows at the other ends of four bonds.
+    #[inline(always)]
+    pub fn of(lanes: L, others: &[u32; LANES], rows: &[Row]) -> Self {
+        let [x, y, z, last] = lanes.read_columns(others.map(|other| &rows[other as usize]));
+        Self { at: Vector([x, y, z]), last }
+    }
+}
+
 /// Four bonds of a node at the present.
 pub(super) struct Present<L: Lanes> {
     /// From the node to the other ends \[L\].
-    pub reach: [L::Four; 3],
+    pub reach: Vector<L, 3>,
     /// Length \[L\].
-    pub length: L::Four,
+    pub length: Reals<L>,
     /// Last places of the rows at the other ends.
-    pub last: L::Four,
+    pub last: Reals<L>,
 }
 
-/// A row in all lanes.
-#[inline(always)]
-pub(super) fn spread<L: Lanes>(lanes: L, row: &Row) -> [L::Four; 4] {
-    row.map(|place| lanes.splat(place))
-}
-
-#[inline(always)]
-pub(super) fn present<L: Lanes>(
-    lanes: L,
-    own: &[L::Four; 4],
-    others: &[u32; LANES],
-    rows: &[Row],
-) -> Present<L> {
-    let [x, y, z, last] = lanes.columns(others.map(|other| &rows[other as usize]));
-    let [x, y, z] = [lanes.sub(x, own[0]), lanes.sub(y, own[1]), lanes.sub(z, own[2])];
-    let square = lanes.add(lanes.add(lanes.mul(x, x), lanes.mul(y, y)), lanes.mul(z, z));
-    let length = lanes.sqrt(lanes.max(square, lanes.splat(COLLAPSED)));
-    Present { reach: [x, y, z], length, last }
+impl<L: Lanes> Present<L> {
+    /// Of a node and the other ends of four of its bonds.
+    #[inline(always)]
+    pub fn of(lanes: L, own: &Own<L>, others: &[u32; LANES], rows: &[Row]) -> Self {
+        let other = Own::of(lanes, others, rows);
+        let reach = other.at - own.at;
+        Self { reach, length: reach.dot(reach).max(lanes.same(COLLAPSED)).sqrt(), last: other.last }
+    }
 }
 
 /// Dilatations `(λ − μ) V θ` of one chunk of nodes.
@@ -55,18 +70,17 @@ impl Sweep for Dilate<'_> {
         let Some(dilatation) = &network.dilatation else { return };
         for (i, value) in out.iter_mut().enumerate() {
             let node = first + i;
-            let own = spread(lanes, &rows[node]);
+            let own = Own::all(lanes, &rows[node]);
             let packs = network.packs_of(node);
-            let mut sum = lanes.splat(0.0);
+            let mut sum = lanes.same(0.0);
             let shares = &dilatation.own[packs.clone()];
             for ((others, rest), share) in
                 network.others[packs.clone()].iter().zip(&network.lengths[packs]).zip(shares)
             {
-                let bond = present(lanes, &own, others, rows);
-                let extension = lanes.sub(bond.length, lanes.load(rest));
-                sum = lanes.add(sum, lanes.mul(lanes.load(share), extension));
+                let bond = Present::of(lanes, &own, others, rows);
+                sum += lanes.read(share) * (bond.length - lanes.read(rest));
             }
-            *value = dilatation.factors[node] * lanes.total(sum);
+            *value = dilatation.factors[node] * sum.total();
         }
     }
 }

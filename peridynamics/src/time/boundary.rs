@@ -46,9 +46,9 @@ impl Wetted for Solid {
         }
     }
 
-    fn resist(&self, span: f64, impulses: &mut [[f64; 3]]) {
+    fn impedance_impulses(&self, span: f64, impulses: &mut [[f64; 3]]) {
         if let Some(surface) = &self.wetted {
-            surface.resist(&self.rates, span, impulses);
+            surface.impedance_impulses(&self.rates, span, impulses);
         }
     }
 

@@ -177,7 +177,7 @@ impl Surface {
 
     /// Adds what each column resists over a span to the impulses of its first points below the faces that bear a load,
     /// the same to each.
-    pub fn resist(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
+    pub fn impedance_impulses(&self, rates: &[Row], span: f64, impulses: &mut [[f64; 3]]) {
         let part = span / self.width.unwrap_or(1.0);
         let first = [Face::Front, Face::Back].map(|face| self.heights.iter().position(|row| row.0 == face));
         for resisting in &self.resisting {

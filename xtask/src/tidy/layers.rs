@@ -6,7 +6,10 @@ use super::Violation;
 use serde_json::Value;
 use std::path::Path;
 
-/// Crates without any of ours below them: space, one point, time, balance; the workspace's commands.
+/// What every layer may use: arithmetic and loops, which know no mechanics.
+const GROUND: &[&str] = &["lanes", "parallel"];
+
+/// Crates without any of ours below them but the ground: space, one point, time, balance; the workspace's commands.
 const LEAVES: &[&str] =
     &["sph-core", "shell-kinematics", "solid-kinematics", "explicit-dynamics", "implicit-statics", "xtask"];
 
@@ -75,7 +78,7 @@ fn line(text: &str, name: &str) -> usize {
 pub fn check(packages: &[Package]) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in packages {
-        if ![LEAVES, FILES, MODELS, ABOVE, &[TRUTH]]
+        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH]]
             .iter()
             .any(|layer| layer.contains(&package.name.as_str()))
         {
@@ -100,9 +103,16 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
     if user == TRUTH && used == BALANCE {
         return None;
     }
+    if GROUND.contains(&user) {
+        let repair = "remove the dependency; the ground knows nothing of what stands on it";
+        return Some((format!("{user} is below all others but uses {used}"), repair));
+    }
     if user == TRUTH {
         let repair = "write it anew: a cross-check that shares code with what it checks proves nothing";
         return Some((format!("{TRUTH} uses {used}; of ours it may use {BALANCE} alone"), repair));
+    }
+    if GROUND.contains(&used) {
+        return None;
     }
     if LEAVES.contains(&user) {
         let repair = "remove the dependency; what both need belongs to the crate that joins them";
@@ -140,8 +150,13 @@ mod tests {
     #[test]
     fn the_architecture_as_drawn_passes() {
         let drawn = [
+            using("lanes", &[]),
             using("sph-core", &[]),
-            using("sph-shell", &["sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"]),
+            using("shell-kinematics", &["lanes"]),
+            using(
+                "sph-shell",
+                &["lanes", "sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"],
+            ),
             using("mesh-io", &["sph-core"]),
             using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io"]),
             using("benchmarks-ref", &["implicit-statics"]),
@@ -159,6 +174,20 @@ mod tests {
             assert!(found[0].starts_with(&format!("{leaf}/Cargo.toml:3: {leaf} is a leaf")), "{found:?}");
         }
         assert_eq!(complaints("sph-core", &["shell-kinematics"]).len(), 1);
+    }
+
+    #[test]
+    fn the_ground_uses_nothing_of_ours() {
+        for ground in GROUND {
+            let found = complaints(ground, &["sph-core"]);
+            assert_eq!(found.len(), 1);
+            assert!(found[0].contains("is below all others but uses sph-core"), "{found:?}");
+        }
+        assert_eq!(
+            complaints("benchmarks-ref", &["lanes"]).len(),
+            1,
+            "the truth shares no arithmetic either"
+        );
     }
 
     #[test]

@@ -174,7 +174,7 @@ impl Lanes for V3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Plain;
+    use crate::Plain;
 
     /// Bits of four; all that is no number counts as the same.
     fn bits(pack: Pack) -> [u64; LANES] {

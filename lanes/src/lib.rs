@@ -3,32 +3,44 @@
 //! Each operation is that of IEEE 754 on every lane, so that both agree to the last bit; none multiplies and adds at once.
 //! A piece of work is a [`Sweep`], written once for any [`Lanes`]; [`widest`] runs it.
 //!
+//! In a sweep, [`Reals`] are four numbers with the operators of one, and [`Vector`]s have them as components:
+//!
 //! ```
-//! use sph_core::lanes::{Lanes, Pack, Sweep, widest};
+//! use lanes::{Lanes, Pack, Sweep, widest};
 //! struct Lengths<'a>(&'a [[Pack; 2]]);
 //! impl Sweep for Lengths<'_> {
 //!     type Output = f64;
 //!     #[inline(always)]
 //!     fn run<L: Lanes>(self, lanes: L) -> f64 {
-//!         let mut sum = lanes.splat(0.0);
+//!         let mut sum = lanes.same(0.0);
 //!         for [x, y] in self.0 {
-//!             let (x, y) = (lanes.load(x), lanes.load(y));
-//!             sum = lanes.add(sum, lanes.sqrt(lanes.add(lanes.mul(x, x), lanes.mul(y, y))));
+//!             let (x, y) = (lanes.read(x), lanes.read(y));
+//!             sum += (x * x + y * y).sqrt();
 //!         }
-//!         lanes.total(sum)
+//!         sum.total()
 //!     }
 //! }
 //! assert_eq!(widest(Lengths(&[[[3.0; 4], [4.0; 4]]])), 20.0);
 //! ```
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | lanes of AVX2 give the bits of plain loops | `four_lanes_give_the_bits_of_the_plain_loops`, `eight_lanes_give_the_bits_of_the_plain_loops` (src/avx2.rs) |
+//! | operators are those of each lane; the third component of a plane is left alone | `operators_are_those_of_each_lane`, `a_plane_has_no_third_component` (src/reals.rs) |
+#![warn(missing_docs)]
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod dispatch;
 mod picked;
 mod plain;
+mod reals;
 
 pub use dispatch::{Sweep, widest};
 pub use plain::Plain;
+pub use reals::{Reals, Vector};
 
 /// One number for each of four lanes.
 pub type Pack = [f64; LANES];
@@ -94,42 +106,41 @@ pub trait Lanes: Copy {
     /// The numbers in the lanes of a pattern, in their order, and behind them what does not matter.
     fn picked(self, pattern: u8, of: &[u32; EIGHT]) -> [u32; EIGHT];
 
-    /// Each of four numbers in all lanes.
+    /// The same number in all lanes, with operators.
     #[inline(always)]
-    fn splats(self, values: &Pack) -> [Self::Four; LANES] {
+    fn same(self, value: f64) -> Reals<Self> {
+        Reals { lanes: self, four: self.splat(value) }
+    }
+
+    /// A pack from memory, with operators.
+    #[inline(always)]
+    fn read(self, pack: &Pack) -> Reals<Self> {
+        Reals { lanes: self, four: self.load(pack) }
+    }
+
+    /// The columns of four rows, with operators.
+    #[inline(always)]
+    fn read_columns(self, rows: [&Pack; LANES]) -> [Reals<Self>; LANES] {
+        let [a, b, c, d] = self.columns(rows);
+        let lanes = self;
+        [
+            Reals { lanes, four: a },
+            Reals { lanes, four: b },
+            Reals { lanes, four: c },
+            Reals { lanes, four: d },
+        ]
+    }
+
+    /// Each of four numbers in all lanes, with operators.
+    #[inline(always)]
+    fn spread(self, values: &Pack) -> [Reals<Self>; LANES] {
         let [a, b, c, d] = *values;
-        [self.splat(a), self.splat(b), self.splat(c), self.splat(d)]
+        [self.same(a), self.same(b), self.same(c), self.same(d)]
     }
 
-    /// `a − b` of the first `D` of three; the third is zero in a plane.
+    /// Three components, each the same in all lanes.
     #[inline(always)]
-    fn difference<const D: usize>(self, a: &[Self::Four; 3], b: &[Self::Four; 3]) -> [Self::Four; 3] {
-        let third = if D == 3 { self.sub(a[2], b[2]) } else { self.splat(0.0) };
-        [self.sub(a[0], b[0]), self.sub(a[1], b[1]), third]
-    }
-
-    /// The scalar product of `D` components.
-    #[inline(always)]
-    fn dot<const D: usize>(self, a: &[Self::Four; 3], b: &[Self::Four; 3]) -> Self::Four {
-        let plane = self.add(self.mul(a[0], b[0]), self.mul(a[1], b[1]));
-        if D == 3 { self.add(plane, self.mul(a[2], b[2])) } else { plane }
-    }
-
-    /// `a + s b` of `D` components.
-    #[inline(always)]
-    fn add_scaled<const D: usize>(
-        self,
-        a: &[Self::Four; 3],
-        s: Self::Four,
-        b: &[Self::Four; 3],
-    ) -> [Self::Four; 3] {
-        let third = if D == 3 { self.add(a[2], self.mul(s, b[2])) } else { a[2] };
-        [self.add(a[0], self.mul(s, b[0])), self.add(a[1], self.mul(s, b[1])), third]
-    }
-
-    /// The sums over the lanes of three.
-    #[inline(always)]
-    fn totals(self, a: &[Self::Four; 3]) -> [f64; 3] {
-        [self.total(a[0]), self.total(a[1]), self.total(a[2])]
+    fn vector<const D: usize>(self, [x, y, z]: [f64; 3]) -> Vector<Self, D> {
+        Vector([self.same(x), self.same(y), self.same(z)])
     }
 }

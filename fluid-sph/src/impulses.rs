@@ -16,17 +16,17 @@ impl Fluid {
     /// Gives the opposite of impulses on the points of a structure \[F T; F T/L in a plane\] to the particles beside
     /// them, where these were when the forces were found. An impulse on a point beside no fluid is dropped: there is no
     /// force either.
-    pub(crate) fn take_impulses_back(&mut self, structure: usize, impulses: &[[f64; 3]]) {
+    pub(crate) fn return_impulses(&mut self, structure: usize, impulses: &[[f64; 3]]) {
         for (point, impulse) in self.boundary.structure(structure).zip(impulses) {
             let slot = self.boundary.sorted.slots[point];
             if *impulse != [0.0; 3] && slot != NOWHERE {
-                self.take_impulse_back(point, slot as usize, Vec3::from(*impulse));
+                self.return_impulse(point, slot as usize, Vec3::from(*impulse));
             }
         }
     }
 
-    fn take_impulse_back(&mut self, point: usize, slot: usize, impulse: Vec3) {
-        let Self { dimensions, mass, momentum, boundary, grid, sorted, present, books, fastest, .. } = self;
+    fn return_impulse(&mut self, point: usize, slot: usize, impulse: Vec3) {
+        let Self { dimensions, mass, momentum, boundary, grid, sorted, present, ledger, fastest, .. } = self;
         let impulse = if *dimensions == 2 { Vec3::new(impulse.x, impulse.y, 0.0) } else { impulse };
         let near = grid.beside(boundary.sorted.cell(slot) as u32, &sorted.starts);
         let at = boundary.points[point];
@@ -45,7 +45,7 @@ impl Fluid {
             let (old, change) = (velocities[particle], gain * weight(particle));
             let new = old + change;
             velocities[particle] = new;
-            books.external += *mass * change.dot(&(old + change * 0.5));
+            ledger.external += *mass * change.dot(&(old + change * 0.5));
             *fastest = fastest.max(new.norm());
         }
     }

@@ -1,12 +1,33 @@
-//! Loops over chunks of a fixed size, so that sums do not depend on threads.
+//! Loops over chunks of a fixed size, so that neither what is written nor what is summed depends on the number of threads.
+//!
+//! ```
+//! let mut squares = vec![0.0; 2000];
+//! parallel::chunks(2, &mut squares[..], |first, chunk: &mut [f64]| {
+//!     for (i, square) in chunk.iter_mut().enumerate() {
+//!         *square = ((first + i) * (first + i)) as f64;
+//!     }
+//! });
+//! assert_eq!(squares[1999], 1999.0 * 1999.0);
+//! ```
+//!
+//! # What holds, and the test that says so
+//!
+//! | invariant | test |
+//! |---|---|
+//! | every entry is met once, in chunks that do not depend on threads | `chunks_are_the_same_for_any_number_of_threads` |
+#![warn(missing_docs)]
 
 /// Entries of a chunk.
-pub(crate) const CHUNK: usize = 512;
+pub const CHUNK: usize = 512;
 
 /// Lists that are worked on in chunks, entry by entry of all of them.
-pub(crate) trait Lists: Sized + Send {
+pub trait Lists: Sized + Send {
     /// Number of entries.
     fn len(&self) -> usize;
+    /// Whether there are none.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
     /// Those before an entry, a whole number of chunks, and the rest.
     fn split(self, entry: usize) -> (Self, Self);
 }
@@ -33,7 +54,7 @@ impl<A: Lists, B: Lists> Lists for (A, B) {
 }
 
 /// One entry for each chunk of the lists beside it.
-pub(crate) struct ByChunk<'a, R>(pub &'a mut [R]);
+pub struct ByChunk<'a, R>(pub &'a mut [R]);
 
 impl<R: Send> Lists for ByChunk<'_, R> {
     fn len(&self) -> usize {
@@ -47,7 +68,7 @@ impl<R: Send> Lists for ByChunk<'_, R> {
 }
 
 /// Calls `work(first, chunk)` for each chunk of lists.
-pub(crate) fn chunks<L: Lists>(threads: usize, lists: L, work: impl Fn(usize, L) + Sync) {
+pub fn chunks<L: Lists>(threads: usize, lists: L, work: impl Fn(usize, L) + Sync) {
     each(threads, 0, lists, &work);
 }
 
@@ -69,7 +90,7 @@ fn each<L: Lists>(threads: usize, first: usize, lists: L, work: &(impl Fn(usize,
 }
 
 /// Calls `work(first, chunk)` for each chunk of lists and keeps what it returns, by chunk.
-pub(crate) fn reduced<L: Lists, R: Send + Clone + Default>(
+pub fn reduced<L: Lists, R: Send + Clone + Default>(
     threads: usize,
     lists: L,
     found: &mut Vec<R>,

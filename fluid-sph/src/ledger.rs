@@ -1,12 +1,12 @@
-//! What is booked between two kicks, for the clock asks for work and losses at kicks only; and what particles add to it.
+//! What is recorded between two kicks, for the clock asks for work and losses at kicks only; and what particles add to it.
 
 use sph_core::Vec3;
 
 use crate::liquid::Liquid;
 
-/// What was booked so far, and what the next kick hands over.
+/// What was recorded so far, and what the next kick hands over.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Books {
+pub(crate) struct Ledger {
     pub viscous: f64,
     pub diffusion: f64,
     /// Work of boundaries and, of a predictor and corrector, of gravity since the last kick.
@@ -52,7 +52,7 @@ impl Sums {
     pub fn compress(&mut self, liquid: &Liquid, density: &mut f64, [rate, exchange]: [f64; 2], dt: f64) {
         let new = *density + dt * (rate + exchange);
         if exchange != 0.0 {
-            self.loss -= 0.5 * dt * exchange * (liquid.share(*density) + liquid.share(new));
+            self.loss -= 0.5 * dt * exchange * (liquid.p_over_rho2(*density) + liquid.p_over_rho2(new));
         }
         self.error = self.error.max((new / liquid.density - 1.0).abs());
         *density = new;
