@@ -38,7 +38,7 @@ fn frames(c: &mut Criterion) {
         for (name, stresses, extruded) in
             [("motion", false, false), ("stresses", true, false), ("stresses, extruded", true, true)]
         {
-            let units = Units { length: Length::None, force: Force::None, time: Time::None };
+            let units = Units { length: Length::None, force: Force::None, time: Time::None, by_depth: false };
             let shown = Shown { state: State::Moving, units, stresses, driven: None, forces: None };
             let wanted = Fields { every: 1, stresses, extruded, points: false };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {

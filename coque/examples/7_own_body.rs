@@ -36,7 +36,7 @@ fn curve(analysis: Analysis) -> Curve {
     let chain = Box::new(Chain::new(BEADS));
     let body =
         if let Analysis::Explicit(_) = analysis { Ready::Dynamic(chain) } else { Ready::Static(chain) };
-    let units = Units { length: Length::Metre, force: Force::Newton, time: Time::Second };
+    let units = Units { length: Length::Metre, force: Force::Newton, time: Time::Second, by_depth: false };
     let task = Task { title: "Beads on springs".into(), units, analysis, output: Output::default() };
     let description = Description { kind: "chain", particles: BEADS, dof: BEADS, ..Description::default() };
     let end = Probe::new("u_end", Measured::Displacement, vec![BEADS as u32 - 1], Vec3::x());

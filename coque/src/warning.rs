@@ -52,7 +52,7 @@ pub enum Doubt {
     NotAtRest,
     /// Cells with sharp corners.
     SharpCorners,
-    /// Quadrangles of a file that are warped or hollow.
+    /// Quadrangles of a file that are warped.
     PoorMesh,
     /// Many triangles round one particle.
     Pole,
@@ -98,8 +98,12 @@ pub enum Doubt {
     PullingBoundary,
     /// Bonds that broke in states of balance: a lattice holds a crack on each of its rows.
     BrokenAtRest,
+    /// Nodes of a solid that what broke left without bonds that hold them.
+    LooseNodes,
     /// Supports that fix nodal parameters, which are no displacements.
     LeakySupport,
+    /// A face of a thin solid that is held along its thickness and may turn.
+    HeldFace,
     /// A basis that locks in bending at the spacing of its nodes.
     ShearLocking,
     /// Strains beyond those that the law was made for.
@@ -162,7 +166,9 @@ impl Doubt {
             Self::DryFace => "dry-face",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
+            Self::LooseNodes => "loose-nodes",
             Self::LeakySupport => "leaky-support",
+            Self::HeldFace => "held-face",
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
             Self::LargeLinear => "large-linear",
@@ -240,7 +246,9 @@ mod tests {
             Doubt::DryFace,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
+            Doubt::LooseNodes,
             Doubt::LeakySupport,
+            Doubt::HeldFace,
             Doubt::ShearLocking,
             Doubt::LargeStrain,
             Doubt::LargeLinear,

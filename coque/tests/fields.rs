@@ -81,8 +81,12 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         threads: 1,
     })
     .unwrap();
-    let units =
-        coque::Units { length: coque::Length::Metre, force: coque::Force::Newton, time: coque::Time::Second };
+    let units = coque::Units {
+        length: coque::Length::Metre,
+        force: coque::Force::Newton,
+        time: coque::Time::Second,
+        by_depth: false,
+    };
     let shown = Shown { state: State::Balance, units, stresses: false, driven: None, forces: None };
     let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0 };
     FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap().frame(&frame).unwrap();

@@ -199,6 +199,10 @@ fn doubts_are_told() {
     );
     let pulled = [("loads.0.traction.value", "[0.3, 0, 0]"), ("analysis.static.levels", "4")];
     assert_eq!(doubts(&pulled), [Doubt::LargeStrain]);
+    // Four cells along a bar that is pulled are as good as any; bent, it is 5 % stiff.
+    let bent = ("loads.0.traction.value", "[0, 0, 1e-6]");
+    assert_eq!(doubts(&[bent]), [Doubt::FewParticles]);
+    assert_eq!(doubts(&[bent, ("bodies.bar.solid.geometry.block.spacing", "0.25")]), []);
 }
 
 /// Levels of these bodies are linearised in fixed directions: a bar that bends by a fifth of its width "buckles" aside, and a slender

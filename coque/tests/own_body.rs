@@ -26,7 +26,7 @@ fn model(analysis: Analysis) -> Model {
     let chain = Box::new(Chain::new(BEADS));
     let body =
         if let Analysis::Explicit(_) = analysis { Ready::Dynamic(chain) } else { Ready::Static(chain) };
-    let units = Units { length: Length::Metre, force: Force::Newton, time: Time::Second };
+    let units = Units { length: Length::Metre, force: Force::Newton, time: Time::Second, by_depth: false };
     let task = Task { title: "Beads".into(), units, analysis, output: Output::default() };
     let description = Description { kind: "chain", particles: BEADS, dof: BEADS, ..Description::default() };
     let end = Probe::new("u", Measured::Displacement, vec![BEADS as u32 - 1], Vec3::x());

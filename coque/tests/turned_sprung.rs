@@ -57,14 +57,51 @@ fn a_plate_on_two_springs_sinks_and_swings_as_one_mass() {
     let modes = plate(&[("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")]);
     let omega = column(&modes, "circular_frequency");
     println!("{omega:?}");
-    // Up and down; rocking about y, along which springs stand at the particles of 8 cells and have 1 + 2/8² of the second moment of an even
-    // bed, the mass its own, m (a² + t²)/12; rocking about x with the springs at the edges, m (b² + t²)/12.
-    let along = 60.0 / mass * (1.0 + 2.0 / 64.0) / (1.0 + 0.01 / 4.0);
+    // Up and down; rocking about y on springs spread evenly along x, with their second moment k a²/12 against that of the mass,
+    // m (a² + t²)/12; rocking about x with the springs at the edges, m (b² + t²)/12.
+    let along = 60.0 / mass / (1.0 + 0.01 / 4.0);
     let rocking = 60.0 * 0.25 / (mass * (1.0 / 12.0 + 0.01 / 12.0));
     for (found, square) in omega.iter().zip([60.0 / mass, along, rocking]) {
         assert!((found * found / square - 1.0).abs() < 3e-3, "{found} {square}");
     }
     assert!((omega[0] * omega[0] * mass / 60.0 - 1.0).abs() < 3e-3, "{omega:?}");
+}
+
+/// On a bed all over, and on lines at two edges of a single cell each, a plate rocks as on an even bed whatever its cells.
+#[test]
+fn a_plate_rocks_on_its_springs_as_on_an_even_bed() {
+    let modal = [("analysis", "{ modal = { modes = 3 } }"), ("curve", "[]")];
+    let bed = (
+        "supports",
+        "[{ on = \"all\", held = { displacement = [[1, 0, 0], [0, 1, 0]] } }, \
+               { on = \"all\", spring = { direction = [0, 0, 1], stiffness = 60.0 } }]",
+    );
+    let k = 60.0 / 200.0;
+    let along = k / (1.0 + 0.01 / 4.0);
+    for geometry in [
+        "{ lengths = [2.0, 1.0], particles = [3, 3] }",
+        "{ lengths = [2.0, 1.0], particles = [6, 5] }",
+        "{ lengths = [2.0, 1.0], scattered = { spacing = 0.2, seed = 3 } }",
+    ] {
+        let modes = plate(&[&modal[..], &[("geometry.plate", geometry), bed]].concat());
+        let found = column(&modes, "circular_frequency").into_iter().map(|omega| omega * omega);
+        let found: Vec<f64> = found.collect();
+        println!("{geometry}: {found:?}");
+        for (found, square) in found.iter().zip([k / (1.0 + 0.01), along, k]) {
+            assert!((found / square - 1.0).abs() < 1e-4, "{geometry}: {found} {square}");
+        }
+    }
+    // A single cell on springs at two of its edges, pressed at a third: F/k by the mean, F (a/2)²/(k a²/12) by the turn.
+    let one = plate(&[
+        ("geometry.plate.particles", "[2, 2]"),
+        ("loads", "[{ on = \"u1\", force = { total = [0, 0, 1] } }]"),
+        ("curve", "[{ name = \"w\", of = \"displacement\", on = \"u1\", direction = [0, 0, 1] }]"),
+        ("analysis", "{ linear = {} }"),
+    ]);
+    let ratio = last(&one, "w") / ((1.0 + 3.0) / 60.0);
+    println!("one cell: {ratio}");
+    // Of a plate as stiff as this against its bed, what it bends.
+    assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
 }
 
 /// The same in time: it sets out with a velocity and swings about zero by v/ω.

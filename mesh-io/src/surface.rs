@@ -6,6 +6,7 @@
 mod boundary;
 mod error;
 mod formats;
+mod hollow;
 mod junctions;
 mod order;
 mod orient;
@@ -24,6 +25,7 @@ use std::fmt;
 use sph_core::{Cell, Cloud, Frame, Vec3, pair_triangles};
 
 use boundary::{free_edges, loops};
+use hollow::{Shape, shape};
 use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
@@ -92,6 +94,8 @@ pub struct Surface {
 pub struct Cells {
     /// Quadrangles of the file.
     pub quadrangles: usize,
+    /// Those of them with a corner beyond 180°, which became two triangles each.
+    pub cut: usize,
     /// Triangles of the file.
     pub triangles: usize,
     /// Quadrangles made of two triangles each.
@@ -100,9 +104,12 @@ pub struct Cells {
 
 impl fmt::Display for Cells {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { quadrangles, triangles, joined } = *self;
+        let Self { quadrangles, cut, triangles, joined } = *self;
         if quadrangles > 0 || triangles == 0 {
             f.write_str(&counted(quadrangles, "quadrangle"))?;
+        }
+        if cut > 0 {
+            write!(f, ", {cut} of them with a corner beyond 180° and cut into two triangles each")?;
         }
         if triangles == 0 {
             return Ok(());
@@ -307,8 +314,16 @@ impl Surface {
     /// The cells of the cloud, each with its kind: quadrangles, and triangles joined in pairs of one kind.
     fn cells(&self, kinds: &[u32]) -> (Vec<(Cell, u32)>, Cells) {
         let faces = self.faces.iter().copied().zip(kinds.iter().copied());
-        let (triangles, mut cells): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| face.count == 3);
-        let quadrangles = cells.len();
+        let (triangles, whole): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| face.count == 3);
+        let quadrangles = whole.len();
+        let mut cells = Vec::with_capacity(quadrangles);
+        for (face, kind) in whole {
+            match shape(&face, &self.positions) {
+                Shape::Hollow(halves) => cells.extend(halves.map(|half| (half, kind))),
+                _ => cells.push((face, kind)),
+            }
+        }
+        let of_quadrangles = cells.len();
         let mut of_kinds: BTreeMap<u32, Vec<[u32; 3]>> = BTreeMap::new();
         for (Cell { corners: [a, b, c, _], .. }, kind) in &triangles {
             of_kinds.entry(*kind).or_default().push([*a, *b, *c]);
@@ -316,8 +331,9 @@ impl Surface {
         for (kind, corners) in of_kinds {
             cells.extend(pair_triangles(&self.positions, &corners).into_iter().map(|cell| (cell, kind)));
         }
-        let joined = triangles.len() - (cells.len() - quadrangles);
-        let counts = Cells { quadrangles, triangles: triangles.len(), joined };
+        let joined = triangles.len() - (cells.len() - of_quadrangles);
+        let cut = of_quadrangles - quadrangles;
+        let counts = Cells { quadrangles, cut, triangles: triangles.len(), joined };
         // In the order of the particles: a step then sweeps both together.
         cells.sort_by_key(|(cell, _)| cell.particles().iter().copied().min());
         (cells, counts)

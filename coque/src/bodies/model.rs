@@ -29,7 +29,8 @@ impl Task {
     /// What a scene asks of its body.
     pub fn of(scene: &Scene) -> Self {
         let Scene { title, units, analysis, output, .. } = scene;
-        Self { title: title.clone(), units: *units, analysis: analysis.clone(), output: output.clone() }
+        let units = Units { by_depth: scene.is_by_depth(), ..*units };
+        Self { title: title.clone(), units, analysis: analysis.clone(), output: output.clone() }
     }
 }
 

@@ -130,6 +130,19 @@ impl Scene {
         }
     }
 
+    /// Whether all bodies lie in a plane and none has a thickness of its own: forces and energies are then those of a unit of depth.
+    pub(crate) fn is_by_depth(&self) -> bool {
+        self.bodies.values().all(|body| match body {
+            BodyScene::Shell(_) => false,
+            BodyScene::Solid(solid) => {
+                let block = solid.geometry.block.as_ref();
+                solid.dimensions() == 2 && block.is_some_and(|block| block.thickness.is_none())
+            }
+            BodyScene::Fluid(fluid) => fluid.dimensions() == 2,
+            BodyScene::Walls(_) => true,
+        })
+    }
+
     /// The fluid with its name, of whatever other bodies there are.
     pub fn fluid(&self) -> Option<(&str, &FluidScene)> {
         self.bodies.iter().find_map(|(name, body)| match body {

@@ -107,8 +107,8 @@ pub struct Turned {
     pub by: f64,
 }
 
-/// Springs along a direction or against turning about an axis, exactly one of them, shared by the set as a force is: by tributary length on an
-/// edge, else equally. No level scales them.
+/// Springs along a direction or against turning about an axis, exactly one of them, spread evenly over the set: over its area if it is made up
+/// of whole cells, along its lines if it follows edges of cells, rocking on either as on an even bed, else equally. No level scales them.
 ///
 /// Along a direction they act on the particles of a set, against turning on their directors, of a rigid set on its rotation.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -75,6 +75,9 @@ pub struct Units {
     pub force: Force,
     /// Unit of time \[T\].
     pub time: Time,
+    /// Whether forces, energies and fluxes are those of a unit of depth: plane bodies without a thickness of their own.
+    #[serde(skip)]
+    pub by_depth: bool,
 }
 
 /// What a column of results measures.
@@ -114,6 +117,18 @@ pub enum Quantity {
     Flux,
     /// \[L²/T\].
     FluxByDepth,
+}
+
+impl Quantity {
+    /// The same by a unit of depth.
+    pub fn by_depth(self) -> Self {
+        match self {
+            Self::Force => Self::ForcePerLength,
+            Self::Energy => Self::MomentPerLength,
+            Self::Flux => Self::FluxByDepth,
+            other => other,
+        }
+    }
 }
 
 impl Length {
@@ -162,8 +177,9 @@ impl Units {
         bare.iter().all(|&b| b) || bare.iter().all(|&b| !b)
     }
 
-    /// Symbol of the unit of a quantity, such as `N cm`; `-` without unit.
+    /// Symbol of the unit of a quantity, such as `N cm`, of one by depth `N cm/cm`; `-` without unit.
     pub fn symbol(&self, quantity: Quantity) -> String {
+        let quantity = if self.by_depth { quantity.by_depth() } else { quantity };
         let (length, force, time) = (self.length.symbol(), self.force.symbol(), self.time.symbol());
         match quantity {
             Quantity::Ratio => "-".into(),
@@ -195,20 +211,25 @@ mod tests {
 
     #[test]
     fn symbols_follow_the_declared_set() {
-        let units = Units { length: Length::Centimetre, force: Force::Newton, time: Time::Second };
+        let units =
+            Units { length: Length::Centimetre, force: Force::Newton, time: Time::Second, by_depth: false };
         assert_eq!(units.symbol(Quantity::Energy), "N cm");
         assert_eq!(units.symbol(Quantity::Angle), "rad");
         assert_eq!(units.symbol(Quantity::Stress), "N/cm²");
         assert_eq!(units.symbol(Quantity::MomentPerLength), "N cm/cm");
         assert_eq!(units.symbol(Quantity::Flux), "cm³/s");
+        let plane = Units { by_depth: true, ..units };
+        let symbols =
+            [Quantity::Force, Quantity::Energy, Quantity::Flux, Quantity::Stress].map(|q| plane.symbol(q));
+        assert_eq!(symbols, ["N/cm", "N cm/cm", "cm²/s", "N/cm²"]);
         assert!(units.consistent());
     }
 
     #[test]
     fn half_dimensionless_is_inconsistent() {
-        let units = Units { length: Length::None, force: Force::Newton, time: Time::Second };
+        let units = Units { length: Length::None, force: Force::Newton, time: Time::Second, by_depth: false };
         assert!(!units.consistent());
-        let bare = Units { length: Length::None, force: Force::None, time: Time::None };
+        let bare = Units { length: Length::None, force: Force::None, time: Time::None, by_depth: false };
         assert!(bare.consistent());
         assert_eq!(bare.symbol(Quantity::Energy), "-");
     }

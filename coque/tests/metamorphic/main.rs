@@ -7,6 +7,7 @@
 mod common;
 
 mod bodies;
+mod far;
 mod force_or_motion;
 mod half;
 mod meshes;

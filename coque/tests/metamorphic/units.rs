@@ -106,13 +106,8 @@ fn a_scene_in_other_units_gives_the_same_curve_in_those() {
         let mut with = replaced.to_vec();
         with.push(("units", UNITS));
         let (one, other) = (ran(&text(name), &with, 1), ran(&toml::to_string(&scaled).unwrap(), &with, 1));
-        // A body in the plane is one unit of length thick, whatever that is: its forces and energies are those of another body.
-        let thicker = if text(name).contains("plane =") { 1.0 / FACTORS[0].1 } else { 1.0 };
-        let of_column = |unit: &str| {
-            let thick = if unit.contains('N') { thicker } else { 1.0 };
-            factor(unit).unwrap_or(1.0) * thick
-        };
-        let factors: Vec<_> = one.curve.columns.iter().map(|column| of_column(&column.unit)).collect();
+        let of_column = |column: &coque::Column| factor(&column.unit).unwrap_or(1.0);
+        let factors: Vec<_> = one.curve.columns.iter().map(of_column).collect();
         judge(&mut failures, "units", name, difference(&one, &other, &factors), 1e-8);
     }
     assert!(failures.is_empty(), "{failures:#?}");

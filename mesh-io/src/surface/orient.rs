@@ -6,6 +6,7 @@ use sph_core::{Cell, Vec3};
 
 use super::MeshError;
 use super::boundary::{HangingNode, hanging};
+use super::hollow::{Shape, shape};
 use super::junctions::{Bond, Pair};
 use super::raw::Raw;
 use super::sides::{root, sides};
@@ -34,7 +35,7 @@ pub(super) fn reversed(cell: &Cell) -> Cell {
     }
 }
 
-/// Refuses faces with repeated nodes or without area, and faces that are there twice.
+/// Refuses faces with repeated nodes, without area or whose edges cross, and faces that are there twice.
 pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
     let mut known = HashMap::new();
     for face in &raw.faces {
@@ -64,6 +65,15 @@ pub(super) fn check_faces(raw: &Raw) -> Result<(), MeshError> {
                 what,
                 "move its nodes apart, or remove it and close the gap",
             ));
+        }
+        if shape(&face.cell, &raw.positions) == Shape::Crossed {
+            let at = super::error::place(&raw.positions[corners[0] as usize]);
+            let what = format!(
+                "the edges of face {} at {at} cross each other, or it is folded onto itself",
+                face.label
+            );
+            let repair = "write its nodes in the order in which they follow each other round it, or mesh it anew there";
+            return Err(MeshError::at(face.line, what, repair));
         }
     }
     Ok(())

@@ -24,7 +24,7 @@ pub struct Quality {
     pub aspect: f64,
     /// Faces with a corner sharper than 15°.
     pub slivers: usize,
-    /// Quadrangles with a corner of more than 180°, or folded ones.
+    /// Quadrangles with a corner of more than 180°.
     pub hollow: usize,
     /// Greatest angle between the two triangles of a quadrangle \[rad\], by the diagonal across which it is less.
     pub warp: f64,

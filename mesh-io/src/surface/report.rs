@@ -126,7 +126,8 @@ fn warnings(surface: &Surface, figures: &Quality) -> Vec<String> {
         warnings.push(format!("{} with a corner {what}", counted(figures.slivers, "face")));
     }
     if figures.hollow > 0 {
-        warnings.push(format!("{} with a corner beyond 180°", counted(figures.hollow, "quadrangle")));
+        let what = "with a corner beyond 180°, cut into two triangles each";
+        warnings.push(format!("{} {what}", counted(figures.hollow, "quadrangle")));
     }
     if figures.aspect > 5.0 {
         warnings

@@ -10,7 +10,6 @@ use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::alone::Owner;
 use crate::scene::error::SceneError;
-use crate::scene::units::Quantity;
 use crate::scene::{Measured, Probe as Column, Scene};
 
 /// What columns are found from; gauges are added to the layout.
@@ -48,7 +47,7 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
         (probe.take, probe.factor) = (column.taken(), column.factor);
         probe.about = column.about.map_or_else(Vec3::zeros, Vec3::from);
         if of.fluid.dimensions() == 2 {
-            probe.quantity = by_depth(probe.quantity);
+            probe.quantity = probe.quantity.by_depth();
         }
         all.push(probe);
     }
@@ -114,15 +113,5 @@ impl Measuring<'_> {
             }
             _ => Ok(particles.iter().map(place).collect()),
         }
-    }
-}
-
-/// The unit of a force by depth.
-fn by_depth(quantity: Quantity) -> Quantity {
-    match quantity {
-        Quantity::Force => Quantity::ForcePerLength,
-        Quantity::Energy => Quantity::MomentPerLength,
-        Quantity::Flux => Quantity::FluxByDepth,
-        other => other,
     }
 }

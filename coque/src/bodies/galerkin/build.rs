@@ -45,7 +45,7 @@ impl Scene {
         let body = GalerkinSolid::new(galerkin, &places, supports);
         self.refuse_freedoms(body.freedoms())?;
         let description = describe(self, solid, options, (&body, widened), places.block.greatest_spacing());
-        let warnings = doubts_of(options, places.lattice.lengths, &places.block);
+        let warnings = doubts_of(self, options, places.lattice.lengths, &places.block);
         let (identity, judge) = (Identity::default(), None);
         let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
         Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))

@@ -103,7 +103,7 @@ impl Scene {
             loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
         }
         let rigid = builder.rigid(&sets, &cloud)?;
-        let springs = builder.springs(&sets, &cloud, weights, imported.as_ref())?;
+        let springs = builder.springs(&sets, &cloud)?;
         let ties = builder.ties(&sets, &cells)?;
         imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
         self.refuse_free_motion(|| {

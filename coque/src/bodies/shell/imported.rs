@@ -153,11 +153,6 @@ impl Imported {
         Ok(lines.map(|lines| lines.into_iter().flatten().collect()))
     }
 
-    /// The same without the question of a couple.
-    pub(crate) fn along(&self, particles: &[u32]) -> Option<Vec<(u32, f64)>> {
-        self.lines(particles).map(|lines| lines.into_iter().flatten().collect())
-    }
-
     fn lines(&self, particles: &[u32]) -> Option<Vec<Vec<(u32, f64)>>> {
         chains(particles, &self.surface.positions, &self.edges)
     }
@@ -206,17 +201,15 @@ impl Imported {
     }
 }
 
-/// What is said of faces that are warped or hollow. What `coque mesh` says beside that is about the stable step.
+/// What is said of faces that are warped. Hollow ones are cut; what `coque mesh` says beside that is about the stable step.
 fn warped(surface: &Surface) -> Option<String> {
     let figures = quality(surface);
-    (figures.hollow > 0 || figures.warp > WARPED).then(|| {
+    (figures.warp > WARPED).then(|| {
         format!(
-            "quadrangles of {} are warped by up to {:.0}°, and {} have a corner beyond 180° or cross themselves: one point in the middle does \
-             not stand for such a cell, and answers may be off by percents, buckling loads most; mend the mesh there, or refine it where it \
-             curves",
+            "quadrangles of {} are warped by up to {:.0}°: one point in the middle does not stand for such a cell, and answers may be off \
+             by percents, buckling loads most; mend the mesh there, or refine it where it curves",
             surface.file,
-            figures.warp.to_degrees(),
-            figures.hollow
+            figures.warp.to_degrees()
         )
     })
 }

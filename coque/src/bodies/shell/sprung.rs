@@ -1,23 +1,18 @@
 //! Springs of a shell: who shares them, which places of two sets are pairs.
 
-use sph_core::{Cloud, EndWeights};
-use sph_shell::{BodySpring, Spring, SpringBetween, Springs, TurnSpring};
+use std::collections::BTreeMap;
+
+use sph_core::Cloud;
+use sph_shell::{BodySpring, EvenBed, Spring, SpringBetween, Springs, TurnSpring, even_bed};
 
 use super::build::Builder;
-use super::imported::Imported;
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
 use crate::scene::error::SceneError;
 
 impl Builder<'_> {
-    /// Springs, shared by the particles of their sets as forces are; those that turn a rigid set or join two act on them as a whole.
-    pub(super) fn springs(
-        &self,
-        sets: &Sets,
-        cloud: &Cloud,
-        weights: EndWeights,
-        imported: Option<&Imported>,
-    ) -> Result<Springs, SceneError> {
+    /// Springs, spread evenly over the lines or areas of their sets; those that turn a rigid set or join two act on them as a whole.
+    pub(super) fn springs(&self, sets: &Sets, cloud: &Cloud) -> Result<Springs, SceneError> {
         let mut all = Springs::default();
         for (i, support) in self.scene.supports.iter().enumerate() {
             let Some(spring) = &support.spring else { continue };
@@ -34,26 +29,30 @@ impl Builder<'_> {
                 all.of_bodies.push(BodySpring::Between { bodies: [one, two], stiffness, direction });
                 continue;
             }
-            let edge = match imported {
-                None => sets::edge(&support.on, particles, cloud, weights),
-                Some(imported) => imported.along(particles),
-            };
-            let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
-            let each = stiffness / shares.iter().map(|share| share.1).sum::<f64>();
-            let stiffness: Vec<_> = shares.into_iter().map(|(a, share)| (a, each * share)).collect();
+            let EvenBed { shares, pairs } = even_bed(cloud, particles);
+            let shares: Vec<_> = shares.into_iter().map(|(a, share)| (a, stiffness * share)).collect();
+            let too_much = pairs.into_iter().map(|(pair, part)| (pair, -stiffness * part));
             match (spring, &spring.to) {
                 (scene::Spring { axis: Some(axis), .. }, _) => {
-                    all.turning.push(TurnSpring { stiffness, axis: self.turned(*axis) });
+                    all.turning.push(TurnSpring { stiffness: shares, axis: self.turned(*axis) });
                 }
-                (_, None) => all.ground.push(Spring { stiffness, direction }),
+                (_, None) => {
+                    all.ground.push(Spring { stiffness: shares, direction });
+                    all.between.push(SpringBetween { stiffness: too_much.collect(), direction });
+                }
                 (_, Some(to)) => {
                     let path = format!("supports[{i}].spring.to");
                     let others: Vec<u32> = sets::places(cloud, sets.at(self.scene, &path, to)?).collect();
-                    let stiffness = self.paired(&path, to, cloud, stiffness, &others)?;
+                    let mut stiffness = self.paired(&path, to, cloud, shares, &others)?;
+                    let opposite: BTreeMap<u32, u32> = stiffness.iter().map(|&([a, b], _)| (a, b)).collect();
+                    let across = |(pair, k): ([u32; 2], f64)| of_openings(pair.map(|a| [a, opposite[&a]]), k);
+                    let too_much: Vec<_> = too_much.flat_map(across).collect();
+                    stiffness.extend(too_much);
                     all.between.push(SpringBetween { stiffness, direction });
                 }
             }
         }
+        all.between.retain(|spring| !spring.stiffness.is_empty());
         Ok(all)
     }
 
@@ -89,5 +88,24 @@ impl Builder<'_> {
             pairs.push(([a, b], k));
         }
         Ok(pairs)
+    }
+}
+
+/// `½ k ((u_b − u_a) − (u_d − u_c))²` of two pairs (a, b) and (c, d), as springs between two particles each.
+fn of_openings([[a, b], [c, d]]: [[u32; 2]; 2], k: f64) -> [([u32; 2], f64); 6] {
+    [([a, b], k), ([c, d], k), ([a, c], k), ([b, d], k), ([a, d], -k), ([c, b], -k)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_openings;
+
+    #[test]
+    fn an_opening_is_six_springs() {
+        let (u, k) = ([0.3, -1.1, 0.7, 2.9], 1.7);
+        let energy = |([a, b], k): ([u32; 2], f64)| 0.5 * k * (u[b as usize] - u[a as usize]).powi(2);
+        let found: f64 = of_openings([[0, 1], [2, 3]], k).into_iter().map(energy).sum();
+        let wanted = 0.5 * k * ((u[1] - u[0]) - (u[3] - u[2])).powi(2);
+        assert!((found - wanted).abs() < 1e-14 * wanted, "{found} {wanted}");
     }
 }

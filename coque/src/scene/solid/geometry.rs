@@ -30,7 +30,8 @@ pub struct Block {
     /// The corner of least coordinates \[L\]; left out, the origin.
     #[schemars(length(min = 2, max = 3))]
     pub origin: Option<Vec<f64>>,
-    /// Thickness across the plane of a block of two lengths \[L\]; left out, 1. A plate of two sheets must give it.
+    /// Thickness across the plane of a block of two lengths \[L\], by which forces, masses and energies are multiplied; left out, they are those of
+    /// a unit of depth. A plate of two sheets must give it.
     pub thickness: Option<f64>,
     /// Where the nodes stand; left out, `centres`, of a plate of two sheets `edges`.
     pub nodes: Option<NodePlaces>,

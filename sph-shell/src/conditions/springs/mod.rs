@@ -34,10 +34,11 @@ pub struct Spring {
 /// Springs between pairs of particles, along a direction fixed in space.
 ///
 /// Pairs on one place at rest do no work under any common rigid motion. Of others the force need not run along the line that joins them: it
-/// keeps momentum, and moment of momentum not.
+/// keeps momentum, and moment of momentum not. A stiffness may be negative: it takes from springs beside it what they have too much of
+/// ([`crate::EvenBed`]).
 #[derive(Clone, Debug)]
 pub struct SpringBetween {
-    /// Pairs of particles and the stiffness of each \[F/L\].
+    /// Pairs of particles and the stiffness of each, not zero \[F/L\].
     pub stiffness: Vec<([u32; 2], f64)>,
     /// Direction (any length).
     pub direction: Vec3,
@@ -81,8 +82,8 @@ impl Shell {
     /// Adds springs, after rigid sets.
     ///
     /// # Errors
-    /// [`ShellError`] for an empty set, a particle or body that is none, a stiffness that is not positive and finite, a pair of one
-    /// particle, an axis along a director.
+    /// [`ShellError`] for an empty set, a particle or body that is none, a stiffness that is not finite, or not positive to the ground, a pair
+    /// of one particle, an axis along a director.
     pub fn spring(&mut self, springs: impl Into<Springs>) -> Result<(), ShellError> {
         let mut springs = springs.into();
         let ground = springs.ground.iter().flat_map(|spring| &spring.stiffness).copied();
@@ -90,15 +91,16 @@ impl Shell {
         let between = springs.between.iter().flat_map(|spring| &spring.stiffness);
         let ends = between.clone().flat_map(|&([a, b], k)| [(a, k), (b, k)]);
         let sets = [springs.ground.len(), springs.turning.len(), springs.between.len()];
-        for (count, all) in sets.into_iter().zip([
-            ground.collect::<Vec<_>>(),
-            turning.collect::<Vec<_>>(),
-            ends.collect::<Vec<_>>(),
-        ]) {
+        for ((count, all), to_ground) in sets
+            .into_iter()
+            .zip([ground.collect::<Vec<_>>(), turning.collect::<Vec<_>>(), ends.collect::<Vec<_>>()])
+            .zip([true, true, false])
+        {
             if count > 0 {
                 check_set("a spring", all.iter().map(|s| s.0), &self.reference)?;
             }
-            if let Some(&(particle, stiffness)) = all.iter().find(|(_, k)| !(*k > 0.0 && k.is_finite())) {
+            let none = |k: f64| !k.is_finite() || k == 0.0 || (to_ground && k < 0.0);
+            if let Some(&(particle, stiffness)) = all.iter().find(|(_, k)| none(*k)) {
                 return Err(ShellError::Spring { particle, stiffness });
             }
         }
