@@ -320,7 +320,7 @@ pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
 pub use error::ShellError;
-pub use formulation::{Formulation, Reach};
+pub use formulation::{Divergence, Formulation, Reach};
 pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
