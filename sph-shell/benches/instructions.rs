@@ -8,7 +8,7 @@ use std::process::Command;
 use explicit_dynamics::Clock;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
-use sph_shell::{Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, TurnSpring};
+use sph_shell::{Divergence, Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, TurnSpring};
 
 const SIDE: usize = 30;
 const STEPS: [u64; 2] = [10, 60];
@@ -17,7 +17,12 @@ fn formulations() -> [Formulation; 3] {
     [
         Formulation::StressPoint(Reach::Cell),
         Formulation::Nodal { order: 1, smoothing: 1.2, consistent: false, kernel: &CubicSpline },
-        Formulation::StrongForm { smoothing: 1.2, viscosity: 1.0, kernel: &CubicSpline },
+        Formulation::StrongForm {
+            smoothing: 1.2,
+            viscosity: 1.0,
+            divergence: Divergence::Sum,
+            kernel: &CubicSpline,
+        },
     ]
 }
 

@@ -6,7 +6,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
-use sph_shell::{Formulation, Parts, Reach, Shell};
+use sph_shell::{Divergence, Formulation, Parts, Reach, Shell};
 
 /// A free square plate, L/t = 100, in slow motion: rates of some tenths per cent of the speed of sound.
 fn plate(side: usize, formulation: Formulation, threads: usize) -> Shell {
@@ -65,7 +65,12 @@ fn dial(c: &mut Criterion) {
         nodal(1, 1.2),
         nodal(2, 1.3),
         nodal(3, 1.5),
-        Formulation::StrongForm { smoothing: 1.2, viscosity: 1.0, kernel: &CubicSpline },
+        Formulation::StrongForm {
+            smoothing: 1.2,
+            viscosity: 1.0,
+            divergence: Divergence::Sum,
+            kernel: &CubicSpline,
+        },
     ] {
         let mut shell = plate(50, formulation, 1);
         let mut clock = Clock::start(&mut shell, 1.0, 0.2, 0.0).expect("a stable step");

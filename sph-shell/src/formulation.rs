@@ -11,6 +11,16 @@ pub enum Reach {
     Kernel(&'static dyn Kernel, f64),
 }
 
+/// How the strong form reads the divergence of eq. 4 of \[lin2013\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Divergence {
+    /// `Σ_b (P_b + P_a)·∇̃W_ab`, as printed.
+    #[default]
+    Sum,
+    /// `Σ_b (P_b − P_a)·∇̃W_ab`, zero for constant stress, with the resultants of edges prescribed.
+    Difference,
+}
+
 /// Where strains are sampled; everything after the stencil is the same code.
 #[derive(Clone, Copy)]
 pub enum Formulation {
@@ -27,12 +37,14 @@ pub enum Formulation {
         /// Weight function.
         kernel: &'static dyn Kernel,
     },
-    /// Eqs. 4, 8 and 9 of \[lin2013\] to the letter: pairwise sums with each particle's own corrected gradient.
+    /// Eqs. 4, 8 and 9 of \[lin2013\]: balance at the particles with each particle's own corrected gradient.
     StrongForm {
         /// Smoothing length over local spacing \[–\].
         smoothing: f64,
         /// Factor μ of the artificial viscosity \[–\] (the paper: 1 to 4).
         viscosity: f64,
+        /// Reading of the divergence.
+        divergence: Divergence,
         /// Weight function.
         kernel: &'static dyn Kernel,
     },
@@ -45,7 +57,10 @@ impl Formulation {
             Self::StressPoint(Reach::Cell) => "stress-point cell".into(),
             Self::StressPoint(Reach::Kernel(_, reach)) => format!("stress-point {reach}"),
             Self::Nodal { order, .. } => format!("nodal {order}"),
-            Self::StrongForm { smoothing, .. } => format!("strong-form {smoothing}"),
+            Self::StrongForm { smoothing, divergence: Divergence::Sum, .. } => {
+                format!("strong-form {smoothing}")
+            }
+            Self::StrongForm { smoothing, .. } => format!("strong-form difference {smoothing}"),
         }
     }
 }

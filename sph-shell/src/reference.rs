@@ -7,7 +7,7 @@ use sph_core::{
 };
 
 use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
+use crate::formulation::{Divergence, Formulation, Reach};
 
 /// What never changes during a run.
 #[derive(Clone, Debug)]
@@ -109,7 +109,16 @@ fn operator(cloud: &Cloud, formulation: &Formulation) -> Result<SamplingOperator
             let operator = nodal_operator(cloud, kernel, order, smoothing)?;
             if consistent { consistent_nodal(operator, cloud)? } else { operator }
         }
-        Formulation::StrongForm { smoothing, kernel, .. } => nodal_operator(cloud, kernel, 1, smoothing)?,
+        Formulation::StrongForm { smoothing, kernel, divergence: Divergence::Sum, .. } => {
+            nodal_operator(cloud, kernel, 1, smoothing)?
+        }
+        Formulation::StrongForm { smoothing, kernel, .. } => {
+            // Half cells at edges would make the gradients of the row beside them one-sided.
+            let whole = Cloud { areas: mean_cell_areas(cloud), ..cloud.clone() };
+            let mut operator = nodal_operator(&whole, kernel, 1, smoothing)?;
+            operator.points.iter_mut().zip(&cloud.areas).for_each(|(point, area)| point.weight = *area);
+            operator
+        }
     })
 }
 

@@ -286,6 +286,7 @@ impl Shell {
                 [&self.state, &self.rates],
                 energy,
                 forces,
+                self.threads > 1,
             );
             return;
         }

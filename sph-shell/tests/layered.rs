@@ -15,7 +15,7 @@ use implicit_statics::Equilibrium;
 use nalgebra::Rotation3;
 use shell_kinematics::{LayeredSection, Orthotropic, Ply, Section, Strains};
 use sph_core::{Cloud, CubicSpline, SpaceError, Vec3};
-use sph_shell::{Formulation, Parts, Reach, Shell, ShellError, StaticShell};
+use sph_shell::{Divergence, Formulation, Parts, Reach, Shell, ShellError, StaticShell};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
@@ -50,7 +50,12 @@ fn each_case(mut check: impl FnMut(&str, Cloud, Formulation)) {
 
 #[test]
 fn isotropic_shells_do_not_see_the_axes() {
-    let strong = Formulation::StrongForm { smoothing: 1.2, viscosity: 0.1, kernel: &CubicSpline };
+    let strong = Formulation::StrongForm {
+        smoothing: 1.2,
+        viscosity: 0.1,
+        divergence: Divergence::Sum,
+        kernel: &CubicSpline,
+    };
     let mut formulations = energy_formulations();
     formulations.push(("strong form", strong));
     for (cloud_name, cloud) in clouds() {

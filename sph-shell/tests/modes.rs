@@ -11,7 +11,7 @@ use common::{
 use explicit_dynamics::LinearisedDynamics;
 use nalgebra::{DMatrix, SymmetricEigen};
 use sph_core::Cloud;
-use sph_shell::{Formulation, Reach, Shell};
+use sph_shell::{Divergence, Formulation, Reach, Shell};
 
 /// Eigenvalues of the mass-scaled tangent, ascending, without those of the directors' fixed lengths.
 fn spectrum(shell: &mut Shell) -> Vec<f64> {
@@ -113,7 +113,12 @@ fn the_strong_form_has_soft_patterns() {
     // It has no zero-energy control.
     let mut strong = free_shell(
         flat([7, 7], [1.0, 1.0]),
-        Formulation::StrongForm { smoothing: 1.2, viscosity: 0.0, kernel: &sph_core::CubicSpline },
+        Formulation::StrongForm {
+            smoothing: 1.2,
+            viscosity: 0.0,
+            divergence: Divergence::Sum,
+            kernel: &sph_core::CubicSpline,
+        },
         0.01,
     );
     let values = spectrum(&mut strong);

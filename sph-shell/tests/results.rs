@@ -10,7 +10,7 @@ use common::{
 };
 use shell_kinematics::GreenLagrange;
 use sph_core::{Cloud, CubicSpline, Vec3};
-use sph_shell::{Formulation, PointResult, Reach, Shell};
+use sph_shell::{Divergence, Formulation, PointResult, Reach, Shell};
 
 fn results(shell: &Shell) -> Vec<PointResult> {
     let mut out = vec![PointResult::default(); shell.reference().operator.points.len()];
@@ -107,7 +107,12 @@ fn a_constant_bending_is_read_exactly() {
 /// Reading with no control beside it (strong form: energy of its strains alone) gives the whole internal energy.
 #[test]
 fn the_work_of_the_resultants_is_the_energy() {
-    let strong = Formulation::StrongForm { smoothing: 1.2, viscosity: 1.0, kernel: &CubicSpline };
+    let strong = Formulation::StrongForm {
+        smoothing: 1.2,
+        viscosity: 1.0,
+        divergence: Divergence::Sum,
+        kernel: &CubicSpline,
+    };
     let triangles = {
         // Triangles have no hourglass, so no control: quadrangles of the lattice cut in halves.
         let lattice = disordered_curved([7, 6]);

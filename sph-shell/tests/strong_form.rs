@@ -8,9 +8,14 @@ use common::{curved, flat, free_shell, shake};
 use explicit_dynamics::{Clock, Dynamics, LinearisedDynamics};
 use nalgebra::{DMatrix, Rotation3};
 use sph_core::{CubicSpline, Vec3};
-use sph_shell::{Formulation, Reference, Shell};
+use sph_shell::{Divergence, Formulation, Reference, Shell};
 
-const LITERAL: Formulation = Formulation::StrongForm { smoothing: 1.2, viscosity: 0.0, kernel: &CubicSpline };
+const LITERAL: Formulation = Formulation::StrongForm {
+    smoothing: 1.2,
+    viscosity: 0.0,
+    divergence: Divergence::Sum,
+    kernel: &CubicSpline,
+};
 
 fn forces(shell: &mut Shell) -> Vec<[f64; 6]> {
     shell.evaluate_internal(false);
@@ -105,7 +110,12 @@ fn rigid_motion_is_still_free() {
 
 #[test]
 fn the_viscosity_opposes_approach_only() {
-    let literal = Formulation::StrongForm { smoothing: 1.2, viscosity: 2.0, kernel: &CubicSpline };
+    let literal = Formulation::StrongForm {
+        smoothing: 1.2,
+        viscosity: 2.0,
+        divergence: Divergence::Sum,
+        kernel: &CubicSpline,
+    };
     let push = |speed: f64| {
         let mut body = free_shell(flat([7, 7], [1.0, 1.0]), literal, 0.1);
         // Everything moves towards (or from) the middle.

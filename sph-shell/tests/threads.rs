@@ -13,8 +13,8 @@ use explicit_dynamics::{Clock, Dynamics, Observer, Record};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, CubicSpline, Side, Vec3};
 use sph_shell::{
-    AppliedLoad, Clamped, CoupleAxis, EdgeCouple, Formulation, Gravity, Parts, Pressure, Reach, Shell,
-    Supported,
+    AppliedLoad, Clamped, CoupleAxis, Divergence, EdgeCouple, Formulation, Gravity, Parts, Pressure, Reach,
+    Shell, Supported,
 };
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -72,8 +72,16 @@ fn bits(formulation: Formulation, threads: usize) -> Vec<u64> {
 #[test]
 fn threads_do_not_change_a_bit() {
     let _alone = ALONE.lock().unwrap();
-    let strong = Formulation::StrongForm { smoothing: 1.2, viscosity: 1.0, kernel: &CubicSpline };
-    let all = energy_formulations().into_iter().chain([("strong-form", strong)]);
+    let strong = |divergence| Formulation::StrongForm {
+        smoothing: 1.2,
+        viscosity: 1.0,
+        divergence,
+        kernel: &CubicSpline,
+    };
+    let all = energy_formulations().into_iter().chain([
+        ("strong-form", strong(Divergence::Sum)),
+        ("strong-form, difference", strong(Divergence::Difference)),
+    ]);
     for (name, formulation) in all {
         let one = bits(formulation, 1);
         for threads in [2, 4] {

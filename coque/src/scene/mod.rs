@@ -52,7 +52,7 @@ pub use output::{Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
-pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
+pub use shell::formulation::{Divergence, Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };

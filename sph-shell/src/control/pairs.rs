@@ -41,11 +41,12 @@ pub(crate) struct PairControl {
 type Share = (u32, [f64; 4]);
 
 impl PairControl {
-    pub fn new(reference: &Reference, section: &SectionScales) -> Result<Self, ShellError> {
+    /// The control of all pairs, `share` of what the formula says \[–\].
+    pub fn new(reference: &Reference, section: &SectionScales, share: f64) -> Result<Self, ShellError> {
         let gradients = pair_gradients(&reference.cloud)?;
         let pairs = weighted_pairs(reference, &gradients);
         let residuals: Vec<Residual> =
-            pairs.iter().map(|pair| Residual::new(reference, &gradients, pair, section)).collect();
+            pairs.iter().map(|pair| Residual::new(reference, &gradients, pair, section, share)).collect();
         Ok(Self::assemble(reference.cloud.len(), &residuals))
     }
 
@@ -242,6 +243,7 @@ impl Residual {
         gradients: &SamplingOperator,
         pair: &Pair,
         section: &SectionScales,
+        share: f64,
     ) -> Self {
         let cloud = &reference.cloud;
         let [a, b] = pair.ends.map(|end| end as usize);
@@ -295,7 +297,7 @@ impl Residual {
         let square = 0.5 * (cloud.areas[a] + cloud.areas[b]);
         let thick = t2 / (t2 + square);
         // Bending of radius R pre-stresses the patterns by −EIκ²: thick shells need the larger share.
-        let beta = 0.1 * (1.0 + 4.0 * thick);
+        let beta = 0.1 * share * (1.0 + 4.0 * thick);
         let scale = pair.weight / d.norm_squared();
         Self { shares, stiffness: [scale * beta * section.shear * thick, scale * beta * section.bending] }
     }

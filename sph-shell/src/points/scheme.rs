@@ -105,7 +105,7 @@ impl Points {
             },
             Formulation::StressPoint(Reach::Kernel(..)) | Formulation::Nodal { .. } => {
                 let (control, places) =
-                    (PairControl::new(reference, &section.uniform)?, Places::new(&packs, operator));
+                    (PairControl::new(reference, &section.uniform, 1.0)?, Places::new(&packs, operator));
                 let slot = |(pack, entry, lane): Place| {
                     let first = packs.points[pack as usize].first_slot(pack as usize);
                     first + usize::from(entry) * LANES + usize::from(lane)
@@ -113,8 +113,9 @@ impl Points {
                 let lists = Gather::new(&places, 0..positions.len(), slot, packs.slot_count());
                 Scheme::Wide { control, forces: forces(), lists }
             }
-            Formulation::StrongForm { viscosity, .. } => {
-                let equations = StrongForm::new(reference, viscosity, section.uniform.thickness * density);
+            Formulation::StrongForm { viscosity, divergence, .. } => {
+                let (section, density) = (&section.uniform, section.uniform.thickness * density);
+                let equations = StrongForm::new(reference, divergence, viscosity, section, density)?;
                 Scheme::StrongForm { equations, forces: forces() }
             }
         };

@@ -5,7 +5,7 @@ use shell_kinematics::{
     StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
-use sph_shell::{Formulation, Reach};
+use sph_shell::{Divergence, Formulation, Reach};
 
 use crate::bodies::shell::build::Builder;
 use crate::scene::error::SceneError;
@@ -140,9 +140,15 @@ impl Builder<'_> {
                 consistent: f.divergence_consistent(),
                 kernel,
             },
-            scene::Formulation::StrongForm(f) => {
-                Formulation::StrongForm { smoothing: f.smoothing, viscosity: f.viscosity, kernel }
-            }
+            scene::Formulation::StrongForm(f) => Formulation::StrongForm {
+                smoothing: f.smoothing_length(),
+                viscosity: f.viscosity,
+                divergence: match f.divergence {
+                    scene::Divergence::Sum => Divergence::Sum,
+                    scene::Divergence::Difference => Divergence::Difference,
+                },
+                kernel,
+            },
         }
     }
 }

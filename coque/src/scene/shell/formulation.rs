@@ -12,7 +12,7 @@ pub enum Formulation {
     StressPoint(StressPoint),
     /// Strains at the particles; forces are the exact transpose.
     Nodal(Nodal),
-    /// Strains and stress divergence at the particles, as published in \[lin2013\].
+    /// Strains and stress divergence at the particles, by the equations published in \[lin2013\].
     StrongForm(StrongForm),
 }
 
@@ -63,18 +63,30 @@ pub struct Nodal {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrongForm {
-    /// Smoothing length in spacings.
-    #[serde(default = "published_smoothing")]
-    pub smoothing: f64,
+    /// How the sum of eq. 4 reads the divergence of the stress.
+    #[serde(default)]
+    pub divergence: Divergence,
+    /// Smoothing length in spacings; 1.2 with the sum, 0.85 with the difference.
+    pub smoothing: Option<f64>,
     /// Coefficient of the artificial viscosity \[–\].
     #[serde(default = "published_viscosity")]
     pub viscosity: f64,
     /// Kernel.
     #[serde(default = "cubic_spline")]
     pub kernel: String,
-    /// Measure of the curvature.
-    #[serde(default = "stretch_corrected")]
-    pub curvature: String,
+    /// Measure of the curvature; with the sum that of the paper, `green-lagrange`, with the difference `stretch-corrected`.
+    pub curvature: Option<String>,
+}
+
+/// How the strong form reads the divergence.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Divergence {
+    /// `Σ (P_b + P_a)·∇W`, as printed: at edges far off.
+    #[default]
+    Sum,
+    /// `Σ (P_b − P_a)·∇W` with the resultants of edges prescribed.
+    Difference,
 }
 
 impl Default for Formulation {
@@ -98,7 +110,7 @@ impl Formulation {
         match self {
             Self::StressPoint(f) => &f.curvature,
             Self::Nodal(f) => &f.curvature,
-            Self::StrongForm(f) => &f.curvature,
+            Self::StrongForm(f) => f.curvature(),
         }
     }
 
@@ -120,7 +132,10 @@ impl Formulation {
                 Reach::Wide(reach) => format!("stress-point, support {reach}"),
             },
             Self::Nodal(f) => format!("nodal, order {}, smoothing {}", f.order, f.smoothing_length()),
-            Self::StrongForm(f) => format!("strong-form, smoothing {}", f.smoothing),
+            Self::StrongForm(f) => {
+                let divergence = if f.divergence == Divergence::Sum { "sum" } else { "difference" };
+                format!("strong-form, {divergence}, smoothing {}", f.smoothing_length())
+            }
         }
     }
 }
@@ -142,23 +157,33 @@ impl Nodal {
     }
 }
 
+impl StrongForm {
+    /// Smoothing length in spacings, with the default of the divergence.
+    pub fn smoothing_length(&self) -> f64 {
+        // Of the paper, and the width up to which a march damps what grows at edges.
+        self.smoothing.unwrap_or(if self.divergence == Divergence::Sum { 1.2 } else { 0.85 })
+    }
+
+    /// Name of the curvature measure, with the default of the divergence.
+    pub fn curvature(&self) -> &str {
+        let usual = if self.divergence == Divergence::Sum { "green-lagrange" } else { STRETCH_CORRECTED };
+        self.curvature.as_deref().unwrap_or(usual)
+    }
+}
+
 const CUBIC_SPLINE: &str = "cubic-spline";
+const STRETCH_CORRECTED: &str = "stretch-corrected";
 
 fn cubic_spline() -> String {
     CUBIC_SPLINE.into()
 }
 
 fn stretch_corrected() -> String {
-    "stretch-corrected".into()
+    STRETCH_CORRECTED.into()
 }
 
 fn first() -> usize {
     1
-}
-
-/// Smoothing length of \[lin2013\], in spacings.
-fn published_smoothing() -> f64 {
-    1.2
 }
 
 /// Coefficient of the artificial viscosity of \[lin2013\].

@@ -31,7 +31,7 @@ pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Che
             s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
         }
         Formulation::StrongForm(f) => {
-            s.within(&at("smoothing"), f.smoothing, smoothing, repair)?;
+            s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
             s.not_negative(&at("viscosity"), f.viscosity)?;
         }
     }
