@@ -2,6 +2,7 @@
 
 mod cantilever;
 mod column;
+mod nodes;
 mod one_solve;
 mod plates;
 mod shell_and_solid;
@@ -19,7 +20,14 @@ pub const ST_VENANT: &str = "galerkin St Venant";
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![cantilever::case(), column::case(), plates::case(), shell_and_solid::case(), speed::case()]
+    vec![
+        cantilever::case(),
+        column::case(),
+        plates::case(),
+        nodes::case(),
+        shell_and_solid::case(),
+        speed::case(),
+    ]
 }
 
 /// The greatest distance of a column from a table, relative to that, at the levels of the run that the table has \[%\]; none if the
