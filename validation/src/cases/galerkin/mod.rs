@@ -1,5 +1,6 @@
 //! Solids without elements on strain and rotation; a new case is a file, a line here, and one in the list.
 
+mod bricks;
 mod cantilever;
 mod column;
 mod nodes;
@@ -26,6 +27,7 @@ pub fn all() -> Vec<Case> {
         plates::case(),
         nodes::case(),
         shell_and_solid::case(),
+        bricks::case(),
         speed::case(),
     ]
 }
