@@ -14,7 +14,8 @@
 //! - [`fluids`]: fronts and wall pressures of dam breaks, a box in one;
 //! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
 //! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
-//! - [`fe_shell`]: an independent implicit finite-element shell.
+//! - [`fe_shell`]: an independent implicit finite-element shell;
+//! - [`fe_solid`]: bricks of twenty nodes.
 //!
 //! ```
 //! use benchmarks_ref::{elastica, reference, rolled_strip};
@@ -90,6 +91,11 @@
 //! another way; both are solved by `implicit-statics`. Where particles and elements agree with each other and with what
 //! is published, the reference is confirmed; where only one does, the report shows it.
 //!
+//! # Bricks
+//!
+//! [`fe_solid`]: twenty nodes, 3×3×3 Gauss points, Green's strain and St Venant's law from rest; no code and no choice shared with the
+//! solids without elements or those of bonds.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -105,6 +111,8 @@
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
 //! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
 //! | elements: patch tests on distorted meshes | `a_homogeneous_stretch_of_any_size_is_in_balance_on_a_distorted_mesh`, `constant_curvatures_are_in_balance_on_a_distorted_mesh` |
+//! | bricks: slopes, zero modes, rigid motions, patches on distorted meshes, a bar under its own weight | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_brick_has_six_zero_modes_and_with_two_points_six_more`, `a_homogeneous_deformation_is_in_balance_on_a_distorted_mesh`, `a_heavy_bar_stretches_by_its_closed_form` (tests/fe_solid.rs) |
+//! | bricks: those of another program to its digits, a beam, a thin plate | `the_cantilever_is_that_of_calculix`, `a_small_load_bends_the_beam_by_its_closed_form`, `a_thin_plate_is_von_karmans` |
 //! | elements: published problems | `the_linear_obstacle_course`, `the_panel_snaps_through`, `point_forces_on_doubly_curved_shells` and others (tests/fe_shell_cases.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -114,6 +122,7 @@ pub mod curve;
 pub mod elastica;
 pub mod external_pressure;
 pub mod fe_shell;
+pub mod fe_solid;
 pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;

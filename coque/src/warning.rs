@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Doubt {
-    /// A load level was left before the motion had died.
+    /// A load level was left before the motion had died, or far out of balance.
     NotSettled,
     /// A state of rest that the shell would leave at the least disturbance.
     Unstable,

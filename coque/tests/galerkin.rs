@@ -223,3 +223,55 @@ fn a_level_far_along_the_bend_is_doubtful() {
     let euler = std::f64::consts::PI.powi(2) / 12.0 / 256.0 / 1e-3;
     assert!(!doubtful && (level / euler - 1.0).abs() < 0.1, "{level} of {euler}");
 }
+
+/// One solve a step on the source's cantilever: its figures with the source's basis, 20 and 100 steps to K = 10; every level tells how far
+/// off it is, and short steps tell the truth.
+#[test]
+fn one_solve_a_step_tells_how_far_off_it_is() {
+    let cantilever = common::text("cantilever-solid.toml");
+    let run = |levels: &str, more: &[(&str, &str)]| {
+        let source = ("bodies.beam.solid.formulation.galerkin", "{ basis = 'linear', support.sphere = 2.5 }");
+        let set = [&[source, ("analysis.static.levels", levels)], more].concat();
+        scene(&cantilever, &set).build(1).unwrap().run(&mut Silent)
+    };
+    let one = [("analysis.static.one_solve", "true")];
+    let exact = last(&run("[1.0]", &[]), "w");
+    let steps = |count: usize| {
+        let levels: Vec<f64> = (1..=count).map(|step| step as f64 / count as f64).collect();
+        run(&format!("{levels:?}"), &one)
+    };
+    let (coarse, fine) = (steps(2), steps(10));
+    // Figures of the prototype, of four digits.
+    assert!((last(&coarse, "w") - 0.0779).abs() < 1e-4 && (last(&fine, "w") - 0.1233).abs() < 1e-4);
+    for (outcome, bound) in [(&coarse, 0.25), (&fine, 0.02)] {
+        let (w, told) = (last(outcome, "w"), last(outcome, "way_left"));
+        let ratio = told / (exact / w - 1.0).abs();
+        assert!((ratio - 1.0).abs() < bound, "{told} told of {w} for {exact}");
+        let worst = column(outcome, "way_left").into_iter().fold(0.0, f64::max);
+        let levels = &outcome.summary.record.levels;
+        assert_eq!(levels.iter().map(|level| level.way_left).fold(0.0, f64::max), worst);
+        assert!(levels.iter().all(|level| level.settled == (level.way_left <= 0.01)));
+        let doubts: Vec<_> = outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect();
+        assert_eq!(doubts, [Doubt::NotSettled], "{worst}");
+        assert!(outcome.summary.record.falls_short().is_some());
+    }
+    assert_eq!(coarse.summary.record.factorisations, 3);
+    // Under a load that hardly bends the beam one solve is the answer.
+    let straight = run("[1e-6]", &one);
+    assert!(straight.summary.record.warnings.is_empty() && last(&straight, "way_left") < 1e-3);
+}
+
+/// What breaks does so in states of balance.
+#[test]
+fn one_solve_a_step_is_refused_where_bonds_break() {
+    let bonds = [
+        ("bodies.bar.solid.formulation", "{ bond-based = { horizon = 2.015 } }"),
+        ("bodies.bar.solid.geometry.block.spacing", "0.25"),
+        ("bodies.bar.solid.material.elastic.poisson", "0.25"),
+        ("bodies.bar.solid.fracture", "{ energy = 1.0 }"),
+        ("analysis.static.one_solve", "true"),
+    ];
+    let pairs: Vec<_> = bonds.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+    let refused = Scene::with_overrides(BAR, "galerkin.toml", &pairs).err().unwrap().to_string();
+    assert!(refused.contains("analysis.static.one_solve") && refused.contains("fracture"), "{refused}");
+}

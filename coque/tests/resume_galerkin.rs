@@ -14,4 +14,6 @@ fn levels_of_galerkin_solids_go_on_to_the_same_bits() {
     stopped_again_and_again("galerkin-static", &cantilever, &[coarse, levels], 3);
     let consistent = ("bodies.beam.solid.formulation.galerkin.tangent", "\"consistent\"");
     stopped_again_and_again("galerkin-consistent", &cantilever, &[coarse, levels, consistent], 3);
+    let one_solve = ("analysis", "{ static = { levels = 8, one_solve = true } }");
+    stopped_again_and_again("galerkin-one-solve", &cantilever, &[coarse, one_solve], 3);
 }

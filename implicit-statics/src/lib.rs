@@ -8,6 +8,7 @@
 //! | solve a linear problem | [`linear_response`] |
 //! | find equilibrium at a load | [`Newton::at_level`] |
 //! | follow a path past limit and turning points | [`follow`] with a [`Control`] |
+//! | lead it by one linear answer a step, out of balance | [`OneSolve`] |
 //! | locate critical points on the way | [`CriticalOptions`] in [`PathOptions`] |
 //! | go over to another branch | [`switch_branch`] |
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
@@ -192,6 +193,7 @@
 //! | load control stops before the falling side of a limit point | `load_control_follows_the_arch_up_to_its_limit`, `a_load_step_that_leaps_over_a_limit_point_is_refused` (tests/paths.rs) |
 //! | a step to another branch names where its own turns back, over one limit point or many, with line search or without; a long step on its branch says nothing | `a_load_step_to_the_far_side_of_the_arch_names_the_limit_it_leapt_over`, `a_leap_over_many_limit_points_names_the_first`, `a_displacement_step_over_a_turning_point_says_so`, `steps_that_stay_on_their_branch_are_proved_to` |
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
+//! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_told`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
 //! | the rest goes along with held values that move, and kept states are told once | `held_values_move_with_the_level_and_kept_states_are_told` (tests/newton.rs) |
 //! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
@@ -229,6 +231,7 @@ mod inertia;
 mod iterative;
 mod modal;
 mod newton;
+mod one_solve;
 mod options;
 mod ordering;
 mod path;
@@ -252,6 +255,7 @@ pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
+pub use one_solve::OneSolve;
 pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, Release, relax};

@@ -87,7 +87,7 @@
 //!
 //! # What the method does not do
 //!
-//! [`OneSolve`] is the source's scheme without equilibrium, to reproduce its figures: first order in the step.
+//! [`OneSolve`](implicit_statics::OneSolve) is the source's scheme, one solve a step and no iteration for balance.
 //!
 //! An affine displacement of held nodes does not go through exactly. Its parameters meet all conditions; they balance if its stress
 //! does no work on any motion δd that the conditions allow,
@@ -139,7 +139,6 @@ mod error;
 mod essential;
 mod images;
 mod loads;
-mod one_solve;
 mod parts;
 mod reactions;
 mod reduction;
@@ -153,7 +152,6 @@ mod volumes;
 pub use body::Galerkin;
 pub use error::GalerkinError;
 pub use images::Mirror;
-pub use one_solve::OneSolve;
 pub use parts::{Condition, Essential, Load, Parts, Volumes};
 pub use reactions::Supports;
 pub use results::PointResult;

@@ -7,10 +7,10 @@
 mod bodies;
 
 use bodies::{MIDPOINT, On, STEP_START, as_in_the_source, body, cantilever, curve, newton, tip};
-use implicit_statics::Equilibrium;
+use implicit_statics::{Equilibrium, OneSolve};
 use nalgebra::DVector;
 use solid_kinematics::Formulation;
-use sr_galerkin::{Essential, OneSolve, Parts, lead};
+use sr_galerkin::{Essential, Parts, lead};
 
 /// Where figures are given.
 const GIVEN: [f64; 6] = [1.0, 2.0, 4.0, 6.0, 8.0, 10.0];

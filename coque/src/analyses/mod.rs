@@ -7,6 +7,7 @@ mod estimate;
 mod linear;
 mod march;
 mod modes;
+mod one_solve;
 mod path;
 mod preload;
 mod relaxation;
@@ -195,6 +196,7 @@ fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, fro
             wanted: "a body that is marched",
         }),
         Analysis::Linear(wanted) => linear::linear(wanted, body, run),
+        Analysis::Static(wanted) if wanted.one_solve => one_solve::one_solve(wanted, body, run, from),
         Analysis::Static(wanted) => path::levels(wanted, body, run, from),
         Analysis::ArcLength(wanted) => path::arc_length(wanted, body, run),
         Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run, from),

@@ -97,7 +97,9 @@ impl Model {
         let quantity = |name: &str| match name {
             "time" => Quantity::Time,
             "level" if force => Quantity::Force,
-            "level" | "iterations" | "negative_pivots" | "mode" | "residual" => Quantity::Ratio,
+            "level" | "iterations" | "negative_pivots" | "mode" | "residual" | "unbalanced" | "way_left" => {
+                Quantity::Ratio
+            }
             "circular_frequency" | "frequency" => Quantity::Rate,
             _ => Quantity::Energy,
         };

@@ -35,6 +35,9 @@ const MARCHED: &[&str] = &["time", "level", "kinetic", "internal", "external", "
 /// Columns of equilibria found by a tangent.
 const BALANCED: &[&str] = &["level", "internal", "iterations", "negative_pivots"];
 
+/// Columns of states that one solve each led to: forces left out of balance over the load, and way left over displacement.
+const ONE_SOLVE: &[&str] = &["level", "internal", "iterations", "negative_pivots", "unbalanced", "way_left"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -102,6 +105,17 @@ pub const ANALYSES: [AnalysisKind; 8] = [
     },
 ];
 
+/// A static analysis that does not iterate: its conditions are as given, no force is sought.
+const WITHOUT_ITERATIONS: AnalysisKind = AnalysisKind {
+    word: "static",
+    name: "a static analysis of one solve a step",
+    columns: ONE_SOLVE,
+    resumes: true,
+    seeks_force: false,
+    preloads: true,
+    ..LEVELLED
+};
+
 impl Analysis {
     /// The kind of the analysis.
     pub fn kind(&self) -> &'static AnalysisKind {
@@ -110,6 +124,7 @@ impl Analysis {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
             Self::Explicit(_) => transient,
             Self::Linear(_) => linear,
+            Self::Static(wanted) if wanted.one_solve => &WITHOUT_ITERATIONS,
             Self::Static(_) => levels,
             Self::ArcLength(_) => arc_length,
             Self::Relaxation(_) => relaxation,

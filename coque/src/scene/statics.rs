@@ -19,6 +19,10 @@ pub struct Static {
     /// Iterations allowed before the way to a level is cut in halves.
     #[serde(default = "usual_iterations")]
     pub iterations: usize,
+    /// Makes one linear answer of each level and lets what is out of balance go into the next; how far each is from its equilibrium is told.
+    /// For comparison with incremental schemes that do not iterate. `tolerance` and `iterations` then count for a preload alone.
+    #[serde(default)]
+    pub one_solve: bool,
 }
 
 /// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
@@ -159,7 +163,7 @@ pub enum Prebuckling {
 impl Static {
     /// Equilibria at these levels, all else as it usually is.
     pub fn at(levels: Levels) -> Self {
-        Self { levels, tolerance: usual_tolerance(), iterations: usual_iterations() }
+        Self { levels, tolerance: usual_tolerance(), iterations: usual_iterations(), one_solve: false }
     }
 }
 

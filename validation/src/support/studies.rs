@@ -9,7 +9,6 @@ use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Observer, Record,
 use nalgebra::DMatrix;
 use sph_core::Vec3;
 use sph_shell::Shell;
-use sr_galerkin::Galerkin;
 
 use crate::JudgeError;
 use crate::judge::{Found, Metric, Outcome, Problem, Run, Solver, Variant};
@@ -29,11 +28,6 @@ pub fn model(variant: &Variant, threads: usize) -> Result<Model, String> {
 /// The shell of a variant that is a scene, for programs that move it themselves.
 pub fn shell(variant: &Variant) -> Result<Shell, String> {
     scene(variant).and_then(|scene| scene.build_shell(1).map_err(|error| shown(&error)))
-}
-
-/// The Galerkin solid of a variant that is a scene.
-pub fn galerkin(variant: &Variant) -> Result<Galerkin, String> {
-    scene(variant).and_then(|scene| scene.build_galerkin(1).map_err(|error| shown(&error)))
 }
 
 /// The scene of a variant.

@@ -28,8 +28,9 @@ impl Scene {
         match &self.analysis {
             Analysis::Explicit(explicit) => self.check_explicit(explicit)?,
             Analysis::Linear(wanted) => self.check_linear(wanted)?,
-            Analysis::Static(Static { levels, tolerance, iterations }) => {
+            Analysis::Static(Static { levels, tolerance, iterations, one_solve }) => {
                 self.check_levels("analysis.static.levels", levels)?;
+                self.check_one_solve(*one_solve)?;
                 self.check_newton("analysis.static", *tolerance, *iterations)?;
             }
             Analysis::ArcLength(path) => self.check_arc_length(path)?,
@@ -72,6 +73,18 @@ impl Scene {
             }
         }
         self.check_solver(*solver)
+    }
+
+    /// What breaks does so in states of balance.
+    fn check_one_solve(&self, one_solve: bool) -> Checked {
+        let breaks = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.fracture.is_some());
+        if !(one_solve && self.bodies.values().any(breaks)) {
+            return Ok(());
+        }
+        let bound = "false where bonds break (`fracture`): they do so in states of balance, which one solve a step does not find";
+        let fault =
+            self.scope().fault("analysis.static.one_solve", "true", bound, "remove it, or `fracture`");
+        Err(SceneError::Choice(fault))
     }
 
     /// Coarser unknowns are built on rigid motions, which only shells tell.

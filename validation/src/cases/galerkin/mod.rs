@@ -1,7 +1,9 @@
 //! Solids without elements on strain and rotation; a new case is a file, a line here, and one in the list.
 
+mod bricks;
 mod cantilever;
 mod column;
+mod nodes;
 mod one_solve;
 mod plates;
 mod shell_and_solid;
@@ -19,7 +21,15 @@ pub const ST_VENANT: &str = "galerkin St Venant";
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
-    vec![cantilever::case(), column::case(), plates::case(), shell_and_solid::case(), speed::case()]
+    vec![
+        cantilever::case(),
+        column::case(),
+        plates::case(),
+        nodes::case(),
+        shell_and_solid::case(),
+        bricks::case(),
+        speed::case(),
+    ]
 }
 
 /// The greatest distance of a column from a table, relative to that, at the levels of the run that the table has \[%\]; none if the

@@ -1,0 +1,133 @@
+//! Levels led to by one linear answer each, without iterations for balance, and how far off each is.
+
+use implicit_statics::OneSolve;
+
+use super::modes::extent;
+use super::path::loaded;
+use crate::Doubt;
+use crate::bodies::Balanced;
+use crate::run::Run;
+use crate::run::checkpoint::Stage;
+use crate::run::outcome::Ended;
+use crate::run::record::{Energies, LevelSummary};
+use crate::scene::Static;
+
+/// Way left over displacement up to which a level counts as settled \[–\].
+const SETTLED: f64 = 0.01;
+
+/// Leads a body through the levels, from the start or from where an earlier run stood, and tells how far off they are.
+pub(super) fn one_solve(
+    wanted: &Static,
+    system: &mut dyn Balanced,
+    run: &mut Run<'_>,
+    from: Option<Stage>,
+) -> Ended {
+    let ended = levels(wanted, system, run, from);
+    if !matches!(ended, Ended::Interrupted { .. }) {
+        doubt(run);
+    }
+    ended
+}
+
+fn levels(wanted: &Static, system: &mut dyn Balanced, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
+    run.warn_of_skew_loads(system.skew_load_share());
+    let list = wanted.levels.list();
+    let last = list.last().copied().unwrap_or(1.0);
+    let first = if let Some(Stage::Levels { found, .. }) = from { found } else { 0 };
+    let mut before = first.checked_sub(1).and_then(|at| list.get(at)).copied().unwrap_or(0.0);
+    let mut scheme = match OneSolve::new(&*system) {
+        Ok(scheme) => scheme,
+        Err(cause) => return run.unbalanced(0, 0.0, cause),
+    };
+    if first == 0 {
+        keep(run, 0, 0.0, system);
+        let internal = system.refresh(0.0);
+        push(run, system, [0.0, internal, 0.0, 0.0, 0.0, 0.0]);
+        if run.keep_shape(system, 0.0, 0.0).is_break() {
+            return Ended::Done;
+        }
+    }
+    for (number, &level) in list.iter().enumerate().skip(first) {
+        let made = scheme.step(system, (before, level)).and_then(|unbalanced| {
+            let way = way_left(&mut scheme, system, level)?;
+            Ok((unbalanced, way))
+        });
+        let (unbalanced, way) = match made {
+            Ok(made) => made,
+            Err(cause) => return run.unbalanced(run.record.steps, before, cause),
+        };
+        let negative = scheme.inertia().negative;
+        let internal = system.refresh(loaded(run, level));
+        push(run, system, [level, internal, 1.0, negative as f64, unbalanced, way]);
+        run.record.energies = Energies::at_rest(internal);
+        run.record.newton_iterations += 1;
+        run.record.steps += 1;
+        run.record.solves += 2;
+        run.record.factorisations += 1 + u64::from(number == 0);
+        run.record.levels.push(LevelSummary {
+            settled: way <= SETTLED,
+            out_of_balance: unbalanced,
+            way_left: way,
+            ..LevelSummary::balanced(level, Some(scheme.inertia()), 1)
+        });
+        if run.keep_shape(system, 0.0, level).is_break() {
+            return Ended::Done;
+        }
+        before = level;
+        let flow = run.tell(level / last, run.record.steps, level, internal);
+        keep(run, number + 1, level, system);
+        if flow.is_break() && number + 1 < list.len() {
+            return Ended::Interrupted { time: 0.0, level };
+        }
+    }
+    Ended::Done
+}
+
+/// Adds a row of the curve.
+fn push(run: &mut Run<'_>, system: &mut dyn Balanced, figures: [f64; 6]) {
+    let mut row = figures.to_vec();
+    run.read_probes(&mut row, system);
+    run.push(row);
+}
+
+/// Keeps a checkpoint where so many levels are made, if the run writes any.
+fn keep(run: &mut Run<'_>, found: usize, level: f64, system: &dyn Balanced) {
+    if run.checkpoints.is_some() {
+        run.keep_checkpoint(&Stage::Levels { found, level, heading: None, stiffness: None }, system);
+    }
+}
+
+/// What one more solve would move, over what moved so far: the largest displacements of particles.
+fn way_left(
+    scheme: &mut OneSolve,
+    system: &mut dyn Balanced,
+    level: f64,
+) -> Result<f64, implicit_statics::EquilibriumError> {
+    let motion = scheme.way_left(system, level)?;
+    let (here, state) = (system.configuration().present, system.save());
+    system.update(motion);
+    let configuration = system.configuration();
+    let largest = |pairs: &mut dyn Iterator<Item = f64>| pairs.fold(0.0, f64::max);
+    let way = largest(&mut configuration.present.iter().zip(&here).map(|(a, b)| (a - b).norm()));
+    let moved = largest(&mut here.iter().zip(configuration.rest).map(|(a, b)| (a - b).norm()));
+    let share = if moved > 0.0 { way / moved } else { way / extent(configuration.rest) };
+    system.restore(&state);
+    Ok(share)
+}
+
+/// Warns of levels that are far from their equilibria.
+fn doubt(run: &mut Run<'_>) {
+    let of = |level: &LevelSummary| (level.level, level.way_left);
+    let far = |a: &(f64, f64), b: &(f64, f64)| a.1.total_cmp(&b.1);
+    let (worst, last) = (run.record.levels.iter().map(of).max_by(far), run.record.levels.last().map(of));
+    let (Some((level, way)), Some((_, end))) = (worst, last) else { return };
+    if way > SETTLED {
+        let message = format!(
+            "one solve a step leaves forces out of balance: one more solve would move the body by {:.2} % of its displacement at level {level} \
+             and by {:.2} % at the last level (column way_left); make more levels, or leave `one_solve` out",
+            100.0 * way,
+            100.0 * end,
+        );
+        run.record.warn(Doubt::NotSettled, message);
+    }
+}
