@@ -9,6 +9,7 @@ use super::analysis::Analysis;
 use super::coupling::Coupling;
 use super::curve::Probe;
 use super::fluid::FluidScene;
+use super::imperfection::Imperfection;
 use super::loads::Load;
 use super::output::Output;
 use super::scope::Scope;
@@ -127,6 +128,15 @@ impl Scene {
         match self.body() {
             BodyScene::Solid(solid) => Some(solid),
             _ => None,
+        }
+    }
+
+    /// The deflection of the one body before it is strained.
+    pub(crate) fn imperfection(&self) -> Option<Imperfection> {
+        match self.body() {
+            BodyScene::Shell(shell) => shell.imperfection,
+            BodyScene::Solid(solid) => solid.imperfection,
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => None,
         }
     }
 
