@@ -145,6 +145,19 @@ fn a_plate_breaks_and_threads_change_no_bit() {
     assert!(last(&one, "v") > 0.0);
 }
 
+/// A crack from edge to edge makes two pieces of a plate, one that ends inside none; broken bonds that are left hold it together.
+#[test]
+fn pieces_are_those_that_whole_bonds_join() {
+    let counted = ("curve[+]", "{ name = \"pieces\", of = \"pieces\", on = \"all\" }");
+    let brief = ("analysis.explicit.transient", "{ duration = 2e-6, record_every = 1e-6 }");
+    let through = ("bodies.glass.solid.cracks[0].to", "[0.05, 0.01]");
+    assert_eq!(column(&run(PLATE, &[counted, brief]), "pieces"), [1.0; 3]);
+    assert_eq!(column(&run(PLATE, &[counted, brief, through]), "pieces"), [2.0; 3]);
+    let part = ("curve[+]", "{ name = \"pieces\", of = \"pieces\", on = \"upper\" }");
+    let error = overridden(PLATE, "scene.toml", &[part]).unwrap_err();
+    assert!(error.to_string().contains("pieces are counted of the whole body"), "{error}");
+}
+
 /// A plate held at one end; its upper right corner is one node.
 const CORNER: &str = r#"title = "Corner"
 units = { length = "m", force = "N", time = "s" }

@@ -152,6 +152,9 @@ pub struct RelaxationOptions {
     /// Bound of ‖external − internal‖ relative to the larger of ‖external‖ and the forces that bring prescribed values
     /// about; default 1e-6.
     pub tolerance: f64,
+    /// Residual that is small enough whatever acts, of two bounds the greater counts: where next to nothing acts the relative one asks
+    /// for digits that forces do not have; default none, 0 \[F\].
+    pub force: f64,
     /// Iterations allowed; default 100 000.
     pub iterations: usize,
     /// What takes the energy out; default kinetic.
@@ -164,6 +167,13 @@ pub struct RelaxationOptions {
 
 impl Default for RelaxationOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, iterations: 100_000, damping: Damping::Kinetic, safety: 1.1, ramp: 200 }
+        Self {
+            tolerance: 1e-6,
+            force: 0.0,
+            iterations: 100_000,
+            damping: Damping::Kinetic,
+            safety: 1.1,
+            ramp: 200,
+        }
     }
 }

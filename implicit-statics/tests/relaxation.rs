@@ -52,6 +52,25 @@ fn relaxation_finds_what_newton_finds() {
     agrees("bars with a moved end", Bars::new(30), 0.3);
 }
 
+/// Of the relative and the absolute bound the greater counts: the first at a load, the second where next to nothing acts.
+#[test]
+fn a_force_may_be_small_enough_whatever_acts() {
+    let (tolerance, force) = (1e-9, 1e-4);
+    let mut iterations = [Vec::new(), Vec::new()];
+    for (found, force) in iterations.iter_mut().zip([0.0, force]) {
+        for level in [1e-3, 0.2] {
+            let mut system = Flat::new(Softening);
+            let options = RelaxationOptions { tolerance, force, ..RelaxationOptions::default() };
+            let relaxed = relaxed(&mut system, level, &options).unwrap();
+            let residual = relaxed.residuals.last().copied().unwrap();
+            assert!(residual <= relaxed.bound && relaxed.bound == force.max(tolerance * relaxed.load));
+            found.push(relaxed.iterations);
+        }
+    }
+    let [relative, both] = iterations;
+    assert!(both.iter().zip(&relative).all(|(both, relative)| both < relative), "{both:?} {relative:?}");
+}
+
 #[test]
 fn a_snap_through_lands_beyond() {
     let arch = Arch { half: 10.0, height: 1.0, sideways: false };
@@ -89,6 +108,7 @@ fn what_is_not_found_is_said_and_the_state_stays() {
     for (wrong, name) in [
         (RelaxationOptions { tolerance: 0.0, ..options.clone() }, "relaxation tolerance is 0"),
         (RelaxationOptions { iterations: 0, ..options.clone() }, "relaxation iterations is 0"),
+        (RelaxationOptions { force: -1.0, ..options.clone() }, "relaxation force is -1"),
         (RelaxationOptions { safety: 0.9, ..options.clone() }, "relaxation safety is 0.9"),
     ] {
         let error = relaxed(&mut system, 0.3, &wrong).unwrap_err();

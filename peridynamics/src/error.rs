@@ -42,6 +42,21 @@ pub enum SolidError {
         "all bonds lie in one plane, so that nothing resists across it; use a plane block or several layers"
     )]
     OneLayer,
+    /// Families that no weights above zero make isotropic.
+    #[error(
+        "cells are too flat for weights that hold uniform strains: every bond that a shear of {} and {} strains is at least \
+         {ratio:.1} times as long along {} as along {}, beyond √3 only weights below zero hold extension and shear at once, and the \
+         body is unstable at rest; use spacings that differ by less, two sheets for a thin plate, or the correction `none`",
+        ["x", "y", "z"][*wide], ["x", "y", "z"][*narrow], ["x", "y", "z"][*wide], ["x", "y", "z"][*narrow]
+    )]
+    Flat {
+        /// Axis along which bonds are long.
+        wide: usize,
+        /// The other axis of the shear.
+        narrow: usize,
+        /// Least length along the one over that along the other, of bonds along both.
+        ratio: f64,
+    },
     /// A plate of sheets without plane stress in a plane.
     #[error("two sheets make a thin plate: they need a plane block and plane stress")]
     NotThin,

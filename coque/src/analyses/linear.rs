@@ -5,10 +5,10 @@ use implicit_statics::{
 };
 use sph_core::Vec3;
 
-use super::modes::{extent, keep_enlarged, scaled};
+use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
 use crate::Doubt;
-use crate::bodies::{Balanced, Configuration, Probe, Resultant};
+use crate::bodies::{Balanced, Configuration, Probe, Resultant, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::{ConjugateSummary, Energies};

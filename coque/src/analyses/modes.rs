@@ -10,7 +10,7 @@ use implicit_statics::{
 use sph_core::Vec3;
 
 use crate::Doubt;
-use crate::bodies::Balanced;
+use crate::bodies::{Balanced, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::progress::{Progress, ProgressReport};
@@ -218,13 +218,6 @@ pub(crate) fn keep_enlarged(start: &[Vec3], present: &[Vec3], level: f64, run: &
     run.record.steps += 1;
     run.keep_positions(positions, 0.0, level);
     factor
-}
-
-/// Diagonal of the box round some places \[L\].
-pub(super) fn extent(places: &[Vec3]) -> f64 {
-    let corner = |pick: fn(f64, f64) -> f64| places.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
-    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
-    (high - low).norm()
 }
 
 /// A motion times a factor.

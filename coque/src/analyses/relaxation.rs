@@ -22,6 +22,7 @@ pub(crate) fn relaxation(
 ) -> Ended {
     let options = RelaxationOptions {
         tolerance: wanted.tolerance,
+        force: wanted.force,
         iterations: wanted.iterations,
         damping: match wanted.damping {
             RelaxationDamping::Kinetic => Damping::Kinetic,
@@ -66,8 +67,7 @@ pub(crate) fn relaxation(
         };
         run.record.steps += relaxed.evaluations as u64;
         let reached = LevelSummary {
-            out_of_balance: wanted.tolerance * relaxed.residuals.last().copied().unwrap_or(0.0)
-                / relaxed.bound,
+            out_of_balance: relaxed.residuals.last().copied().unwrap_or(0.0) / relaxed.load,
             evaluations: Some(relaxed.evaluations as u64),
             ..LevelSummary::balanced(level, None, relaxed.iterations as u64)
         };

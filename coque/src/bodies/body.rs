@@ -264,3 +264,10 @@ pub struct PrescribedPoint {
     /// Displacement at level one \[L\], positive.
     pub by: f64,
 }
+
+/// Diagonal of the box round some places \[L\].
+pub(crate) fn extent(places: &[Vec3]) -> f64 {
+    let corner = |pick: fn(f64, f64) -> f64| places.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
+    (high - low).norm()
+}

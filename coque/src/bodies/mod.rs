@@ -18,6 +18,7 @@ mod coupled;
 mod figures;
 mod fluid;
 mod galerkin;
+mod imperfect;
 mod made;
 mod memory;
 pub(crate) mod model;
@@ -30,6 +31,7 @@ pub(crate) mod shell;
 mod shown;
 mod solid;
 
+pub(crate) use body::extent;
 pub use body::{
     Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape,
     StateArray, TangentCost,

@@ -143,7 +143,7 @@ fn usual(of: Measured) -> Quantity {
         }
         Measured::Reaction | Measured::Force => Quantity::Force,
         Measured::Rotation => Quantity::Angle,
-        Measured::Director | Measured::Damage => Quantity::Ratio,
+        Measured::Director | Measured::Damage | Measured::Pieces => Quantity::Ratio,
         Measured::Velocity => Quantity::Speed,
         Measured::FractureEnergy | Measured::Moment | Measured::ReactionMoment | Measured::Energy => {
             Quantity::Energy

@@ -118,6 +118,8 @@ pub enum Measured {
     Damage,
     /// Energy of the broken bonds of a node of a solid \[F L\].
     FractureEnergy,
+    /// Number of pieces of a solid, whose nodes whole bonds join \[–\].
+    Pieces,
     /// Stored energy by volume at a node of a solid \[F/L²\].
     StrainEnergy,
     /// Von Mises' stress at the faces of a homogeneous shell \[F/L²\].
@@ -171,6 +173,7 @@ impl Measured {
             Self::Velocity => "velocity",
             Self::Damage => "damage",
             Self::FractureEnergy => "fracture-energy",
+            Self::Pieces => "pieces",
             Self::StrainEnergy => "strain-energy",
             Self::Pressure => "pressure",
             Self::Density => "density",
@@ -188,6 +191,7 @@ impl Measured {
             self,
             Self::Damage
                 | Self::FractureEnergy
+                | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises
                 | Self::Energy

@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 22] = [
+const WORDS: [&str; 23] = [
     "title",
     "units",
     "geometry",
@@ -26,6 +26,7 @@ const WORDS: [&str; 22] = [
     "formulation",
     "velocity",
     "placed",
+    "imperfection",
     BODIES,
     "sets",
     "supports",

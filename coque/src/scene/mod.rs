@@ -14,6 +14,7 @@ pub(crate) mod error;
 pub(crate) mod fluid;
 mod forms;
 mod goes_with;
+mod imperfection;
 mod levels;
 mod loads;
 mod nearest;
@@ -46,6 +47,7 @@ pub use curve::{Measured, Probe, ShellFace, Take, Through};
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
+pub use imperfection::Imperfection;
 pub use levels::Levels;
 pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction};
 pub use output::{Fields, Output, Plot};
@@ -64,6 +66,7 @@ pub use shell::material::{
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::{ShellScene, WetFaces};
+pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
 pub use solid::galerkin::{
@@ -74,7 +77,6 @@ pub use solid::geometry::{
     Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,
 };
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
-pub use solid::{Imperfection, SolidScene};
 pub use statics::{
     ArcLength, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation, RelaxationDamping,
     Static, Stop,

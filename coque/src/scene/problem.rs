@@ -9,6 +9,7 @@ use super::analysis::Analysis;
 use super::coupling::Coupling;
 use super::curve::Probe;
 use super::fluid::FluidScene;
+use super::imperfection::Imperfection;
 use super::loads::Load;
 use super::output::Output;
 use super::scope::Scope;
@@ -141,6 +142,15 @@ impl Scene {
             BodyScene::Fluid(fluid) => fluid.dimensions() == 2,
             BodyScene::Walls(_) => true,
         })
+    }
+
+    /// The deflection of the one body before it is strained.
+    pub(crate) fn imperfection(&self) -> Option<Imperfection> {
+        match self.body() {
+            BodyScene::Shell(shell) => shell.imperfection,
+            BodyScene::Solid(solid) => solid.imperfection,
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => None,
+        }
     }
 
     /// The fluid with its name, of whatever other bodies there are.

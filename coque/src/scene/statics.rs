@@ -93,6 +93,9 @@ pub struct Relaxation {
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "relaxed")]
     pub tolerance: f64,
+    /// Residual that is small enough at any level, whatever the load; of the two bounds the greater counts \[F\].
+    #[serde(default)]
+    pub force: f64,
     /// How the motion dies.
     #[serde(default)]
     pub damping: RelaxationDamping,

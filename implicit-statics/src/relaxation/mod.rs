@@ -44,6 +44,9 @@ pub struct Relaxed {
     pub residuals: Vec<f64>,
     /// Bound that the last one met \[F\].
     pub bound: f64,
+    /// What the relative bound is relative to: loads or the forces that bring prescribed values about, without either the first residual
+    /// \[F\].
+    pub load: f64,
     /// Energy set free between the levels: a snap, where it is beyond what a path leaves over. Where something broke it is that of
     /// the way from there on.
     pub release: Release,
@@ -104,6 +107,7 @@ impl Relaxation {
     /// [`EquilibriumError::Option`] for options out of bounds.
     pub fn new(options: &RelaxationOptions) -> Result<Self, EquilibriumError> {
         require(options.tolerance > 0.0, "relaxation tolerance", options.tolerance, "positive")?;
+        require(options.force >= 0.0, "relaxation force", options.force, "zero or more")?;
         require(options.iterations > 0, "relaxation iterations", options.iterations as f64, "one at least")?;
         require(options.safety >= 1.0, "relaxation safety", options.safety, "one at least")?;
         Ok(Self { options: options.clone(), memory: RelaxationMemory::default() })
@@ -256,5 +260,5 @@ fn add(sum: &mut Option<Relaxed>, more: Relaxed) {
     sum.row_sums += more.row_sums;
     sum.rests += more.rests;
     sum.residuals.extend(more.residuals);
-    (sum.level, sum.bound, sum.release) = (more.level, more.bound, more.release);
+    (sum.level, sum.bound, sum.load, sum.release) = (more.level, more.bound, more.load, more.release);
 }

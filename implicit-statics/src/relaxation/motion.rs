@@ -106,7 +106,8 @@ impl<'a> Motion<'a> {
         for iterations in 0.. {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
-            let bound = self.options.tolerance * if scale > 0.0 { scale } else { first };
+            let load = if scale > 0.0 { scale } else { first };
+            let bound = (self.options.tolerance * load).max(self.options.force);
             let at_start = residual == 0.0 || self.memory.past.points_on();
             let arrived = iterations > self.ramp || (self.ramp == 0 && at_start);
             let found = residual <= bound && arrived;
@@ -128,6 +129,7 @@ impl<'a> Motion<'a> {
                     rests,
                     residuals,
                     bound,
+                    load,
                     release,
                     breaches: Vec::new(),
                 };

@@ -7,6 +7,7 @@ pub(crate) mod correction;
 pub(crate) mod couplings;
 pub(crate) mod faces;
 pub(crate) mod families;
+pub(crate) mod flatness;
 pub(crate) mod forces;
 pub(crate) mod fragments;
 pub(crate) mod images;

@@ -6,6 +6,7 @@ use super::correction::weights;
 use super::couplings::{Coupling, Couplings};
 use super::faces::areas;
 use super::families::{Families, Nodes};
+use super::flatness::refuse_flat;
 use super::forces::{Scratch, Wanted};
 use super::fragments::fragments;
 use super::limits::Lattice;
@@ -52,6 +53,7 @@ impl SolidBonds {
         if moduli.dimensions == 3 && flat(&families, places) {
             return Err(SolidError::OneLayer);
         }
+        refuse_flat(&families, places, formulation, moduli.dimensions)?;
         let thickness = if moduli.dimensions == 2 { block.spacing[2] } else { 1.0 };
         let mut weights = weights(&families, &block.positions, formulation, &moduli, thickness);
         if formulation.correction == Correction::Balanced {

@@ -12,6 +12,7 @@ use crate::bonds::correction::weights;
 use crate::bonds::couplings::{Coupling, Couplings};
 use crate::bonds::faces::areas;
 use crate::bonds::families::{Families, Nodes};
+use crate::bonds::flatness::refuse_flat;
 use crate::bonds::fragments::fragments;
 use crate::bonds::limits::Lattice;
 use crate::bonds::mechanics::{Evaluation, Mechanics};
@@ -54,6 +55,7 @@ impl Plate {
         let nodes = Nodes { positions: &plan, volumes: &volumes, spacing: block.greatest_spacing(), mirrors };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
         let places = &*families.extended(&block.positions);
+        refuse_flat(&families, places, &formulation, moduli.dimensions)?;
         let directors = directors(places, &families, formulation.influence)?;
         let normals = &*families.reflected(&directors);
         let mut weights = weights(&families, &plan, &formulation, &moduli, 0.5 * thickness);

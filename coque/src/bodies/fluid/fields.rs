@@ -44,6 +44,9 @@ fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Re
     let (pressures, densities, surface) = (fluid.pressures(), fluid.densities(), fluid.free_surface());
     numbers(to, "pressure", &units.symbol(Quantity::Stress), &pressures)?;
     numbers(to, "density", &units.symbol(Quantity::Density), densities)?;
+    // Of the internal energy what compression stores: what friction heats is in the ledger of the whole fluid.
+    let stored = densities.iter().map(|&density| density * fluid.liquid().compression(density));
+    numbers(to, "compression_energy", &units.symbol(Quantity::Stress), &stored.collect::<Vec<_>>())?;
     let marks: Vec<f64> = surface.iter().map(|&marked| f64::from(u8::from(marked))).collect();
     numbers(to, "free_surface", &units.symbol(Quantity::Ratio), &marks)?;
     sizes(fluid, positions.len(), units, to)

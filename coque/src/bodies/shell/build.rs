@@ -71,7 +71,7 @@ impl Scene {
         self.assemble(threads).map(|built| built.shell)
     }
 
-    fn assemble(&self, threads: usize) -> Result<Built, SceneError> {
+    pub(super) fn assemble(&self, threads: usize) -> Result<Built, SceneError> {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
         let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
@@ -91,7 +91,7 @@ impl Scene {
         let brought = imported.as_ref().map(|imported| imported.sets(self)).transpose()?;
         let sets = Sets::find(self, &flat, brought)?;
         let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
-        let cloud = flat.transformed(&builder.turn, &Vec3::zeros());
+        let cloud = builder.bent(flat.transformed(&builder.turn, &Vec3::zeros()), threads)?;
         let driver = builder.driver(&sets)?;
         let supports = builder.supports(&sets, driver)?;
         let cells = CellSets::new(self, &flat, &sets, imported.as_ref());
@@ -151,8 +151,8 @@ impl Scene {
 }
 
 /// A shell with what its curve measures.
-struct Built {
-    shell: Shell,
+pub(super) struct Built {
+    pub(super) shell: Shell,
     probes: Vec<Probe>,
     driven: Option<PrescribedPoint>,
     /// Where the surface comes from, if it was read from a file.

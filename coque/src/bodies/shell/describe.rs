@@ -118,6 +118,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
             kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), &load.on, load.preload)),
         );
     }
+    modelled.extend(scene.shell().imperfection.map(|_| "deflection of the unstrained body".into()));
     modelled.extend(scene.shell().velocity.as_ref().map(|velocity| match &velocity.on {
         Some(on) => format!("velocity of {on} at the start"),
         None => "velocity at the start".into(),

@@ -29,6 +29,7 @@ impl Body for Solid {
             Measured::Damage => self.damage(a),
             Measured::FractureEnergy => self.fracture_energy(a),
             Measured::StrainEnergy => self.strain_energy(a),
+            Measured::Pieces => self.fragments().len() as f64,
             // The checks leave a solid no other column.
             _ => 0.0,
         }

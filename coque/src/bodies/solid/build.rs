@@ -69,8 +69,9 @@ impl Scene {
         let lattice = scene.lattice();
         let memory =
             self.room(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
-        let block = self.nodes(scene, &lattice)?;
-        let sets = NodeSets::find(self, &lattice, &block, &block.positions)?;
+        let perfect = self.nodes(scene, &lattice)?;
+        let block = self.bent(scene, &lattice, &perfect, threads)?;
+        let sets = NodeSets::find(self, &lattice, &perfect, &perfect.positions)?;
         let probes = probes(self, &sets)?;
         let driver = driver(self, &sets)?;
         let supports = supports(self, scene.has_directors(), &sets, driver.as_ref())?;
@@ -107,22 +108,45 @@ impl Scene {
         Ok(Built { solid, probes, driven, memory })
     }
 
-    /// The nodes of the block, holes cut and the imperfection put in.
+    /// The nodes of the block, holes cut.
     fn nodes(&self, scene: &SolidScene, lattice: &BlockLattice) -> Result<Block, SceneError> {
         let block = lattice.block().map_err(|e| self.body_error("geometry.block", &e.to_string()))?;
-        let mut block = block.without(&cut_outs(scene, lattice));
+        let block = block.without(&cut_outs(scene, lattice));
         if block.is_empty() {
             let (found, bound) = ("all of the block", "less: no node is left");
             let path = self.body_scope().path("geometry.cut_outs");
             return Err(SceneError::Choice(self.source.fault(&path, found, bound, "cut less out")));
         }
-        if let Some(imperfection) = scene.imperfection {
-            let waves = imperfection.half_waves.map(|n| f64::from(n) * std::f64::consts::PI);
-            for x in &mut block.positions {
-                let along = |axis: usize| (x[axis] - lattice.origin[axis]) / lattice.lengths[axis];
-                let shape = libm::sin(waves[0] * along(0)) * libm::sin(waves[1] * along(1));
-                x.z += imperfection.amplitude * shape;
-            }
+        Ok(block)
+    }
+
+    /// The block with the imperfection put in.
+    fn bent(
+        &self,
+        scene: &SolidScene,
+        lattice: &BlockLattice,
+        perfect: &Block,
+        threads: usize,
+    ) -> Result<Block, SceneError> {
+        let mut block = perfect.clone();
+        let Some(imperfection) = scene.imperfection else { return Ok(block) };
+        let Some(waves) = imperfection.half_waves else {
+            let modes = self.of_modes();
+            let body = modes.as_solid().unwrap_or(scene);
+            let mut system = StaticSolid::new(modes.assemble_solid(body, threads)?.solid);
+            let read = |system: &StaticSolid| {
+                let solid = system.solid();
+                [(0..solid.len()).map(|node| solid.position(node)).collect(), Vec::new()]
+            };
+            let found = self.deflection(&imperfection, &mut system, read, |v| *v)?;
+            block.positions.iter_mut().zip(&found.displacements).for_each(|(x, u)| *x += u);
+            return Ok(block);
+        };
+        let waves = waves.map(|n| f64::from(n) * std::f64::consts::PI);
+        for x in &mut block.positions {
+            let along = |axis: usize| (x[axis] - lattice.origin[axis]) / lattice.lengths[axis];
+            let shape = libm::sin(waves[0] * along(0)) * libm::sin(waves[1] * along(1));
+            x.z += imperfection.amplitude * shape;
         }
         Ok(block)
     }
@@ -153,7 +177,9 @@ impl Scene {
             }
             SolidError::Contradiction { .. } => format!("supports[{moved}].moved"),
             SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
-            SolidError::Unbalanced(_) => of_body(&format!("{formulation}.correction")),
+            SolidError::Unbalanced(_) | SolidError::Flat { .. } => {
+                of_body(&format!("{formulation}.correction"))
+            }
             SolidError::Limit { .. } => of_body("fracture"),
             SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
             SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),

@@ -9,7 +9,7 @@ use crate::bodies::rigid::Hold;
 use crate::bodies::{PrescribedPoint, Probe};
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{LoadKind, Moved, Scene, SolidScene, SupportKind, Traction};
+use crate::scene::{LoadKind, Measured, Moved, Scene, SolidScene, SupportKind, Traction};
 
 /// A held direction with more than this along a motion opposes it.
 const OPPOSED: f64 = 1e-9;
@@ -223,7 +223,10 @@ fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction
 /// The columns of the curve.
 pub(in crate::bodies) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Vec<Probe>, SceneError> {
     let probe = |(i, column): (usize, &crate::scene::Probe)| {
-        let nodes = sets.at(&format!("curve[{i}].on"), &column.on)?.to_vec();
+        let mut nodes = sets.at(&format!("curve[{i}].on"), &column.on)?.to_vec();
+        if column.of == Measured::Pieces {
+            nodes.truncate(1); // it is counted once, of the whole body
+        }
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
         let probe = Probe::new(&column.name, column.of, nodes, direction);
         Ok(Probe { take: column.taken(), factor: column.factor, ..probe })

@@ -72,7 +72,7 @@ fn lists(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -> (Vec<String>
     for load in &scene.loads {
         modelled.extend(load.kinds().iter().map(|(word, _)| format!("{word} on {}", load.on)));
     }
-    modelled.extend(solid_scene.imperfection.map(|_| "deflection at the start".into()));
+    modelled.extend(solid_scene.imperfection.map(|_| "deflection of the unstrained body".into()));
     modelled.extend(solid_scene.velocity.as_ref().map(|_| "velocity at the start".into()));
     if scene.loads.is_empty() {
         left_out.push("loads".into());

@@ -34,7 +34,7 @@ impl Scene {
                 self.check_newton("analysis.static", *tolerance, *iterations)?;
             }
             Analysis::ArcLength(path) => self.check_arc_length(path)?,
-            Analysis::Relaxation(Relaxation { levels, tolerance, iterations, .. }) => {
+            Analysis::Relaxation(Relaxation { levels, tolerance, force, iterations, .. }) => {
                 let (s, at) = (&self.scope(), "analysis.relaxation");
                 self.check_levels(&format!("{at}.levels"), levels)?;
                 s.between(
@@ -43,6 +43,7 @@ impl Scene {
                     [0.0, 1.0],
                     "leave it out for the usual 1e-6",
                 )?;
+                s.not_negative(&format!("{at}.force"), *force)?;
                 let repair = "leave it out for the usual 100000";
                 s.within(&format!("{at}.iterations"), *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
             }

@@ -120,8 +120,8 @@ impl Scene {
     fn measured(&self) -> Vec<Measured> {
         use Measured::{
             BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy,
-            Level, MembraneForce, Moment, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce,
-            StrainEnergy, Stress, Velocity, VonMises, WetLength,
+            Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation,
+            ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
         };
         match self.body() {
             BodyScene::Fluid(_) => {
@@ -141,7 +141,7 @@ impl Scene {
             known.extend([Rotation, Director]);
         }
         if solid.is_some() {
-            known.extend([Damage, FractureEnergy, StrainEnergy]);
+            known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
         } else if !self.source.is_part() {
             known.extend([
                 ReactionMoment,
@@ -164,6 +164,10 @@ impl Scene {
             self.check_column_name(&at("name"), &probe.name, &mut names)?;
             self.check_set_name(&at("on"), &probe.on)?;
             self.check_measured(&at, probe)?;
+            if probe.of == Measured::Pieces {
+                let why = "pieces are counted of the whole body";
+                self.only_on(&format!("curve[{i}]"), &probe.on, why, &["all"])?;
+            }
             s.sized(&at("factor"), probe.factor)?;
         }
         if self.output.fields.is_some_and(|fields| fields.every == 0) {

@@ -5,6 +5,7 @@ mod conditions;
 mod curve;
 mod fluid;
 mod gauges;
+mod imperfection;
 mod preload;
 mod sets;
 mod shell;
@@ -91,6 +92,7 @@ impl Scene {
             }
             BodyScene::Walls(walls) => walls.check(self, s)?,
         }
+        self.check_imperfection(s)?;
         body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
     }
 

@@ -16,6 +16,7 @@ use initial_stress::InitialStress;
 use material::{Material, Section};
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
 
+use super::imperfection::Imperfection;
 use super::velocity::Velocity;
 
 /// A thin shell: its mid-surface, what it is made of, and the particle method.
@@ -50,6 +51,8 @@ pub struct ShellScene {
     pub formulation: Formulation,
     /// Where in space the shape stands; left out, where its geometry says. Sets, conditions and probes stay in space.
     pub placed: Option<Placed>,
+    /// Deflection of the unstrained body.
+    pub imperfection: Option<Imperfection>,
     /// Which of its faces a fluid wets; left out, both.
     pub wet: Option<WetFaces>,
     /// Velocity at the start, in transient runs.
@@ -82,7 +85,7 @@ impl ShellScene {
     }
 
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 12] = [
+    pub(crate) const WORDS: [&'static str; 13] = [
         "geometry",
         "orientation",
         "material",
@@ -94,6 +97,7 @@ impl ShellScene {
         "initial_stress",
         "formulation",
         "placed",
+        "imperfection",
         "velocity",
     ];
 }

@@ -10,6 +10,7 @@ pub(crate) mod material;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::imperfection::Imperfection;
 use super::velocity::Velocity;
 use formulation::{Correction, SolidFormulation};
 use fracture::{Contact, Crack, Fracture};
@@ -37,20 +38,10 @@ pub struct SolidScene {
     pub unbreakable: Vec<String>,
     /// Contact of fragments with each other and with walls; left out, there is none.
     pub contact: Option<Contact>,
-    /// Deflection of a plate of two sheets at the start.
+    /// Deflection of the unstrained body.
     pub imperfection: Option<Imperfection>,
     /// Velocity at the start, in transient runs.
     pub velocity: Option<Velocity>,
-}
-
-/// Deflection without stress of a plate of two sheets: a product of sines, zero on its edges.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Imperfection {
-    /// Half-waves along x and y.
-    pub half_waves: [u32; 2],
-    /// Greatest deflection, along z \[L\].
-    pub amplitude: f64,
 }
 
 impl SolidScene {

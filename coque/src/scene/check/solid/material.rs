@@ -72,18 +72,4 @@ impl SolidScene {
         let repair = "use [formulation.state-based] for any other, or this value";
         Err(s.value(&at("poisson"), nu, &bound, repair))
     }
-
-    pub(super) fn check_imperfection(&self, s: &Scope<'_>) -> Checked {
-        let Some(imperfection) = self.imperfection else { return Ok(()) };
-        if !self.has_directors() {
-            let repair = "remove it, or use [formulation.two-sheets]";
-            let bound = "none but of a plate of two sheets";
-            return Err(SceneError::Choice(s.fault("imperfection", "a deflection", bound, repair)));
-        }
-        for (i, waves) in imperfection.half_waves.into_iter().enumerate() {
-            let repair = "1 is one bulge from edge to edge";
-            s.within(&format!("imperfection.half_waves[{i}]"), f64::from(waves), [1.0, 1000.0], repair)?;
-        }
-        s.sized("imperfection.amplitude", imperfection.amplitude)
-    }
 }

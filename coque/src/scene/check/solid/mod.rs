@@ -23,8 +23,7 @@ impl SolidScene {
         }
         self.check_formulation(s)?;
         self.check_material(s)?;
-        self.check_fracture(s)?;
-        self.check_imperfection(s)
+        self.check_fracture(s)
     }
 }
 
