@@ -50,11 +50,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = BEADS as f64;
     let omega = 2.0 * (PI / (2.0 * (2 * BEADS + 1) as f64)).sin();
     let rows = [
-        ("static", "u_end", Analysis::Static(Static { levels: levels(), tolerance: 1e-9, iterations: 10 })),
+        (
+            "static",
+            "u_end",
+            Analysis::Static(Static { levels: levels(), tolerance: 1e-9, iterations: 10, one_solve: false }),
+        ),
         (
             "relaxed",
             "u_end",
             Analysis::Relaxation(Relaxation {
+                force: 0.0,
                 levels: levels(),
                 tolerance: 1e-9,
                 damping,

@@ -2,10 +2,9 @@
 
 use implicit_statics::OneSolve;
 
-use super::modes::extent;
 use super::path::loaded;
 use crate::Doubt;
-use crate::bodies::Balanced;
+use crate::bodies::{Balanced, extent};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;

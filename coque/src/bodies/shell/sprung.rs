@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn an_opening_is_six_springs() {
-        let (u, k) = ([0.3, -1.1, 0.7, 2.9], 1.7);
+        let (u, k) = ([0.3_f64, -1.1, 0.7, 2.9], 1.7);
         let energy = |([a, b], k): ([u32; 2], f64)| 0.5 * k * (u[b as usize] - u[a as usize]).powi(2);
         let found: f64 = of_openings([[0, 1], [2, 3]], k).into_iter().map(energy).sum();
         let wanted = 0.5 * k * ((u[1] - u[0]) - (u[3] - u[2])).powi(2);
