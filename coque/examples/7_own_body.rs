@@ -50,7 +50,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = BEADS as f64;
     let omega = 2.0 * (PI / (2.0 * (2 * BEADS + 1) as f64)).sin();
     let rows = [
-        ("static", "u_end", Analysis::Static(Static { levels: levels(), tolerance: 1e-9, iterations: 10 })),
+        (
+            "static",
+            "u_end",
+            Analysis::Static(Static { tolerance: 1e-9, iterations: 10, ..Static::at(levels()) }),
+        ),
         (
             "relaxed",
             "u_end",
