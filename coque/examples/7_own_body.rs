@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (
             "static",
             "u_end",
-            Analysis::Static(Static { levels: levels(), tolerance: 1e-9, iterations: 10, one_solve: false }),
+            Analysis::Static(Static { tolerance: 1e-9, iterations: 10, ..Static::at(levels()) }),
         ),
         (
             "relaxed",

@@ -47,8 +47,7 @@ fn last(outcome: &Outcome, column: &str) -> f64 {
 #[test]
 fn every_analysis_finds_the_stretched_chain() {
     let levels = || Levels::Equal(4);
-    let statics =
-        Analysis::Static(Static { levels: levels(), tolerance: 1e-12, iterations: 10, one_solve: false });
+    let statics = Analysis::Static(Static { tolerance: 1e-12, iterations: 10, ..Static::at(levels()) });
     let damping = RelaxationDamping::Kinetic;
     let relaxed = Relaxation { levels: levels(), tolerance: 1e-8, damping, iterations: 10_000, force: 0.0 };
     for (name, analysis, bound) in [
@@ -118,6 +117,6 @@ fn what_it_costs_is_estimated() {
     let estimate = model(transient()).estimate();
     assert_eq!(estimate.steps, Some([800.0; 2]));
     let levels = Levels::Equal(4);
-    let statics = Analysis::Static(Static { levels, tolerance: 1e-12, iterations: 10, one_solve: false });
+    let statics = Analysis::Static(Static { tolerance: 1e-12, iterations: 10, ..Static::at(levels) });
     assert!(model(statics).estimate().seconds.unwrap()[1] > 0.0);
 }

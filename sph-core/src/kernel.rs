@@ -154,26 +154,36 @@ mod tests {
     use super::*;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
 
-    /// Gauss–Legendre rule with five points on [-1, 1]: exact for polynomials of degree 9.
-    const GAUSS: [(f64, f64); 5] = [
-        (0.0, 128.0 / 225.0),
-        (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
-        (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
-        (0.906_179_845_938_664, 0.236_926_885_056_189_08),
-        (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
+    /// Gauss–Legendre rule with eight points on [-1, 1], one of each pair: exact for polynomials of degree 15.
+    const GAUSS: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_361_98),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+        (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
     ];
+
+    /// Integral from zero to a whole number.
+    fn integral(to: usize, f: impl Fn(f64) -> f64) -> f64 {
+        let both = GAUSS.into_iter().flat_map(|(x, w)| [(x, w), (-x, w)]);
+        let points =
+            both.flat_map(|(x, w)| (0..to).map(move |piece| (piece as f64 + 0.5 * (1.0 + x), 0.5 * w)));
+        points.map(|(q, w)| w * f(q)).sum()
+    }
+
+    #[test]
+    fn the_rule_is_exact_to_degree_fifteen() {
+        for degree in 0..16 {
+            let exact = 1.0 / f64::from(degree + 1);
+            assert_relative_eq!(integral(1, |x| x.powi(degree)), exact, epsilon = 1e-14);
+        }
+        assert!((integral(1, |x| x.powi(16)) - 1.0 / 17.0).abs() > 1e-11);
+    }
 
     #[test]
     fn every_kernel_integrates_to_one() {
         for kernel in kernels() {
-            // All kernels are polynomials of degree ≤ 8 between whole numbers; with the factor q degree 9.
-            let mut integral = 0.0;
-            for piece in 0..kernel.support() as usize {
-                for (x, w) in GAUSS {
-                    let q = piece as f64 + 0.5 * (1.0 + x);
-                    integral += 0.5 * w * kernel.value(q) * 2.0 * PI * q;
-                }
-            }
+            // Polynomials of degree ≤ 14 between whole numbers pass; with the factor q the rule is exact.
+            let integral = integral(kernel.support() as usize, |q| kernel.value(q) * 2.0 * PI * q);
             assert_relative_eq!(integral, 1.0, epsilon = 1e-12);
         }
     }

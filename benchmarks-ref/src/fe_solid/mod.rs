@@ -1,6 +1,6 @@
 //! Bricks of twenty nodes: the cross-check of solids without elements and of solids of bonds, written without their mechanics.
 //!
-//! Displacements are the serendipity functions of the brick \[zienkiewicz1971\], the same that carry its shape; strains are Green's,
+//! Displacements are the serendipity functions of the brick \[ergatoudis1968\], the same that carry its shape; strains are Green's,
 //! stress St Venant's, all from the configuration at rest:
 //!
 //! ```text
