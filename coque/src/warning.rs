@@ -98,8 +98,6 @@ pub enum Doubt {
     PullingBoundary,
     /// Bonds that broke in states of balance: a lattice holds a crack on each of its rows.
     BrokenAtRest,
-    /// Nodes of a solid that what broke left without bonds that hold them.
-    LooseNodes,
     /// Supports that fix nodal parameters, which are no displacements.
     LeakySupport,
     /// A face of a thin solid that is held along its thickness and may turn.
@@ -166,7 +164,6 @@ impl Doubt {
             Self::DryFace => "dry-face",
             Self::PullingBoundary => "pulling-boundary",
             Self::BrokenAtRest => "broken-at-rest",
-            Self::LooseNodes => "loose-nodes",
             Self::LeakySupport => "leaky-support",
             Self::HeldFace => "held-face",
             Self::ShearLocking => "shear-locking",
@@ -246,7 +243,6 @@ mod tests {
             Doubt::DryFace,
             Doubt::PullingBoundary,
             Doubt::BrokenAtRest,
-            Doubt::LooseNodes,
             Doubt::LeakySupport,
             Doubt::HeldFace,
             Doubt::ShearLocking,

@@ -10,7 +10,25 @@ use std::path::Path;
 use std::process::Command;
 
 use common::{column, ran, run, scene, scenes};
-use coque::{Ended, Failure, Outcome, Rendering, Scene, render};
+use coque::{Ended, Failure, LevelSummary, Outcome, Rendering, Scene, render};
+
+/// Every level tells its factorisations and solves; together they are those of the path. A factor is kept while it serves.
+#[test]
+fn levels_tell_what_they_took() {
+    let outcome = run(
+        "ring.toml",
+        &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")],
+    );
+    let record = &outcome.summary.record;
+    let all = |of: fn(&LevelSummary) -> Option<u64>| {
+        record.levels.iter().map(|level| of(level).unwrap()).sum::<u64>()
+    };
+    let (factors, solves) = (all(|level| level.factorisations), all(|level| level.solves));
+    println!("{factors} factorisations, {solves} solves, {} iterations", record.newton_iterations);
+    assert_eq!(record.levels.len(), 4);
+    assert!(factors > 4 && (factors, solves) == (record.factorisations, record.solves));
+    assert!(solves >= record.newton_iterations);
+}
 
 fn strip(rest: &str) -> Outcome {
     ran(Scene::parse(&format!("{STRIP}{rest}"), "strip.toml"))

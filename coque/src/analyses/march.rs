@@ -228,6 +228,8 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
             negative_pivots: None,
             steps,
             evaluations: Some(evaluations),
+            factorisations: None,
+            solves: None,
             period: Some(period),
         });
     }

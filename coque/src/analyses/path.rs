@@ -95,7 +95,12 @@ pub(crate) fn levels(
         run.push(row);
         // Under a prescribed motion the pivots are those of the force that brings it about.
         let inertia = path.points.last().filter(|_| run.driven.is_none()).map(Point::inertia);
-        run.record.levels.push(LevelSummary::balanced(level, inertia, path.points.len() as u64 - 1));
+        let effort = path.effort();
+        run.record.levels.push(LevelSummary {
+            factorisations: Some(effort.factorisations as u64),
+            solves: Some(effort.solves as u64),
+            ..LevelSummary::balanced(level, inertia, path.points.len() as u64 - 1)
+        });
         if run.frames.is_some() {
             // The search for critical points may have been elsewhere since the point was read.
             system.refresh(loaded(run, path.restart.level));

@@ -201,6 +201,11 @@ pub struct LevelSummary {
     pub steps: u64,
     /// Evaluations of the forces that the level took; absent where they were not counted.
     pub evaluations: Option<u64>,
+    /// Factorisations of the tangent that the level took, those of trials that failed and of the search for critical points too; absent where
+    /// there is no path. A factor is kept while it serves: iterations alone do not tell what a level cost.
+    pub factorisations: Option<u64>,
+    /// Solves with a factor, counted likewise.
+    pub solves: Option<u64>,
     /// Period by which a march went at the end of the level, the one given or the one found \[T\]; absent without time.
     pub period: Option<f64>,
 }
@@ -217,6 +222,8 @@ impl LevelSummary {
             negative_pivots: inertia.map(|inertia| inertia.negative),
             steps,
             evaluations: None,
+            factorisations: None,
+            solves: None,
             period: None,
         }
     }

@@ -55,7 +55,7 @@ fn hold(
 }
 
 /// Places have twelve digits there. At rest displacements keep theirs: nine and more. In a march bonds are stretched by what places lack, and
-/// pressures answer it by the square of the speed of sound over that of the waves: 3e-9 of forces and energies were measured.
+/// pressures answer it by the square of the speed of sound over that of the waves: up to 6e-9 of forces and energies were measured.
 #[test]
 fn bodies_far_away_give_the_same_curve() {
     let mut failures = Vec::new();
@@ -67,7 +67,7 @@ fn bodies_far_away_give_the_same_curve() {
     for (name, text, analysis, scale) in [
         ("bonds", across(BONDS), Some("{ linear = {} }"), (4.0, 1e-9)),
         ("bonds, at levels", across(BONDS), Some("{ static = { levels = 2 } }"), (4.0, 1e-9)),
-        ("bonds in time", across(BONDS), Some(transient), (4.0, 1e-8)),
+        ("bonds in time", across(BONDS), Some(transient), (4.0, 2e-8)),
         ("Galerkin", GALERKIN.to_string(), None, (2.0, 1e-9)),
         ("dam", DAM.to_string(), None, (0.2, 1e-8)),
         ("gate of bonds", GATE.to_string(), None, (0.2, 1e-8)),

@@ -1,13 +1,13 @@
 //! What is known to make a number of a solid wrong, looked for before it is run.
 
 use peridynamics::Solid;
-use sph_core::Vec3;
+use sph_core::{NodePlaces, Vec3};
 
 use super::bending::stiffness;
 use super::ends::excess;
 use super::sets::NodeSets;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene};
+use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene, Support};
 use crate::warning::{Doubt, Warning};
 
 /// A rule: what is doubtful, and whether it is so.
@@ -69,6 +69,8 @@ fn flat_cells(look: &Look<'_>) -> Option<String> {
 
 /// Part of the stiffness in bending that may be missing, or too much.
 const BENDING: f64 = 0.05;
+/// Part of what comes out that may be off by clamps, or by stiffness and clamps together.
+const OFF: f64 = 0.02;
 /// Length over thickness from which a member bends under a load across it.
 const SLENDER: f64 = 4.0;
 
@@ -89,27 +91,65 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
     let off = |&(_, stiffness): &(usize, f64)| (stiffness - 1.0).abs();
     let (axis, stiffness) =
         (0..lengths.len()).filter(slender).filter_map(stiffness).max_by(|a, b| off(a).total_cmp(&off(b)))?;
-    let (what, factor) = match &look.scene.analysis {
-        Analysis::Modal(_) => ("frequencies of bending", stiffness.sqrt()),
-        Analysis::Buckling(_) => ("buckling loads in bending", stiffness),
-        _ => ("deflections", 1.0 / stiffness),
+    let longer = behind_clamps(look, [along, axis]);
+    // Deflections go by the cube of the length, of loads all over by its fourth power, frequencies and buckling loads by its square.
+    let spread = look.scene.loads.iter().any(|load| load.traction.is_some() || load.gravity.is_some());
+    let power = if spread { 4.0 } else { 3.0 };
+    let (what, factor, by_clamps) = match &look.scene.analysis {
+        Analysis::Modal(_) => {
+            ("frequencies of bending", stiffness.sqrt() * (1.0 - 2.0 * longer), 2.0 * longer)
+        }
+        Analysis::Buckling(_) => {
+            ("buckling loads in bending", stiffness * (1.0 - 2.0 * longer), 2.0 * longer)
+        }
+        _ => ("deflections", (1.0 + power * longer) / stiffness, power * longer),
     };
     let balanced = match look.body.correction() {
         Correction::Balanced => "",
         _ => " nodes = \"edges\" with correction = \"balanced\",",
     };
-    ((stiffness - 1.0).abs() > BENDING).then(|| {
+    let clamps = match longer {
+        0.0 => String::new(),
+        _ => format!(
+            ", and clamps on nodes at centres of cells hold it about a spacing behind their faces, as if it were {:.1} % longer",
+            100.0 * longer
+        ),
+    };
+    let little = (stiffness - 1.0).abs() <= BENDING;
+    (!little || by_clamps > OFF || (factor - 1.0).abs() > OFF).then(|| {
         format!(
             "{} layers of nodes across a member that bends, along {}, at a horizon of {} spacings have about {:.2} of its \
-             stiffness in bending: {what} come out about {:+.0} % off; what is missing falls with the square of horizon over \
+             stiffness in bending{clamps}: {what} {} about {:+.0} % off; what is missing falls with the square of horizon over \
              thickness: use a narrower spacing or a shorter horizon,{balanced} or formulation.two-sheets for a thin plate",
             cells[axis],
             ["x", "y", "z"][axis],
             look.body.formulation.horizon(),
             stiffness,
+            if little { "may come out" } else { "come out" },
             100.0 * (factor - 1.0)
         )
     })
+}
+
+/// By what part a member is longer between its clamps than it should be: where layers under its end faces are held along and across it, nodes at
+/// centres of cells hold it about a spacing behind the face of the clamp, half of it their place and half what their bonds give way by. Gates of 5 and
+/// 10 layers in plane strain are as soft as if it were .6 to 1.3 spacings.
+fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
+    let lattice = look.body.lattice();
+    if lattice.nodes != NodePlaces::Centres {
+        return 0.0;
+    }
+    let holds = |support: &Support, axis: usize| {
+        let held = support.held.iter().flat_map(|held| &held.displacement);
+        support.clamped.is_some() || held.map(|v| Vec3::from(*v).normalize()).any(|v| v[axis].abs() > 0.5)
+    };
+    let held = look.scene.supports.iter().filter(|support| holds(support, along) && holds(support, across));
+    let layers = held.filter_map(|support| look.scene.sets.get(&support.on)?.layer.as_ref());
+    let ends = [2 * along, 2 * along + 1].map(|face| OF_SOLIDS[1 + face]);
+    let depths: Vec<f64> =
+        layers.filter(|layer| ends.contains(&layer.face.as_str())).map(|layer| layer.depth).collect();
+    let free = lattice.lengths[along] - depths.iter().sum::<f64>();
+    look.solid.block().spacing[along] * depths.len() as f64 / free
 }
 
 /// Whether loads or prescribed motions have a part along an axis.
