@@ -154,17 +154,20 @@
 //!
 //! # The strong form
 //!
-//! [`Formulation::StrongForm`] is \[lin2013\] to the letter, with the corrected gradient \[chen1999\] of the first
-//! particle of each pair:
+//! [`Formulation::StrongForm`] balances forces and moments at the particles as \[lin2013\] does, with the corrected gradient
+//! \[chen1999\] of the first particle of each pair:
 //!
 //! ```text
-//! m_a ẍ_a = A_a Σ_b [(P_a + P_b)·g_ab − ρ₀² t Π_ab g_ab],   P = n¹⊗T₁ + n²⊗T₂        eq. 4;  eq. 9 likewise with moments and q
+//! m_a ẍ_a = A_a Σ_b [(P_b ± P_a)·g_ab − ρ₀² t Π_ab F_a g_ab]     eq. 4, + as printed;  P = n¹⊗T₁ + n²⊗T₂
+//! I_a ω̇_a = A_a Σ_b (μ_b ± μ_a)·g_ab + A_a T_a                   eq. 9;  μ = d × m,  T = −d,α × m^α − d × q
 //! Π = (μ/ρ₀)(−c̄ϑ + 2ϑ²) for approaching particles, else 0
 //! ```
 //!
 //! g_ab is the corrected gradient of a towards b, ϑ < 0 the rate of their distance, c̄ the sound speed, ρ₀ the density;
-//! Π is subtracted as a pressure, where the paper adds it. There is no energy behind it, its stiffness is not
-//! symmetric, momentum is not kept; the tests measure that, and validation what it costs in accuracy.
+//! Π is subtracted as a pressure, where the paper adds it, and turned with the particle by F. The difference ([`Divergence`]) also
+//! prescribes what acts at edges, `P_a·r_a = f_a`, and holds the pattern of two spacings. There is no energy behind either, the
+//! stiffness is not symmetric; the tests measure that, docs/formulations.md shows the eigenvalues, and validation what the printed sum
+//! costs in accuracy.
 //!
 //! # Several sections
 //!

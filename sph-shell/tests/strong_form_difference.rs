@@ -60,33 +60,28 @@ fn a_constant_stress_meets_its_tractions() {
 }
 
 #[test]
-fn a_uniform_twist_of_directors_meets_its_moments() {
-    // Directors that turn linearly along x, positions at rest: the moments are constant, the shear force is linear.
-    let (cloud, turn) = (flat([8, 7], [1.7, 1.5]), 1e-4);
-    let mut body = free_shell(cloud.clone(), DIFFERENCE, 0.2);
-    for (a, x) in cloud.positions.iter().enumerate() {
-        body.set_state(a, *x, Vec3::new(turn * x.x, 0.0, 1.0));
-    }
-    let section = common::YOUNG * 0.2_f64.powi(3) / (12.0 * (1.0 - common::POISSON * common::POISSON));
-    let shear = 5.0 / 6.0 * common::YOUNG / (2.0 * (1.0 + common::POISSON)) * 0.2;
-    for ((f, x), (r, area)) in
-        forces(&mut body).iter().zip(&cloud.positions).zip(cloud.edge_normals.iter().zip(&cloud.areas))
-    {
-        // On positions minus the divergence of q = Gd, times area, and q at edges; on directors q times area, and m at edges.
-        let deflection = -area * shear * turn + shear * turn * x.x * r.x;
-        let rotation =
-            [area * shear * turn * x.x + section * turn * r.x, section * common::POISSON * turn * r.y];
-        let scale = shear * turn;
-        // The squares of 1e-4 that the nonlinear strains bring.
-        assert!((f[2] - deflection).abs() < 1e-6 * scale, "{f:?} {deflection:e}");
-        assert!((f[3] - rotation[0]).abs() < 1e-6 * scale, "{f:?} {rotation:?}");
-        assert!((f[4] - rotation[1]).abs() < 1e-6 * scale, "{f:?} {rotation:?}");
+fn a_constant_curvature_meets_its_moments() {
+    for cloud in [flat([8, 7], [1.7, 1.5]), common::disordered_flat([8, 7], [1.7, 1.5])] {
+        let bent = 1e-5;
+        let mut body = free_shell(cloud.clone(), DIFFERENCE, 0.2);
+        for (a, x) in cloud.positions.iter().enumerate() {
+            body.set_state(a, x - Vec3::z() * (0.5 * bent * x.x * x.x), Vec3::new(bent * x.x, 0.0, 1.0));
+        }
+        let moment =
+            common::YOUNG * 0.2_f64.powi(3) / (12.0 * (1.0 - common::POISSON * common::POISSON)) * bent;
+        let worst = forces(&mut body).iter().zip(&cloud.edge_normals).fold(0.0_f64, |worst, (f, r)| {
+            let of_directors = (f[3] - moment * r.x).abs().max((f[4] - common::POISSON * moment * r.y).abs());
+            worst.max(of_directors).max(f[2].abs())
+        });
+        println!("{:.1e} of the moment", worst / moment);
+        // Shear at rows that see one side is that of Kirchhoff; what is left is of second order in a slope of 1e-5.
+        assert!(worst < 1e-6 * moment, "{:.1e}", worst / moment);
     }
 }
 
 #[test]
 fn a_clamped_strip_turns_by_the_couple_over_its_stiffness() {
-    for (smoothing, bound) in [(0.7, 0.002), (0.85, 0.002), (1.2, 0.004)] {
+    for (smoothing, bound) in [(0.7, 1e-4), (0.85, 1e-4), (1.2, 1e-4)] {
         let cloud = flat([25, 5], [4.8, 0.8]);
         let (clamped, end) = (at(&cloud, |x| x.x < 1e-9), at(&cloud, |x| x.x > 4.8 - 1e-9));
         let moment = 1e-3;
@@ -112,7 +107,7 @@ fn a_clamped_strip_turns_by_the_couple_over_its_stiffness() {
         let exact = moment * 4.8 / (common::YOUNG * 0.8 * 0.4_f64.powi(3) / 12.0);
         let ratio = turn(end[2]) / exact;
         println!("h {smoothing}: {ratio:.5} of the exact turn");
-        // The printed sum turns by .56 to .62 of it.
+        // Round-off of the differences that linearise; the printed sum turns by .56 to .62 of it.
         assert!((ratio - 1.0).abs() < bound, "h {smoothing}: {ratio}");
     }
 }
@@ -189,8 +184,8 @@ fn net(cloud: Cloud, form: Formulation) -> [f64; 2] {
 
 #[test]
 fn momentum_is_kept_where_the_gradients_are_those_of_four_neighbours() {
-    // Sums of forces that cancel in pairs but at edges, whose tangents see half as many rows.
-    for (smoothing, least, most) in [(0.7, 0.0, 1e-9), (0.85, 1e-6, 0.5), (1.2, 1e-3, 2.0)] {
+    // Beyond four neighbours forces cancel in pairs but at edges, whose tangents see half as many rows: 1.5 and 15 % of the greatest force.
+    for (smoothing, least, most) in [(0.7, 0.0, 1e-12), (0.85, 1e-3, 0.05), (1.2, 0.01, 0.5)] {
         let [force, moment] = net(flat([9, 7], [2.0, 1.5]), difference(smoothing, 0.0));
         println!("h {smoothing}: net force {force:.1e}, net moment {moment:.1e}");
         assert!(force >= least && force < most, "{smoothing}: {force:.1e}");

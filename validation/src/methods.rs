@@ -20,6 +20,8 @@ pub const NODAL_3: &str = "nodal 3";
 pub const STRONG_12: &str = "strong-form 1.2";
 /// The published equations with a narrower kernel.
 pub const STRONG_085: &str = "strong-form 0.85";
+/// The published equations with the divergence in difference form and edges prescribed, kernel as narrow.
+pub const STRONG_DIFFERENCE: &str = "strong-form, difference";
 
 /// The default formulation without time: the same discrete energy, solved by Newton's method.
 pub const STATIC: &str = "stress-point cell, static";
@@ -51,7 +53,7 @@ pub struct Setting {
 
 /// All of shells, finite elements beside. Reach 2 is left out: on these lattices it holds the same four particles as 1.4.
 #[rustfmt::skip]
-pub const METHODS: [Setting; 12] = [
+pub const METHODS: [Setting; 13] = [
     Setting { method: CELL, set: None, colour: BLUE, mark: Mark::Disc },
     Setting { method: STATIC, set: None, colour: BLUE, mark: Mark::Square },
     Setting { method: RELAXED, set: None, colour: BLUE, mark: Mark::Triangle },
@@ -64,6 +66,7 @@ pub const METHODS: [Setting; 12] = [
     Setting { method: NODAL_3, set: Some(("nodal.order", "3")), colour: GREEN, mark: Mark::Triangle },
     Setting { method: STRONG_12, set: Some(("strong-form.smoothing", "1.2")), colour: VERMILION, mark: Mark::Cross },
     Setting { method: STRONG_085, set: Some(("strong-form.smoothing", "0.85")), colour: BLACK, mark: Mark::Cross },
+    Setting { method: STRONG_DIFFERENCE, set: Some(("strong-form.divergence", "\"difference\"")), colour: VERMILION, mark: Mark::Square },
 ];
 
 /// Those of peridynamic bodies.
@@ -86,8 +89,22 @@ mod tests {
     #[test]
     fn methods_are_listed_once() {
         for method in [
-            CELL, STATIC, RELAXED, ELEMENTS, WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3, STRONG_12,
-            STRONG_085, PAIRWISE, STATE, SHEETS,
+            CELL,
+            STATIC,
+            RELAXED,
+            ELEMENTS,
+            WIDE_14,
+            WIDE_25,
+            WIDE_30,
+            NODAL_1,
+            NODAL_2,
+            NODAL_3,
+            STRONG_12,
+            STRONG_085,
+            STRONG_DIFFERENCE,
+            PAIRWISE,
+            STATE,
+            SHEETS,
         ] {
             assert_eq!(
                 METHODS.iter().chain(&OF_BONDS).filter(|setting| setting.method == method).count(),

@@ -73,6 +73,28 @@ pub fn panel(
     Ok(solved)
 }
 
+/// The nodes of the quarter \[mm\] where the crown is at `until` \[mm\], driven there in so many steps, with the axis of the cylinder along y as in
+/// the scene of the particles, and the nodes of the elements.
+pub fn panel_shape(
+    n: usize,
+    thickness: f64,
+    section: PanelSection,
+    until: f64,
+    steps: usize,
+) -> Result<(Vec<Vector3<f64>>, Vec<[usize; 4]>), CaseError> {
+    let (mesh, model) = quarter(n, thickness, section)?;
+    let driven = model.unknown(mesh.node(0, 0), &Vector3::z()).ok_or(CaseError::Held("panel"))?;
+    let rest = mesh.positions.clone();
+    let read = move |_: f64, model: &Model| {
+        let moved = |(node, x): (usize, &Vector3<f64>)| (x + model.displacement(node)).yxz();
+        rest.iter().enumerate().map(moved).flat_map(|x| [x.x, x.y, x.z]).collect()
+    };
+    let (solved, path) = solve_path(model, &displacement_steps(driven, -until, steps), &[], read)?;
+    path.end?;
+    let last = solved.rows.last().map_or(&[][..], Vec::as_slice);
+    Ok((last.chunks_exact(3).map(Vector3::from_column_slice).collect(), mesh.elements()))
+}
+
 /// The whole path by arc length, from rest until the force leaves −`bound` … `bound` \[N\]; the first step is what 10 N
 /// would make, later ones up to six times that.
 pub fn panel_path(n: usize, thickness: f64, section: PanelSection, bound: f64) -> Result<Solved, CaseError> {

@@ -27,6 +27,7 @@ mod ring_green_lagrange;
 mod scordelis_lo;
 mod shortened;
 mod stepped_plate;
+mod struck_strip;
 mod thin_ring;
 mod tubes;
 mod turned;
@@ -68,6 +69,6 @@ pub fn all() -> Vec<Case> {
             point_load_smoothness::case(),
         ],
     ));
-    cases.extend(family("Invariance of shells", [turned::case(), patch_test::case()]));
+    cases.extend(family("Invariance of shells", [turned::case(), patch_test::case(), struck_strip::case()]));
     cases
 }

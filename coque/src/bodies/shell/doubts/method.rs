@@ -14,7 +14,7 @@ pub(super) fn strong_form(look: &Look<'_>) -> Option<String> {
     };
     if divergence == Divergence::Sum {
         return Some(
-            "formulation strong-form has no energy, and the printed sum finds forces at edges where the stress is constant: 33 % of \
+            "formulation strong-form has no energy, and the printed sum finds forces at edges where the stress is constant: 28 to 33 % of \
              the length off on the ring at a quarter of its moment; use formulation.stress-point, or \
              strong-form.divergence = \"difference\""
                 .into(),
