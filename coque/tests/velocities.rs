@@ -139,11 +139,11 @@ fn a_motion_that_starts_at_speed_has_its_work_booked() {
     }
 }
 
-/// A formulation without energy loses 45 % of it in two milliseconds: a warning leaves with the run.
+/// A formulation without energy loses 44 % of it in two milliseconds: a warning leaves with the run.
 #[test]
 fn a_balance_that_does_not_close_is_told() {
     let outcome = ran(overridden(STRUCK, "struck.toml", &[("formulation", "{ strong-form = {} }")]));
     let told = |warning: &&coque::Warning| warning.doubt == Doubt::OpenBalance;
     let warning = outcome.summary.record.warnings.iter().find(told).unwrap();
-    assert!(warning.message.contains("energy is missing, 45"), "{}", warning.message);
+    assert!(warning.message.contains("energy is missing, 44"), "{}", warning.message);
 }

@@ -81,9 +81,18 @@ fn variants() -> Vec<Variant> {
     for method in [WIDE_14, WIDE_25, WIDE_30, NODAL_1, NODAL_2, NODAL_3] {
         variants.push(short(method, 21).full_if(true));
     }
-    for method in [STRONG_12, STRONG_085, STRONG_DIFFERENCE] {
-        let short = short(method, 21).set("analysis.explicit.quasi-static.tolerance", 1e-6);
-        variants.push(short.full_if(method == STRONG_085));
+    let at = |method, levels: &[f64]| {
+        let levels: Vec<f64> = levels.iter().map(|w| w / FULL).collect();
+        let path = |key| format!("analysis.explicit.quasi-static.{key}");
+        on(method, 21).set(&path("levels"), format!("{levels:?}")).set(&path("tolerance"), 1e-6)
+    };
+    variants.push(at(STRONG_DIFFERENCE, &[6.0, 10.5, 11.0, 11.5, 18.0, 26.0, 30.0]));
+    for method in [STRONG_12, STRONG_085] {
+        // It hardly comes to rest, which tells no period: that of the shell.
+        let printed = at(method, &[2.0, 6.0, 10.0, 10.5, 11.0])
+            .set("analysis.explicit.quasi-static.period", 0.031)
+            .set("analysis.explicit.quasi-static.hold", 6.0);
+        variants.push(printed.full_if(method == STRONG_085).restless());
     }
     variants.push(
         Variant::new(FAST, scenes::PANEL, "cylinder", [21, 21])
@@ -131,13 +140,19 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let limit = limit_point(run)?;
     let found = Metric::compared("limit load", limit.map(|limit| limit.y), "kN", LIMIT);
     let place = Metric::compared("limit at", limit.map(|limit| limit.x), "mm", parabola_of_sze()?);
+    if known_failure(run) {
+        // Three times more than twice too stiff would hold nothing.
+        let reason = "known failure of the published pair sums: they find forces at edges where the stress is constant, and are more than twice too \
+                      stiff; held to a tenth";
+        let (early, known) = (from_sze(&w, &p, 0.0..=11.0)?, MEASURED.of(run)?);
+        return Ok(vec![
+            found.shown("known failure, judged by the distance below: to 11 mm it finds no limit"),
+            Metric::compared("Sze to 11 mm", early, PERCENT, known).within(0.1 * known, reason),
+        ]);
+    }
     let (to_26, to_30) = (from_sze(&w, &p, 0.0..=26.0)?, from_sze(&w, &p, 26.0..=FULL)?);
     let mut metrics = vec![
-        if known_failure(run) {
-            found.shown("known failure, judged by the two distances below: the published pair sums are twice too stiff")
-        } else {
-            found.near(MEASURED.of(run)?, why(&run.variant.method))
-        },
+        found.near(MEASURED.of(run)?, why(&run.variant.method)),
         place.shown("flat within 1 % from 9.9 to 11.8 mm; the reference is the parabola through the rows of Sze et al."),
     ];
     let table = "the table itself is up to 1.5 % off independent codes";
@@ -146,13 +161,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
         [("Sze to 26 mm", to_26, &TO_26, table), ("Sze 26 to 30 mm", to_30, &TO_30, singular)]
     {
         let measured = measured.of(run)?;
-        metrics.push(if known_failure(run) {
-            // Three times more than twice too stiff would hold nothing.
-            let reason = "known failure of the published pair sums, asserted as it is; what flutters moves by a few percent";
-            Metric::compared(name, error, PERCENT, measured).within(0.1 * measured, reason)
-        } else {
-            Metric::error(name, error, PERCENT).near(measured, reason)
-        });
+        metrics.push(Metric::error(name, error, PERCENT).near(measured, reason));
     }
     Ok(metrics)
 }
@@ -167,11 +176,14 @@ fn why(method: &str) -> &'static str {
         CELL | STATIC | RELAXED | ELEMENTS => {
             "the reference is what particles and, by other mechanics, elements converge to, known to .02 %"
         }
+        STRONG_DIFFERENCE => {
+            "differences over two spacings; the parabola through three levels half a millimetre apart"
+        }
         _ => "beside the default, judged so that a change is seen",
     }
 }
 
-/// Errors of the limit load \[%\], no less than a third of what the reference is known to.
+/// Errors of the limit load \[%\], of the printed strong form the distance from the table to 11 mm, no less than a third of what the reference is known to.
 #[rustfmt::skip] // a paragraph a method
 const MEASURED: Measured = Measured(&[
     (CELL, &[("11×11", 0.045), ("21×21", 0.0075), ("41×41", 0.0098)]),
@@ -184,8 +196,8 @@ const MEASURED: Measured = Measured(&[
     (WIDE_30, &[("21×21", 0.29)]),
     (NODAL_1, &[("21×21", 0.71)]),
     (NODAL_2, &[("21×21", 0.3)]),
-    (STRONG_12, &[("21×21", 140.0)]),
-    (STRONG_085, &[("21×21", 170.0)]),
+    (STRONG_12, &[("21×21", 127.0)]),
+    (STRONG_085, &[("21×21", 162.0)]),
     (STRONG_DIFFERENCE, &[("21×21", 0.06)]),
 ]);
 
@@ -202,9 +214,7 @@ const TO_26: Measured = Measured(&[
     (WIDE_30, &[("21×21", 2.0)]),
     (NODAL_1, &[("21×21", 3.3)]),
     (NODAL_2, &[("21×21", 0.87)]),
-    (STRONG_12, &[("21×21", 140.0)]),
-    (STRONG_085, &[("21×21", 170.0)]),
-    (STRONG_DIFFERENCE, &[("21×21", 0.6)]),
+    (STRONG_DIFFERENCE, &[("21×21", 1.2)]),
 ]);
 
 /// The same from 26 to 30 mm.
@@ -220,9 +230,7 @@ const TO_30: Measured = Measured(&[
     (WIDE_30, &[("21×21", 4.3)]),
     (NODAL_1, &[("21×21", 6.7)]),
     (NODAL_2, &[("21×21", 2.3)]),
-    (STRONG_12, &[("21×21", 110.0)]),
-    (STRONG_085, &[("21×21", 160.0)]),
-    (STRONG_DIFFERENCE, &[("21×21", 0.9)]),
+    (STRONG_DIFFERENCE, &[("21×21", 1.2)]),
 ]);
 
 /// Largest distance from the table of Sze et al. in percent of the limit load; none if the path ends before the range.
