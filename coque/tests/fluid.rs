@@ -180,7 +180,7 @@ fn each_body_has_frames_of_its_own() {
     // p²/2K by volume: one K of all particles, to what compression of a part in a hundred changes.
     let moduli = water.get("pressure").into_iter().zip(water.get("compression_energy"));
     let moduli: Vec<f64> =
-        moduli.filter(|(p, _)| *p > 100.0).map(|(p, stored)| 0.5 * p * p / stored).collect();
+        moduli.filter(|(p, _)| **p > 100.0).map(|(p, stored)| 0.5 * p * p / stored).collect();
     let [least, most] = [f64::min, f64::max].map(|pick| moduli.iter().copied().reduce(pick).unwrap());
     assert!(least > 0.0 && most / least < 1.05, "{least} {most}");
     assert!(gate.get("displacement").iter().any(|&u| u != 0.0));
