@@ -99,10 +99,10 @@ fn gate() -> Variant {
 /// The gate in the source's own model, to its peak.
 fn gate_of_bonds() -> Variant {
     Variant::scene(SOLID, GATE_OF_BONDS, "gate of bonds, 4 across, to the peak")
-        .set(TRANSIENT, "{ duration = 0.12, record_every = 0.002 }")
+        .set(TRANSIENT, "{ duration = 0.114, record_every = 0.002 }")
         .restless()
         .judged(|run, _| {
-            let top = peak(&run.column("time")?, &run.column("dx")?, 0.12);
+            let top = peak(&run.column("time")?, &run.column("dx")?, 0.114);
             let way = Metric::compared("peak of dx", top.map(|top| 1e3 * top.1), "mm", 36.2);
             let time = Metric::compared("time of the peak", top.map(|top| top.0), "s", 0.104);
             let level = Metric::compared("level beside the gate at the start", run.column("depth")?.first().copied(), "m", 0.14);

@@ -69,7 +69,8 @@ fn refused(correction: &'static str, nodes: &'static str) -> Variant {
         let text =
             text.replace("spacing = [10.0, 10.0, 1.0]", &format!("spacing = [10.0, 10.0, 1.0]{nodes}"));
         let scene = coque::Scene::parse(&text, "plate-lattice.toml").map_err(|error| error.to_string())?;
-        let said = scene.build(1).err().map(|error| error.to_string()).unwrap_or_default();
+        let wide = coque::Rendering { width: 1000, colour: false };
+        let said = scene.build(1).err().map(|error| coque::render(&error, wide)).unwrap_or_default();
         let named = ["correction", "too flat", "unstable at rest"].iter().all(|word| said.contains(word));
         Ok(Outcome::row(Solver::Static, &[(REFUSED, "-", f64::from(u8::from(named)))]))
     })
