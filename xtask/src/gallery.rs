@@ -18,7 +18,8 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 6] = ["baffle", "crack-branching", "dam-break", "gate", "kalthoff", "shell-in-water"];
+const PLANE: [&str; 7] =
+    ["baffle", "crack-branching", "dam-break", "gate", "gate-bonds", "kalthoff", "shell-in-water"];
 
 /// A scene on the page.
 struct Entry {

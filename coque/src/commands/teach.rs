@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 46] = [
+const TEMPLATES: [(&str, &str); 47] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -60,6 +60,7 @@ const TEMPLATES: [(&str, &str); 46] = [
     ("dam-break", include_str!("../../../scenes/dam-break.toml")),
     ("flanged-bracket", include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     ("gate", include_str!("../../../scenes/gate.toml")),
+    ("gate-bonds", include_str!("../../../scenes/gate-bonds.toml")),
     ("heavy-end", include_str!("../../../scenes/heavy-end.toml")),
     ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
     ("kalthoff", include_str!("../../../scenes/kalthoff.toml")),

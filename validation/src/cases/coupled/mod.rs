@@ -10,6 +10,7 @@ pub mod measure;
 mod plate;
 mod ring;
 mod scenes;
+mod source_settings;
 mod square;
 mod turek_hron;
 mod wedge;
@@ -30,5 +31,6 @@ pub fn all() -> Vec<Case> {
         wedge::case(),
         baffle::case(),
         scenes::case(),
+        source_settings::case(),
     ]
 }

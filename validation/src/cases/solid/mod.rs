@@ -10,6 +10,7 @@ mod measure;
 mod mode_one;
 mod moduli;
 mod plate_cracked;
+mod plate_lattice;
 mod plate_post_buckling;
 mod plate_stability;
 mod plate_tear;
@@ -43,7 +44,13 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Peridynamic plates",
-        [plate_stability::case(), plate_post_buckling::case(), plate_cracked::case(), plate_tear::case()],
+        [
+            plate_stability::case(),
+            plate_lattice::case(),
+            plate_post_buckling::case(),
+            plate_cracked::case(),
+            plate_tear::case(),
+        ],
     ));
     cases
 }

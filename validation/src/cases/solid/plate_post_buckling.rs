@@ -234,7 +234,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     if let Some(run) = runs.get(SHEETS, "10 mm to the end")? {
         series.push(Series::line("two sheets, 10 mm, to the end", points(run)?, VERMILION, Line::Solid));
     }
-    Ok(vec![Figure::Chart(Chart {
+    let force = Figure::Chart(Chart {
         title: "Force against shortening".into(),
         caption: "Published events: 9.6, 35.2 and 39.6 kN, of another stiffness and other supports; here the first is at 6.9 kN \
                   and the jump at 3.4 times that."
@@ -242,5 +242,18 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         x: Axis::linear("shortening [mm]"),
         y: Axis::linear("force [kN]"),
         series,
-    })])
+    });
+    let Some(far) = runs.get(SHEETS, "10 mm to the end")? else { return Ok(vec![force]) };
+    let forces = far.column("P")?.into_iter().map(|force| 1e-3 * force.abs());
+    let ways = forces.zip(far.column("centre")?).collect();
+    let centre = Figure::Chart(Chart {
+        title: "Deflection of the centre against force".into(),
+        caption: "As the seed paper's figure 4: the centre grows from the knee on, and goes to the other side where one half-wave \
+                  becomes three."
+            .into(),
+        x: Axis::linear("force [kN]"),
+        y: Axis::linear("deflection of the centre [mm]"),
+        series: vec![Series::line("two sheets, 10 mm, to the end", ways, VERMILION, Line::Solid)],
+    });
+    Ok(vec![force, centre])
 }

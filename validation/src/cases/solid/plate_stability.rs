@@ -48,8 +48,7 @@ pub fn case() -> Case {
         title: "Thin plate 300 × 200 × 2 mm as two peridynamic sheets: tension, compression, buckling",
         about: "Forces at a shortening of 1.2 mm and first critical forces under three sets of supports, against classical \
                 plates; half the tolerance at half the spacing. The published 119.9 (tension), 131.9 (compression) and 9.6 kN \
-                (buckling) cannot be repeated: a two-layer lattice of bonds in space has 2.3 times the stiffness of the \
-                plate in its plane and .76 of it in bending, and the calibration behind the figures is not given.",
+                (buckling) cannot be repeated: see plate-lattice for the lattice that they were published for.",
         citation: "Timoshenko and Gere 1961; the published figures: plate_stability in this project's reference files",
         variants: variants(),
         headline: Some(Headline::new(NAME, 0.1)),

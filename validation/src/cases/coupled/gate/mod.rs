@@ -25,10 +25,13 @@ const STORED: &str = "stored energy of the gate";
 const GONE: &str = "water gone";
 const LEVEL: &str = "level less that of the water left";
 const BALANCE: &str = "missing energy";
+const BESIDE: &str = "level beside the gate";
 const PEAK: &str = "peak of dx";
 const THRUST: &str = "thrust on the gate held still";
 /// Runs whose modulus was changed, and that are judged by what they come near to.
 const SOFT: [&str; 3] = ["2 mm, E 10 MPa", "2 mm, E 8 MPa", "2 mm, E 5 MPa"];
+/// Runs whose level is drawn.
+const LEVELS: [&str; 3] = ["2 mm", "1 mm", "2 mm, to the peak"];
 /// End of the runs that are compared with the whole experiment \[s\].
 const END: f64 = 0.36;
 /// End of those that show the peak \[s\].
@@ -134,6 +137,7 @@ impl Gate {
             (GONE, "-"),
             (LEVEL, "mm"),
             (BALANCE, "J/m"),
+            (BESIDE, "mm"),
         ];
         Ok(outcome(size, columns, &swing.rows))
     }
@@ -304,5 +308,29 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
             series,
         }));
     }
+    charts.push(levels(runs)?);
     Ok(charts)
+}
+
+/// The level beside the gate in time, as in the figure of Shi et al. 2022; no reading of an experiment is at hand.
+fn levels(runs: &Runs) -> Result<Figure, JudgeError> {
+    let mut series = Vec::new();
+    for run in runs.iter().filter(|run| LEVELS.contains(&run.variant.grid.as_str())) {
+        let points = run.column("time")?.into_iter().zip(run.column(BESIDE)?).collect();
+        let line = if run.variant.grid.starts_with('1') { Line::Solid } else { Line::Dashed };
+        let colour = if run.is(SHELL) { BLUE } else { VERMILION };
+        series.push(Series::line(
+            &format!("{}, {}", run.variant.method, run.variant.grid),
+            points,
+            colour,
+            line,
+        ));
+    }
+    Ok(Figure::Chart(Chart {
+        title: "Level of the water beside the gate".into(),
+        caption: "Read a tenth of the tank before the gate; the level in the tank is that of the water left there to ±.7 mm.".into(),
+        x: Axis::linear("time [s]"),
+        y: Axis::linear("level [mm]"),
+        series,
+    }))
 }

@@ -22,6 +22,8 @@ const POISSON: f64 = 0.4;
 const FLOOR: f64 = 0.7;
 /// Cells of the shell along the gate.
 const CELLS: usize = 40;
+/// Where the level beside the gate is read, over the width of the tank.
+const BESIDE: f64 = 0.9;
 /// Depth of the clamp of a solid gate, in spacings.
 const CLAMPED: usize = 3;
 
@@ -76,8 +78,8 @@ impl Gate {
 pub struct Swing {
     /// Time \[s\], dx and dy of the lower end \[mm\], kinetic and stored energy of the gate \[J/m\], water
     /// that has left \[–\], level in the tank less that of the water left there \[mm\], missing energy of
-    /// all \[J/m\].
-    pub rows: Vec<[f64; 8]>,
+    /// all \[J/m\], level beside the gate \[mm\].
+    pub rows: Vec<[f64; 9]>,
     pub particles: usize,
     pub steps: u64,
     pub substeps: u64,
@@ -199,6 +201,7 @@ fn marched<S: Wetted>(
             1.0 - left,
             1e3 * (level - WATER[1] * left),
             record.balance_error,
+            1e3 * fluid.level_at(Vec3::new(BESIDE * WATER[0], 0.0, 0.0)),
         ]);
     })?;
     found.density_error = system.fluid().greatest_density_error();
