@@ -178,7 +178,7 @@ fn each_body_has_frames_of_its_own() {
     assert_eq!(water.get("pressure").len(), 160);
     assert_eq!(water.get("velocity").len(), 480);
     // p²/2K by volume: one K of all particles, to what compression of a part in a hundred changes.
-    let moduli = water.get("pressure").into_iter().zip(water.get("compression_energy"));
+    let moduli = water.get("pressure").iter().zip(water.get("compression_energy"));
     let moduli: Vec<f64> =
         moduli.filter(|(p, _)| **p > 100.0).map(|(p, stored)| 0.5 * p * p / stored).collect();
     let [least, most] = [f64::min, f64::max].map(|pick| moduli.iter().copied().reduce(pick).unwrap());

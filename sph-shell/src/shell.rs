@@ -18,6 +18,7 @@ use crate::junction::group::Junctions;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::point::PointLaw;
 use crate::points::scheme::{Points, Scheme, Sections};
+use crate::points::strong_form::Sampling;
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
 use crate::regions::{PointSection, Region, Regions};
@@ -280,9 +281,7 @@ impl Shell {
             let law = PointLaw { strain: self.strain, section: &*self.section };
             self.internal_energy = equations.evaluate(
                 &self.reference,
-                packs,
-                shear,
-                law,
+                Sampling { packs, shear, law },
                 [&self.state, &self.rates],
                 energy,
                 forces,

@@ -59,6 +59,14 @@ pub(crate) struct StrongForm {
     resultants: Vec<PointRow>,
 }
 
+/// The points at which the resultants are found, and the law that finds them.
+#[derive(Clone, Copy)]
+pub(crate) struct Sampling<'a> {
+    pub packs: &'a Packs,
+    pub shear: &'a [ShearPack],
+    pub law: PointLaw<'a>,
+}
+
 impl StrongForm {
     /// # Errors
     /// [`ShellError::Space`] for pairs whose gradients cannot be found.
@@ -97,9 +105,7 @@ impl StrongForm {
     pub fn evaluate(
         &mut self,
         reference: &Reference,
-        packs: &Packs,
-        shear: &[ShearPack],
-        law: PointLaw<'_>,
+        Sampling { packs, shear, law }: Sampling<'_>,
         motion: [&[Row]; 2],
         energy: bool,
         forces: &mut [Row],

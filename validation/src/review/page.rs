@@ -74,6 +74,12 @@ fn numbers(change: &Change<'_>, columns: &[(String, Changed)]) -> Numbers {
                 row([&of, name, was, is, &reference(record, name)]);
             }
         }
+        for title in new.curve.keys().filter(|title| !old.curve.contains_key(*title)) {
+            row([&of, &format!("column {title}"), "", "new", ""]);
+        }
+        for title in old.curve.keys().filter(|title| !new.curve.contains_key(*title)) {
+            row([&of, &format!("column {title}"), "was there", "gone", ""]);
+        }
         let counts = |run: &Reviewed| {
             format!("{} particles, {} degrees of freedom, {}", run.particles, run.dof, run.spacing)
         };

@@ -142,9 +142,9 @@ mod tests {
             particles: 4,
             spacing: 0.5,
         };
-        let body = serde_json::to_string(&[run.clone()]).unwrap();
+        let body = serde_json::to_string(std::slice::from_ref(&run)).unwrap();
         let text = format!("---\nsource: somewhere.rs\n---\n{body}\n");
-        assert_eq!(Reviewed::stored(&text).unwrap(), [run.clone()]);
+        assert_eq!(Reviewed::stored(&text).unwrap(), std::slice::from_ref(&run));
         assert_eq!(run.column("W [m]").unwrap(), [0.0, -0.5, 1.0]);
         assert_eq!(run.column("U [m]"), None);
         assert!(Reviewed::stored("no head").is_err());

@@ -12,7 +12,7 @@ pub use curved::{hemisphere_with_hole_large, open_cylinder, pinched_cylinder_lar
 pub use linear::{
     TwistedBeam, hemisphere_of_thickness, hemisphere_with_hole, pinched_cylinder, scordelis_lo, twisted_beam,
 };
-pub use panel::{PanelSection, panel, panel_path, panel_shape};
+pub use panel::{DeformedShape, PanelSection, panel, panel_path, panel_shape};
 pub use plates::{PlateEdges, plate_centre_against_corners, plate_deflection, plate_frequencies};
 pub use strips::{Strip, end_moment, end_shear};
 

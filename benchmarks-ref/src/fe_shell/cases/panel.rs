@@ -73,6 +73,9 @@ pub fn panel(
     Ok(solved)
 }
 
+/// Nodes \[mm\], and those of each element.
+pub type DeformedShape = (Vec<Vector3<f64>>, Vec<[usize; 4]>);
+
 /// The nodes of the quarter \[mm\] where the crown is at `until` \[mm\], driven there in so many steps, with the axis of the cylinder along y as in
 /// the scene of the particles, and the nodes of the elements.
 pub fn panel_shape(
@@ -81,7 +84,7 @@ pub fn panel_shape(
     section: PanelSection,
     until: f64,
     steps: usize,
-) -> Result<(Vec<Vector3<f64>>, Vec<[usize; 4]>), CaseError> {
+) -> Result<DeformedShape, CaseError> {
     let (mesh, model) = quarter(n, thickness, section)?;
     let driven = model.unknown(mesh.node(0, 0), &Vector3::z()).ok_or(CaseError::Held("panel"))?;
     let rest = mesh.positions.clone();

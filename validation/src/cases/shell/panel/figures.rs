@@ -166,10 +166,10 @@ fn beside_elements(run: &Run) -> Result<Shapes, JudgeError> {
         .map_err(|cause| refused(cause.to_string()))?;
     let shape = run.outcome.shapes.iter().find(|shape| (shape.level - limit / 30.0).abs() < 1e-9);
     let apart = shape.map(|shape| {
-        let most = shape.positions.iter().map(|x| {
-            let nearest = nodes.iter().map(|node| (node - x).norm()).fold(f64::INFINITY, f64::min);
-            nearest
-        });
+        let most = shape
+            .positions
+            .iter()
+            .map(|x| nodes.iter().map(|node| (node - x).norm()).fold(f64::INFINITY, f64::min));
         most.fold(0.0, f64::max)
     });
     let place = |sheet: Sheet| sheet.shifted(2, -crown).stretched(2, 6.0).mirrored(0).mirrored(1);
