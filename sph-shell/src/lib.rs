@@ -246,7 +246,7 @@
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
 //! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
-//! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs, tests/more_springs.rs |
+//! | springs: frequencies and deflections in closed form, tangent, momentum, the stable step | tests/springs.rs, tests/more_springs.rs, tests/beams_on_springs.rs |
 //! | rigid sets: derivatives of the energy, six zero modes, beams with a heavy end, momentum in free flight, the step, supports that balance | tests/rigid.rs, tests/rigid_march.rs |
 //! | rigid sets that are moved and turned, or held beside their centre of mass: as their particles one by one, pendulums, energy in time | tests/moved_bodies.rs, tests/hinged_bodies.rs |
 //! | masses lumped at a junction weigh and move with it | tests/junction_masses.rs |
