@@ -5,9 +5,7 @@
 mod common;
 
 use common::{DENSITY, Sheets, X, Y, YOUNG, Z, at, beam_parts, flat, supported};
-use implicit_statics::{
-    BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
-};
+use implicit_statics::{BucklingOptions, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched};
 use sph_core::{Side, Vec3};
 use sph_shell::{Clamped, Force, Hinged, Load, Shell, SpringBetween, Springs, StaticShell, TurnSpring};
 
