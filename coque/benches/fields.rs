@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, Shown, State, Time, Units};
+use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, FieldRequest, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 
@@ -39,7 +39,7 @@ fn frames(c: &mut Criterion) {
             [("motion", false, false), ("stresses", true, false), ("stresses, extruded", true, true)]
         {
             let units = Units { length: Length::None, force: Force::None, time: Time::None, by_depth: false };
-            let shown = Shown { state: State::Moving, units, stresses, driven: None, forces: None };
+            let shown = FieldRequest { state: State::Moving, units, stresses, driven: None, forces: None };
             let wanted = Fields { every: 1, stresses, extruded, points: false };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {

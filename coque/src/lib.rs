@@ -32,13 +32,13 @@
 //! | what any body offers, columns of the curve | [`Body`], `bodies/body.rs`; `bodies/probe.rs` |
 //! | which kind of body is built | `bodies/build.rs` |
 //! | scene → shell; scene → solid; scene → fluid and walls | `bodies/shell/build.rs`, `bodies/solid/build.rs`, `bodies/fluid/` and their neighbours |
-//! | a fluid with the structures in it: the scene of each alone; one body of all | `scene/alone.rs`; `bodies/coupled/` |
+//! | a fluid with the structures in it: the scene of each alone; one body of all | `scene/single_body.rs`; `bodies/coupled/` |
 //! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `bodies/shell/imported.rs` |
 //! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
-//! | the run, its figures, what it goes on from | `run/under_way.rs`, `run/record.rs`, `run/checkpoint/` |
+//! | the run, its figures, what it goes on from | `run/active_run.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
 //! | which lattice reaches an accuracy | [`accuracy`] |
-//! | what is known to make a number wrong | `bodies/shell/doubts/`, `bodies/solid/doubts.rs`; the words: `warning.rs` |
+//! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
 //! # From words to the mechanics
@@ -50,7 +50,7 @@
 //! | `geometry` | a cloud of `sph-core`, or a mesh by [`mesh::Surface::cloud`] |
 //! | `material`, `section` | a section of `shell-kinematics`; of `layered` the plies with a material axis |
 //! | `parts` | regions of `sph-shell`: cells with a section and height of their own |
-//! | `formulation` | the position of the dial in `sph-shell`, with the strain measure |
+//! | `formulation` | the formulation in `sph-shell`, with the strain measure |
 //! | `supports`, `loads` | supports and loads of `sph-shell` on named sets of particles |
 //! | `analysis` | see below |
 //!
@@ -134,9 +134,9 @@
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
 //! | solids: a bar stretched as Hooke says, a plate that breaks, the same bits for any number of threads | tests/solid.rs |
-//! | what is refused of solids, and doubted | tests/solid_refusals.rs, tests/solid_doubts.rs |
+//! | what is refused of solids, and warned of | tests/solid_refusals.rs, tests/solid_warnings.rs |
 //! | a run of a breaking solid goes on to the same bits | `a_breaking_solid_goes_on_to_the_same_bits` (tests/resume.rs) |
-//! | every rule of the table of doubts fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/doubts.rs) |
+//! | every rule of the table of warnings fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/warnings.rs) |
 //! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
 //! | a fluid with a shell or a solid in it goes on to the same bits | `a_fluid_and_what_is_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
@@ -157,10 +157,10 @@ pub mod scene;
 mod warning;
 
 pub use analyses::{Estimate, RunOptions};
-pub use bodies::shell::doubts::doubts;
+pub use bodies::shell::warnings::warnings;
 pub use bodies::{
-    Balanced, Body, Configuration, Description, Evaluated, FluidFigures, Found, LoadResultants, Marched,
-    Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, Shown, State, StateArray,
+    StaticBody, Body, Configuration, Description, FieldSource, FluidFigures, Diagnostics, LoadResultants, DynamicBody,
+    Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, FieldRequest, State, StateArray,
     TangentCost, Task,
 };
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
@@ -188,4 +188,4 @@ pub use scene::render::{Rendering, render};
 pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
-pub use warning::{Doubt, Warning};
+pub use warning::{WarningKind, Warning};

@@ -11,10 +11,10 @@ mod commands {
     pub mod plot;
     pub mod results;
     pub mod resume;
-    pub mod say;
+    pub mod stderr;
     pub mod stop;
     pub mod sweep;
-    pub mod teach;
+    pub mod templates;
 }
 
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ use std::sync::Arc;
 use clap::{Args, Parser, Subcommand};
 use commands::bar::Bar;
 use commands::results::{CURVE, ResultFolder};
-use commands::say::{Refused, say};
+use commands::stderr::{Refused, say};
 use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, teach};
 use coque::{
@@ -63,17 +63,17 @@ enum Command {
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Sweep),
     /// Write a commented scene to start from.
-    #[command(after_help = teach::NEW_HELP)]
-    New(teach::New),
+    #[command(after_help = templates::NEW_HELP)]
+    New(templates::New),
     /// Validate a scene; print the model, what it leaves out and what a run will cost.
     #[command(after_help = check::HELP)]
     Check(check::Check),
     /// Print what a scene may name: analyses, formulations, supports, loads, …, a line each.
-    #[command(after_help = teach::LIST_HELP)]
-    List(teach::List),
+    #[command(after_help = templates::LIST_HELP)]
+    List(templates::List),
     /// Print the JSON schema of scenes, for editors.
-    #[command(after_help = teach::SCHEMA_HELP)]
-    Schema(teach::Schema),
+    #[command(after_help = templates::SCHEMA_HELP)]
+    Schema(templates::Schema),
 }
 
 #[derive(Args)]
@@ -130,7 +130,7 @@ What an earlier run left in DIR under these names is taken out as a run begins; 
 Ctrl-C, SIGTERM or a terminal that goes (not under nohup) end the run in good order, with the results so far; a second
 one at once.
 A level that was left before the motion had died is no equilibrium: all is written, a warning tells what was missing, and
-the last line on stderr is `not settled: ` with the levels. Other doubts are printed as `warning: `; summary.json has
+the last line on stderr is `not settled: ` with the levels. Other warnings are printed as `warning: `; summary.json has
 each with a word for scripts.
 
 Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 4 done but a level did
@@ -164,10 +164,10 @@ fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
         Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
         Command::Resume(resume) => resume::carry_out(&resume, stop),
         Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
-        Command::New(new) => teach::new(&new).map(|()| DONE),
+        Command::New(new) => templates::new(&new).map(|()| DONE),
         Command::Check(check) => check::carry_out(&check).map(|()| DONE),
-        Command::List(list) => teach::list(&list).map(|()| DONE),
-        Command::Schema(schema) => teach::schema(&schema).map(|()| DONE),
+        Command::List(list) => templates::list(&list).map(|()| DONE),
+        Command::Schema(schema) => templates::schema(&schema).map(|()| DONE),
     }
 }
 
@@ -269,7 +269,7 @@ fn default_out(scene: &Path) -> PathBuf {
     Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
 }
 
-/// Tells what came out and gives the exit code; warnings told early are not repeated.
+/// Tells what came out and gives the exit code; warnings printed early are not repeated.
 fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
     let summary = &outcome.summary;
     for warning in summary.record.warnings.iter().filter(|warning| !early.contains(warning)) {

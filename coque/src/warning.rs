@@ -1,11 +1,11 @@
-//! Doubts about a number: what may be wrong with a result, and the figure that says so.
+//! Warnings about a number: what may be wrong with a result, and the figure that says so.
 
 use serde::{Deserialize, Serialize};
 
 /// What is doubtful, as a word that a script can look for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Doubt {
+pub enum WarningKind {
     /// A load level was left before the motion had died, or far out of balance.
     NotSettled,
     /// A state of rest that the shell would leave at the least disturbance.
@@ -114,7 +114,7 @@ pub enum Doubt {
     OpenBalance,
 }
 
-impl Doubt {
+impl WarningKind {
     /// The word, as `summary.json` has it.
     pub fn word(self) -> &'static str {
         match self {
@@ -179,15 +179,15 @@ impl Doubt {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
     /// What is doubtful.
-    pub doubt: Doubt,
+    pub kind: WarningKind,
     /// What was found, its bound and the repair, in one sentence.
     pub message: String,
 }
 
 impl Warning {
     /// A warning with its message.
-    pub fn new(doubt: Doubt, message: impl Into<String>) -> Self {
-        Self { doubt, message: message.into() }
+    pub fn new(kind: WarningKind, message: impl Into<String>) -> Self {
+        Self { kind, message: message.into() }
     }
 }
 
@@ -197,61 +197,61 @@ mod tests {
 
     #[test]
     fn the_word_is_the_one_in_the_summary() {
-        for doubt in [
-            Doubt::NotSettled,
-            Doubt::Unstable,
-            Doubt::PassedCritical,
-            Doubt::NoPotential,
-            Doubt::FewerModes,
-            Doubt::StrongForm,
-            Doubt::NodalLocking,
-            Doubt::PatternModes,
-            Doubt::ScaledInertia,
-            Doubt::NotAtRest,
-            Doubt::WideThin,
-            Doubt::UnevenCells,
-            Doubt::CoarseBending,
-            Doubt::CoarseTurn,
-            Doubt::FewParticles,
-            Doubt::SharpFold,
-            Doubt::TiedBothSides,
-            Doubt::TieBetweenLines,
-            Doubt::ShallowSheet,
-            Doubt::ThinProfile,
-            Doubt::OffsetInertia,
-            Doubt::SharpCorners,
-            Doubt::PoorMesh,
-            Doubt::Pole,
-            Doubt::HeldLoad,
-            Doubt::NoWork,
-            Doubt::FarNearest,
-            Doubt::TooThick,
-            Doubt::Overlap,
-            Doubt::OddHorizon,
-            Doubt::FlatCells,
-            Doubt::FewLayers,
-            Doubt::ThinLayer,
-            Doubt::LoadedFace,
-            Doubt::Compressed,
-            Doubt::SlowSound,
-            Doubt::LeakyWall,
-            Doubt::LostFluid,
-            Doubt::StiffLattice,
-            Doubt::FluidFirst,
-            Doubt::NoContact,
-            Doubt::SoftWalls,
-            Doubt::DryFace,
-            Doubt::PullingBoundary,
-            Doubt::BrokenAtRest,
-            Doubt::LeakySupport,
-            Doubt::HeldFace,
-            Doubt::ShearLocking,
-            Doubt::LargeStrain,
-            Doubt::LargeLinear,
-            Doubt::StabilityUnknown,
-            Doubt::OpenBalance,
+        for kind in [
+            WarningKind::NotSettled,
+            WarningKind::Unstable,
+            WarningKind::PassedCritical,
+            WarningKind::NoPotential,
+            WarningKind::FewerModes,
+            WarningKind::StrongForm,
+            WarningKind::NodalLocking,
+            WarningKind::PatternModes,
+            WarningKind::ScaledInertia,
+            WarningKind::NotAtRest,
+            WarningKind::WideThin,
+            WarningKind::UnevenCells,
+            WarningKind::CoarseBending,
+            WarningKind::CoarseTurn,
+            WarningKind::FewParticles,
+            WarningKind::SharpFold,
+            WarningKind::TiedBothSides,
+            WarningKind::TieBetweenLines,
+            WarningKind::ShallowSheet,
+            WarningKind::ThinProfile,
+            WarningKind::OffsetInertia,
+            WarningKind::SharpCorners,
+            WarningKind::PoorMesh,
+            WarningKind::Pole,
+            WarningKind::HeldLoad,
+            WarningKind::NoWork,
+            WarningKind::FarNearest,
+            WarningKind::TooThick,
+            WarningKind::Overlap,
+            WarningKind::OddHorizon,
+            WarningKind::FlatCells,
+            WarningKind::FewLayers,
+            WarningKind::ThinLayer,
+            WarningKind::LoadedFace,
+            WarningKind::Compressed,
+            WarningKind::SlowSound,
+            WarningKind::LeakyWall,
+            WarningKind::LostFluid,
+            WarningKind::StiffLattice,
+            WarningKind::FluidFirst,
+            WarningKind::NoContact,
+            WarningKind::SoftWalls,
+            WarningKind::DryFace,
+            WarningKind::PullingBoundary,
+            WarningKind::BrokenAtRest,
+            WarningKind::LeakySupport,
+            WarningKind::HeldFace,
+            WarningKind::ShearLocking,
+            WarningKind::LargeStrain,
+            WarningKind::LargeLinear,
+            WarningKind::StabilityUnknown,
+            WarningKind::OpenBalance,
         ] {
-            assert_eq!(serde_json::to_value(doubt).unwrap(), doubt.word());
+            assert_eq!(serde_json::to_value(kind).unwrap(), kind.word());
         }
     }
 }

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use coque::{Doubt, Ended, Outcome, Scene, Silent};
+use coque::{WarningKind, Ended, Outcome, Scene, Silent};
 
 const PATH: &str = "analysis.explicit.quasi-static";
 
@@ -35,8 +35,8 @@ fn last(outcome: &Outcome, column: &str) -> f64 {
     outcome.curve.rows.last().unwrap()[at]
 }
 
-fn doubted(outcome: &Outcome, doubt: Doubt) -> bool {
-    outcome.summary.record.warnings.iter().any(|warning| warning.doubt == doubt)
+fn warned(outcome: &Outcome, kind: WarningKind) -> bool {
+    outcome.summary.record.warnings.iter().any(|warning| warning.kind == kind)
 }
 
 /// A coarse shell, its period and one number that is read off.
@@ -98,7 +98,7 @@ const ROWS: [(&str, f64, f64, f64); 20] = [
 
 #[test]
 fn what_settles_is_right_whatever_the_damping_and_the_period() {
-    let (mut settled, mut restless) = (0, 0);
+    let (mut settled, mut unsettled) = (0, 0);
     println!(
         "scene, damping, period, ramp, hold: error [%], kinetic/internal, out of balance, way left, steps"
     );
@@ -124,14 +124,14 @@ fn what_settles_is_right_whatever_the_damping_and_the_period() {
                 if reached.settled { "" } else { ", not settled" }
             );
             println!("{row}");
-            assert_eq!(doubted(&outcome, Doubt::NotSettled), !reached.settled, "{row}");
+            assert_eq!(warned(&outcome, WarningKind::NotSettled), !reached.settled, "{row}");
             assert!(!reached.settled || error.abs() < 0.01, "{row}");
             settled += usize::from(reached.settled);
-            restless += usize::from(!reached.settled);
+            unsettled += usize::from(!reached.settled);
         }
     }
     // A criterion that all meet, or none, would say nothing.
-    assert!(settled > 30 && restless > 10, "{settled} settled, {restless} did not");
+    assert!(settled > 30 && unsettled > 10, "{settled} settled, {unsettled} did not");
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn a_perfect_column_above_its_critical_load_is_warned_of() {
     assert!(reached.settled && last(&outcome, "w").abs() < 1e-6, "{reached:?}");
     // The second mode comes at nine times the first load, the first across the width at four times.
     assert_eq!(reached.negative_pivots, Some(1));
-    assert!(doubted(&outcome, Doubt::Unstable), "{:?}", outcome.summary.record.warnings);
+    assert!(warned(&outcome, WarningKind::Unstable), "{:?}", outcome.summary.record.warnings);
 }
 
 #[test]
@@ -244,7 +244,7 @@ fn an_unsettled_run_ends_with_a_code_and_a_last_line_of_its_own() {
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
     assert_eq!(
-        (&summary["ended"], &summary["warnings"][1]["doubt"]),
+        (&summary["ended"], &summary["warnings"][1]["kind"]),
         (&"done".into(), &"not-settled".into())
     );
     assert!(summary["levels"][0]["way_left"].as_f64().unwrap() > 0.1, "{summary}");

@@ -93,12 +93,12 @@ fn a_closed_fluid_that_walls_press_is_warned_of() {
         let warnings = &outcome.summary.record.warnings;
         warnings
             .iter()
-            .filter(|w| w.doubt.word() == "soft-walls")
+            .filter(|w| w.kind.word() == "soft-walls")
             .map(|w| w.message.clone())
             .collect::<Vec<_>>()
     };
-    let told = said(&outcome);
-    assert!(told.len() == 1 && told[0].contains("about 15 % less"), "{told:?}");
+    let reported = said(&outcome);
+    assert!(reported.len() == 1 && reported[0].contains("about 15 % less"), "{reported:?}");
     let pressures = column(&outcome, "p");
     let mean = pressures[12..].iter().sum::<f64>() / pressures[12..].len() as f64;
     let exact = 1000.0 * 50.0 * 50.0 / 7.0 * ((1.0_f64 / 0.98).powi(7) - 1.0);

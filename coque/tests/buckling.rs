@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use common::{Replaced, column, run, scene};
-use coque::{Doubt, Ended, Outcome, Progress, ProgressReport, Scene};
+use coque::{WarningKind, Ended, Outcome, Progress, ProgressReport, Scene};
 
 const STRESS: (&str, &str) = ("analysis.buckling.prebuckling", "\"stress\"");
 
@@ -78,7 +78,7 @@ fn fewer_modes_than_asked_for_carry_a_warning() {
     let outcome = run("column-buckling.toml", &few);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     assert!(!outcome.curve.rows.is_empty() && outcome.curve.rows.len() < 30);
-    assert!(outcome.summary.record.warnings.iter().any(|warning| warning.doubt == Doubt::FewerModes));
+    assert!(outcome.summary.record.warnings.iter().any(|warning| warning.kind == WarningKind::FewerModes));
 }
 
 /// Ends a run when asked for the n-th time.
@@ -180,7 +180,7 @@ analysis.buckling.sign = "either"
         let found = column(&outcome, "level");
         assert!((found[0] + found[1]).abs() < 1e-5, "{found:?}");
         assert!((found[1] - 1.046).abs() < 0.003, "{prebuckling} {found:?}");
-        assert!(outcome.summary.record.warnings.iter().all(|warning| warning.doubt != Doubt::ChangedShape));
+        assert!(outcome.summary.record.warnings.iter().all(|warning| warning.kind != WarningKind::ChangedShape));
     }
 }
 
@@ -193,8 +193,8 @@ fn a_clamped_cap_has_two_linearised_levels() {
         assert!((found[0] / expected - 1.0).abs() < 0.005, "{replaced:?} {found:?}");
     }
     let warnings = run("clamped-cap.toml", &[]).summary.record.warnings;
-    let told = warnings.iter().find(|warning| warning.doubt == Doubt::ChangedShape).unwrap();
-    assert!(told.message.contains("the level 0.9347"), "{}", told.message);
+    let reported = warnings.iter().find(|warning| warning.kind == WarningKind::ChangedShape).unwrap();
+    assert!(reported.message.contains("the level 0.9347"), "{}", reported.message);
 }
 
 /// A quarter of a cylinder R/t = 100, L = R, pressed along its axis: ten levels within five percent of the classical stress

@@ -1,6 +1,6 @@
 //! The examples: each compares a number with a closed form and says by its exit code whether it holds.
 //!
-//! `cargo test` and `cargo nextest run` build the examples with the tests, unless they are told which target to build:
+//! `cargo test` and `cargo nextest run` build the examples with the tests, unless a target is named to build:
 //! before `cargo test -p coque --test examples` alone comes `cargo build -p coque --examples`.
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
@@ -60,7 +60,7 @@ fn the_ladder_is_the_one_that_is_told() {
     let names: Vec<String> = ladder().into_iter().map(|(name, _)| name).collect();
     let readme =
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/README.md")).unwrap();
-    let told: Vec<&str> = readme
+    let reported: Vec<&str> = readme
         .lines()
         .filter_map(|line| line.strip_prefix("| [`")?.split_once("`]("))
         .map(|(name, rest)| {
@@ -68,7 +68,7 @@ fn the_ladder_is_the_one_that_is_told() {
             name
         })
         .collect();
-    assert_eq!(names, told, "examples on disk, and in the table of their README");
+    assert_eq!(names, reported, "examples on disk, and in the table of their README");
     let text = |name: &str| {
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.rs"))).unwrap()
     };

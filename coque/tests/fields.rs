@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use common::fields::{EVERYTHING, HINGE, Read, folder, listed, names, run, scene};
-use coque::{Ended, FieldError, FieldFiles, FieldSink, Frame, Scene, Shown, State};
+use coque::{Ended, FieldError, FieldFiles, FieldSink, Frame, Scene, FieldRequest, State};
 use sph_core::{Cell, Cloud, Vec3};
 
 /// Uniform tension F on a sheet b wide: every cell carries N = F/b along x, the faces σ = F/(bt), whatever its frame.
@@ -87,7 +87,7 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         time: coque::Time::Second,
         by_depth: false,
     };
-    let shown = Shown { state: State::Balance, units, stresses: false, driven: None, forces: None };
+    let shown = FieldRequest { state: State::Balance, units, stresses: false, driven: None, forces: None };
     let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0 };
     FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap().frame(&frame).unwrap();
     let flat = Read::new(&folder.join("shell-0000.vtu"));

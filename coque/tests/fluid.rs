@@ -42,7 +42,7 @@ fn still_water_presses_as_it_is_deep() {
         let error = mean(name) / exact - 1.0;
         assert!(error.abs() < within, "{name}: {error}");
     }
-    // The surface lies half a spacing over the highest particles; half of that is not told apart.
+    // The surface lies half a spacing over the highest particles; half of that is not distinguished.
     assert!((mean("h") - 0.2).abs() < 0.01, "{}", mean("h"));
     let figures = outcome.summary.record.fluid.clone().unwrap();
     assert_eq!(figures.mass, 1000.0 * 0.1 * 0.2);
@@ -148,7 +148,7 @@ fn water_leans_on_a_gate_of_a_solid() {
     let thrust = column(&outcome, "F")[0];
     assert!((thrust / 128.0 - 1.0).abs() < 0.06, "{thrust}");
     assert!(last(&outcome, "dx") > 1e-6, "{:?}", column(&outcome, "dx"));
-    // The lone solid of the same scene has the same nodes and freedoms.
+    // The lone solid of the same scene has the same nodes and degrees of freedom.
     let bodies = &outcome.summary.body.bodies;
     let [curve, gate] = ["curve = [", "[bodies.gate"].map(|part| GATE.find(part).unwrap());
     let alone = format!("{}{}", &GATE[..curve], &GATE[gate..]);

@@ -18,7 +18,7 @@ fn ran(text: &str, replaced: Replaced) -> Outcome {
 }
 
 fn warned(outcome: &Outcome) -> Vec<&'static str> {
-    outcome.summary.record.warnings.iter().map(|warning| warning.doubt.word()).collect()
+    outcome.summary.record.warnings.iter().map(|warning| warning.kind.word()).collect()
 }
 
 /// Gauges read ρg times a depth at once; the force of a lattice that has not settled is short by a spacing of head, of ten

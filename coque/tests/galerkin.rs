@@ -1,4 +1,4 @@
-//! Galerkin solids from scenes to results: a bar in closed form, forces in balance, fields, resumed runs, doubts.
+//! Galerkin solids from scenes to results: a bar in closed form, forces in balance, fields, resumed runs, warnings.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -7,7 +7,7 @@ mod common;
 use common::galerkin::{ARC, BAR};
 use common::{column, last};
 use coque::{
-    Doubt, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
+    WarningKind, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
 };
 
 fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
@@ -173,22 +173,22 @@ fn states_are_taken_up_with_their_history() {
     assert!(body.refresh(0.0) > 0.0);
 }
 
-/// What is doubtful is told: supports that leak, bases that lock, strains beyond the law.
+/// What is doubtful is reported: supports that leak, bases that lock, strains beyond the law.
 #[test]
 fn doubts_are_told() {
-    let doubts = |set: &[(&str, &str)]| {
+    let warned = |set: &[(&str, &str)]| {
         let outcome = scene(BAR, set).build(1).unwrap().run(&mut Silent);
-        outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect::<Vec<_>>()
+        outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect::<Vec<_>>()
     };
     let formulation = "bodies.bar.solid.formulation.galerkin";
-    assert_eq!(doubts(&[]), []);
-    assert_eq!(doubts(&[(&format!("{formulation}.essential"), "'direct'")]), [Doubt::LeakySupport]);
+    assert_eq!(warned(&[]), []);
+    assert_eq!(warned(&[(&format!("{formulation}.essential"), "'direct'")]), [WarningKind::LeakySupport]);
     let thin =
         ("bodies.bar.solid.geometry.block", "{ lengths = [2.0, 1.0, 0.02], spacing = [0.5, 0.5, 0.01] }");
-    assert_eq!(doubts(&[thin]), [Doubt::ShearLocking]);
+    assert_eq!(warned(&[thin]), [WarningKind::ShearLocking]);
     let plate = (formulation, "{ basis = 'plate17' }");
     assert_eq!(
-        doubts(&[
+        warned(&[
             plate,
             (
                 "bodies.bar.solid.geometry.block",
@@ -198,11 +198,11 @@ fn doubts_are_told() {
         []
     );
     let pulled = [("loads.0.traction.value", "[0.3, 0, 0]"), ("analysis.static.levels", "4")];
-    assert_eq!(doubts(&pulled), [Doubt::LargeStrain]);
+    assert_eq!(warned(&pulled), [WarningKind::LargeStrain]);
     // Four cells along a bar that is pulled are as good as any; bent, it is 5 % stiff.
     let bent = ("loads.0.traction.value", "[0, 0, 1e-6]");
-    assert_eq!(doubts(&[bent]), [Doubt::FewParticles]);
-    assert_eq!(doubts(&[bent, ("bodies.bar.solid.geometry.block.spacing", "0.25")]), []);
+    assert_eq!(warned(&[bent]), [WarningKind::FewParticles]);
+    assert_eq!(warned(&[bent, ("bodies.bar.solid.geometry.block.spacing", "0.25")]), []);
 }
 
 /// Levels of these bodies are linearised in fixed directions: a bar that bends by a fifth of its width "buckles" aside, and a slender
@@ -215,7 +215,7 @@ fn a_level_far_along_the_bend_is_doubtful() {
         let lengths = ("bodies.bar.solid.geometry.block.lengths", length);
         let found = scene(BAR, &[lengths, ("loads", &load), ("analysis", buckling), ("curve", "[]")]);
         let outcome = found.build(1).unwrap().run(&mut Silent);
-        let doubtful = |warning: &Warning| warning.doubt == Doubt::ChangedShape;
+        let doubtful = |warning: &Warning| warning.kind == WarningKind::ChangedShape;
         (last(&outcome, "level"), outcome.summary.record.warnings.iter().any(doubtful))
     };
     assert!(found("[2, 1, 1]", "[0, 0, -0.001]").1);
@@ -244,15 +244,15 @@ fn one_solve_a_step_tells_how_far_off_it_is() {
     // Figures of the prototype, of four digits.
     assert!((last(&coarse, "w") - 0.0779).abs() < 1e-4 && (last(&fine, "w") - 0.1233).abs() < 1e-4);
     for (outcome, bound) in [(&coarse, 0.25), (&fine, 0.02)] {
-        let (w, told) = (last(outcome, "w"), last(outcome, "way_left"));
-        let ratio = told / (exact / w - 1.0).abs();
-        assert!((ratio - 1.0).abs() < bound, "{told} told of {w} for {exact}");
+        let (w, reported) = (last(outcome, "w"), last(outcome, "way_left"));
+        let ratio = reported / (exact / w - 1.0).abs();
+        assert!((ratio - 1.0).abs() < bound, "{reported} reported of {w} for {exact}");
         let worst = column(outcome, "way_left").into_iter().fold(0.0, f64::max);
         let levels = &outcome.summary.record.levels;
         assert_eq!(levels.iter().map(|level| level.way_left).fold(0.0, f64::max), worst);
         assert!(levels.iter().all(|level| level.settled == (level.way_left <= 0.01)));
-        let doubts: Vec<_> = outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect();
-        assert_eq!(doubts, [Doubt::NotSettled], "{worst}");
+        let warned: Vec<_> = outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect();
+        assert_eq!(warned, [WarningKind::NotSettled], "{worst}");
         assert!(outcome.summary.record.falls_short().is_some());
     }
     assert_eq!(coarse.summary.record.factorisations, 3);

@@ -82,7 +82,7 @@ fn broken_conditions_of_solids() {
             ("free to turn", "clamped = {}", "held = { displacement = [[1, 0, 0]] }"),
             ("held everywhere", "on = \"x0\"", "on = \"all\""),
             (
-                "told two things",
+                "given two values",
                 "[{ on = \"x0\", clamped = {} }]",
                 "[{ on = \"x0\", clamped = {} }, { on = \"x0\", moved = { direction = [1, 0, 0], by = 0.1 } }]",
             ),

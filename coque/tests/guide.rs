@@ -74,7 +74,7 @@ fn read(name: &str) -> Page {
     Page { name: name.into(), text, steps }
 }
 
-/// Follows a page in an empty copy; what differs is told at the end, or written into the page.
+/// Follows a page in an empty copy; what differs is reported at the end, or written into the page.
 fn follow(name: &str) {
     let page = read(name);
     let refresh = std::env::var("COQUE_GUIDE").is_ok_and(|value| value == "refresh");

@@ -5,22 +5,22 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run, text};
-use coque::{Doubt, Ended, Outcome, Rendering, render};
+use coque::{WarningKind, Ended, Outcome, Rendering, render};
 
 fn done(outcome: Outcome) -> Outcome {
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     outcome
 }
 
-fn doubts(outcome: &Outcome) -> Vec<Doubt> {
-    outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect()
+fn warned(outcome: &Outcome) -> Vec<WarningKind> {
+    outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect()
 }
 
 /// Held by its edges nothing moves before the plate swings, and no preload is found; an edge that is let go takes its part of the tension away.
 #[test]
 fn a_stress_in_balance_needs_no_preload_and_one_that_is_not_does() {
     let held = done(run("tensioned-plate.toml", &[]));
-    assert!(held.summary.record.preload.is_none() && doubts(&held).is_empty(), "{:?}", doubts(&held));
+    assert!(held.summary.record.preload.is_none() && warned(&held).is_empty(), "{:?}", warned(&held));
     assert!((column(&held, "frequency")[0] / 149.18 - 1.0).abs() < 3e-3);
     let line = "initial stress of all, balanced before the analysis".to_string();
     assert!(held.summary.body.modelled.contains(&line));
@@ -66,7 +66,7 @@ fn a_strip_rolls_up_by_level_or_before_a_load() {
     assert!((column(&pushed, "U")[0] / column(&pushed, "internal")[0] - 1.0).abs() < 1e-6);
 }
 
-/// Pressed from within, a plate buckles at the level at which its stress is critical; beyond it, that is told.
+/// Pressed from within, a plate buckles at the level at which its stress is critical; beyond it, that is reported.
 #[test]
 fn a_stress_alone_buckles_by_level() {
     let pressed: Replaced =
@@ -78,7 +78,7 @@ fn a_stress_alone_buckles_by_level() {
     assert!((level / exact - 1.0).abs() < 5e-3, "{level} {exact}");
     let beyond = format!("[{0}, {0}, 0.0]", -1.05e6 * level);
     let over = run("tensioned-plate.toml", &[("initial_stress[0].membrane", &beyond)]);
-    assert_eq!(doubts(&over), [Doubt::Unstable]);
+    assert_eq!(warned(&over), [WarningKind::Unstable]);
     assert_eq!(column(&over, "frequency").iter().filter(|&&f| f == 0.0).count(), 1);
 }
 
@@ -92,22 +92,22 @@ fn a_march_sets_out_of_balance_and_says_so() {
     let march =
         ("analysis", "{ explicit = { transient = { duration = 0.8, record_every = 0.1, damping = 35.0 } } }");
     let marched = done(run("relieved-strip.toml", &[slight, lattice, march]));
-    assert_eq!(doubts(&marched), [Doubt::NotAtRest]);
+    assert_eq!(warned(&marched), [WarningKind::NotAtRest]);
     let found = last(&marched, "w_end");
     println!("{found} {at_rest}");
     assert!((found / at_rest - 1.0).abs() < 1e-2, "{found} {at_rest}");
     let held = "{ explicit = { transient = { duration = 1e-4, record_every = 1e-4 } } }";
     let still = done(run("tensioned-plate.toml", &[("analysis", held)]));
-    assert!(doubts(&still).is_empty(), "{:?}", doubts(&still));
+    assert!(warned(&still).is_empty(), "{:?}", warned(&still));
 }
 
 #[test]
 fn patterns_among_the_modes_are_told() {
     let thin = ("section.homogeneous.thickness", "1e-5");
     let modes = |count: &'static str| ("analysis.modal.modes", count);
-    assert!(doubts(&done(run("tensioned-plate.toml", &[thin, modes("10")]))).is_empty());
-    let told = done(run("tensioned-plate.toml", &[thin, modes("20")]));
-    assert_eq!(doubts(&told), [Doubt::PatternModes]);
+    assert!(warned(&done(run("tensioned-plate.toml", &[thin, modes("10")]))).is_empty());
+    let reported = done(run("tensioned-plate.toml", &[thin, modes("20")]));
+    assert_eq!(warned(&reported), [WarningKind::PatternModes]);
     // The same mean tension by a motion of one edge, the others free to slide along it.
     let sliding = "[[0, 1, 0], [0, 0, 1]]";
     let pulled = |count: &'static str| {
@@ -127,8 +127,8 @@ fn patterns_among_the_modes_are_told() {
             ],
         ))
     };
-    assert!(doubts(&pulled("10")).is_empty());
-    assert_eq!(doubts(&pulled("20")), [Doubt::PatternModes]);
+    assert!(warned(&pulled("10")).is_empty());
+    assert_eq!(warned(&pulled("20")), [WarningKind::PatternModes]);
 }
 
 /// A part with a measure of its own is built and said; one over all of a shell is the shell.

@@ -92,11 +92,11 @@ fn more_particles_than_there_is_memory_for_are_refused_with_both_numbers() {
         );
     }
     assert!(!out.join("run").exists());
-    // More than half: told, and run.
+    // More than half: warned of, and run.
     let levels = "analysis.explicit={ transient = { duration = 1e-3, record_every = 1e-3 } }";
-    let told = run(220_000, &["--set", "geometry.plate.particles=[141, 301]", "--set", levels]);
-    assert_eq!(told.status.code(), Some(0), "{}", said(&told));
-    assert!(said(&told).contains("warning: the run needs about"), "{}", said(&told));
+    let reported = run(220_000, &["--set", "geometry.plate.particles=[141, 301]", "--set", levels]);
+    assert_eq!(reported.status.code(), Some(0), "{}", said(&reported));
+    assert!(said(&reported).contains("warning: the run needs about"), "{}", said(&reported));
 }
 
 #[test]

@@ -67,24 +67,24 @@ fn a_terminal_that_has_gone_ends_no_run() {
     // Closed; full; a pipe whose reader has gone before a word was said.
     for (number, end) in ["2>&-", "2>/dev/full >/dev/full", "2>&1 | true"].iter().enumerate() {
         let out = folder(&format!("terminal-{number}"));
-        let told = out.with_extension("code");
+        let reported = out.with_extension("code");
         let line = format!(
             "{{ sleep 0.05; \"$0\" run scenes/patch-test.toml \
              --set 'output.plot={{ x = \"level\", y = \"U_end\" }}' --out \"$1\"; echo $? > \"$2\"; }} {end}"
         );
         let shell = ["sh", "-c", &line, env!("CARGO_BIN_EXE_coque")];
-        Command::new("env").args(shell).args([&out, &told]).current_dir(root()).status().unwrap();
+        Command::new("env").args(shell).args([&out, &reported]).current_dir(root()).status().unwrap();
         // The last part of a pipe does not wait for the first.
         let mut waited = 0;
-        while !told.exists() || fs::read_to_string(&told).unwrap().is_empty() {
+        while !reported.exists() || fs::read_to_string(&reported).unwrap().is_empty() {
             std::thread::sleep(std::time::Duration::from_millis(10));
             waited += 1;
             assert!(waited < 6000, "{end}: no end within a minute");
         }
-        assert_eq!(fs::read_to_string(&told).unwrap().trim(), "0", "{end}");
+        assert_eq!(fs::read_to_string(&reported).unwrap().trim(), "0", "{end}");
         assert_eq!(fs::read(out.join("curve.csv")).unwrap(), curve, "{end}");
         assert_eq!(names(&out), WHOLE, "{end}");
-        fs::remove_file(&told).unwrap();
+        fs::remove_file(&reported).unwrap();
     }
     // A refusal that cannot be printed is one still; so is a list that is not printed.
     for line in ["\"$0\" run no-such-scene.toml 2>/dev/full", "\"$0\" list 2>/dev/full >/dev/full"] {

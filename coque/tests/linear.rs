@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, last, ran, scene};
-use coque::{Doubt, Ended, Outcome, Rendering, Scene, SceneError, render};
+use coque::{WarningKind, Ended, Outcome, Rendering, Scene, SceneError, render};
 
 fn solved(scene: Result<Scene, SceneError>) -> Outcome {
     let outcome = ran(scene);
@@ -272,16 +272,16 @@ fn a_twisted_strip_may_be_disordered() {
 /// Name, file, overrides.
 type Case<'a> = (&'a str, &'a str, Replaced<'a>);
 
-/// The strip moves by P L³/3EI: what is not small against its length is told, with a motion as with a load, of shells and of solids.
+/// The strip moves by P L³/3EI: what is not small against its length is reported, with a motion as with a load, of shells and of solids.
 #[test]
 fn an_answer_too_large_to_be_linear_is_told() {
-    let told = |outcome: &Outcome| {
-        outcome.summary.record.warnings.iter().any(|warning| warning.doubt == Doubt::LargeLinear)
+    let reported = |outcome: &Outcome| {
+        outcome.summary.record.warnings.iter().any(|warning| warning.kind == WarningKind::LargeLinear)
     };
     // Deflections of .13, .17 and 28 lengths.
     for (force, large) in [(3.9, false), (5.1, true), (840.0, true)] {
         let outcome = pushed(force, "analysis.linear = {}");
-        assert_eq!(told(&outcome), large, "{force}");
+        assert_eq!(reported(&outcome), large, "{force}");
     }
     let outcome = pushed(840.0, "analysis.linear = {}");
     let message = &outcome.summary.record.warnings[0].message;
@@ -300,7 +300,7 @@ fn an_answer_too_large_to_be_linear_is_told() {
     };
     for formulation in ["formulation.state-based = { horizon = 2.015 }", "formulation.galerkin = {}"] {
         // P L³/3EI is .26 F.
-        assert!(!told(&bar(formulation, 1.0)) && told(&bar(formulation, 10.0)), "{formulation}");
+        assert!(!reported(&bar(formulation, 1.0)) && reported(&bar(formulation, 10.0)), "{formulation}");
     }
 }
 

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 use coque::mesh::report;
-use coque::{Doubt, Outcome, Rendering, Scene, SceneError, Silent, render};
+use coque::{WarningKind, Outcome, Rendering, Scene, SceneError, Silent, render};
 use meshes::{PLATES, folder, plate, square_with_a_hole};
 use sph_core::{EndWeights, Plate, lattice};
 
@@ -293,22 +293,22 @@ fn a_tied_rib_bears_its_plate_and_wrong_ties_are_refused() {
     assert!(refused("[[ties]]", "[formulation.nodal]\norder = 2\n[[ties]]").contains("sampled in cells"));
 }
 
-/// A rib pushed aside turns its foot, which hangs in the middle of cells: what these do not see is told after the run.
+/// A rib pushed aside turns its foot, which hangs in the middle of cells: what these do not see is reported after the run.
 #[test]
 fn couples_between_the_lines_of_a_host_are_told() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes/tied-rib.toml");
     let text = fs::read_to_string(&file).unwrap();
     let aside = "[[loads]]\non = \"rib\"\nforce = { total = [0.0, 1e2, 0.0], by_area = true }\n";
-    let told = |load: &str, analysis: &str| {
+    let reported = |load: &str, analysis: &str| {
         let (from, to) = (text.find("[[loads]]").unwrap(), text.find("[analysis.linear]").unwrap());
         let text = text.replace(&text[from..to], load).replace("[analysis.linear]", analysis);
         let scene = Scene::parse(&text, &file.display().to_string()).unwrap();
         let outcome = scene.build(1).unwrap().run(&mut Silent);
-        let told = |warning: &&coque::Warning| warning.doubt == Doubt::TieBetweenLines;
-        outcome.summary.record.warnings.iter().find(told).map(|warning| warning.message.clone())
+        let reported = |warning: &&coque::Warning| warning.kind == WarningKind::TieBetweenLines;
+        outcome.summary.record.warnings.iter().find(reported).map(|warning| warning.message.clone())
     };
     for analysis in ["[analysis.linear]", "[analysis.static]\nlevels = 1"] {
-        let message = told(aside, analysis).unwrap();
+        let message = reported(aside, analysis).unwrap();
         println!("{message}");
         assert!(
             message.contains("% of the energy is missing") && message.contains("under the edge"),
@@ -316,5 +316,5 @@ fn couples_between_the_lines_of_a_host_are_told() {
         );
     }
     let down = "[[loads]]\non = \"skin\"\nforce = { total = [0.0, 0.0, -1e2], by_area = true }\n";
-    assert_eq!(told(down, "[analysis.linear]"), None);
+    assert_eq!(reported(down, "[analysis.linear]"), None);
 }

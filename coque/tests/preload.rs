@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run, scene};
-use coque::{Doubt, Ended, Outcome, Rendering, render};
+use coque::{WarningKind, Ended, Outcome, Rendering, render};
 
 const TENSION: (&str, &str) = ("loads[0].force.total", "[39.4784, 0, 0]");
 
@@ -106,11 +106,11 @@ fn a_preload_beyond_its_limits_is_told() {
     let outcome = run("pulled-strip.toml", &[much]);
     let record = &outcome.summary.record;
     assert_eq!(record.preload.as_ref().unwrap().negative_pivots, 1);
-    let told = record.warnings.iter().any(|warning| {
-        warning.doubt == Doubt::PassedCritical
+    let reported = record.warnings.iter().any(|warning| {
+        warning.kind == WarningKind::PassedCritical
             && warning.message.starts_with("in the preload: beyond the bifurcation")
     });
-    assert!(told, "{:?}", record.warnings);
+    assert!(reported, "{:?}", record.warnings);
     assert!((record.preload.as_ref().unwrap().critical[0].level * 12.0 / 9.8696 - 1.0).abs() < 2e-3);
     // Crushed, it has no balance at all.
     let outcome = run("pulled-strip.toml", &[("loads[0].force.total", "[-1e7, 0, 0]")]);

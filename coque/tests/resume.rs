@@ -13,7 +13,7 @@ use common::sittings::{Pairs, StopAfter, folder, go_on, pairs, same, sit, start,
 use common::text;
 use coque::{CHECKPOINT, Checkpoint, Ended, Origin, RunOptions, SCENE_COPY, Scene, Silent};
 
-/// Particles, densities, forces of the last evaluation, the clocks and what they booked: all of it is kept.
+/// Particles, densities, forces of the last evaluation, the clocks and what they counted: all of it is kept.
 #[test]
 fn a_fluid_and_what_is_in_it_go_on_to_the_same_bits() {
     stopped_again_and_again("dam", DAM, &[], 6);
@@ -40,7 +40,7 @@ fn runs_under_an_initial_stress_go_on_to_the_same_bits() {
     stopped_again_and_again("let-go", &strip, &[slight, ("analysis", march)], 3);
 }
 
-/// A rigid end that is turned, hinged beside its mass, with springs: its pose and motion are told by its particles.
+/// A rigid end that is turned, hinged beside its mass, with springs: its pose and motion are those of its particles.
 #[test]
 fn runs_with_rigid_sets_go_on_to_the_same_bits() {
     let strip = text("twisted-strip.toml");

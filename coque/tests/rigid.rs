@@ -69,13 +69,13 @@ fn a_clamped_body_is_a_clamped_edge_and_bears_its_own_weight() {
 #[test]
 fn a_load_on_a_body_is_told_to_do_no_work_where_the_body_is_held() {
     let push = "[{ on = 'u1', couple = { moment = 1, axis = [0, 1, 0] } }]";
-    let doubted = |supports| {
+    let warned = |supports| {
         let scene = overridden(STRIP, "strip.toml", &[("loads", push), ("supports", supports)]).unwrap();
         let model = scene.build(1).unwrap();
-        model.warnings().iter().any(|warning| format!("{:?}", warning.doubt) == "NoWork")
+        model.warnings().iter().any(|warning| format!("{:?}", warning.kind) == "NoWork")
     };
-    assert!(!doubted("[{ on = 'u0', clamped = {} }]"));
-    assert!(doubted("[{ on = 'u0', clamped = {} }, { on = 'u1', clamped = {} }]"));
+    assert!(!warned("[{ on = 'u0', clamped = {} }]"));
+    assert!(warned("[{ on = 'u0', clamped = {} }, { on = 'u1', clamped = {} }]"));
 }
 
 /// Under the same weight by relaxation: where Newton's method finds it.

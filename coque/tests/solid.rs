@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, last, overridden, ran};
-use coque::{Doubt, Outcome, Scene, Silent};
+use coque::{WarningKind, Outcome, Scene, Silent};
 
 /// A bar between mirror planes, pulled at its end: uniform tension.
 const BAR: &str = r#"title = "Bar"
@@ -197,7 +197,7 @@ fn the_motion_of_one_node_seeks_its_force() {
     assert!(refused.to_string().contains("other supports hold"), "{refused}");
 }
 
-/// Bonds that break in a state of balance are told of, and the run falls short; a state within the limits is not.
+/// Bonds that break in a state of balance are warned of, and the run falls short; a state within the limits is not.
 #[test]
 fn bonds_that_break_at_rest_raise_a_doubt() {
     let moved = |by: f64| {
@@ -206,7 +206,7 @@ fn bonds_that_break_at_rest_raise_a_doubt() {
         )
     };
     let limit = ("bodies.plate.solid.fracture", "{ stretch = { tension = 0.01 } }");
-    let doubts = |by: f64| {
+    let warned = |by: f64| {
         let outcome = run(CORNER, &[("supports", &moved(by)), limit]);
         let record = outcome.summary.record;
         let found = record.warnings.clone();
@@ -214,11 +214,11 @@ fn bonds_that_break_at_rest_raise_a_doubt() {
         let energies = record.energies;
         let broken = record.breaking.map_or(0.0, |breaking| breaking.energy + breaking.released);
         assert!((energies.external - energies.internal - broken).abs() <= 1e-12 * energies.external);
-        found.into_iter().filter(|warning| warning.doubt == Doubt::BrokenAtRest).collect::<Vec<_>>()
+        found.into_iter().filter(|warning| warning.kind == WarningKind::BrokenAtRest).collect::<Vec<_>>()
     };
     // Corners of the clamp are stretched twice as far as the rest.
-    assert!(doubts(0.003).is_empty());
+    assert!(warned(0.003).is_empty());
     // The first corner breaks at 0.0075; at 0.0079 a node hangs by one bond, which is no balance.
-    let told = doubts(0.0077);
-    assert!(told.len() == 1 && told[0].message.contains("Griffith"), "{told:?}");
+    let reported = warned(0.0077);
+    assert!(reported.len() == 1 && reported[0].message.contains("Griffith"), "{reported:?}");
 }

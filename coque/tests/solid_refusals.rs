@@ -184,7 +184,7 @@ fn contact_needs_time() {
             assert!(!refuses, "{analysis} is not refused");
             continue;
         };
-        let told = ["`bodies.bar.solid.contact`", "it is not in the tangent", "[analysis.explicit]", "───"];
-        assert!(refuses && told.iter().all(|words| said.contains(words)), "{analysis}: {said}");
+        let reported = ["`bodies.bar.solid.contact`", "it is not in the tangent", "[analysis.explicit]", "───"];
+        assert!(refuses && reported.iter().all(|words| said.contains(words)), "{analysis}: {said}");
     }
 }

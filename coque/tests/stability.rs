@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, overridden, ran, text};
-use coque::{Doubt, Ended, Failure, Outcome, Scene};
+use coque::{WarningKind, Ended, Failure, Outcome, Scene};
 use explicit_dynamics::MarchError;
 
 /// A quarter of the force \[N\].
@@ -21,8 +21,8 @@ fn panel(analysis: &str) -> Outcome {
     ran(overridden(&scene, "panel.toml", &[("geometry.cylinder.particles", "[11, 11]")]))
 }
 
-fn doubts(outcome: &Outcome) -> Vec<Doubt> {
-    outcome.summary.record.warnings.iter().map(|warning| warning.doubt).collect()
+fn warned(outcome: &Outcome) -> Vec<WarningKind> {
+    outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect()
 }
 
 #[test]
@@ -40,12 +40,12 @@ fn a_level_beyond_the_snap_names_the_limit_point_before_it() {
     let path = panel("arc-length = { until = 0.9, steps = 200 }");
     let found = &path.summary.record.critical[0];
     assert!((limit.level / found.level - 1.0).abs() < 1e-6, "{limit:?} {found:?}");
-    assert_eq!(doubts(&outcome), [Doubt::PassedCritical]);
+    assert_eq!(warned(&outcome), [WarningKind::PassedCritical]);
     let message = &outcome.summary.record.warnings[0].message;
     for word in [&limit.place() as &str, "load level 0.8 ", "another branch", "[analysis.arc-length]"] {
         assert!(message.contains(word), "{word}: {message}");
     }
-    assert_eq!(doubts(&path), [], "a path over limit points is what was asked for");
+    assert_eq!(warned(&path), [], "a path over limit points is what was asked for");
 }
 
 /// A relaxation goes along with the snap: the energy that it sets free tells it, on coarse levels and on fine ones.
@@ -57,9 +57,9 @@ fn a_relaxation_names_the_levels_between_which_it_snapped() {
         let [snap] = &outcome.summary.record.critical[..] else {
             panic!("{:?}", outcome.summary.record.critical)
         };
-        let told = snap.between.unwrap();
-        assert!((told[0] - between[0]).abs() < 1e-12 && (told[1] - between[1]).abs() < 1e-12, "{snap:?}");
-        assert_eq!((snap.kind.as_str(), doubts(&outcome)), ("change of branch", vec![Doubt::PassedCritical]));
+        let reported = snap.between.unwrap();
+        assert!((reported[0] - between[0]).abs() < 1e-12 && (reported[1] - between[1]).abs() < 1e-12, "{snap:?}");
+        assert_eq!((snap.kind.as_str(), warned(&outcome)), ("change of branch", vec![WarningKind::PassedCritical]));
         let message = &outcome.summary.record.warnings[0].message;
         println!("{message}");
         for word in ["snapped", "times the energy", "another branch", "[analysis.arc-length]"] {
@@ -90,11 +90,11 @@ fn a_pushed_panel_snaps_where_its_path_turns_back_and_only_there() {
     };
     for levels in ["5", "10", "30"] {
         let levels = format!("{{ relaxation = {{ levels = {levels}, tolerance = 1e-5 }} }}").leak();
-        assert_eq!(doubts(&pushed("12.7", levels)), [], "{levels}");
+        assert_eq!(warned(&pushed("12.7", levels)), [], "{levels}");
     }
     let outcome = pushed("6.35", "{ relaxation = { levels = 30, tolerance = 1e-5 } }");
     println!("{:?} {:?}", outcome.summary.record.critical, outcome.summary.record.warnings);
-    assert_eq!(doubts(&outcome), [Doubt::PassedCritical]);
+    assert_eq!(warned(&outcome), [WarningKind::PassedCritical]);
     let between = outcome.summary.record.critical[0].between.unwrap();
     assert!(between.iter().all(|level| (level * 30.0 - 17.0).abs() < 1.5), "{between:?} of 30 mm");
 }
@@ -115,8 +115,8 @@ fn what_turns_far_without_a_snap_is_not_doubted() {
         let replaced: Vec<_> = replaced.iter().map(|(k, v)| (*k, v.as_str())).chain(coarse).collect();
         let outcome = ran(overridden(&text(name), name, &replaced));
         assert_eq!(outcome.ended, Ended::Done, "{name}");
-        let doubts = doubts(&outcome);
-        assert!(!doubts.contains(&Doubt::PassedCritical), "{name}: {:?}", outcome.summary.record.warnings);
+        let warned = warned(&outcome);
+        assert!(!warned.contains(&WarningKind::PassedCritical), "{name}: {:?}", outcome.summary.record.warnings);
     }
 }
 
@@ -195,11 +195,11 @@ fn a_straight_column_beyond_its_load_is_called_unstable() {
     };
     assert_eq!(critical.kind, "bifurcation");
     assert!((critical.level - 1.0).abs() < 0.01, "{critical:?}");
-    assert_eq!(doubts(&outcome), [Doubt::PassedCritical, Doubt::Unstable], "once each");
+    assert_eq!(warned(&outcome), [WarningKind::PassedCritical, WarningKind::Unstable], "once each");
     assert!(outcome.summary.record.warnings[1].message.starts_with("from load level 1.5 on"));
 }
 
-/// Without a word from the scene a small body is looked at, however short the run; a large one is told not to have been.
+/// Without a word from the scene a small body is looked at, however short the run; a large one is reported as not looked at.
 #[test]
 fn what_is_not_looked_at_is_told() {
     let column = |particles: &str, more: &str| {
@@ -213,13 +213,13 @@ fn what_is_not_looked_at_is_told() {
         );
         ran(Scene::parse(&scene, "column.toml"))
     };
-    assert_eq!(doubts(&column("[21, 3]", "")), [Doubt::Unstable]);
-    assert_eq!(doubts(&column("[21, 3]", "stability = false")), []);
+    assert_eq!(warned(&column("[21, 3]", "")), [WarningKind::Unstable]);
+    assert_eq!(warned(&column("[21, 3]", "stability = false")), []);
     let large = column("[321, 33]", "period = 0.004");
-    assert!(doubts(&large).contains(&Doubt::StabilityUnknown), "{:?}", doubts(&large));
+    assert!(warned(&large).contains(&WarningKind::StabilityUnknown), "{:?}", warned(&large));
     let looked = column("[321, 33]", "period = 0.004\nstability = true");
     assert!(
-        doubts(&looked).contains(&Doubt::Unstable) && !doubts(&looked).contains(&Doubt::StabilityUnknown)
+        warned(&looked).contains(&WarningKind::Unstable) && !warned(&looked).contains(&WarningKind::StabilityUnknown)
     );
 }
 
@@ -237,5 +237,5 @@ fn the_level_of_a_driven_path_is_a_force_with_its_unit() {
     assert_eq!((limit.kind.as_str(), limit.unit.as_deref()), ("limit point", Some("N")));
     assert_eq!(limit.place(), format!("a force of {} N", limit.level));
     assert!((4.0 * limit.level / 2222.0 - 1.0).abs() < 5e-3, "a quarter of the panel's limit load");
-    assert_eq!(doubts(&outcome), [], "what a given displacement holds is stable");
+    assert_eq!(warned(&outcome), [], "what a given displacement holds is stable");
 }

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran};
-use coque::{Doubt, Outcome};
+use coque::{WarningKind, Outcome};
 
 const PLATE: &str = r#"
 title = "Free plate"
@@ -100,7 +100,7 @@ formulation.state-based = { horizon = 3.015, plane = "stress" }
 "#;
 
 /// Supports that give and take velocities at once do the work `½mv²` of it, and the balance stays closed at every record, also at
-/// the one at which they stop. Before it was booked shell, bonds and body missed 9, 4 and 60 % of what was turned over.
+/// the one at which they stop. Before it was counted shell, bonds and body missed 9, 4 and 60 % of what was turned over.
 #[test]
 fn a_motion_that_starts_at_speed_has_its_work_booked() {
     let rigid = "[{ on = 'u0', at = [-0.3, 0.25, 0.2], mass = 40.0, inertia = [0.5, 0.7, 0.9], products = [0.1, 0, 0] }]";
@@ -133,7 +133,7 @@ fn a_motion_that_starts_at_speed_has_its_work_booked() {
         );
         assert!(share.abs() < bound, "{name}: {share:e}");
         assert!(
-            !outcome.summary.record.warnings.iter().any(|warning| warning.doubt == Doubt::OpenBalance),
+            !outcome.summary.record.warnings.iter().any(|warning| warning.kind == WarningKind::OpenBalance),
             "{name}"
         );
     }
@@ -143,7 +143,7 @@ fn a_motion_that_starts_at_speed_has_its_work_booked() {
 #[test]
 fn a_balance_that_does_not_close_is_told() {
     let outcome = ran(overridden(STRUCK, "struck.toml", &[("formulation", "{ strong-form = {} }")]));
-    let told = |warning: &&coque::Warning| warning.doubt == Doubt::OpenBalance;
-    let warning = outcome.summary.record.warnings.iter().find(told).unwrap();
+    let reported = |warning: &&coque::Warning| warning.kind == WarningKind::OpenBalance;
+    let warning = outcome.summary.record.warnings.iter().find(reported).unwrap();
     assert!(warning.message.contains("energy is missing, 44"), "{}", warning.message);
 }

@@ -1,4 +1,4 @@
-//! Cells of a mesh that are hollow, warped or cross themselves: cut in two, told, refused.
+//! Cells of a mesh that are hollow, warped or cross themselves: cut in two, warned of, refused.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 use common::{column, ran};
-use coque::{Doubt, Outcome, Rendering, Scene, SceneError, render};
+use coque::{WarningKind, Outcome, Rendering, Scene, SceneError, render};
 use sph_core::Vec3;
 
 /// Cells along the side of a third of an octant.
@@ -67,31 +67,31 @@ loads = [{ on = "all", pressure = { value = -24.21, follower = true } }]
 analysis.buckling.modes = 1
 "#;
 
-/// The run of an octant, or why there is none, and whether its mesh is doubted.
+/// The run of an octant, or why there is none, and whether its mesh is warned of.
 fn buckled(name: &str, degrees: f64, out: f64) -> Result<(bool, Outcome), SceneError> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("warped-{name}"));
     fs::create_dir_all(&folder).unwrap();
     fs::write(folder.join("sphere.msh"), octant(degrees, out)).unwrap();
     let scene = || Scene::parse(SPHERE, &folder.join("scene.toml").display().to_string());
-    let told = scene()?.build(1)?.warnings().iter().any(|warning| warning.doubt == Doubt::PoorMesh);
-    Ok((told, ran(scene())))
+    let reported = scene()?.build(1)?.warnings().iter().any(|warning| warning.kind == WarningKind::PoorMesh);
+    Ok((reported, ran(scene())))
 }
 
 /// One cell of an octant turned in the surface by 60°, two neighbours hollow: cut in two they leave the level where it is, to 5e-5.
 #[test]
 fn hollow_cells_are_cut_in_two() {
-    let (told, sound) = buckled("sound", 0.0, 0.0).unwrap();
+    let (reported, sound) = buckled("sound", 0.0, 0.0).unwrap();
     let level = |outcome: &Outcome| column(outcome, "level")[0];
-    assert!(!told && (level(&sound) - 1.0).abs() < 0.005, "{}", level(&sound));
-    let (told, turned) = buckled("turned", 60.0, 0.0).unwrap();
+    assert!(!reported && (level(&sound) - 1.0).abs() < 0.005, "{}", level(&sound));
+    let (reported, turned) = buckled("turned", 60.0, 0.0).unwrap();
     println!("{} of {}", level(&turned), level(&sound));
-    assert!(!told && (level(&turned) / level(&sound) - 1.0).abs() < 2e-4, "{}", level(&turned));
+    assert!(!reported && (level(&turned) / level(&sound) - 1.0).abs() < 2e-4, "{}", level(&turned));
     let line = "432 quadrangles, 2 of them with a corner beyond 180° and cut into two triangles each";
     let modelled = &turned.summary.body.modelled;
     assert!(modelled.iter().any(|said| said.contains(line)), "{modelled:?}");
 }
 
-/// A node out of the surface warps the cells at it, which is told; turned by 89° two cells cross themselves, of which no cut makes cells.
+/// A node out of the surface warps the cells at it, which is reported; turned by 89° two cells cross themselves, of which no cut makes cells.
 #[test]
 fn warped_cells_are_told_and_crossed_ones_refused() {
     assert!(buckled("warped", 0.0, 0.02).unwrap().0);

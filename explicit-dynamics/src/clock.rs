@@ -154,7 +154,7 @@ impl Clock {
         Record { step: self.steps, at: self.now, energy, balance_error, settled }
     }
 
-    /// Books a step, and checks the bounds where that is due.
+    /// Counts a step, and checks the bounds where that is due.
     pub(crate) fn finish<S: Dynamics + ?Sized>(
         &mut self,
         system: &S,
@@ -177,12 +177,12 @@ impl Clock {
         if due { self.check(system, Bounds::Configuration) } else { Ok(()) }
     }
 
-    /// Books the work of supports that give and take velocities at once, at the start.
+    /// Counts the work of supports that give and take velocities at once, at the start.
     pub(crate) fn book_start(&mut self, work: Work) {
         self.external += work.external;
     }
 
-    /// Books the kinetic energy that a stop of all particles takes away.
+    /// Counts the kinetic energy that a stop of all particles takes away.
     pub fn book_stop(&mut self) {
         self.dissipated += self.kinetic;
         self.kinetic = 0.0;

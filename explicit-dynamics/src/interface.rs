@@ -77,7 +77,7 @@ pub trait Wetted: Dynamics {
     /// points of a column below its wet faces stand for it. Nothing, unless a structure says otherwise.
     fn impedance_impulses(&self, _span: f64, _impulses: &mut [[f64; 3]]) {}
 
-    /// Velocities of the points at present \[L/T\]: what a fluid is told of a structure that starts in motion. At rest unless
+    /// Velocities of the points at present \[L/T\]: what a fluid receives of a structure that starts in motion. At rest unless
     /// a structure says otherwise.
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         out.clear();

@@ -130,7 +130,7 @@
 //! `Δt ω²` times that mass. With both, no spring in a column of gas gained energy, however many substeps, at any ratio of its
 //! period to the step; without either one some do. Momenta less J are kept ([`TwoClocks::impulse_ahead`]).
 //!
-//! Damping of the march acts on structures, never on the fluid. A kick books what structures did since the last one; a load
+//! Damping of the march acts on structures, never on the fluid. A kick counts what structures did since the last one; a load
 //! is work of the fluid and of the structure with opposite signs, and cancels up to the error of the coupling.
 //! The velocity-dependent part of the load enters explicitly: keep `ρ₀c₀Δt_s/(ρ_s t)` well below one.
 //!

@@ -10,7 +10,7 @@ use crate::rest::Sizes;
 /// Where a march stands between two steps, beside the state of its system.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MarchState {
-    /// Time, step size, energies booked so far.
+    /// Time, step size, energies counted so far.
     pub clock: Clock,
     /// Where on its way the march is.
     pub stage: Stage,

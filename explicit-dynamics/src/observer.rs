@@ -44,7 +44,7 @@ impl Clock {
         self.evaluate(system);
         let step = self.next_step(limit, level);
         // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
-        // velocities as they were given. Another before it lets supports give theirs, at once, and books what that takes.
+        // velocities as they were given. Another before it lets supports give theirs, at once, and counts what that takes.
         let still = (self.steps == 0).then(|| {
             let at_once = Step { kick: 0.0, ..step };
             self.book_start(system.kick(&at_once));

@@ -37,7 +37,7 @@ pub struct Work {
     /// Kinetic energy at `from`, with the mean of the velocities before and after the kick \[F L\].
     pub kinetic: f64,
     /// Work of loads and of supports over the kick \[F L\]; of the latter `m (v⁺ − v⁻)·v̄` on top of what forces lack, so that a
-    /// motion that starts or stops at speed has its ½mv² booked.
+    /// motion that starts or stops at speed has its ½mv² counted.
     pub external: f64,
     /// Energy taken by mass-proportional damping over the kick \[F L\].
     pub dissipated: f64,
@@ -62,7 +62,7 @@ impl Work {
         -0.25 * (self.change + self.resisted)
     }
 
-    /// The same at the start, where a kick of half a span has been booked with the mean of its velocities.
+    /// The same at the start, where a kick of half a span has been counted with the mean of its velocities.
     pub(crate) fn ripple_at_start(&self) -> f64 {
         -0.5 * self.resisted
     }

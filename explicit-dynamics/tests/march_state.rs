@@ -85,7 +85,7 @@ impl MassScaled for Oscillator {
     }
 }
 
-/// Notes every record, and every place with the state beside it; ends the march where it is told.
+/// Notes every record, and every place with the state beside it; ends the march where it is asked to.
 #[derive(Default)]
 struct Notes {
     records: Vec<Record>,

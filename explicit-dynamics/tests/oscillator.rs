@@ -67,8 +67,8 @@ fn energy_is_booked_to_the_last() {
 
 #[test]
 fn what_the_books_lack_is_the_error() {
-    let books = Balance { kinetic: 1.0, internal: 2.0, external: 16.0, dissipated: 4.0 };
-    assert_eq!(books.error(8.0), 1.0 + 2.0 + 4.0 - 16.0 - 8.0);
+    let ledger = Balance { kinetic: 1.0, internal: 2.0, external: 16.0, dissipated: 4.0 };
+    assert_eq!(ledger.error(8.0), 1.0 + 2.0 + 4.0 - 16.0 - 8.0);
 }
 
 #[test]

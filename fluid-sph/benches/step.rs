@@ -71,7 +71,7 @@ fn median(fluid: &mut Fluid, clock: &mut Clock, seconds: impl Fn() -> f64) -> f6
 
 /// Time of the processor on this thread \[s\].
 fn thread_seconds() -> f64 {
-    let told =
+    let reported =
         fs::read_to_string("/proc/thread-self/schedstat").expect("a system that tells the time of a thread");
-    1e-9 * told.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
+    1e-9 * reported.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
 }

@@ -55,8 +55,8 @@ pub enum FluidError {
     /// A particle outside the domain.
     #[error("particle {0} of the fluid lies outside the domain; enlarge the domain or remove the particle")]
     Outside(usize),
-    /// Thin structures beyond those that can be told apart.
-    #[error("{0} thin structures wet by one fluid; at most 16 can be told apart: join some of them")]
+    /// Thin structures beyond those that can be distinguished.
+    #[error("{0} thin structures wet by one fluid; at most 16 can be distinguished: join some of them")]
     ThinStructures(usize),
     /// A boundary that does not fit its layout.
     #[error("structure {structure}: {what} has {found} entries, its layout needs {expected}")]

@@ -44,7 +44,7 @@ fn on_faces(fluid: &Fluid, plate: &Structure) -> [f64; 2] {
 }
 
 /// Water of depth 1 to the left of a plate in the middle of a basin: the thrust is ½ρgH², all of it on the wet face, and
-/// none of the dry side is felt. Water on both sides: each face bears its own.
+/// none of the dry side acts. Water on both sides: each face bears its own.
 #[test]
 fn each_face_bears_its_own_water() {
     let (spacing, depth) = (0.05, 1.0);
@@ -121,7 +121,7 @@ fn past_a_free_edge_both_sides_meet() {
     assert_eq!(apart, alone_left + alone_right);
 }
 
-/// Impulses that a plate resisted with go to the water that its points see, with opposite sign, and their work is booked.
+/// Impulses that a plate resisted with go to the water that its points see, with opposite sign, and their work is counted.
 #[test]
 fn what_a_plate_resisted_goes_to_the_water_on_its_side() {
     let spacing = 0.05;

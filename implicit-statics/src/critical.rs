@@ -1,4 +1,4 @@
-//! Critical points: located between converged points, told apart, and left along another branch.
+//! Critical points: located between converged points, distinguished, and left along another branch.
 
 use crate::newton::Constraint;
 use crate::options::{CriticalOptions, NewtonOptions};

@@ -9,7 +9,7 @@ use crate::breaking::Limit;
 use crate::critical::locate_all;
 use crate::options::{Control, CriticalOptions, PathOptions};
 use crate::path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
-use crate::stepper::{Made, Stepper};
+use crate::stepper::{StepOutcome, Stepper};
 use crate::vectors::{difference, dot};
 use crate::{Equilibrium, EquilibriumError, Increment, Newton};
 
@@ -26,12 +26,12 @@ const SAME: f64 = 1e-3;
 
 /// Whether a path is kept, so that what reaches its limit on it breaks; or only looked at.
 #[derive(Clone, Copy, PartialEq)]
-enum Kept {
+enum Keep {
     Yes,
     No,
 }
 
-/// Told every converged point and the step that led there.
+/// Receives every converged point and the step that led there.
 type Observer<'a, E> = dyn FnMut(&Point, Option<&Increment>, &mut E) -> ControlFlow<()> + 'a;
 
 /// Follows equilibria from the present state; the observer sees every converged point and may stop.
@@ -62,7 +62,7 @@ impl Newton {
     ) -> Path {
         let mut path = Path::new(start);
         self.options = options.newton.clone();
-        path.end = march(self, system, (start, Kept::Yes), options, &mut path, &mut |point, _, system| {
+        path.end = march(self, system, (start, Keep::Yes), options, &mut path, &mut |point, _, system| {
             observer(point, system)
         });
         self.leave(system);
@@ -73,7 +73,7 @@ impl Newton {
 fn march<E: Equilibrium + ?Sized>(
     newton: &mut Newton,
     system: &mut E,
-    (start, kept): (&Start, Kept),
+    (start, kept): (&Start, Keep),
     options: &PathOptions,
     path: &mut Path,
     observer: &mut Observer<'_, E>,
@@ -101,7 +101,7 @@ fn march<E: Equilibrium + ?Sized>(
             match step_within(&mut stepper, system, &saved, trial, &options.control) {
                 Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => {
                     match limit.other_size(system, trial) {
-                        Some(other) if kept == Kept::Yes => {
+                        Some(other) if kept == Keep::Yes => {
                             stepper.newton.go_back(system, &saved);
                             size = other;
                         }
@@ -130,11 +130,11 @@ fn march<E: Equilibrium + ?Sized>(
         if let Some(critical) = &options.critical {
             look_for_critical(&mut stepper, system, (&saved, &made, size_made), critical, options, path);
         }
-        let Made { converged, increment, unstable, .. } = made;
+        let StepOutcome { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(system, &saved, converged.level, increment);
         // On a path that is only looked at, what `restore` takes back is committed: the history of steps, but no work on bonds.
-        if kept == Kept::Yes || system.tangent_is_of_the_step() {
+        if kept == Keep::Yes || system.tangent_is_of_the_step() {
             stepper.newton.keep(system);
         }
         path.restart = stepper.restart();
@@ -147,7 +147,7 @@ fn march<E: Equilibrium + ?Sized>(
             if stop.is_break() {
                 return Ok(End::Stopped);
             }
-            let gone = if kept == Kept::Yes { stepper.give_way(system)? } else { None };
+            let gone = if kept == Keep::Yes { stepper.give_way(system)? } else { None };
             let Some((converged, unstable, breach)) = gone else { break };
             stepper.newton.keep(system);
             path.breaches.push(breach);
@@ -169,11 +169,11 @@ fn march<E: Equilibrium + ?Sized>(
 /// Whether Newton may have strayed to another branch and a smaller step is to be tried, while it is not yet small: a load
 /// step after which several more pivots are negative, since critical points are passed one at a time but for symmetry;
 /// an arc far from its tangents.
-fn strayed(made: &Made, path: &Path, size: f64, first: f64, control: &Control) -> bool {
+fn strayed(made: &StepOutcome, path: &Path, size: f64, first: f64, control: &Control) -> bool {
     let before = path.points.last().map_or(0, |point| point.inertia().negative);
     let load = matches!(control, Control::Load { .. });
     let several = load && made.converged.inertia.negative > before + 1 && size > STRAY * first;
-    // Arcs that turn back or leave their branch are halved; load and displacement go where they are told.
+    // Arcs that turn back or leave their branch are halved; load and displacement go where they are prescribed.
     let arc = matches!(control, Control::ArcLength { .. });
     several || arc && made.strays && size > FINE * first
 }
@@ -185,7 +185,7 @@ fn step_within<E: Equilibrium + ?Sized>(
     saved: &[f64],
     size: f64,
     control: &Control,
-) -> Result<(Made, bool), EquilibriumError> {
+) -> Result<(StepOutcome, bool), EquilibriumError> {
     let made = stepper.advance(system, size)?;
     let Control::ArcLength { range: (low, high), .. } = *control else {
         return Ok((made, false));
@@ -227,7 +227,7 @@ fn reached(travelled: f64, level: f64, first: f64, control: &Control) -> bool {
 fn look_for_critical<E: Equilibrium + ?Sized>(
     stepper: &mut Stepper,
     system: &mut E,
-    (saved, made, size): (&[f64], &Made, f64),
+    (saved, made, size): (&[f64], &StepOutcome, f64),
     critical: &CriticalOptions,
     options: &PathOptions,
     path: &mut Path,
@@ -252,7 +252,7 @@ fn look_for_critical<E: Equilibrium + ?Sized>(
             Leads::Elsewhere => Some(Passed::Branch),
             Leads::Unknown => Some(Passed::Unproved),
         };
-        // What lies on the branch that was left is told, with the step that left it; pairs that cancel as well.
+        // What lies on the branch that was left is reported, with the step that left it; pairs that cancel as well.
         if let Some(traced) = traced.filter(|_| what.is_some() || negative.0 == negative.1) {
             path.critical.extend(traced.critical.into_iter().map(|point| CriticalPoint { step, ..point }));
             path.passages.extend(traced.passages.into_iter().map(|passage| Passage { step, ..passage }));
@@ -320,7 +320,7 @@ fn trace<E: Equilibrium + ?Sized>(
     let Ok(mut newton) = Newton::new(system, &options.newton) else {
         return Traced { leads: Leads::Unknown, critical: Vec::new(), passages: Vec::new() };
     };
-    let end = march(&mut newton, system, (&start, Kept::No), &arc, &mut path, &mut |point, step, _| {
+    let end = march(&mut newton, system, (&start, Keep::No), &arc, &mut path, &mut |point, step, _| {
         let Some(step) = step else { return ControlFlow::Continue(()) };
         let before = done;
         done += progress(step);
@@ -374,7 +374,7 @@ fn land<E: Equilibrium + ?Sized>(
     };
     let short = PathOptions { control, critical: None, ..options.clone() };
     let start = Start { level: from.level, ..Start::default() };
-    march(newton, system, (&start, Kept::No), &short, &mut Path::new(&start), &mut |_, _, _| {
+    march(newton, system, (&start, Keep::No), &short, &mut Path::new(&start), &mut |_, _, _| {
         ControlFlow::Continue(())
     })
     .map(|_| ())

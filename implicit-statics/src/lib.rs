@@ -84,7 +84,7 @@
 //! shrink by `√(target/iterations)`; one that fails is repeated with half its size from the last converged state
 //! ([`PathOptions`]).
 //!
-//! A state that is kept is told ([`Equilibrium::accept`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
+//! A state that is kept is announced ([`Equilibrium::accept`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
 //! histories back with the state.
 //!
 //! # What breaks
@@ -121,7 +121,7 @@
 //!
 //! A motion goes along with a snap, and what it ends at balances like any other state. The energy tells it: what loads and
 //! prescribed motions do between two levels by the trapezoidal rule exceeds what the body gains by no more than
-//! `½ |Δλ| |ΔE′|` on any path of stable equilibria under loads, E′ the rate of the potential ([`Release`]). Under prescribed motions,
+//! `½ |Δλ| |ΔE′|` on any path of stable equilibria under loads, E′ the rate of the potential ([`SnapEnergy`]). Under prescribed motions,
 //! whose force may fall on the way, it is `¼ k Δλ²` with a slope k four times the steepest so far.
 //!
 //! A strip of 50×5 particles rolled up to a ring in 8 levels takes 3250 evaluations to 1e-6; 24 900 without Z and
@@ -195,23 +195,23 @@
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
 //! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_told`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
-//! | the rest goes along with held values that move, and kept states are told once | `held_values_move_with_the_level_and_kept_states_are_told` (tests/newton.rs) |
+//! | the rest goes along with held values that move, and kept states are announced once | `held_values_move_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
 //! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | masses follow a stiffness that grows | `masses_follow_a_stiffness_that_grows`, `row_sums_are_those_of_the_tangent` |
 //! | no state is said to be found that does not balance; the state stays | `what_is_not_found_is_said_and_the_state_stays` |
-//! | relaxation crosses a snap, and the energy set free is the closed form's, under loads and prescribed motions; paths set none free | `a_snap_through_lands_beyond`, `the_energy_of_a_snap_is_that_of_its_closed_form`, `what_is_joined_by_stable_states_sets_no_energy_free` (tests/release.rs) |
+//! | relaxation crosses a snap, and the energy set free is the closed form's, under loads and prescribed motions; paths set none free | `a_snap_through_lands_beyond`, `the_energy_of_a_snap_is_that_of_its_closed_form`, `what_is_joined_by_stable_states_sets_no_energy_free` (tests/snap_energy.rs) |
 //! | a chain settles at its closed form in a fraction of ω_max/ω_min; straight paths take one evaluation a level | `a_chain_settles_at_its_closed_form_in_few_evaluations`, `a_straight_path_is_followed_without_a_move` |
 //! | a start that leads out of the model is given up, and what lies outside is refused | `a_start_that_leads_astray_is_given_up` |
-//! | slow modes in the span of the moves are found exactly and swing alike | `modes_in_the_span_are_found_and_swing_alike` (src/relaxation/slow.rs) |
+//! | slow modes in the span of the moves are found exactly and swing alike | `modes_in_the_span_are_found_and_swing_alike` (src/relaxation/deflation.rs) |
 //! | arc length passes limit and turning points, ends exactly at its bound | `arc_length_goes_through_both_limit_points_and_ends_at_the_bound`, `arc_length_passes_both_turning_points_of_the_displacement` |
-//! | limit points and bifurcations are told apart and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
+//! | limit points and bifurcations are distinguished and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
 //! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
 //! | singular matrices are counted and never solved | `a_free_chain_is_singular_and_never_solved` |
 //! | factors repeat to the last bit | `factors_repeat_to_the_last_bit` |
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 //! | no level of a dense spectrum is missing, in two factorisations | `no_level_of_a_dense_spectrum_is_missing` |
-//! | levels of either sign; a load that stretches is told so | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
+//! | levels of either sign; a load that stretches is refused | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -258,5 +258,5 @@ pub use newton::{Converged, Increment, Newton, linear_response};
 pub use one_solve::OneSolve;
 pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
-pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, Release, relax};
+pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
 pub use solver::SymmetricSolver;

@@ -20,7 +20,7 @@ const BEND: f64 = 0.5;
 const BEYOND: f64 = 4.0;
 
 /// A step made.
-pub(crate) struct Made {
+pub(crate) struct StepOutcome {
     pub converged: Converged,
     pub increment: Increment,
     /// Whether it may have left its branch, by what the tangents at its two ends leave unexplained; where that was asked for.
@@ -108,7 +108,7 @@ impl<'a> Stepper<'a> {
         &mut self,
         system: &mut E,
         size: f64,
-    ) -> Result<Made, EquilibriumError> {
+    ) -> Result<StepOutcome, EquilibriumError> {
         let zero = vec![0.0; system.unknowns()];
         let mut increment = Increment { motion: zero, level: 0.0 };
         let (before, from) = self.depart(system)?;
@@ -173,7 +173,7 @@ impl<'a> Stepper<'a> {
             }
             None => false,
         };
-        Ok(Made { converged, increment, strays, unstable, predicted })
+        Ok(StepOutcome { converged, increment, strays, unstable, predicted })
     }
 
     /// Negative pivots at the last converged point, and the response to the load where steps are predicted by it or
@@ -252,14 +252,14 @@ impl<'a> Stepper<'a> {
         system: &mut E,
         level: f64,
         crossing: &Increment,
-    ) -> Result<Made, EquilibriumError> {
+    ) -> Result<StepOutcome, EquilibriumError> {
         let share = (level - self.level) / crossing.level;
         let motion = crossing.motion.iter().map(|q| share * q).collect();
         let mut increment = Increment { motion, level: level - self.level };
         self.newton.advance(system, &increment.motion);
         let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level, false)?;
         let (unstable, predicted) = (converged.inertia.negative, level - self.level);
-        Ok(Made { converged, increment, strays: false, unstable, predicted })
+        Ok(StepOutcome { converged, increment, strays: false, unstable, predicted })
     }
 
     /// Takes the step from a saved state over, which led to the present one as the new last point.

@@ -1,4 +1,4 @@
-//! Critical points located and told apart, and the branches that leave them.
+//! Critical points located and distinguished, and the branches that leave them.
 
 mod common;
 

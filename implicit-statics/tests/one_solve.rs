@@ -70,18 +70,18 @@ fn errors_are_of_the_second_order_and_told() {
             let exact = (spring.0 + spring.0.powi(3) - level(step)).abs() / level(step);
             assert!((left - exact).abs() < 1e-14, "rounding: {left} for {exact}");
         }
-        let told = scheme.way_left(&mut spring, 2.0).unwrap()[0];
+        let reported = scheme.way_left(&mut spring, 2.0).unwrap()[0];
         assert_eq!(scheme.inertia().negative, 0);
-        (spring.0 - 1.0, told)
+        (spring.0 - 1.0, reported)
     };
     let found = [20, 40, 80].map(run);
     for pair in found.windows(2) {
         let ratio = pair[0].0 / pair[1].0;
         assert!((3.8..4.3).contains(&ratio), "{ratio}: {found:?}");
     }
-    for (error, told) in found {
+    for (error, reported) in found {
         // f = q + q³: the correction leaves ½ f″/f′ e² = ¾ e² at q = 1
-        assert!((told + error).abs() < 0.8 * error * error, "{error} told as {told}");
+        assert!((reported + error).abs() < 0.8 * error * error, "{error} reported as {reported}");
     }
 }
 

@@ -174,7 +174,7 @@ fn a_load_step_that_leaps_over_a_limit_point_is_refused() {
     assert_eq!(path.end, Ok(End::Reached));
     assert!(path.points[1].restarts > 0, "the first trial leaps");
     assert!(curve.iter().all(|(_, q)| q[0] < std::f64::consts::PI - 0.3));
-    // with no smaller step allowed the reason is told
+    // with no smaller step allowed the reason is reported
     let mut system = Flat::new(Swing);
     let (path, _) = trace(&mut system, &PathOptions { smallest: 1.0, ..load });
     let Err(EquilibriumError::StepTooSmall { cause, .. }) = path.end else { panic!("{:?}", path.end) };

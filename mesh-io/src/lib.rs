@@ -30,7 +30,7 @@
 //! | what a reader hands on | `surface/raw.rs` |
 //! | what makes a surface sound: directions, edges, numbers | `surface/orient.rs`, `boundary.rs`, `order.rs` |
 //! | the cloud of a surface, and what the cloud refuses | `surface.rs`, `surface/refusal.rs` |
-//! | what is told of a file | `surface/report.rs`, `quality.rs` |
+//! | what is reported of a file | `surface/report.rs`, `quality.rs` |
 //! | what fields are written through | `writer.rs` |
 //! | a frame in memory | `sheet.rs` |
 //! | the VTU format: written, read, its XML | `vtu/write.rs`, `vtu/read.rs`, `vtu/xml.rs` |
@@ -69,12 +69,12 @@ mod series;
 mod sheet;
 pub mod surface;
 mod vtu;
-mod whole;
+mod atomic_file;
 mod writer;
 
 pub use input::{read_bytes, read_text};
 pub use series::{FieldError, Series, listed};
 pub use sheet::{Array, ReadError, Sheet};
 pub use vtu::write::Vtu;
-pub use whole::{Whole, under_way, write_whole};
+pub use atomic_file::{Whole, under_way, write_whole};
 pub use writer::{At, Connectivity, FieldWriter, Kind, Rows, Values, rows};

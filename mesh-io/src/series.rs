@@ -8,7 +8,7 @@ use crate::input::read_text;
 use crate::sheet::ReadError;
 use crate::vtu::write::Vtu;
 use crate::vtu::xml::parsed;
-use crate::whole::{under_way, write_whole};
+use crate::atomic_file::{under_way, write_whole};
 use crate::writer::FieldWriter;
 
 /// A frame that could not be written.

@@ -50,8 +50,8 @@ fn the_report_of_a_plate() {
     let mut surface = plate("plate-41.msh");
     surface.file = "plate-41.msh".into();
     insta::assert_snapshot!(report(&surface, |_| Vec::new()).unwrap());
-    let told = report(&surface, |cloud| vec![format!("{} particles", cloud.len())]).unwrap();
-    assert!(told.ends_with("  warning    9 particles\n"), "{told}");
+    let reported = report(&surface, |cloud| vec![format!("{} particles", cloud.len())]).unwrap();
+    assert!(reported.ends_with("  warning    9 particles\n"), "{reported}");
 }
 
 #[test]

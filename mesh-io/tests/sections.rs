@@ -93,7 +93,7 @@ fn surfaces_of_abaqus_files_are_groups_of_faces() {
     );
     assert_eq!((&surface.face_sets["Top"][..], &surface.face_sets["under"][..]), (&[0, 1][..], &[1][..]));
     assert_eq!(surface.face_sets["part"], [0]);
-    // An element set goes before a surface of its name; what is not made of faces is told.
+    // An element set goes before a surface of its name; what is not made of faces is reported.
     assert_eq!(surface.face_sets["two"], [1]);
     assert!(!surface.face_sets.contains_key("rim") && !surface.sets.contains_key("n"));
     assert!(surface.notes.iter().any(|note| note.contains("*surface that is not made of faces")));

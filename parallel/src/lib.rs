@@ -99,8 +99,8 @@ pub fn reduced<L: Lists, R: Send + Clone + Default>(
     found.clear();
     found.resize(lists.len().div_ceil(CHUNK), R::default());
     chunks(threads, (lists, ByChunk(found)), |first, (chunk, found)| {
-        let told = work(first, chunk);
-        found.0.iter_mut().for_each(|found| *found = told.clone());
+        let reported = work(first, chunk);
+        found.0.iter_mut().for_each(|found| *found = reported.clone());
     });
 }
 

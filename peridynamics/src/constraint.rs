@@ -86,7 +86,7 @@ impl Constraints {
     }
 
     /// Degrees of freedom that nothing holds.
-    pub fn freedoms(&self) -> usize {
+    pub fn dof(&self) -> usize {
         3 * self.of.len() - self.list.iter().map(|constraint| constraint.count).sum::<usize>()
     }
 }

@@ -104,7 +104,7 @@ pub enum SolidError {
     },
     /// A prescribed motion along a held direction.
     #[error(
-        "node {node} is told to move by {wanted:.6e} along a direction its other supports hold; remove one of them"
+        "node {node} is prescribed to move by {wanted:.6e} along a direction its other supports hold; remove one of them"
     )]
     Contradiction {
         /// The node.

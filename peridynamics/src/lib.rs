@@ -40,6 +40,6 @@ pub use formulation::{Correction, Formulation, Influence, Law, Volumes};
 pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use mirror::Mirror;
-pub use parts::{Carrier, Parts, Sheets};
+pub use parts::{Idealisation, Parts, Sheets};
 pub use solid::Solid;
 pub use statics::StaticSolid;

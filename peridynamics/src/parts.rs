@@ -16,7 +16,7 @@ pub struct Parts {
     /// What it is made of.
     pub material: Elastic,
     /// How bonds carry it.
-    pub formulation: Carrier,
+    pub formulation: Idealisation,
     /// When bonds break; never without.
     pub fracture: Option<Fracture>,
     /// Cracks that are there at the start.
@@ -33,7 +33,7 @@ pub struct Parts {
 
 /// How bonds carry a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Carrier {
+pub enum Idealisation {
     /// Between nodes of a solid.
     Bonds(Formulation),
     /// In two plane-stress sheets of a thin plate, on directors; the block is plane and its nodes are columns, which may stand

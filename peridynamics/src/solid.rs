@@ -11,7 +11,7 @@ use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::mirror::{Borne, Mirror};
-use crate::parts::{Carrier, Parts};
+use crate::parts::{Idealisation, Parts};
 use crate::sheets::Plate;
 use crate::wetted::Surface;
 
@@ -46,7 +46,7 @@ pub struct Solid {
     pub(crate) internal_energy: f64,
     /// Rows in the middle of a step in which bonds break; empty until one does.
     pub(crate) breaking: Vec<Row>,
-    /// What each chunk of rows booked in the last kick.
+    /// What each chunk of rows counted in the last kick.
     pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
@@ -57,7 +57,7 @@ impl Solid {
     /// Builds a body at rest.
     ///
     /// # Errors
-    /// [`SolidError`] for the first part that is unsound.
+    /// [`SolidError`] for the first invalid part.
     pub fn new(parts: Parts) -> Result<Self, SolidError> {
         Self::mirrored(parts, &[])
     }
@@ -80,7 +80,7 @@ impl Solid {
         let mut rest = block.positions.clone();
         let mut masses: Vec<f64> = block.volumes.iter().map(|volume| material.density * volume).collect();
         let (mechanics, space, across): (Box<dyn Mechanics>, _, _) = match &formulation {
-            Carrier::Bonds(bonds) => {
+            Idealisation::Bonds(bonds) => {
                 let across = (block.dimensions == 2).then(Vec3::z);
                 (
                     Box::new(SolidBonds::new(&block, &material, bonds, &breakage, mirrors)?),
@@ -88,7 +88,7 @@ impl Solid {
                     across,
                 )
             }
-            Carrier::Sheets(sheets) => {
+            Idealisation::Sheets(sheets) => {
                 let (plate, directors) = Plate::new(&block, &material, sheets, &breakage, mirrors)?;
                 rest.extend(directors);
                 masses.extend(masses.clone().iter().map(|mass| mass * sheets.thickness.powi(2) / 12.0));
@@ -96,8 +96,8 @@ impl Solid {
             }
         };
         let horizon = match &formulation {
-            Carrier::Bonds(bonds) => bonds.horizon,
-            Carrier::Sheets(sheets) => sheets.formulation.horizon,
+            Idealisation::Bonds(bonds) => bonds.horizon,
+            Idealisation::Sheets(sheets) => sheets.formulation.horizon,
         };
         let reach = (horizon + 0.5) * block.greatest_spacing();
         let borne = (!mirrors.is_empty()).then(|| Box::new(Borne::new(mirrors, &block, reach)));
@@ -151,8 +151,8 @@ impl Solid {
     }
 
     /// Degrees of freedom that no support holds.
-    pub fn freedoms(&self) -> usize {
-        self.constraints.freedoms()
+    pub fn dof(&self) -> usize {
+        self.constraints.dof()
     }
 
     /// Position of a node \[L\].

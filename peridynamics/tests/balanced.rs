@@ -9,7 +9,7 @@ use implicit_statics::{Equilibrium, linear_response, natural_modes, unwatched};
 use lattices::{ALL, Random, displace, formulation, parts, poisson};
 use nalgebra::Matrix3;
 use peridynamics::{
-    AppliedLoad, Carrier, Correction, Elastic, Formulation, Influence, Law, Mirror, Parts, Sheets, Solid,
+    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Mirror, Parts, Sheets, Solid,
     Space, StaticSolid, Support, Supported,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
@@ -294,7 +294,7 @@ fn plate(correction: Correction, cells: usize, clamped: bool) -> f64 {
     let supports = vec![edge(1, Vec3::y()), edge(3, Vec3::x())];
     let forces = (0..block.len()).map(|i| (i as u32, Vec3::z() * (block.volumes[i] / thickness))).collect();
     let parts = Parts {
-        formulation: Carrier::Sheets(Sheets { thickness, formulation: shape }),
+        formulation: Idealisation::Sheets(Sheets { thickness, formulation: shape }),
         ..parts(block, material, shape)
     };
     let system = answer(parts, supports, forces, &[0, 1].map(|axis| Mirror { axis, at: 0.0 }));

@@ -9,7 +9,7 @@ use explicit_dynamics::{Dynamics, Instant, LinearisedDynamics, Step};
 use implicit_statics::Equilibrium;
 use lattices::{ALL, Random, formulation, parts, poisson};
 use peridynamics::{
-    Carrier, Correction, Crack, Criterion, Elastic, Fracture, Law, Mirror, Parts, Sheets, Solid, SolidError,
+    Idealisation, Correction, Crack, Criterion, Elastic, Fracture, Law, Mirror, Parts, Sheets, Solid, SolidError,
     Space, StaticSolid,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
@@ -216,7 +216,7 @@ fn plates(correction: Correction) -> Vec<(String, Pair)> {
     let of = |cells, before, law| {
         let shape = peridynamics::Formulation { correction, ..plates::formulation(law) };
         let block = lattice(2, cells, before, NodePlaces::Edges);
-        let formulation = Carrier::Sheets(Sheets { thickness: DX, formulation: shape });
+        let formulation = Idealisation::Sheets(Sheets { thickness: DX, formulation: shape });
         let poisson = poisson(Space::PlaneStress, law);
         Parts { formulation, ..parts(block, material(poisson), shape) }
     };

@@ -12,7 +12,7 @@ use explicit_dynamics::{
     Observer, OutOfBounds, Record, StableStep, Step, Transient, TwoClocks, Wetted, Work,
 };
 use lattices::{Random, displace, formulation, lattice, parts, plane, poisson};
-use peridynamics::{Carrier, Criterion, Elastic, Fracture, Law, Parts, Sheets, Solid, SolidError, Space};
+use peridynamics::{Idealisation, Criterion, Elastic, Fracture, Law, Parts, Sheets, Solid, SolidError, Space};
 use peridynamics::{Support, Supported};
 use sph_core::{Block, Vec3};
 
@@ -113,7 +113,7 @@ fn in_space_a_face_resists_with_its_area() {
 fn sheets_stay_dry() {
     let material = Elastic { young: 100.0, poisson: 1.0 / 3.0, density: 1.0 };
     let formulation = formulation(Space::PlaneStress, Law::BondBased);
-    let carrier = Carrier::Sheets(Sheets { thickness: 1.0, formulation });
+    let carrier = Idealisation::Sheets(Sheets { thickness: 1.0, formulation });
     let mut plate =
         Solid::new(Parts { formulation: carrier, ..parts(plane([6, 6], DX), material, formulation) })
             .unwrap();

@@ -54,7 +54,7 @@ fn default_formulation(c: &mut Criterion) {
     }
 }
 
-fn dial(c: &mut Criterion) {
+fn formulations(c: &mut Criterion) {
     let nodal =
         |order, smoothing| Formulation::Nodal { order, smoothing, consistent: false, kernel: &CubicSpline };
     let mut group = c.benchmark_group("2500 particles, one thread");
@@ -80,5 +80,5 @@ fn dial(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, default_formulation, dial);
+criterion_group!(benches, default_formulation, formulations);
 criterion_main!(benches);

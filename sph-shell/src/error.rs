@@ -5,7 +5,7 @@ use sph_core::SpaceError;
 /// A shell that was refused before anything ran.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum ShellError {
-    /// The cloud or its stencils are unsound.
+    /// The cloud or its stencils are invalid.
     #[error(transparent)]
     Space(#[from] SpaceError),
     /// Density must be positive and finite.
@@ -238,7 +238,7 @@ pub enum ShellError {
     NotAnEdge(&'static str),
     /// Supports that contradict each other.
     #[error(
-        "particle {particle} is told to move by {wanted:.6e} along a direction its other supports hold to {held:.6e}; remove one of them"
+        "particle {particle} is prescribed to move by {wanted:.6e} along a direction its other supports hold to {held:.6e}; remove one of them"
     )]
     Contradiction {
         /// The particle.

@@ -1,4 +1,4 @@
-//! The dial: where strains are sampled and how wide the stencils reach.
+//! Where strains are sampled and how wide the stencils reach.
 
 use sph_core::Kernel;
 
@@ -51,7 +51,7 @@ pub enum Formulation {
 }
 
 impl Formulation {
-    /// Name in scenes and reports, with the dial's position.
+    /// Name in scenes and reports, with its sampling and reach.
     pub fn method(&self) -> String {
         match self {
             Self::StressPoint(Reach::Cell) => "stress-point cell".into(),

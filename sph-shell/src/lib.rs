@@ -73,7 +73,7 @@
 //! the thickness. Modes of vibration take `ρ t A_a t²/12`, and masses that turn as the surface does (second_moments.rs). Since [`Shell`] sums forces by the transpose of the
 //! stencils, a free shell keeps momentum and moment of momentum to round-off, and energy to second order of the step.
 //!
-//! # The dial: where strains are sampled
+//! # Formulation: where strains are sampled
 //!
 //! | [`Formulation`] | points | stencil | zero-energy control |
 //! |---|---|---|---|
@@ -187,7 +187,7 @@
 //! cases. [`Moved`] prescribes displacements, [`Rotated`] both turns of directors, `d = R(axis, angle) D`, [`Turned`] positions and
 //! directors of a set that turns as one body, by level and amplitude. Held parts are taken out of velocities in the march and are no unknowns in statics; there, prescribed values c
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
-//! where it must be at the end of the step, and the work of its support is booked. A
+//! where it must be at the end of the step, and the work of its support is counted. A
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
 //! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
 //!
@@ -362,7 +362,7 @@ pub struct Shell {
     stress_case: LoadCase,
     springs: Springs,
     /// Forces of the springs on each particle; empty without springs on particles.
-    sprung: Vec<Row>,
+    spring_forces: Vec<Row>,
     /// The load case that is under way.
     case: LoadCase,
     /// Positions and directors.

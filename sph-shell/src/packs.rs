@@ -8,7 +8,7 @@ use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::SamplingOperator;
 
 use crate::registers::Registers;
-use crate::shared::{Seen, Shared};
+use crate::shared::{Interned, Shared};
 
 pub(crate) use crate::registers::Row;
 
@@ -97,7 +97,7 @@ impl Packs {
             constants: Shared::new([], Constants::numbers),
             order: Vec::with_capacity(count.div_ceil(LANES)),
         };
-        let mut seen = Seen::default();
+        let mut seen = Interned::default();
         let constants: Vec<Constants> =
             order.chunks(LANES).map(|lanes| packs.push(operator, lanes, &mut seen)).collect();
         packs.keep(constants);
@@ -110,7 +110,7 @@ impl Packs {
     }
 
     /// Lays out four stencils; returns their constants, measures still to be found.
-    fn push(&mut self, operator: &SamplingOperator, points: &[u32], seen: &mut Seen) -> Constants {
+    fn push(&mut self, operator: &SamplingOperator, points: &[u32], seen: &mut Interned) -> Constants {
         // Lanes beyond the last point repeat it with no weight.
         let lane_points: [u32; LANES] = std::array::from_fn(|lane| points[lane.min(points.len() - 1)]);
         let stencils = lane_points.map(|p| operator.stencil(p as usize));

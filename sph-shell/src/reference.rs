@@ -45,7 +45,7 @@ impl Reference {
     /// whatever the stencils chose.
     ///
     /// # Errors
-    /// [`ShellError`] for unsound clouds, stencils that cannot be corrected, density out of bounds, and a material axis
+    /// [`ShellError`] for invalid clouds, stencils that cannot be corrected, density out of bounds, and a material axis
     /// that stands on the surface somewhere.
     pub fn new(
         cloud: Cloud,

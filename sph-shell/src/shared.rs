@@ -16,12 +16,12 @@ pub(crate) struct Shared<T> {
 }
 
 impl<T> Shared<T> {
-    /// The constants of all packs in order; `numbers` are those by which they are told apart.
+    /// The constants of all packs in order; `numbers` are those by which they are distinguished.
     pub fn new<N: IntoIterator<Item = Pack>>(
         all: impl IntoIterator<Item = T>,
         numbers: impl Fn(&T) -> N,
     ) -> Self {
-        let (mut seen, mut distinct, mut of) = (Seen::default(), Vec::new(), Vec::new());
+        let (mut seen, mut distinct, mut of) = (Interned::default(), Vec::new(), Vec::new());
         for constants in all {
             let place = seen.place(numbers(&constants), distinct.len() as u32);
             if place as usize == distinct.len() {
@@ -46,9 +46,9 @@ impl<T> Shared<T> {
 
 /// Numbers that came before, by their bits, and where they are kept.
 #[derive(Default)]
-pub(crate) struct Seen(HashMap<Vec<[u64; LANES]>, u32>);
+pub(crate) struct Interned(HashMap<Vec<[u64; LANES]>, u32>);
 
-impl Seen {
+impl Interned {
     /// Where equal numbers are kept; `next` if they come for the first time.
     pub fn place(&mut self, numbers: impl IntoIterator<Item = Pack>, next: u32) -> u32 {
         let bits = numbers.into_iter().map(|pack| pack.lanes().map(f64::to_bits)).collect();

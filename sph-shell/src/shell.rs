@@ -52,7 +52,7 @@ impl Shell {
     /// Builds stencils, masses, reference strains and constraints.
     ///
     /// # Errors
-    /// [`ShellError`]: unsound clouds, stencils too small for their order, empty or unknown sets,
+    /// [`ShellError`]: invalid clouds, stencils too small for their order, empty or unknown sets,
     /// supports that contradict each other.
     pub fn new(parts: Parts) -> Result<Self, ShellError> {
         Self::with_regions(parts, Vec::new())
@@ -135,7 +135,7 @@ impl Shell {
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
             springs: Springs::default(),
-            sprung: Vec::new(),
+            spring_forces: Vec::new(),
             wetted: None,
             internal_energy: 0.0,
             fused,
@@ -202,7 +202,7 @@ impl Shell {
 
     /// Degrees of freedom that no support holds: three translations and two rotations a particle, three and three a group of tied
     /// ones, less what is held.
-    pub fn freedoms(&self) -> usize {
+    pub fn dof(&self) -> usize {
         let alone = (0..self.len()).filter(|&a| self.junctions.first(a) == a);
         let held: usize = alone.filter_map(|a| self.constraint(a)).map(Constraint::held_freedoms).sum();
         let (particles, groups) = self.tied();
@@ -241,7 +241,7 @@ impl Shell {
     pub fn reaction(&self, particle: usize) -> Vec3 {
         let f = self.gathered(particle, |a| self.internal_force(a));
         let e = self.gathered(particle, |a| self.external_force(a));
-        let s = self.gathered(particle, |a| self.sprung(a));
+        let s = self.gathered(particle, |a| self.spring_forces(a));
         let (b, of_body) = (self.body_load(particle), self.spring_row_of_body(particle));
         Vec3::from_fn(|k, _| f[k] - e[k] + s[k] - b[k] + of_body[k])
     }
@@ -249,14 +249,14 @@ impl Shell {
     /// The moment that the supports and springs of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let [f, e, s] = [self.internal_force(particle), self.external_force(particle), self.sprung(particle)];
+        let [f, e, s] = [self.internal_force(particle), self.external_force(particle), self.spring_forces(particle)];
         if let Some(group) = self.junctions.of(particle) {
             if group.first() != particle {
                 return Vec3::zeros();
             }
             return self.about_first(group, &self.gathered(particle, |a| self.internal_force(a)))
                 - self.about_first(group, &self.gathered(particle, |a| self.external_force(a)))
-                + self.about_first(group, &self.gathered(particle, |a| self.sprung(a)))
+                + self.about_first(group, &self.gathered(particle, |a| self.spring_forces(a)))
                 - self.about_first(group, &self.body_load(particle))
                 + self.about_first(group, &self.spring_row_of_body(particle));
         }
@@ -271,7 +271,7 @@ impl Shell {
             self.put_hanging();
             let mut forces = std::mem::take(self.points.direct_mut());
             self.internal_energy = fused.forces(&self.sweep(energy), &mut forces);
-            self.take_back_internal(&mut forces);
+            self.condense_internal(&mut forces);
             *self.points.direct_mut() = forces;
             self.fused = Some(fused);
             return;
@@ -339,16 +339,16 @@ impl Shell {
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
-        if springs && !self.sprung.is_empty() {
+        if springs && !self.spring_forces.is_empty() {
             self.evaluate_springs();
         }
-        self.take_back_external();
+        self.condense_external();
     }
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
         let motion = self.state.len() + self.next.len() + self.rates.len();
-        let rows = self.slots.len() + motion + self.external.len() + self.sprung.len();
+        let rows = self.slots.len() + motion + self.external.len() + self.spring_forces.len();
         let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
         let bytes = self.points.bytes()
             + self.fused.as_ref().map_or(0, Fused::bytes)

@@ -134,17 +134,17 @@ fn a_rigid_plate_flips_with_its_own_inertia() {
 #[test]
 fn the_error_of_the_inertia_of_marches_is_told() {
     let (n, thickness) = (10.0_f64, 1e-4);
-    let told = |supports| {
+    let reported = |supports| {
         let cloud = flat([11, 11], [1.0, 1.0]);
         let body =
             common::shell(cloud, CELL, thickness, &shell_kinematics::StretchCorrected, supports, Vec::new());
         body.turning_inertia().unwrap()
     };
-    let free = told(Vec::new());
+    let free = reported(Vec::new());
     assert!((free.whole - 1.0 - 3.0 / (n * n)).abs() < 1e-6 && free.free == Some(free.whole), "{free:?}");
     let edge = |support: fn(Vec<u32>) -> sph_shell::Supported| {
         let sides = flat([11, 11], [1.0, 1.0]).sides.unwrap();
-        told(vec![support(sides.edge(sph_core::Side::U0).to_vec())])
+        reported(vec![support(sides.edge(sph_core::Side::U0).to_vec())])
     };
     let hinged = edge(|particles| common::supported(particles, sph_shell::Hinged)).free.unwrap();
     assert!((hinged - 1.0 - 0.75 / (n * n)).abs() < 1e-6, "{hinged}");
@@ -154,7 +154,7 @@ fn the_error_of_the_inertia_of_marches_is_told() {
     assert!((stiff.whole - 1.0).abs() < 1e-12, "{stiff:?}");
     // A curved sheet has no error that its chords make.
     let cloud = common::curved([21, 21]);
-    let told = free_shell(cloud, CELL, 0.01).turning_inertia().unwrap();
+    let reported = free_shell(cloud, CELL, 0.01).turning_inertia().unwrap();
     // Of 20 cells a side, as of a plate.
-    assert!((told.whole - 1.0075).abs() < 1e-3, "{told:?}");
+    assert!((reported.whole - 1.0075).abs() < 1e-3, "{reported:?}");
 }

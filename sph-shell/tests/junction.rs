@@ -1,4 +1,4 @@
-//! Sheets that meet along a line: derivatives of the energy, zero modes, freedoms, refusals.
+//! Sheets that meet along a line: derivatives of the energy, zero modes, degrees of freedom, refusals.
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
@@ -148,8 +148,8 @@ fn particles_that_cannot_be_tied_are_refused() {
 fn a_group_has_six_freedoms_and_one_set_of_supports() {
     let free = free_shell(tee(2, 1.0, 2), CELL, 0.1);
     assert_eq!(free.tied(), (6, 3));
-    assert_eq!(free.freedoms(), 5 * (free.len() - 6) + 18);
-    assert_eq!(StaticShell::new(free_shell(tee(2, 1.0, 2), CELL, 0.1)).unknowns(), free.freedoms());
+    assert_eq!(free.dof(), 5 * (free.len() - 6) + 18);
+    assert_eq!(StaticShell::new(free_shell(tee(2, 1.0, 2), CELL, 0.1)).unknowns(), free.dof());
     let cloud = tee(2, 1.0, 2);
     let joint = at(&cloud, |x| x.x.abs() < 1e-9 && x.z < 1e-9);
     for (support, held) in [
@@ -158,7 +158,7 @@ fn a_group_has_six_freedoms_and_one_set_of_supports() {
     ] {
         let one = vec![Supported { particles: vec![joint[1]], support }];
         let body = shell(cloud.clone(), CELL, 0.1, &StretchCorrected, one, Vec::new());
-        assert_eq!(body.freedoms(), free.freedoms() - held);
-        assert_eq!(StaticShell::new(body).unknowns(), free.freedoms() - held);
+        assert_eq!(body.dof(), free.dof() - held);
+        assert_eq!(StaticShell::new(body).unknowns(), free.dof() - held);
     }
 }

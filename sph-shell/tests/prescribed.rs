@@ -238,8 +238,8 @@ fn a_march_with_a_turned_end_finds_the_same() {
     marched.evaluate_internal(true);
     for &a in &edge {
         let (d, x) = (marched.director(a as usize), marched.position(a as usize));
-        let told = Vec3::new(-angle.sin(), 0.0, angle.cos());
-        assert!((d - told).norm() < 1e-12, "{d:?} is not {told:?}");
+        let reported = Vec3::new(-angle.sin(), 0.0, angle.cos());
+        assert!((d - reported).norm() < 1e-12, "{d:?} is not {reported:?}");
         assert!((x - found.position(a as usize)).norm() < 1e-4 * LENGTH, "{x:?}");
     }
     assert!((moment(&marched) / moment(found) - 1.0).abs() < 1e-3, "{} {}", moment(&marched), moment(found));

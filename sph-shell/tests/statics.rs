@@ -120,7 +120,7 @@ fn directions_that_are_held_are_no_unknowns() {
     ] {
         let mut system = pushed(supports);
         assert_eq!(system.unknowns(), 30 * left);
-        assert_eq!(system.shell().freedoms(), 30 * left);
+        assert_eq!(system.shell().dof(), 30 * left);
         // A motion of the unknowns leaves what is held.
         system.update(&vec![0.01; 30 * left]);
         let (u, d) = (system.shell().displacement(7), system.shell().director(7));

@@ -41,7 +41,7 @@ fn work(body: Shell) -> f64 {
     2.0 * linear_energy(body)
 }
 
-/// The same, and the part of the stored energy that hosts are told to leave out.
+/// The same, and the part of the stored energy that hosts leave out.
 fn work_and_loss(body: Shell) -> (f64, f64) {
     let mut system = StaticShell::new(body);
     let mut load = vec![0.0; system.unknowns()];
@@ -86,12 +86,12 @@ fn a_stem_between_the_lines_of_a_bar_sways_as_beams_say() {
         let (work, lost) = work_and_loss(stem);
         let error = work / exact - 1.0;
         println!(
-            "{n} cells of the stem, {bar} of the bar: {:.2} %, told {:.2} %",
+            "{n} cells of the stem, {bar} of the bar: {:.2} %, reported {:.2} %",
             100.0 * error,
             100.0 * lost
         );
         assert!(error.abs() < bound, "{n} {bar}: {error}");
-        // Told beforehand, but for what else is off: a quarter of a percent, and less with finer cells.
+        // Known beforehand, but for what else is off: a quarter of a percent, and less with finer cells.
         assert!((error + lost).abs() < 8e-3, "{n} {bar}: {error} {lost}");
     }
 }
@@ -354,7 +354,7 @@ fn supports_of_the_host_are_those_of_what_hangs() {
     let plane = supported(side, SymmetryPlane { normal: X });
     let tie = Tie { edge: at(&cloud, |x| (x.y - 0.5).abs() < 1e-9 && x.z < 1e-9), host: (0..9).collect() };
     let tied = body(cloud, elastic(1200.0, 0.3, 0.1), vec![plane], Vec::new(), &[tie]);
-    // Five freedoms of 16 + 10 particles; two of 4 and 2 on the plane are held.
-    assert_eq!(tied.freedoms(), 5 * 26 - 2 * 6);
+    // Five degrees of freedom of 16 + 10 particles; two of 4 and 2 on the plane are held.
+    assert_eq!(tied.dof(), 5 * 26 - 2 * 6);
     assert_eq!(StaticShell::new(tied).unknowns(), 5 * 26 - 2 * 6);
 }

@@ -23,25 +23,25 @@ impl Galerkin {
         if self.scratch.is_empty() {
             let widest =
                 self.space.cells.iter().fold(0, |most, cell| most.max(cell.nodes.len() * cell.width));
-            let rooms = 0..BATCH.min(self.space.cells.len());
-            self.scratch = rooms.map(|_| Scratch::new(points, 9 * widest)).collect();
+            let scratches = 0..BATCH.min(self.space.cells.len());
+            self.scratch = scratches.map(|_| Scratch::new(points, 9 * widest)).collect();
         }
         self.blocks.clear();
         let mut scratch = std::mem::take(&mut self.scratch);
         for begin in (0..self.space.cells.len()).step_by(BATCH) {
             let count = BATCH.min(self.space.cells.len() - begin);
-            let work = |(at, room): (usize, &mut Scratch)| self.cell(begin + at, room);
-            let rooms = &mut scratch[..count];
+            let work = |(at, scratch): (usize, &mut Scratch)| self.cell(begin + at, scratch);
+            let scratches = &mut scratch[..count];
             if self.threads > 1 {
-                rooms.par_iter_mut().enumerate().for_each(work);
+                scratches.par_iter_mut().enumerate().for_each(work);
             } else {
-                rooms.iter_mut().enumerate().for_each(work);
+                scratches.iter_mut().enumerate().for_each(work);
             }
-            for (cell, room) in self.space.cells[begin..].iter().zip(rooms.iter()) {
+            for (cell, scratch) in self.space.cells[begin..].iter().zip(scratches.iter()) {
                 if cell.runs.is_empty() {
-                    add_mirrored(&mut self.blocks, cell, &self.space.images, &room.matrix);
+                    add_mirrored(&mut self.blocks, cell, &self.space.images, &scratch.matrix);
                 } else {
-                    self.blocks.add_cell(cell, &room.matrix);
+                    self.blocks.add_cell(cell, &scratch.matrix);
                 }
             }
         }
@@ -65,10 +65,10 @@ impl Galerkin {
     }
 
     /// Moduli of the points of a cell and its matrix.
-    fn cell(&self, number: usize, room: &mut Scratch) {
+    fn cell(&self, number: usize, scratch: &mut Scratch) {
         let cell = &self.space.cells[number];
         let kind = if self.insists { Tangent::Consistent } else { self.tangent };
-        for (at, moduli) in room.moduli.iter_mut().enumerate() {
+        for (at, moduli) in scratch.moduli.iter_mut().enumerate() {
             *moduli = self.moduli_of(number * self.space.points + at, kind);
             if kind == Tangent::Consistent {
                 for row in 0..9 {
@@ -79,10 +79,10 @@ impl Galerkin {
                 }
             }
         }
-        let coupled = self.couple(number, &mut room.moduli);
-        cell_stiffness(cell, self.space.slice, room);
+        let coupled = self.couple(number, &mut scratch.moduli);
+        cell_stiffness(cell, self.space.slice, scratch);
         if let Some(coupled) = coupled {
-            add_coupled(cell, &coupled, &mut room.matrix);
+            add_coupled(cell, &coupled, &mut scratch.matrix);
         }
     }
 

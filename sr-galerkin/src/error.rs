@@ -48,7 +48,7 @@ pub enum GalerkinError {
     Direction(f64),
     /// Conditions that depend on each other and ask for different values.
     #[error(
-        "node {node} is told to move by {wanted:.6e} at level one, but other conditions leave it {left:.6e} from there; remove one of them"
+        "node {node} is prescribed to move by {wanted:.6e} at level one, but other conditions leave it {left:.6e} from there; remove one of them"
     )]
     Contradiction {
         /// A node of the condition.

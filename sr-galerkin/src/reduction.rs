@@ -33,7 +33,7 @@ struct Corner {
     row: Vec<u32>,
     /// Place in the pattern of every master with every unknown.
     places: Vec<u32>,
-    /// Room for Z and TᵀZ.
+    /// Space for Z and TᵀZ.
     z: Vec<f64>,
     sums: Vec<f64>,
 }

@@ -12,8 +12,8 @@ use crate::discretisation::{Cell, MOST_POINTS};
 const ROW: usize = 28;
 
 /// Writes the matrix of a cell: for each node I nine rows `3i + k` over the nodes K ≥ I, as wide as the cell.
-pub(crate) fn cell_stiffness(cell: &Cell, slice: usize, room: &mut Scratch) {
-    let Scratch { moduli, arranged, matrix } = room;
+pub(crate) fn cell_stiffness(cell: &Cell, slice: usize, scratch: &mut Scratch) {
+    let Scratch { moduli, arranged, matrix } = scratch;
     pulp::Arch::new().dispatch(Work { cell, moduli, slice, arranged, out: matrix });
 }
 
@@ -110,7 +110,7 @@ fn multiply<S: Simd>(
     }
 }
 
-/// Room for the matrix of one cell.
+/// Space for the matrix of one cell.
 pub(crate) struct Scratch {
     /// Moduli of its points.
     pub moduli: Vec<PointTangent>,
@@ -121,7 +121,7 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    /// Room for a cell of so many points and a matrix of so many numbers.
+    /// Space for a cell of so many points and a matrix of so many numbers.
     pub fn new(points: usize, size: usize) -> Self {
         let (moduli, arranged) = (vec![[[0.0; 9]; 9]; points], vec![[[0.0; ROW]; 3]; points]);
         Self { moduli, arranged, matrix: vec![0.0; size] }

@@ -100,9 +100,9 @@ fn other_programs_are_counted_in_a_run_that_is_made() -> Result<(), Box<dyn Erro
     for name in ["panel", "ring", "cantilever-end-shear", "scordelis-lo", "dam-break-front"] {
         assert!(found.contains(&name), "{name} is among {found:?}");
     }
-    let told = report()?.iter().map(|page| page.html.clone()).collect::<String>();
+    let reported = report()?.iter().map(|page| page.html.clone()).collect::<String>();
     for words in ["OpenSees ASDShellQ4", "none beats in both: ", "measured another day"] {
-        assert!(told.contains(words), "{words} is not in the report");
+        assert!(reported.contains(words), "{words} is not in the report");
     }
     Ok(())
 }

@@ -44,7 +44,7 @@ fn each_difference_has_its_line_and_its_curve_beside_the_reference() -> Result<(
     let column = "internal [N m]";
     stored[0].curve.remove(column).ok_or("no energy")?;
     let html = page(&[Change { result: &result, stored }])?.html;
-    for told in [
+    for reported in [
         ">what it was<",
         &format!(">{name}<"),
         &format!(">column {title}<"),
@@ -54,7 +54,7 @@ fn each_difference_has_its_line_and_its_curve_beside_the_reference() -> Result<(
         "as reviewed: ",
         "exact",
     ] {
-        assert!(html.contains(told), "{told} is not on the page");
+        assert!(html.contains(reported), "{reported} is not on the page");
     }
     Ok(())
 }

@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn the_list_line_is_told() {
-        let told = Name::new("made-up").unwrap().left_to_do();
-        assert!(told.contains("made_up::case()") && told.contains("--case made-up"), "{told}");
+        let reported = Name::new("made-up").unwrap().left_to_do();
+        assert!(reported.contains("made_up::case()") && reported.contains("--case made-up"), "{reported}");
     }
 }

@@ -3,7 +3,7 @@
 use super::support::Frame;
 
 /// DofMap of a node: three displacements, two turns of the director.
-const FREEDOMS: usize = 5;
+const DOF: usize = 5;
 
 /// Entries in the lower triangle of an element's tangent.
 const ENTRIES: usize = 210;
@@ -15,7 +15,7 @@ const HELD: u32 = u32::MAX;
 #[derive(Debug, Clone)]
 pub struct Assembly {
     /// Unknown of each freedom of each node.
-    numbers: Vec<[Option<usize>; FREEDOMS]>,
+    numbers: Vec<[Option<usize>; DOF]>,
     /// Node and freedom of each unknown.
     owners: Vec<(usize, usize)>,
     /// Positions (row, column), row ≥ column, by rows.
@@ -28,11 +28,11 @@ impl Assembly {
     /// Numbers the degrees of freedom that the frames leave, node by node, and finds the pattern.
     pub fn new(frames: &[Frame], elements: impl Iterator<Item = [usize; 4]>) -> Self {
         let mut owners = Vec::new();
-        let numbers: Vec<[Option<usize>; FREEDOMS]> = frames
+        let numbers: Vec<[Option<usize>; DOF]> = frames
             .iter()
             .enumerate()
             .map(|(node, frame)| {
-                std::array::from_fn(|freedom| {
+                std::array::from_fn(|dof| {
                     let free = if freedom < 3 { freedom >= frame.held } else { freedom - 3 < frame.turns };
                     free.then(|| {
                         owners.push((node, freedom));
@@ -67,7 +67,7 @@ impl Assembly {
 
     /// The unknown of a node's freedom, if it is free.
     pub fn unknown(&self, node: usize, freedom: usize) -> Option<usize> {
-        self.numbers[node][freedom]
+        self.numbers[node][dof]
     }
 
     /// Node and freedom of an unknown.
@@ -87,8 +87,8 @@ impl Assembly {
 }
 
 /// Positions of an element's lower triangle, row by row; `None` where a freedom is held.
-fn entries(nodes: &[usize; 4], numbers: &[[Option<usize>; FREEDOMS]]) -> Vec<Option<(usize, usize)>> {
-    let unknown = |local: usize| numbers[nodes[local / FREEDOMS]][local % FREEDOMS];
+fn entries(nodes: &[usize; 4], numbers: &[[Option<usize>; DOF]]) -> Vec<Option<(usize, usize)>> {
+    let unknown = |local: usize| numbers[nodes[local / DOF]][local % DOF];
     let pair = |row: usize, column: usize| {
         let (first, second) = (unknown(row)?, unknown(column)?);
         Some((first.max(second), first.min(second)))

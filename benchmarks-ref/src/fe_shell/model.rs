@@ -195,7 +195,7 @@ impl Model {
         for freedom in 0..5 {
             if let Some(unknown) = self.assembly.unknown(node, freedom) {
                 out[unknown] += match freedom {
-                    0..3 => self.frames[node].axes[freedom].dot(force),
+                    0..3 => self.frames[node].axes[dof].dot(force),
                     _ => tangents[freedom - 3].dot(on_director),
                 };
             }
@@ -336,7 +336,7 @@ impl Equilibrium for Model {
         for node in 0..self.nodes() {
             let moved = self.displacement_in(increment, node);
             self.positions[node] += moved;
-            let turn = [3, 4].map(|freedom| self.part(increment, node, freedom));
+            let turn = [3, 4].map(|dof| self.part(increment, node, freedom));
             self.directors[node].turn(turn);
         }
     }
@@ -384,7 +384,7 @@ impl Equilibrium for Model {
         let (node, freedom) = self.assembly.owner(unknown);
         match freedom {
             0..3 => {
-                let axis = self.frames[node].axes[freedom];
+                let axis = self.frames[node].axes[dof];
                 format!("displacement of node {node} along ({:.3}, {:.3}, {:.3})", axis.x, axis.y, axis.z)
             }
             _ => {

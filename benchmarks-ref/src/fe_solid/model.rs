@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 use super::element::{Moduli, NODES, Point, tensor};
 use super::mesh::Mesh;
 
-/// Freedoms of a brick.
-const FREEDOMS: usize = 3 * NODES;
+/// Degrees of freedom of a brick.
+const DOF: usize = 3 * NODES;
 /// Marks an entry of a brick that belongs to a held freedom.
 const HELD: u32 = u32::MAX;
 
@@ -30,7 +30,7 @@ pub struct Model {
     /// Unknown of each freedom; none where it is held.
     numbers: Vec<Option<usize>>,
     held: Vec<Held>,
-    /// Loads at level one, by freedoms \[F\].
+    /// Loads at level one, by dofs \[F\].
     loads: Vec<f64>,
     /// Places at rest and displacements \[L\].
     rest: Vec<Vector3<f64>>,
@@ -61,8 +61,8 @@ impl Model {
             .collect::<Option<_>>()?;
         let entries = |nodes: &[usize; NODES]| {
             let unknown = |freedom: usize| numbers[3 * nodes[freedom / 3] + freedom % 3];
-            let mut out = Vec::with_capacity(FREEDOMS * (FREEDOMS + 1) / 2);
-            for row in 0..FREEDOMS {
+            let mut out = Vec::with_capacity(DOF * (DOF + 1) / 2);
+            for row in 0..DOF {
                 for column in 0..=row {
                     out.push(unknown(row).zip(unknown(column)).map(|(a, b)| (a.max(b), a.min(b))));
                 }
@@ -120,7 +120,7 @@ impl Model {
         }
     }
 
-    /// Internal forces by freedoms \[F\].
+    /// Internal forces by dofs \[F\].
     fn forces(&mut self, level: f64) -> Vec<f64> {
         self.put(level);
         let mut out = vec![0.0; self.loads.len()];
@@ -139,10 +139,10 @@ impl Model {
     }
 
     /// The tangent of a brick: the lower triangle, by rows.
-    fn stiffness(&self, element: usize) -> Vec<[f64; FREEDOMS]> {
+    fn stiffness(&self, element: usize) -> Vec<[f64; DOF]> {
         let (nodes, points) = &self.elements[element];
         let moved = nodes.map(|node| self.moved[node]);
-        let mut out = vec![[0.0; FREEDOMS]; FREEDOMS];
+        let mut out = vec![[0.0; DOF]; DOF];
         for point in points {
             let (gradient, _, stress) = point.state(&moved, &self.moduli);
             let stress = tensor(&stress);
@@ -162,7 +162,7 @@ impl Model {
         out
     }
 
-    /// Takes the numbers of free freedoms.
+    /// Takes the numbers of free degrees of freedom.
     fn project(&self, all: &[f64], out: &mut [f64]) {
         for (number, value) in self.numbers.iter().zip(all) {
             if let Some(unknown) = number {
@@ -198,14 +198,14 @@ impl Equilibrium for Model {
         let mut rates = vec![0.0; all.len()];
         self.held.iter().for_each(|held| rates[3 * held.node + held.axis] = held.by);
         for element in 0..self.elements.len() {
-            let freedoms: Vec<usize> =
+            let dofs: Vec<usize> =
                 self.elements[element].0.iter().flat_map(|node| [0, 1, 2].map(|k| 3 * node + k)).collect();
-            if freedoms.iter().all(|&freedom| rates[freedom] == 0.0) {
+            if dofs.iter().all(|&dof| rates[dof] == 0.0) {
                 continue;
             }
             let matrix = self.stiffness(element);
-            for (i, row) in freedoms.iter().enumerate() {
-                for (j, column) in freedoms.iter().enumerate() {
+            for (i, row) in dofs.iter().enumerate() {
+                for (j, column) in dofs.iter().enumerate() {
                     all[*row] -= matrix[i.max(j)][i.min(j)] * rates[*column];
                 }
             }

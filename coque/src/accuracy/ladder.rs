@@ -184,7 +184,7 @@ pub enum ClimbError {
     /// The scene was refused.
     #[error(transparent)]
     Refused(#[from] SceneError),
-    /// A run told nothing that can be compared.
+    /// A run gave nothing that can be compared.
     #[error("{0}")]
     Silent(String),
 }
@@ -210,7 +210,7 @@ fn run(
         return Ok(None);
     }
     let answers = answers(&outcome, &scene.analysis, load).map_err(ClimbError::Silent)?;
-    let known = |warning: &Warning| warnings.iter().any(|other| other.doubt == warning.doubt);
+    let known = |warning: &Warning| warnings.iter().any(|other| other.kind == warning.kind);
     let met: Vec<Warning> = outcome.summary.record.warnings.iter().filter(|w| !known(w)).cloned().collect();
     warnings.extend(met);
     let Refined { spacing, lattice, .. } = refined;

@@ -43,7 +43,7 @@ pub struct Forecast {
     pub method: String,
     /// The runs that were made.
     pub ladder: Ladder,
-    /// What reaches the accuracy; none where it cannot be told.
+    /// What reaches the accuracy; none where it cannot be estimated.
     pub needed: Option<Needed>,
 }
 

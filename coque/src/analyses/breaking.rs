@@ -1,15 +1,15 @@
-//! What broke at its limit on a path of equilibria: its figures, its doubt, and its place in the balance of energy.
+//! What broke at its limit on a path of equilibria: its figures, its warning, and its place in the balance of energy.
 
 use implicit_statics::Breach;
 
-use crate::Doubt;
+use crate::WarningKind;
 use crate::run::record::{BreakingSummary, Energies, RunRecord, place};
 
 /// Takes over what broke, set by set; `unit` is that of the force where the level is one.
 pub(super) fn note_breaches(breaches: &[Breach], unit: Option<&str>, found: &mut RunRecord) {
     let Some(first) = breaches.first() else { return };
     if found.breaking.is_none() {
-        found.warn(Doubt::BrokenAtRest, growth(&place(first.level, unit)));
+        found.warn(WarningKind::BrokenAtRest, growth(&place(first.level, unit)));
     }
     let so_far = found.breaking.get_or_insert_with(|| BreakingSummary::from(first.level));
     for breach in breaches {

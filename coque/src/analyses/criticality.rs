@@ -1,8 +1,8 @@
 //! What was critical on a path of equilibria: for the summary, and as warnings.
 
-use implicit_statics::{CriticalKind, Passed, Path, Release};
+use implicit_statics::{CriticalKind, Passed, Path, SnapEnergy};
 
-use crate::Doubt;
+use crate::WarningKind;
 use crate::run::record::{CriticalSummary, RunRecord, place};
 
 /// A path whose levels are given, or one that goes where the equilibria lead.
@@ -19,7 +19,7 @@ const SMALLER: &str = "take smaller steps there";
 const LEFT: &str = "change of branch";
 
 /// Takes over a snap between two levels of a relaxation, if there was one.
-pub(crate) fn note_snap(release: &Release, (low, high): (f64, f64), found: &mut RunRecord) {
+pub(crate) fn note_snap(release: &SnapEnergy, (low, high): (f64, f64), found: &mut RunRecord) {
     if !release.snapped() {
         return;
     }
@@ -31,7 +31,7 @@ pub(crate) fn note_snap(release: &Release, (low, high): (f64, f64), found: &mut 
         release.energy / release.most,
         place(high, None)
     );
-    found.warn(Doubt::PassedCritical, message);
+    found.warn(WarningKind::PassedCritical, message);
     let (level, between) = (0.5 * (low + high), Some([low, high]));
     found.critical.push(CriticalSummary { kind: LEFT.into(), level, unit: None, between });
 }
@@ -58,7 +58,7 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
                  the shell leaves this path there, and with a slight imperfection it may leave before",
                 place(critical.level)
             );
-            found.warn(Doubt::PassedCritical, message);
+            found.warn(WarningKind::PassedCritical, message);
         }
         found.critical.push(summary(kind, critical.level, None));
     }
@@ -97,13 +97,13 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
                 (message, "doubtful step", 0.5 * (low + high))
             }
         };
-        found.warn(Doubt::PassedCritical, message);
+        found.warn(WarningKind::PassedCritical, message);
         // A limit point that was located is where its branch turns back.
         if !found.critical.iter().any(|critical| critical.level == level) {
             found.critical.push(summary(kind, level, between));
         }
     }
-    if follows == Follows::Arc || found.warnings.iter().any(|warning| warning.doubt == Doubt::Unstable) {
+    if follows == Follows::Arc || found.warnings.iter().any(|warning| warning.kind == WarningKind::Unstable) {
         return;
     }
     if let Some(point) = path.points.iter().skip(1).find(|point| point.unstable > 0) {
@@ -113,6 +113,6 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
             place(point.level()),
             point.unstable
         );
-        found.warn(Doubt::Unstable, message);
+        found.warn(WarningKind::Unstable, message);
     }
 }

@@ -7,7 +7,7 @@ use implicit_statics::{SymmetricSolver, linear_response};
 
 use super::linear::solved;
 use super::march::reference_step;
-use crate::bodies::{Balanced, Marched, Model, Ready};
+use crate::bodies::{StaticBody, DynamicBody, Model, Ready};
 use crate::scene::{Analysis, Explicit, LevelSign, Linear};
 
 /// How long steps are timed.
@@ -49,7 +49,7 @@ impl Model {
     }
 }
 
-fn of_march(explicit: &Explicit, body: &mut dyn Marched, threads: usize, bytes: f64) -> Estimate {
+fn of_march(explicit: &Explicit, body: &mut dyn DynamicBody, threads: usize, bytes: f64) -> Estimate {
     let stable_step = reference_step(body);
     let dt = explicit.safety * stable_step;
     let seconds_a_step = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
@@ -61,7 +61,7 @@ fn of_march(explicit: &Explicit, body: &mut dyn Marched, threads: usize, bytes: 
     Estimate { stable_step, steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
 }
 
-fn of_balance(analysis: &Analysis, body: &mut dyn Balanced, bytes: f64) -> Estimate {
+fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Estimate {
     let steps = match analysis {
         Analysis::Modal(wanted) => return Work::of_vibration(wanted.modes).estimate(body, bytes),
         Analysis::Buckling(wanted) => {
@@ -111,7 +111,7 @@ impl Work {
     }
 
     /// Times each of the three once.
-    fn estimate(&self, system: &mut dyn Balanced, bytes: f64) -> Estimate {
+    fn estimate(&self, system: &mut dyn StaticBody, bytes: f64) -> Estimate {
         let timed = |begun: Instant| begun.elapsed().as_secs_f64();
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];
@@ -141,7 +141,7 @@ impl Work {
 }
 
 /// Steps of a run: every hold at its shortest, every hold at its longest; unknown where nothing tells the period.
-fn steps(explicit: &Explicit, body: &mut dyn Marched, dt: f64) -> Option<[f64; 2]> {
+fn steps(explicit: &Explicit, body: &mut dyn DynamicBody, dt: f64) -> Option<[f64; 2]> {
     if let Some(path) = &explicit.quasi_static {
         let levels = path.levels.list().len() as f64;
         let period = path.period.or_else(|| period_of_deflection(body))?;
@@ -152,7 +152,7 @@ fn steps(explicit: &Explicit, body: &mut dyn Marched, dt: f64) -> Option<[f64; 2
 }
 
 /// Rayleigh's period of the linear answer u to the loads: `ω² = u·p / u·Mu`; none without a tangent or a load.
-fn period_of_deflection(body: &mut dyn Marched) -> Option<f64> {
+fn period_of_deflection(body: &mut dyn DynamicBody) -> Option<f64> {
     let mut system = body.at_rest()?;
     let answer = linear_response(&mut *system, 0.0).ok()?;
     let mut load = vec![0.0; answer.len()];
@@ -163,7 +163,7 @@ fn period_of_deflection(body: &mut dyn Marched) -> Option<f64> {
 }
 
 /// Seconds a step, without load: nothing moves and the work is the same.
-fn time_steps(body: &mut dyn Marched, dt: f64) -> f64 {
+fn time_steps(body: &mut dyn DynamicBody, dt: f64) -> f64 {
     let at = |time| Moment { time, level: 0.0 };
     let step = Step { from: at(0.0), to: at(dt), kick: dt, damping: 0.0 };
     body.advance(&step);

@@ -7,8 +7,8 @@ use sph_core::Vec3;
 
 use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
-use crate::Doubt;
-use crate::bodies::{Balanced, Configuration, Probe, Resultant, extent};
+use crate::WarningKind;
+use crate::bodies::{StaticBody, Configuration, Probe, Resultant, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::{ConjugateSummary, Energies};
@@ -25,7 +25,7 @@ use crate::scene::{Linear, LinearSolver};
 const REACH: f64 = 1e-2;
 
 /// Finds the linear answer at level one and reads the curve's one row.
-pub(crate) fn linear(wanted: &Linear, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     let interrupted = Ended::Interrupted { time: 0.0, level: 0.0 };
     if run.tell(0.0, 0, 0.0, 0.0).is_break() {
         return interrupted;
@@ -116,7 +116,7 @@ pub(super) enum Way {
 /// The linear answer by the solver that is asked for.
 pub(super) fn solved(
     wanted: &Linear,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
 ) -> Result<(Vec<f64>, Way), EquilibriumError> {
     match wanted.solver {
         LinearSolver::Direct => {
@@ -143,7 +143,7 @@ fn doubt_stability(inertia: Inertia, run: &mut Run<'_>) {
              at the least disturbance; see what pushes it, such as an initial stress or a spring that gives way",
             inertia.negative
         );
-        run.record.warn(Doubt::Unstable, message);
+        run.record.warn(WarningKind::Unstable, message);
     }
 }
 
@@ -154,7 +154,7 @@ fn doubt_stability(inertia: Inertia, run: &mut Run<'_>) {
 const LARGE: [f64; 2] = [0.15, 0.5];
 
 /// Warns of an answer that is too large to be linear; `largest` is the largest displacement of the places `there`.
-fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
+fn doubt_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
     let Configuration { rest, cells, .. } = system.configuration();
     // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
     let sides = cells.iter().flat_map(|cell| {
@@ -180,11 +180,11 @@ fn doubt_size(system: &dyn Balanced, there: &[Vec3], largest: f64, run: &mut Run
         102.0 * LARGE[0] * LARGE[0],
         LARGE[0],
     );
-    run.record.warn(Doubt::LargeLinear, message);
+    run.record.warn(WarningKind::LargeLinear, message);
 }
 
 /// Puts a motion of the unknowns on the state at rest, held values at a level; the positions there \[L\].
-fn moved(system: &mut dyn Balanced, rest: &[f64], motion: &[f64], level: f64) -> Vec<Vec3> {
+fn moved(system: &mut dyn StaticBody, rest: &[f64], motion: &[f64], level: f64) -> Vec<Vec3> {
     system.restore(rest);
     system.update(motion);
     if system.held_values_move() {
@@ -194,7 +194,7 @@ fn moved(system: &mut dyn Balanced, rest: &[f64], motion: &[f64], level: f64) ->
 }
 
 /// Largest displacement of a particle \[L\].
-fn farthest(system: &dyn Balanced, present: &[Vec3]) -> f64 {
+fn farthest(system: &dyn StaticBody, present: &[Vec3]) -> f64 {
     let start = system.configuration().rest;
     start.iter().zip(present).map(|(from, to)| (to - from).norm()).fold(0.0, f64::max)
 }

@@ -6,8 +6,8 @@ use explicit_dynamics::{Clock, LevelReached, MarchError, MarchState, Missing, Ob
 use implicit_statics::Inertia;
 
 use super::stability::Stability;
-use crate::Doubt;
-use crate::bodies::{Configuration, Marched, TangentCost};
+use crate::WarningKind;
+use crate::bodies::{Configuration, DynamicBody, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
@@ -18,7 +18,7 @@ use crate::scene::{Damping, Explicit, QuasiStatic, Transient};
 /// Marches to the end, or to divergence, from the start or from where an earlier march stood.
 pub(crate) fn march(
     explicit: &Explicit,
-    body: &mut dyn Marched,
+    body: &mut dyn DynamicBody,
     tangent: TangentCost,
     run: &mut Run<'_>,
     from: Option<Stage>,
@@ -65,7 +65,7 @@ const OPEN_BALANCE: f64 = 0.02;
 const ROUND_OFF: f64 = 1e-10;
 
 /// Warns of energy that came or went without a book that says from where or whereto; a body that nothing but rounding moved has none.
-fn doubt_balance(body: &dyn Marched, record: &mut RunRecord) {
+fn doubt_balance(body: &dyn DynamicBody, record: &mut RunRecord) {
     let Some(balance) = record.balance.filter(|balance| balance.share().abs() > OPEN_BALANCE) else { return };
     let Configuration { rest, present, .. } = body.configuration();
     let size = rest.iter().map(|x| (x - rest[0]).norm()).fold(0.0, f64::max);
@@ -74,17 +74,17 @@ fn doubt_balance(body: &dyn Marched, record: &mut RunRecord) {
     }
     let way = if balance.worst > 0.0 { "has come from nowhere" } else { "is missing" };
     let message = format!(
-        "at time {} energy {way}, {:.2} % of what was turned over ({} % are too much): forces do work that nothing books, so that \
+        "at time {} energy {way}, {:.2} % of what was turned over ({} % are too much): forces do work that nothing counts, so that \
          motions and forces may be as wrong; see whether shorter steps or a finer lattice change them",
         balance.time,
         100.0 * balance.share().abs(),
         100.0 * OPEN_BALANCE,
     );
-    record.warn(Doubt::OpenBalance, message);
+    record.warn(WarningKind::OpenBalance, message);
 }
 
 /// Greatest stable step of the present configuration \[T\]; zero if none was found.
-pub(crate) fn reference_step(body: &mut dyn Marched) -> f64 {
+pub(crate) fn reference_step(body: &mut dyn DynamicBody) -> f64 {
     body.stable_step(1.0).map_or(0.0, |step| step.dt)
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn reference_step(body: &mut dyn Marched) -> f64 {
 fn settle(
     path: &QuasiStatic,
     safety: f64,
-    body: &mut dyn Marched,
+    body: &mut dyn DynamicBody,
     watcher: &mut Watcher<'_, '_, '_>,
     from: Option<MarchState>,
 ) -> Result<Clock, MarchError> {
@@ -119,7 +119,7 @@ fn settle(
 fn move_on(
     wanted: &Transient,
     safety: f64,
-    body: &mut dyn Marched,
+    body: &mut dyn DynamicBody,
     watcher: &mut Watcher<'_, '_, '_>,
     from: Option<MarchState>,
 ) -> Result<Clock, MarchError> {
@@ -144,7 +144,7 @@ struct Watcher<'a, 'r, 's> {
 
 impl Watcher<'_, '_, '_> {
     /// Counts the negative pivots of the level that was last reached, where that is due.
-    fn look_at_stability(&mut self, body: &mut dyn Marched, record: &Record) {
+    fn look_at_stability(&mut self, body: &mut dyn DynamicBody, record: &Record) {
         let levels = self.path.map_or(0, |path| path.levels.list().len());
         let reached = self.run.record.levels.len();
         let Some(level) = self.run.record.levels.last_mut() else { return };
@@ -158,7 +158,7 @@ impl Watcher<'_, '_, '_> {
                      not be seen by false",
                     level.level
                 );
-                self.run.record.warn(Doubt::StabilityUnknown, message);
+                self.run.record.warn(WarningKind::StabilityUnknown, message);
             }
             return;
         }
@@ -172,13 +172,13 @@ impl Watcher<'_, '_, '_> {
                  leave it at the least disturbance; give it a small load or imperfection that shows the way",
                 level.level
             );
-            self.run.record.warn(Doubt::Unstable, message);
+            self.run.record.warn(WarningKind::Unstable, message);
         }
     }
 }
 
-impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
-    fn record(&mut self, body: &mut (dyn Marched + 'b), record: &Record) -> ControlFlow<()> {
+impl<'b> Observer<dyn DynamicBody + 'b> for Watcher<'_, '_, '_> {
+    fn record(&mut self, body: &mut (dyn DynamicBody + 'b), record: &Record) -> ControlFlow<()> {
         let (at, energy) = (record.at, record.energy);
         let columns =
             vec![at.time, at.level, energy.kinetic, energy.internal, energy.external, energy.dissipated];
@@ -217,7 +217,7 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
                     None => "see whether `damping` fits",
                 }
             );
-            self.run.record.warn(Doubt::NotSettled, message);
+            self.run.record.warn(WarningKind::NotSettled, message);
         }
         self.run.record.levels.push(LevelSummary {
             level,
@@ -234,7 +234,7 @@ impl<'b> Observer<dyn Marched + 'b> for Watcher<'_, '_, '_> {
         });
     }
 
-    fn between(&mut self, body: &mut (dyn Marched + 'b), at: &MarchState, done: f64) -> ControlFlow<()> {
+    fn between(&mut self, body: &mut (dyn DynamicBody + 'b), at: &MarchState, done: f64) -> ControlFlow<()> {
         let clock = &at.clock;
         self.run.count_impulses(clock.now.time, &*body);
         let flow = self.run.progress.update(&ProgressReport {

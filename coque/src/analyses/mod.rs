@@ -17,7 +17,7 @@ use std::time::Instant;
 
 pub use estimate::Estimate;
 
-use crate::bodies::{Balanced, Description, Marched, Model, Ready, Resultant, TangentCost};
+use crate::bodies::{StaticBody, Description, DynamicBody, Model, Ready, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
@@ -32,7 +32,7 @@ use crate::scene::{Analysis, Damping};
 
 /// What a run is given beside its model.
 pub struct RunOptions<'a> {
-    /// Who is told how it goes, and may end it.
+    /// Who receives the progress and may end it.
     pub progress: &'a mut dyn Progress,
     /// Where its checkpoints go, if it is to write any.
     pub checkpoints: Option<&'a mut Checkpoints>,
@@ -122,15 +122,15 @@ impl Model {
             }
         }
         let Run { curve, mut shapes, latest, mut record, supports, .. } = run;
-        let found = self.body.body().found();
+        let found = self.body.body().diagnostics();
         record.fluid = found.fluid;
         record.warnings.extend(found.warnings);
         shapes.extend(latest);
         // Modes and linear answers are drawn larger than they are.
         if let (Some(judge), true) = (&self.judge, true_to_scale(&self.task.analysis)) {
-            let mut told = judge(&cells, &shapes);
-            told.retain(|warning| record.warnings.iter().all(|known| known.doubt != warning.doubt));
-            record.warnings.extend(told);
+            let mut reported = judge(&cells, &shapes);
+            reported.retain(|warning| record.warnings.iter().all(|known| known.kind != warning.kind));
+            record.warnings.extend(reported);
         }
         record.wall_seconds += started.elapsed().as_secs_f64();
         let summary = self.summary(record, supports, &ended);
@@ -170,7 +170,7 @@ impl Model {
 
 fn marched(
     analysis: &Analysis,
-    body: &mut dyn Marched,
+    body: &mut dyn DynamicBody,
     tangent: TangentCost,
     run: &mut Run<'_>,
     from: Option<Stage>,
@@ -183,7 +183,7 @@ fn marched(
     }
 }
 
-fn balanced(analysis: &Analysis, body: &mut dyn Balanced, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
+fn balanced(analysis: &Analysis, body: &mut dyn StaticBody, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
     let from = from.filter(|stage| !matches!(stage, Stage::Preload));
     if from.is_none()
         && let Err(ended) = preload::preload(analysis, body, run)

@@ -9,8 +9,8 @@ use implicit_statics::{
 };
 use sph_core::Vec3;
 
-use crate::Doubt;
-use crate::bodies::{Balanced, extent};
+use crate::WarningKind;
+use crate::bodies::{StaticBody, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::progress::{Progress, ProgressReport};
@@ -34,7 +34,7 @@ const CHANGED: f64 = 0.1;
 const MOVED: f64 = 0.05;
 
 /// Finds the lowest modes of vibration.
-pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.record.stable_step = system.stable_step();
     if run.record.preload.is_some() {
         run.record.warnings.extend(system.doubtful_modes(count));
@@ -64,7 +64,7 @@ pub(crate) fn modal(count: usize, system: &mut dyn Balanced, run: &mut Run<'_>) 
              stand in the curve with the frequency 0; lower the stress or the preload, or look for the critical one with [analysis.buckling]",
             modes.iter().map(|mode| mode.eigenvalue).fold(0.0, f64::min)
         );
-        run.record.warn(Doubt::Unstable, message);
+        run.record.warn(WarningKind::Unstable, message);
     }
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
@@ -82,7 +82,7 @@ fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
 }
 
 /// Finds the buckling levels nearest to zero.
-pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let options = BucklingOptions {
         count: wanted.modes,
@@ -112,12 +112,12 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn Balanced, run: &mut R
             "{side} levels were not found to within rounding, and none is in the curve, though one may be nearer than those that are; ask \
              for fewer `modes`, or for sign = \"{side}\" alone to see what ended the search"
         );
-        run.record.warn(Doubt::FewerModes, message);
+        run.record.warn(WarningKind::FewerModes, message);
     }
     if let Some(message) =
         modes.first().and_then(|lowest| changed_shape(lowest, options.prebuckling, system.linear_reach()))
     {
-        run.record.warn(Doubt::ChangedShape, message);
+        run.record.warn(WarningKind::ChangedShape, message);
     }
     for (number, mode) in modes.iter().enumerate() {
         run.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
@@ -181,7 +181,7 @@ fn taken<M>(
             "{} of {wanted} modes: inertia counts no more {what} from {from:.3e} to {to:.3e}; ask for fewer `modes`",
             modes.len()
         );
-        run.record.warn(Doubt::FewerModes, message);
+        run.record.warn(WarningKind::FewerModes, message);
     }
     run.record.counted = Some(CountSummary {
         from: from.is_finite().then_some(from),
@@ -194,7 +194,7 @@ fn taken<M>(
 }
 
 /// Counts a mode, keeps its shape about the state that vibrates or buckles and offers it as a frame, scaled for the eye.
-fn keep(system: &mut dyn Balanced, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
+fn keep(system: &mut dyn StaticBody, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
     let rest = system.save();
     let start = system.configuration().present;
     system.update(mode);

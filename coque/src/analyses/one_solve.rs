@@ -3,8 +3,8 @@
 use implicit_statics::OneSolve;
 
 use super::path::loaded;
-use crate::Doubt;
-use crate::bodies::{Balanced, extent};
+use crate::WarningKind;
+use crate::bodies::{StaticBody, extent};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
@@ -17,18 +17,18 @@ const SETTLED: f64 = 0.01;
 /// Leads a body through the levels, from the start or from where an earlier run stood, and tells how far off they are.
 pub(super) fn one_solve(
     wanted: &Static,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     run: &mut Run<'_>,
     from: Option<Stage>,
 ) -> Ended {
     let ended = levels(wanted, system, run, from);
     if !matches!(ended, Ended::Interrupted { .. }) {
-        doubt(run);
+        warn(run);
     }
     ended
 }
 
-fn levels(wanted: &Static, system: &mut dyn Balanced, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
+fn levels(wanted: &Static, system: &mut dyn StaticBody, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let list = wanted.levels.list();
     let last = list.last().copied().unwrap_or(1.0);
@@ -83,14 +83,14 @@ fn levels(wanted: &Static, system: &mut dyn Balanced, run: &mut Run<'_>, from: O
 }
 
 /// Adds a row of the curve.
-fn push(run: &mut Run<'_>, system: &mut dyn Balanced, figures: [f64; 6]) {
+fn push(run: &mut Run<'_>, system: &mut dyn StaticBody, figures: [f64; 6]) {
     let mut row = figures.to_vec();
     run.read_probes(&mut row, system);
     run.push(row);
 }
 
 /// Keeps a checkpoint where so many levels are made, if the run writes any.
-fn keep(run: &mut Run<'_>, found: usize, level: f64, system: &dyn Balanced) {
+fn keep(run: &mut Run<'_>, found: usize, level: f64, system: &dyn StaticBody) {
     if run.checkpoints.is_some() {
         run.keep_checkpoint(&Stage::Levels { found, level, heading: None, stiffness: None }, system);
     }
@@ -99,7 +99,7 @@ fn keep(run: &mut Run<'_>, found: usize, level: f64, system: &dyn Balanced) {
 /// What one more solve would move, over what moved so far: the largest displacements of particles.
 fn way_left(
     scheme: &mut OneSolve,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     level: f64,
 ) -> Result<f64, implicit_statics::EquilibriumError> {
     let motion = scheme.way_left(system, level)?;
@@ -115,7 +115,7 @@ fn way_left(
 }
 
 /// Warns of levels that are far from their equilibria.
-fn doubt(run: &mut Run<'_>) {
+fn warn(run: &mut Run<'_>) {
     let of = |level: &LevelSummary| (level.level, level.way_left);
     let far = |a: &(f64, f64), b: &(f64, f64)| a.1.total_cmp(&b.1);
     let (worst, last) = (run.record.levels.iter().map(of).max_by(far), run.record.levels.last().map(of));
@@ -127,6 +127,6 @@ fn doubt(run: &mut Run<'_>) {
             100.0 * way,
             100.0 * end,
         );
-        run.record.warn(Doubt::NotSettled, message);
+        run.record.warn(WarningKind::NotSettled, message);
     }
 }

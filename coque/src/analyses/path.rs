@@ -9,7 +9,7 @@ use implicit_statics::{
 
 use super::breaking::{at_rest, note_breaches};
 use super::criticality::{Follows, note};
-use crate::bodies::{Balanced, PrescribedPoint};
+use crate::bodies::{StaticBody, PrescribedPoint};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
@@ -27,7 +27,7 @@ const CLOSER: &str = "use [analysis.arc-length], or more `iterations`";
 /// start or from where an earlier run stood.
 pub(crate) fn levels(
     wanted: &Static,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     run: &mut Run<'_>,
     from: Option<Stage>,
 ) -> Ended {
@@ -119,7 +119,7 @@ pub(crate) fn levels(
 }
 
 /// Keeps a checkpoint where so many levels are found, if the run writes any.
-fn keep(run: &mut Run<'_>, levels: usize, start: &Start, system: &dyn Balanced) {
+fn keep(run: &mut Run<'_>, levels: usize, start: &Start, system: &dyn StaticBody) {
     if run.checkpoints.is_some() {
         let heading = start.heading.as_ref().map(|heading| (heading.motion.clone(), heading.level));
         let Start { level, stiffness, .. } = start.clone();
@@ -128,7 +128,7 @@ fn keep(run: &mut Run<'_>, levels: usize, start: &Start, system: &dyn Balanced) 
 }
 
 /// Follows the path by arc length to its end, over limit and turning points.
-pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn Balanced, run: &mut Run<'_>) -> Ended {
+pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let first = match run.driven.map(|driven| (driven, stiffness(system, &driven))) {
         None => wanted.radius,
@@ -148,8 +148,8 @@ pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn Balanced, run: &mu
     let path = follow(system, &Start::default(), &options, |point, system| {
         let row = read(run, system, point, point.converged.iterations);
         let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
-        let told = run.tell(done.clamp(0.0, 1.0), point.step as u64, point.level(), row[1]);
-        interrupted = told.is_break();
+        let reported = run.tell(done.clamp(0.0, 1.0), point.step as u64, point.level(), row[1]);
+        interrupted = reported.is_break();
         run.record.energies = Energies::at_rest(row[1]);
         let reached = stop.is_some_and(|(at, above)| row[at] > above);
         run.push(row);
@@ -188,24 +188,24 @@ pub(super) fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
 
 impl PrescribedPoint {
     /// Displacement along the prescribed motion within a motion of the unknowns \[L\].
-    pub(crate) fn moved(&self, system: &dyn Balanced, motion: &[f64]) -> f64 {
+    pub(crate) fn moved(&self, system: &dyn StaticBody, motion: &[f64]) -> f64 {
         functional(system, self).into_iter().map(|(i, weight)| weight * motion[i]).sum()
     }
 
     /// Present displacement along the prescribed motion \[L\].
-    fn displacement(&self, system: &dyn Balanced) -> f64 {
+    fn displacement(&self, system: &dyn StaticBody) -> f64 {
         system.read(Measured::Displacement, self.particle as usize, &self.direction)
     }
 }
 
 /// The displacement along the prescribed motion, by unknowns and weights.
-fn functional(system: &dyn Balanced, driven: &PrescribedPoint) -> Vec<(usize, f64)> {
+fn functional(system: &dyn StaticBody, driven: &PrescribedPoint) -> Vec<(usize, f64)> {
     let weights = system.functional(driven.particle as usize, driven.direction);
     weights.into_iter().enumerate().filter(|&(_, weight)| weight != 0.0).collect()
 }
 
 /// Force along the prescribed motion for a unit of displacement, linear at the present state \[F/L\].
-fn stiffness(system: &mut dyn Balanced, driven: &PrescribedPoint) -> Result<f64, EquilibriumError> {
+fn stiffness(system: &mut dyn StaticBody, driven: &PrescribedPoint) -> Result<f64, EquilibriumError> {
     let response = linear_response(system, 0.0)?;
     Ok(1.0 / driven.moved(system, &response))
 }
@@ -228,7 +228,7 @@ pub(crate) fn loaded(run: &Run<'_>, level: f64) -> f64 {
 /// A row of the curve, of a point of a path.
 pub(super) fn read(
     run: &mut Run<'_>,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     point: &Point,
     iterations: usize,
 ) -> Vec<f64> {

@@ -5,7 +5,7 @@ use implicit_statics::{Control, End, Point, Start, follow};
 use super::breaking::note_breaches;
 use super::criticality::{Follows, note};
 use super::path::{newton, options, read};
-use crate::bodies::Balanced;
+use crate::bodies::StaticBody;
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
@@ -20,7 +20,7 @@ const LESS: &str = "the preload needs smaller steps than it can make; apply less
 /// How the run ends where the preload is not reached.
 pub(crate) fn preload(
     analysis: &Analysis,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     run: &mut Run<'_>,
 ) -> Result<(), Box<Ended>> {
     if !system.begin_preload() {

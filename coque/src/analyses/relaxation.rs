@@ -6,7 +6,7 @@ use implicit_statics::{Damping, EquilibriumError, Relaxation, RelaxationOptions}
 
 use super::breaking::{at_rest, note_breaches};
 use super::criticality::note_snap;
-use crate::bodies::Balanced;
+use crate::bodies::StaticBody;
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
@@ -16,7 +16,7 @@ use crate::scene::{self, RelaxationDamping};
 /// Relaxes from level to level, from the start or from where an earlier run stood.
 pub(crate) fn relaxation(
     wanted: &scene::Relaxation,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     run: &mut Run<'_>,
     from: Option<Stage>,
 ) -> Ended {
@@ -86,7 +86,7 @@ pub(crate) fn relaxation(
 }
 
 /// Keeps a checkpoint where so many levels are found, if the run writes any.
-fn keep(run: &mut Run<'_>, found: usize, relaxation: &Relaxation, system: &dyn Balanced) {
+fn keep(run: &mut Run<'_>, found: usize, relaxation: &Relaxation, system: &dyn StaticBody) {
     if run.checkpoints.is_some() {
         let memory = Box::new(relaxation.memory().clone());
         run.keep_checkpoint(&Stage::Relaxation { found, memory }, system);
@@ -96,7 +96,7 @@ fn keep(run: &mut Run<'_>, found: usize, relaxation: &Relaxation, system: &dyn B
 /// Reads a row at an equilibrium and keeps its shape. What a snap `freed` \[F L\] the loads did, and damping took.
 fn record(
     run: &mut Run<'_>,
-    system: &mut dyn Balanced,
+    system: &mut dyn StaticBody,
     level: f64,
     iterations: usize,
     freed: f64,

@@ -6,7 +6,7 @@
 
 use implicit_statics::{Inertia, SymmetricSolver};
 
-use crate::bodies::{Marched, TangentCost};
+use crate::bodies::{DynamicBody, TangentCost};
 use crate::run::record::LevelSummary;
 use crate::scene::Explicit;
 
@@ -40,18 +40,18 @@ impl Stability {
             (_, TangentCost::Without) | (Some(false), _) => false,
             (Some(true), _) => true,
             (None, TangentCost::Steps(cost)) => cost < SHARE * steps as f64 || cost * self.particles < LITTLE,
-            (None, TangentCost::Dear) => UNKNOWN * self.particles < LITTLE,
+            (None, TangentCost::Expensive) => UNKNOWN * self.particles < LITTLE,
         }
     }
 
-    /// Whether a state that is not looked at is to be told: where it could be, and nobody said that it need not.
+    /// Whether a state that is not looked at is to be reported: where it could be, and nobody said that it need not.
     pub fn is_told(&self) -> bool {
         self.wanted.is_none() && self.tangent != TangentCost::Without
     }
 
     /// The signs of the pivots at a load level; nothing where the tangent cannot be factorised. The motion of the body
     /// stays as it is, its forces are those of its state.
-    pub fn look(&mut self, body: &mut dyn Marched, level: f64) -> Option<Inertia> {
+    pub fn look(&mut self, body: &mut dyn DynamicBody, level: f64) -> Option<Inertia> {
         let mut system = body.at_rest()?;
         if self.solver.is_none() {
             let pattern = system.pattern();

@@ -11,7 +11,7 @@ use sph_core::{Cell, Vec3};
 use super::figures::FluidFigures;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
-use super::shown::{Evaluated, Shown};
+use super::field_source::{FieldSource, FieldRequest};
 use crate::Warning;
 use crate::scene::Measured;
 
@@ -35,7 +35,7 @@ pub trait Body: Send {
     }
 
     /// Works out what its fields show, for whoever writes them.
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a>;
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a>;
 
     /// Names of the bodies that it is made of, each with fields of its own; none of a body that is one.
     fn bodies(&self) -> Vec<&str> {
@@ -43,13 +43,13 @@ pub trait Body: Send {
     }
 
     /// The same as [`Body::fields`] for one of the bodies that it is made of.
-    fn fields_of<'a>(&'a self, _body: usize, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields_of<'a>(&'a self, _body: usize, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         self.fields(shown)
     }
 
     /// What it found so far beside what is measured on it.
-    fn found(&self) -> Found {
-        Found::default()
+    fn diagnostics(&self) -> Diagnostics {
+        Diagnostics::default()
     }
 
     /// What its supports exert on it, reduced to its centroid at rest, for the forces last evaluated; none if it cannot tell.
@@ -68,18 +68,18 @@ pub trait Body: Send {
 }
 
 /// A body that is marched in time.
-pub trait Marched: Body + Dynamics {
+pub trait DynamicBody: Body + Dynamics {
     /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::found`].
     fn look(&mut self, _time: f64) {}
 
     /// The same body without time, for a look at the tangent of the state at which it rests; none without an energy.
-    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+    fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
         None
     }
 }
 
 /// A body whose equilibria are sought without time.
-pub trait Balanced: Body + Equilibrium {
+pub trait StaticBody: Body + Equilibrium {
     /// Evaluates forces at a level, so that they can be read; returns the internal energy \[F L\].
     fn refresh(&mut self, level: f64) -> f64;
 
@@ -131,9 +131,9 @@ pub trait Balanced: Body + Equilibrium {
 /// A body ready for its analysis.
 pub enum Ready {
     /// For analyses in time.
-    Dynamic(Box<dyn Marched>),
+    Dynamic(Box<dyn DynamicBody>),
     /// For analyses without time.
-    Static(Box<dyn Balanced>),
+    Static(Box<dyn StaticBody>),
 }
 
 impl Ready {
@@ -156,7 +156,7 @@ impl Ready {
 
 /// What a body found while it moved.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
+pub struct Diagnostics {
     /// Figures of a fluid, if it has one.
     pub fluid: Option<FluidFigures>,
     /// What may be wrong with its numbers.
@@ -249,7 +249,7 @@ pub enum TangentCost {
     #[default]
     Without,
     /// Much; it is looked at only where that is asked for.
-    Dear,
+    Expensive,
     /// About so many steps in time.
     Steps(f64),
 }

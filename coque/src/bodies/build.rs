@@ -37,9 +37,9 @@ impl Scene {
         ))
     }
 
-    /// Refuses a body of which nothing can move, and more modes than freedoms.
-    pub(super) fn refuse_freedoms(&self, freedoms: usize) -> Result<(), SceneError> {
-        if freedoms == 0 {
+    /// Refuses a body of which nothing can move, and more modes than dofs.
+    pub(super) fn refuse_dof(&self, dofs: usize) -> Result<(), SceneError> {
+        if dofs == 0 {
             let (found, bound) = ("no freedom of any particle", "at least one that is not held");
             let repair = "take out a support, or let it name fewer particles";
             return Err(SceneError::Choice(self.source.fault("supports", found, bound, repair)));
@@ -49,10 +49,10 @@ impl Scene {
             Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
             _ => return Ok(()),
         };
-        if modes <= freedoms {
+        if modes <= dofs {
             return Ok(());
         }
-        let bound = format!("at most {freedoms}, the degrees of freedom that no support holds");
+        let bound = format!("at most {dofs}, the degrees of freedom that no support holds");
         Err(self.source.value(path, modes, &bound, "the lowest few modes are usual; or use more particles"))
     }
 

@@ -3,7 +3,7 @@
 use implicit_statics::{BucklingOptions, Prebuckling, Sign, linear_buckling, unwatched};
 use sph_core::Vec3;
 
-use super::body::{Balanced, extent};
+use super::body::{StaticBody, extent};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene, Buckling, Imperfection, Scene};
 
@@ -50,7 +50,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError`] for a body that does not buckle in so many modes, and for one of two modes at one level.
-    pub(super) fn deflection<S: Balanced>(
+    pub(super) fn deflection<S: StaticBody>(
         &self,
         imperfection: &Imperfection,
         system: &mut S,

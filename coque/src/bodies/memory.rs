@@ -67,7 +67,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError::Value`] at what sets the number of particles.
-    pub(crate) fn room(&self, particles: f64) -> Result<Memory, SceneError> {
+    pub(crate) fn check_memory(&self, particles: f64) -> Result<Memory, SceneError> {
         let memory = Memory { needed: self.memory(particles), available: available() };
         let Some(available) = memory.available.filter(|&available| memory.needed > available) else {
             return Ok(memory);
@@ -248,7 +248,7 @@ mod tests {
     fn more_than_half_is_told_with_both_numbers() {
         let memory = |needed| Memory { needed, available: Some(8e9) };
         assert_eq!(memory(3e9).warning(), None);
-        let told = memory(5e9).warning().unwrap();
-        assert!(told.contains("5.0 GB") && told.contains("8.0 GB"), "{told}");
+        let reported = memory(5e9).warning().unwrap();
+        assert!(reported.contains("5.0 GB") && reported.contains("8.0 GB"), "{reported}");
     }
 }

@@ -19,7 +19,7 @@ mod figures;
 mod fluid;
 mod galerkin;
 mod imperfect;
-mod made;
+mod built_body;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
@@ -28,19 +28,19 @@ mod rigid;
 mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;
-mod shown;
+mod field_source;
 mod solid;
 
 pub(crate) use body::extent;
 pub use body::{
-    Balanced, Body, Configuration, Description, Found, Marched, Mismatch, PrescribedPoint, Ready, Shape,
+    StaticBody, Body, Configuration, Description, Diagnostics, DynamicBody, Mismatch, PrescribedPoint, Ready, Shape,
     StateArray, TangentCost,
 };
 pub use figures::FluidFigures;
-use made::Made;
+use built_body::BuiltBody;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;
 pub use resultants::{LoadResultants, Resultant};
-pub use shown::{Evaluated, Part, Shown, State};
+pub use field_source::{FieldSource, Part, FieldRequest, State};

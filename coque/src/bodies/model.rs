@@ -53,7 +53,7 @@ pub struct Model {
     pub(crate) judge: Option<ShapeJudge>,
 }
 
-/// Looks for doubts in the shapes that a body of such cells took.
+/// Looks for warnings in the shapes that a body of such cells took.
 pub(crate) type ShapeJudge = Box<dyn Fn(&[Cell], &[Shape]) -> Vec<Warning> + Send>;
 
 /// What tells a body from another with the same particles.

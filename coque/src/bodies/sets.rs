@@ -68,10 +68,10 @@ pub(crate) fn places<'a>(cloud: &'a Cloud, particles: &'a [u32]) -> impl Iterato
     for group in &cloud.joined {
         first.extend(group.iter().map(|&a| (a, group[0])));
     }
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     particles.iter().filter_map(move |a| match first.get(a) {
         None => Some(*a),
-        Some(&first) => told.insert(first).then_some(first),
+        Some(&first) => reported.insert(first).then_some(first),
     })
 }
 

@@ -6,7 +6,7 @@ use coque::Scene;
 use coque::accuracy::{Asked, ClimbError, Forecast, Ladder, Needed};
 
 use super::bar::clock;
-use super::say::{Refused, print, say};
+use super::stderr::{Refused, print, say};
 
 /// Longest time for the runs of a method \[s\]: a day.
 const LONGEST: f64 = 86_400.0;
@@ -31,12 +31,12 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 /// Runs the lattices and prints what they tell.
 pub fn carry_out(scene: &Scene, accuracy: f64, within: f64, threads: usize) -> Result<(), Refused> {
     let asked = Asked { accuracy, within: Duration::from_secs_f64(within), lattices: LATTICES, threads };
-    let told = scene.forecast(&asked, &mut |method, rung| {
+    let reported = scene.forecast(&asked, &mut |method, rung| {
         say(&format!("{method}: {} in {}", rung.lattice, time(rung.seconds)));
     });
-    let forecasts = told.map_err(|error| match error {
+    let forecasts = reported.map_err(|error| match error {
         ClimbError::Refused(error) => Refused::scene(&error),
-        ClimbError::Silent(why) => format!("no accuracy can be told: {why}\n").into(),
+        ClimbError::Silent(why) => format!("no accuracy can be estimated: {why}\n").into(),
     })?;
     let mut text = format!("\nwhat {} takes\n", percent(accuracy));
     text.push_str(&format!(
@@ -93,7 +93,7 @@ fn basis(forecast: &Forecast) -> String {
         text.push_str(&format!("  answers among themselves, most by {column}: {how}\n"));
     }
     if let Some(last) = ladder.rungs.last() {
-        let words = last.warnings.iter().map(|warning| (warning.doubt.word(), &warning.message));
+        let words = last.warnings.iter().map(|warning| (warning.kind.word(), &warning.message));
         words
             .for_each(|(word, message)| text.push_str(&format!("  {word} on {}: {message}\n", last.lattice)));
     }

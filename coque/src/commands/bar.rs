@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use coque::{Curve, GrowingCurve, Progress, ProgressReport};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::say::say;
+use super::stderr::say;
 use super::stop::Stop;
 
 /// Time between two looks of the bar at its run.
@@ -20,7 +20,7 @@ pub struct Bar {
     stop: Arc<Stop>,
     curve: GrowingCurve,
     /// Whether a row of the curve found no room.
-    told: bool,
+    reported: bool,
     particles: usize,
     begun: Instant,
     /// When the bar was drawn last.
@@ -36,7 +36,7 @@ impl Bar {
         if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent:>3} %  {wide_msg}") {
             bar.set_style(style);
         }
-        Self { bar, stop, curve, told: false, particles, begun: Instant::now(), drawn: None, first: None }
+        Self { bar, stop, curve, reported: false, particles, begun: Instant::now(), drawn: None, first: None }
     }
 
     /// Takes the bar off the terminal.
@@ -63,9 +63,9 @@ impl Progress for Bar {
 
     fn recorded(&mut self, curve: &Curve) {
         if let Err(error) = self.curve.take(curve)
-            && !self.told
+            && !self.reported
         {
-            self.told = true;
+            self.reported = true;
             self.warn(&format!("the curve so far cannot be written: {error}"));
         }
     }

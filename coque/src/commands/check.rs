@@ -7,7 +7,7 @@ use coque::{Estimate, LoadResultants, Model, Quantity, Units, Warning};
 
 use super::accuracy;
 use super::bar::clock;
-use super::say::{Refused, print};
+use super::stderr::{Refused, print};
 use crate::{build, read_scene, replacement};
 
 #[derive(Args)]
@@ -30,7 +30,7 @@ pub struct Check {
 
 pub const HELP: &str = "\
 Reads and builds a scene as `coque run` would, times a few steps, and prints what is modelled, what is left out, and
-what a run will cost; numbers that are known to come out wrong are warned of, with the reason. How long levels hold is not known beforehand: the shortest and the longest are told.
+what a run will cost; numbers that are known to come out wrong are warned of, with the reason. How long levels hold is not known beforehand: the shortest and the longest are reported.
 
 With --accuracy the scene is run on lattices from coarse to fine until its own answers differ by less than that, or the
 time given is over; order and error of the answers then tell the lattice that is needed, and its time and memory. Errors
@@ -96,7 +96,7 @@ fn resultants(loads: &LoadResultants, units: &Units) -> String {
     text
 }
 
-/// A number to five digits; round-off of what cancels is told as it is.
+/// A number to five digits; round-off of what cancels is reported as it is.
 fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),
@@ -114,7 +114,7 @@ fn warned(warnings: &[Warning]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
-    let line = |warning: &Warning| format!("  {}: {}\n", warning.doubt.word(), warning.message);
+    let line = |warning: &Warning| format!("  {}: {}\n", warning.kind.word(), warning.message);
     format!("\nwarnings\n{}", warnings.iter().map(line).collect::<String>())
 }
 

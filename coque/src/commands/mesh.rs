@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::say::{Refused, print};
+use super::stderr::{Refused, print};
 
 #[derive(Args)]
 pub struct Mesh {

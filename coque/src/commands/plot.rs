@@ -9,7 +9,7 @@ use coque::{
     together, write_whole,
 };
 
-use super::say::{Refused, say};
+use super::stderr::{Refused, say};
 
 #[derive(Args)]
 pub struct Plot {

@@ -8,7 +8,7 @@ use coque::{
     CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, Task, Whole, listed, plot_svg, write_whole,
 };
 
-use super::say::say;
+use super::stderr::say;
 
 /// The curve of a run.
 pub const CURVE: &str = "curve.csv";

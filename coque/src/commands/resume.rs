@@ -7,7 +7,7 @@ use clap::Args;
 use coque::{Checkpoint, CheckpointError, Scene, read_text};
 
 use super::results::ResultFolder;
-use super::say::Refused;
+use super::stderr::Refused;
 use super::stop::Stop;
 use crate::{build, launch};
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
-use super::say::say;
+use super::stderr::say;
 use crate::INTERRUPTED;
 
 /// Whether the end was asked for.
@@ -84,7 +84,7 @@ fn watch(stop: Arc<Stop>) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Whether whoever started the program had SIGHUP ignored, as `nohup` does; told by Linux alone.
+/// Whether whoever started the program had SIGHUP ignored, as `nohup` does; known on Linux alone.
 #[cfg(unix)]
 fn hangup_ignored() -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -15,7 +15,7 @@ use coque::{
 };
 
 use super::results::{CURVE, ResultFolder, TABLE};
-use super::say::{Refused, say};
+use super::stderr::{Refused, say};
 use super::stop::Stop;
 use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, fields, replacement};
 
@@ -73,8 +73,8 @@ struct Row {
 
 impl Row {
     /// Words of its warnings, each once.
-    fn doubts(&self) -> String {
-        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.doubt.word()).collect();
+    fn warnings(&self) -> String {
+        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.kind.word()).collect();
         words.sort_unstable();
         words.dedup();
         words.join(" ")
@@ -108,8 +108,8 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
             for warning in &row.warnings {
                 say(&format!("[{}/{all}] warning: {}", number + 1, warning.message));
             }
-            let doubts = if row.warnings.is_empty() { String::new() } else { format!(", {}", row.doubts()) };
-            say(&format!("[{}/{all}] {named}: {}{doubts} ({:.1} s)", number + 1, row.ended, row.seconds));
+            let warnings = if row.warnings.is_empty() { String::new() } else { format!(", {}", row.warnings()) };
+            say(&format!("[{}/{all}] {named}: {}{warnings} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
         }
@@ -124,16 +124,16 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     write_whole(&table, |to| write_table(to, &sweep.over, &runs, &rows))
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
     let of = |code: u8| rows.iter().flatten().filter(|row| row.code == code).count();
-    let restless = of(NOT_SETTLED);
-    let done = of(DONE) + restless;
+    let unsettled = of(NOT_SETTLED);
+    let done = of(DONE) + unsettled;
     say(&format!("{done} of {} runs done; the table is {}", runs.len(), table.display()));
-    if restless > 0 {
-        say(&format!("not settled: {restless} of them"));
+    if unsettled > 0 {
+        say(&format!("not settled: {unsettled} of them"));
     }
     Ok(match () {
         () if stop.asked() => INTERRUPTED,
         () if done < runs.len() => DIVERGED,
-        () if restless > 0 => NOT_SETTLED,
+        () if unsettled > 0 => NOT_SETTLED,
         () => DONE,
     })
 }
@@ -227,7 +227,7 @@ impl Progress for Watch<'_> {
     }
 
     fn recorded(&mut self, curve: &Curve) {
-        // Rows that find no room now may do so at the end, whose fault is told.
+        // Rows that find no room now may do so at the end, whose fault is reported.
         let _ = self.curve.take(curve);
     }
 }
@@ -304,7 +304,7 @@ fn write_table(
         match row {
             None => cells.extend(["not run".into(), String::new(), String::new()]),
             Some(row) => {
-                cells.extend([quoted(&row.ended), row.doubts(), format!("{:.3}", row.seconds)]);
+                cells.extend([quoted(&row.ended), row.warnings(), format!("{:.3}", row.seconds)]);
             }
         }
         let known = row.as_ref().map_or(&[][..], |row| &row.columns);

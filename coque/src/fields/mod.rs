@@ -21,7 +21,7 @@ use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
 pub use files::{FieldFiles, Written};
 
-use crate::bodies::{Body, Evaluated, Part, Shown, State, Task};
+use crate::bodies::{Body, FieldSource, Part, FieldRequest, State, Task};
 use crate::results::picture::together;
 use crate::scene::Analysis;
 use crate::scene::units::Units;
@@ -41,7 +41,7 @@ pub struct Frame<'a> {
     /// The body in this state.
     pub body: &'a dyn Body,
     /// What is asked of its fields, stresses apart.
-    pub shown: Shown<'a>,
+    pub shown: FieldRequest<'a>,
     /// What a film of the frames runs along, ascending: time \[T\] of a transient run, load level of a quasi-static
     /// or static one, number of the point of a path, number of the mode.
     pub along: f64,
@@ -54,13 +54,13 @@ pub struct Frame<'a> {
 impl<'a> Frame<'a> {
     /// Works out what the frame shows, once for all its parts.
     pub fn evaluate(&self, stresses: bool) -> FrameFields<'a> {
-        let fields = self.body.fields(&Shown { stresses, ..self.shown });
+        let fields = self.body.fields(&FieldRequest { stresses, ..self.shown });
         FrameFields { along: self.along, level: self.level, fields }
     }
 
     /// The same for one of the bodies that the body is made of ([`Body::bodies`]).
     pub fn evaluate_one(&self, body: usize, stresses: bool) -> FrameFields<'a> {
-        let fields = self.body.fields_of(body, &Shown { stresses, ..self.shown });
+        let fields = self.body.fields_of(body, &FieldRequest { stresses, ..self.shown });
         FrameFields { along: self.along, level: self.level, fields }
     }
 
@@ -89,7 +89,7 @@ impl<'a> Frame<'a> {
 pub struct FrameFields<'a> {
     along: f64,
     level: f64,
-    fields: Box<dyn Evaluated + 'a>,
+    fields: Box<dyn FieldSource + 'a>,
 }
 
 impl FrameFields<'_> {
@@ -152,7 +152,7 @@ impl<'a> Frames<'a> {
 
     /// The same for a linear answer, of which there is but one.
     pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64]) {
-        // Nothing follows: a frame that could not be taken is told by the failure.
+        // Nothing follows: a frame that could not be taken is reported by the failure.
         let _ = self.offer_with(body, 0.0, 1.0, Some(forces));
     }
 
@@ -173,7 +173,7 @@ impl<'a> Frames<'a> {
                 Along::Number(first) => (first + number) as f64,
             };
             let Self { state, driven, units, .. } = *self;
-            let shown = Shown { state, units, stresses: false, driven, forces };
+            let shown = FieldRequest { state, units, stresses: false, driven, forces };
             let frame = Frame { body, shown, along, level, time };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,

@@ -1,4 +1,4 @@
-//! A run: what it is given, what it has found so far, how it is told, kept and ended. What it does is an analysis.
+//! A run: what it is given, what it has found so far, how it is reported, kept and ended. What it does is an analysis.
 
 pub(crate) mod checkpoint;
 pub(crate) mod impulses;
@@ -6,6 +6,6 @@ pub(crate) mod outcome;
 pub(crate) mod progress;
 pub(crate) mod record;
 pub(crate) mod summary;
-mod under_way;
+mod active_run;
 
-pub(crate) use under_way::Run;
+pub(crate) use active_run::Run;

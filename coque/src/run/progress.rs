@@ -1,4 +1,4 @@
-//! Who is told how a run goes.
+//! Who receives the progress of a run.
 
 use std::ops::ControlFlow;
 
@@ -21,15 +21,15 @@ pub struct ProgressReport {
     pub internal: f64,
 }
 
-/// Told how a run is going, between any two steps in time, at every point of a path without time.
+/// Receives the progress, between any two steps in time, at every point of a path without time.
 pub trait Progress: Send {
     /// `Break` ends the run in good order.
     fn update(&mut self, news: &ProgressReport) -> ControlFlow<()>;
 
-    /// Told the curve as a run begins, and again whenever it has grown.
+    /// Receives the curve as a run begins, and again whenever it has grown.
     fn recorded(&mut self, _curve: &Curve) {}
 
-    /// Told what the run cannot do but goes on without.
+    /// Receives what the run cannot do but goes on without.
     fn warn(&mut self, _message: &str) {}
 }
 

@@ -4,7 +4,7 @@ use implicit_statics::Inertia;
 use serde::{Deserialize, Serialize};
 
 use crate::bodies::FluidFigures;
-use crate::{Doubt, Warning};
+use crate::{WarningKind, Warning};
 
 /// What a run has found so far, its rows and shapes apart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -52,8 +52,8 @@ pub struct RunRecord {
 
 impl RunRecord {
     /// Adds a warning.
-    pub(crate) fn warn(&mut self, doubt: Doubt, message: String) {
-        self.warnings.push(Warning::new(doubt, message));
+    pub(crate) fn warn(&mut self, kind: WarningKind, message: String) {
+        self.warnings.push(Warning::new(kind, message));
     }
 
     /// Why numbers fall short of what was asked although the run reached its end; none where they do not.
@@ -62,7 +62,7 @@ impl RunRecord {
         if !levels.is_empty() {
             return Some(format!("not settled: {}", levels.join(", ")));
         }
-        let broken = self.warnings.iter().any(|warning| warning.doubt == Doubt::BrokenAtRest);
+        let broken = self.warnings.iter().any(|warning| warning.kind == WarningKind::BrokenAtRest);
         broken.then(|| {
             "bonds broke in states of balance: the force is no more exact than the warning says".into()
         })

@@ -24,9 +24,9 @@ pub struct Probe {
     pub about: Option<[f64; 3]>,
     /// Face of a shell at which a stress is taken; left out, of von Mises' stress the greater of both.
     pub face: Option<ShellFace>,
-    /// Point at which a pressure, over which a level is told \[L\]: on a fluid it stays, on walls it goes with them.
+    /// Point at which a pressure, over which a level is measured \[L\]: on a fluid it stays, on walls it goes with them.
     pub at: Option<[f64; 3]>,
-    /// Line of a plane, face in space, through which a flux is told.
+    /// Line of a plane, face in space, through which a flux is measured.
     pub through: Option<Through>,
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]

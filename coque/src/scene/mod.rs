@@ -1,7 +1,7 @@
 //! A scene: a problem as plain, validated data.
 
 mod absent;
-pub(crate) mod alone;
+pub(crate) mod single_body;
 mod amplitude;
 mod analysis;
 mod analysis_kind;
@@ -13,7 +13,7 @@ mod curve;
 pub(crate) mod error;
 pub(crate) mod fluid;
 mod forms;
-mod goes_with;
+mod compatibility;
 mod imperfection;
 mod levels;
 mod loads;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::goes_with::goes_with;
+use super::compatibility::goes_with;
 use super::schema::schema;
 use super::shell::ShellScene;
 use super::source::BODIES;

@@ -72,12 +72,12 @@ impl Source {
         for (key, value) in table {
             let name = key.get_ref();
             let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
-            self.walk(path, key.span(), value)?;
+            self.visit(path, key.span(), value)?;
         }
         Ok(())
     }
 
-    fn walk(
+    fn visit(
         &mut self,
         path: String,
         key: Range<usize>,
@@ -88,7 +88,7 @@ impl Source {
             DeValue::Table(table) => self.walk_table(&path, table),
             DeValue::Array(array) => {
                 for (i, item) in array.iter().enumerate() {
-                    self.walk(format!("{path}[{i}]"), item.span(), item)?;
+                    self.visit(format!("{path}[{i}]"), item.span(), item)?;
                 }
                 Ok(())
             }

@@ -19,7 +19,7 @@ pub struct Static {
     /// Iterations allowed before the way to a level is cut in halves.
     #[serde(default = "usual_iterations")]
     pub iterations: usize,
-    /// Makes one linear answer of each level and lets what is out of balance go into the next; how far each is from its equilibrium is told.
+    /// Makes one linear answer of each level and lets what is out of balance go into the next; how far each is from its equilibrium is reported.
     /// For comparison with incremental schemes that do not iterate. `tolerance` and `iterations` then count for a preload alone.
     #[serde(default)]
     pub one_solve: bool,

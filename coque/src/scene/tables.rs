@@ -29,12 +29,12 @@ fn walk_table(
             schema["properties"].get(name).or_else(|| schema.get("additionalProperties"))
         });
         let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
-        walk(&path, value.get_ref(), &alternatives(below.collect()), source)?;
+        visit(&path, value.get_ref(), &alternatives(below.collect()), source)?;
     }
     Ok(())
 }
 
-fn walk(path: &str, value: &DeValue<'_>, of: &[&'static Value], source: &Source) -> Result<(), SceneError> {
+fn visit(path: &str, value: &DeValue<'_>, of: &[&'static Value], source: &Source) -> Result<(), SceneError> {
     match value {
         DeValue::Table(table) => walk_table(path, table, of, source),
         DeValue::Array(items) => {
@@ -53,7 +53,7 @@ fn walk(path: &str, value: &DeValue<'_>, of: &[&'static Value], source: &Source)
             }
             let below = alternatives(of.iter().filter_map(|schema| schema.get("items")).collect());
             let mut items = items.iter().enumerate();
-            items.try_for_each(|(i, item)| walk(&format!("{path}[{i}]"), item.get_ref(), &below, source))
+            items.try_for_each(|(i, item)| visit(&format!("{path}[{i}]"), item.get_ref(), &below, source))
         }
         _ => Ok(()),
     }

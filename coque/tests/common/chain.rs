@@ -5,8 +5,8 @@
 use std::borrow::Cow;
 
 use coque::scene::Measured;
-use coque::{At, Balanced, Body, Configuration, Connectivity, Evaluated, FieldWriter, Kind, Marched};
-use coque::{Mismatch, Part, Shown, StateArray, Values, rows};
+use coque::{At, StaticBody, Body, Configuration, Connectivity, FieldSource, FieldWriter, Kind, DynamicBody};
+use coque::{Mismatch, Part, FieldRequest, StateArray, Values, rows};
 use explicit_dynamics::{Bounds, Dynamics, Instant, MarchError, StableStep, Step, Work};
 use implicit_statics::Equilibrium;
 use sph_core::Vec3;
@@ -139,7 +139,7 @@ impl Body for Chain {
         }
     }
 
-    fn fields<'a>(&'a self, _: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, _: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         Box::new(|_: Part, to: &mut dyn FieldWriter| {
             let (count, cell) = (self.u.len(), |bead: usize| (Kind::Vertex, [bead as u32; 8]));
             let points = rows(count, |bead| [self.rest[bead].x + self.u[bead], 0.0, 0.0]);
@@ -163,9 +163,9 @@ impl Body for Chain {
     }
 }
 
-impl Marched for Chain {}
+impl DynamicBody for Chain {}
 
-impl Balanced for Chain {
+impl StaticBody for Chain {
     fn refresh(&mut self, _: f64) -> f64 {
         self.energy()
     }

@@ -25,7 +25,7 @@ pub fn pairs(replaced: &[(&str, &str)]) -> Pairs {
     replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect()
 }
 
-/// Ends the run when it has been told this often how it goes.
+/// Ends the run when it has been informed this often.
 pub struct StopAfter(pub usize);
 
 impl Progress for StopAfter {

@@ -34,7 +34,7 @@ fn a_motion_gives_the_force_that_made_it() {
     assert!(failures.is_empty(), "{failures:#?}");
 }
 
-/// The sideways freedoms of the end are held in both, so that the mode is the same.
+/// The sideways degrees of freedom of the end are held in both, so that the mode is the same.
 #[test]
 fn a_column_that_is_pushed_buckles_at_the_level_of_its_force() {
     let pushed = pushed();

@@ -144,7 +144,7 @@ fn take_along(value: &mut toml::Value, place: &dyn Fn([f64; 3]) -> [f64; 3]) {
     }
 }
 
-/// Puts all meshes through a relation; `place` is told the length of the mesh.
+/// Puts all meshes through a relation; `place` receives the length of the mesh.
 fn hold(
     relation: &str,
     change: impl Fn(Mesh) -> Mesh,

@@ -24,7 +24,7 @@ pub(super) struct OwnClock {
     pub count: u64,
 }
 
-/// A structure with its clock, what the fluid is told of it, and its books.
+/// A structure with its clock, what the fluid receives of it, and its ledger.
 pub(super) struct Coupled<S: ?Sized> {
     pub clock: OwnClock,
     /// Mean velocities of its points over the last step of the fluid \[L/T\].
@@ -36,9 +36,9 @@ pub(super) struct Coupled<S: ?Sized> {
     pub ahead: Vec<[f64; 3]>,
     /// Impulses with which its points resisted, until the fluid has them \[F T; F T/L in a plane problem\].
     resisted: Vec<[f64; 3]>,
-    /// Work done since the last kick was booked \[F L\].
+    /// Work done since the last kick was counted \[F L\].
     pub pending: Work,
-    /// Its energies; those booked are up to the instant in the middle of the last kick until the drift behind it.
+    /// Its energies; those counted are up to the instant in the middle of the last kick until the drift behind it.
     pub energy: Balance,
     /// The other half of what that kick did.
     behind: Work,
@@ -138,7 +138,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         body.apply_load(&BoundaryLoad { forces: load, found: forces, seen, impedance });
     }
 
-    /// Books the impulses of a kick of the fluid, which had these forces with opposite sign.
+    /// Counts the impulses of a kick of the fluid, which had these forces with opposite sign.
     pub fn kicked(&mut self, forces: &[[f64; 3]], span: f64) {
         push(&mut self.ahead, forces, -span);
     }
@@ -155,14 +155,14 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         all.fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
     }
 
-    /// Books the impulses of a kick of its own that is about to come.
+    /// Counts the impulses of a kick of its own that is about to come.
     fn push(&mut self, span: f64) {
         push(&mut self.ahead, &self.load, span);
         self.body.impedance_impulses(span, &mut self.resisted);
     }
 
     /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick
-    /// of no span shows the energies, and books what supports do at once.
+    /// of no span shows the energies, and counts what supports do at once.
     pub fn kick(&mut self, whole: &Step) -> Work {
         let step = self.clock.step(whole, 0, self.clock.count(whole));
         let shown = whole.kick == 0.0;
@@ -227,7 +227,7 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         count
     }
 
-    /// What was done since the books were last settled, with the kinetic energy of an instant.
+    /// What was done since the ledger was last settled, with the kinetic energy of an instant.
     pub fn settle(&mut self, kinetic: f64) -> Work {
         Work { kinetic, ..std::mem::take(&mut self.pending) }
     }

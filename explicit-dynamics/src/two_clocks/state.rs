@@ -7,11 +7,11 @@ use crate::two_clocks::coupled::{Coupled, OwnClock};
 use crate::two_clocks::{Counts, TwoClocks};
 
 /// Numbers of a structure beside its velocities.
-const BOOKS: usize = 11;
+const LEDGER: usize = 11;
 
 impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// All that changes here while it marches, beside the states of the fluid and of the structures: counts, clocks,
-    /// books, velocities of the boundaries, and the impulses that are under way.
+    /// counts, velocities of the boundaries, and the impulses that are under way.
     pub fn state(&self) -> Vec<f64> {
         let Counts { substeps, most, shortened } = self.counts;
         let mut numbers = vec![substeps as f64, most as f64, shortened as f64];
@@ -20,8 +20,8 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             let Work { external: owed, dissipated: lost, .. } = structure.pending;
             let Balance { kinetic, internal, external, dissipated } = structure.energy;
             let clock = [stable, steps as f64, next_estimate as f64, last, count as f64];
-            let books = [owed, lost, kinetic, internal, external, dissipated];
-            numbers.extend(clock.into_iter().chain(books));
+            let ledger = [owed, lost, kinetic, internal, external, dissipated];
+            numbers.extend(clock.into_iter().chain(ledger));
             let Coupled { velocities, seen, ahead, .. } = structure;
             numbers.extend([velocities, seen, ahead].into_iter().flatten().flatten());
         }
@@ -32,7 +32,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// structures.
     pub fn set_state(&mut self, numbers: &[f64]) -> bool {
         let Some(([substeps, most, shortened], mut rest)) = numbers.split_first_chunk() else { return false };
-        let length = |structure: &Coupled<S>| BOOKS + 9 * structure.velocities.len();
+        let length = |structure: &Coupled<S>| LEDGER + 9 * structure.velocities.len();
         if rest.len() != self.structures.iter().map(length).sum::<usize>() {
             return false;
         }
@@ -40,9 +40,9 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         self.counts = Counts { substeps: counts[0], most: counts[1], shortened: counts[2] };
         for structure in &mut self.structures {
             let points = structure.velocities.len();
-            let Some((books, behind)) = rest.split_first_chunk::<BOOKS>() else { return false };
+            let Some((ledger, behind)) = rest.split_first_chunk::<LEDGER>() else { return false };
             let [stable, steps, next, last, count, owed, lost, kinetic, internal, external, dissipated] =
-                *books;
+                *ledger;
             let [steps, next_estimate, count] = [steps, next, count].map(|number| number as u64);
             structure.clock = OwnClock { stable, steps, next_estimate, last, count };
             structure.pending = Work { external: owed, dissipated: lost, ..Work::default() };

@@ -198,7 +198,7 @@ fn clocks_meet_exactly() {
     }
 }
 
-/// A step in one call and the same in three parts, as records take it, do the same to the last bit; so do the books.
+/// A step in one call and the same in three parts, as records take it, do the same to the last bit; so does the ledger.
 #[test]
 fn a_record_changes_nothing() {
     for order in [Order::StructureFirst, Order::FluidFirst] {
@@ -206,7 +206,7 @@ fn a_record_changes_nothing() {
         (whole.order, parts.order) = (order, order);
         let dt = whole.fluid().dt;
         let at = |number: u32| Instant { time: dt * f64::from(number), level: 1.0 };
-        let mut booked = [[0.0; 2]; 2];
+        let mut counted = [[0.0; 2]; 2];
         for number in 0..50 {
             whole.stable_step(0.9).unwrap();
             parts.stable_step(0.9).unwrap();
@@ -217,16 +217,16 @@ fn a_record_changes_nothing() {
             let three = parts.kick(&step);
             parts.drift(&step);
             assert_eq!(one.kinetic.to_bits(), three.kinetic.to_bits());
-            for (sum, work) in booked.iter_mut().zip([one, three]) {
+            for (sum, work) in counted.iter_mut().zip([one, three]) {
                 *sum = [sum[0] + work.external, sum[1] + work.dissipated];
             }
             assert!(state(&whole)[1..] == state(&parts)[1..], "{order:?}, step {number}");
         }
-        // What the substeps of the last step did is booked by the next kick, where a step has parts.
+        // What the substeps of the last step did is counted by the next kick, where a step has parts.
         let last = parts.kick(&Step { from: at(50), to: at(51), kick: f64::MIN_POSITIVE, damping: 0.0 });
         let behind = whole.kick(&Step { from: at(50), to: at(51), kick: f64::MIN_POSITIVE, damping: 0.0 });
-        let whole = [booked[0][0] + behind.external, booked[0][1] + behind.dissipated];
-        let parts = [booked[1][0] + last.external, booked[1][1] + last.dissipated];
+        let whole = [counted[0][0] + behind.external, counted[0][1] + behind.dissipated];
+        let parts = [counted[1][0] + last.external, counted[1][1] + last.dissipated];
         for (a, b) in whole.iter().zip(parts) {
             assert!(*a != 0.0 && (a - b).abs() < 1e-12 * a.abs(), "{whole:?} {parts:?}");
         }

@@ -5,9 +5,9 @@
 //! The slowest modes are made faster ([`slow`]), and a level starts where the levels before point ([`past`]).
 
 mod motion;
-mod past;
-mod release;
-mod slow;
+mod predictor;
+mod snap_energy;
+mod deflation;
 
 use std::ops::ControlFlow;
 
@@ -19,10 +19,10 @@ use crate::options::RelaxationOptions;
 use crate::vectors::dot;
 use crate::{Equilibrium, EquilibriumError};
 use motion::Motion;
-use past::Past;
-use release::Energies;
-pub use release::Release;
-use slow::SlowModes;
+use predictor::Past;
+use snap_energy::Energies;
+pub use snap_energy::SnapEnergy;
+use deflation::SlowModes;
 
 /// Tries at the level at which a first limit is met.
 const TRIES: usize = 6;
@@ -40,7 +40,7 @@ pub struct Relaxed {
     pub row_sums: usize,
     /// Times the motion began again from rest.
     pub rests: usize,
-    /// ‖external − internal‖ of the first state and of those told to the observer, the last included \[F\].
+    /// ‖external − internal‖ of the first state and of those given to the observer, the last included \[F\].
     pub residuals: Vec<f64>,
     /// Bound that the last one met \[F\].
     pub bound: f64,
@@ -49,12 +49,12 @@ pub struct Relaxed {
     pub load: f64,
     /// Energy set free between the levels: a snap, where it is beyond what a path leaves over. Where something broke it is that of
     /// the way from there on.
-    pub release: Release,
+    pub release: SnapEnergy,
     /// What broke on the way, set by set.
     pub breaches: Vec<Breach>,
 }
 
-/// Where a relaxation stands, told every hundred iterations.
+/// Where a relaxation stands, reported every hundred iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxing {
     /// Load level that is sought \[–\].

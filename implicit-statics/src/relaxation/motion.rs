@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Relaxation, RelaxationMemory, Relaxed, Relaxing, Release};
+use super::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy};
 use crate::options::{Damping, RelaxationOptions};
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError};
@@ -120,7 +120,7 @@ impl<'a> Motion<'a> {
             }
             if found {
                 let Counts { evaluations, row_sums, rests } = self.counts;
-                let release = Release::default();
+                let release = SnapEnergy::default();
                 let relaxed = Relaxed {
                     level,
                     iterations,
@@ -138,8 +138,8 @@ impl<'a> Motion<'a> {
             if ends {
                 return Err(EquilibriumError::NotRelaxed { level, iterations, residual, bound });
             }
-            let told = Relaxing { level, iterations, residual, bound };
-            if iterations.is_multiple_of(REPORT) && observer(&told).is_break() {
+            let reported = Relaxing { level, iterations, residual, bound };
+            if iterations.is_multiple_of(REPORT) && observer(&reported).is_break() {
                 return Err(EquilibriumError::Ended { level, iterations, residual });
             }
             let stiffness = self.stiffness();
@@ -262,7 +262,7 @@ impl<'a> Motion<'a> {
             if self.rests { (0.0, 0.5) } else { ((1.0 - half) / (1.0 + half), 1.0 / (1.0 + half)) };
         let pairs = self.force.iter().zip(&self.memory.masses);
         self.acceleration.iter_mut().zip(pairs).for_each(|(a, (force, mass))| *a = force / mass);
-        self.memory.slow.hasten(&self.force, &mut self.acceleration, (keeps, takes));
+        self.memory.slow.deflate(&self.force, &mut self.acceleration, (keeps, takes));
         for (v, a) in self.velocity.iter_mut().zip(&self.acceleration) {
             *v = keeps * *v + takes * a;
         }

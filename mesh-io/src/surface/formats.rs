@@ -1,4 +1,4 @@
-//! Formats of surfaces: each file of this folder reads one, and takes what stands there as it is. Which gives what is told
+//! Formats of surfaces: each file of this folder reads one, and takes what stands there as it is. Which gives what is reported
 //! in the table of the crate.
 
 mod abaqus;

@@ -82,7 +82,7 @@ impl Quality {
                 let (one, other) = ((b - a).cross(&(c - a)), (c - a).cross(&(d - a)));
                 atan2(one.cross(&other).norm(), one.dot(&other))
             };
-            // Whichever corner is the first; across the diagonal outside a flat hollow one, which is told as that, the fold is 180°.
+            // Whichever corner is the first; across the diagonal outside a flat hollow one, which is reported as that, the fold is 180°.
             self.warp = self.warp.max(fold(a, b, c, d).min(fold(b, c, d, a)));
         }
         self.area += geometry.area;

@@ -1,7 +1,7 @@
 //! Blocks of nodes in slow motion, for the benches of this crate.
 #![allow(dead_code)] // each bench is a crate of its own and uses a part of this
 
-use peridynamics::{Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
+use peridynamics::{Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
 use sph_core::{Block, Vec3};
 
 /// Spacing of nodes.
@@ -29,7 +29,7 @@ pub fn body(counts: [usize; 3], law: Law, threads: usize) -> Solid {
     let mut out = Solid::new(Parts {
         block: block(counts),
         material: Elastic { young: 1e6, poisson, density: 1.0 },
-        formulation: Carrier::Bonds(Formulation {
+        formulation: Idealisation::Bonds(Formulation {
             space,
             law,
             horizon: 3.015,

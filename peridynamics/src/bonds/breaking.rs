@@ -12,7 +12,7 @@ use super::images::Images;
 use super::limits::Limit;
 use super::network::{LANES, Network, Row};
 use super::repulsion::Repulsion;
-use super::whole::{Whole, clear, is_set};
+use super::intact::{Whole, clear, is_set};
 use super::work::Works;
 use crate::cracks::Cut;
 use crate::error::SolidError;
@@ -130,7 +130,7 @@ impl Breaking {
         most
     }
 
-    /// Breaks the bonds utilised this far or further; books a share of the energy that the body loses at these positions, whose
+    /// Breaks the bonds utilised this far or further; counts a share of the energy that the body loses at these positions, whose
     /// last places hold the dilatations, and returns it \[F L\].
     pub fn break_from(
         &mut self,
@@ -169,7 +169,7 @@ impl Breaking {
     fn break_lanes(
         &mut self,
         network: &mut Network,
-        (lanes, booked): (Vec<usize>, f64),
+        (lanes, counted): (Vec<usize>, f64),
         rows: &[Row],
         contact: Option<&Repulsion>,
     ) -> f64 {
@@ -194,7 +194,7 @@ impl Breaking {
             if let Some(dilatation) = &network.dilatation {
                 held += dilatation.factors[node] * share * (theta - 0.5 * share);
             }
-            held *= booked;
+            held *= counted;
             self.energies[node] += held;
             lost += held;
             next = &next[end..];

@@ -51,8 +51,8 @@ impl Families {
         if !(horizon >= 1.4 && horizon.is_finite()) {
             return Err(SolidError::Horizon(horizon));
         }
-        let unsound = nodes.volumes.iter().position(|&volume| !(volume > 0.0 && volume.is_finite()));
-        if let Some(node) = unsound {
+        let invalid = nodes.volumes.iter().position(|&volume| !(volume > 0.0 && volume.is_finite()));
+        if let Some(node) = invalid {
             return Err(SolidError::Volume { node: node as u32, volume: nodes.volumes[node] });
         }
         let (dx, delta) = (nodes.spacing, horizon * nodes.spacing);

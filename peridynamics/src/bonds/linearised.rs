@@ -4,7 +4,7 @@ use sph_core::Vec3;
 
 use super::images::Images;
 use super::network::{Network, Row};
-use super::whole::Bond;
+use super::intact::Bond;
 
 /// Least length of a present bond \[L\]: one that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-300;

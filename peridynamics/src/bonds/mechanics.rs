@@ -27,7 +27,7 @@ pub(crate) trait Mechanics: Send + Sync {
     /// How far the bond that is nearest to its limit is taken in the rows last evaluated, one at the limit; zero where none breaks.
     fn utilisation(&self, rows: &[Row]) -> f64;
 
-    /// Breaks the bonds taken so far or further in the rows last evaluated; books a share of the energy that the body loses, and
+    /// Breaks the bonds taken so far or further in the rows last evaluated; counts a share of the energy that the body loses, and
     /// returns it \[F L\].
     fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64;
 

@@ -20,5 +20,5 @@ mod present;
 pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;
 mod tangent;
-pub(crate) mod whole;
+pub(crate) mod intact;
 mod work;

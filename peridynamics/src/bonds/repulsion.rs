@@ -18,7 +18,7 @@ use sph_core::{CellList, Vec3};
 
 use super::network::NODE_CHUNK;
 use super::network::{Network, Row};
-use super::whole::Whole;
+use super::intact::Whole;
 use crate::contact::Contact;
 use crate::error::SolidError;
 use crate::material::{Elastic, Moduli};

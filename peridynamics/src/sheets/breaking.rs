@@ -20,7 +20,7 @@ impl Plate {
         lost + self.slacken(Some((&rows, 1.0)))
     }
 
-    /// Sets the rigidities of pairs by the bonds that are whole; books a share of the energy that pairs lose in these rows, and
+    /// Sets the rigidities of pairs by the bonds that are whole; counts a share of the energy that pairs lose in these rows, and
     /// returns it \[F L\].
     pub fn slacken(&mut self, rows: Option<(&[Row], f64)>) -> f64 {
         let count = self.columns.rest.len();

@@ -15,7 +15,7 @@
 
 mod breaking;
 mod columns;
-mod lie;
+mod rest_shape;
 mod plate;
 mod shear;
 mod sheet;

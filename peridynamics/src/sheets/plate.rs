@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use sph_core::{Block, Vec3};
 
 use super::columns::Columns;
-use super::lie::{directors, plan};
+use super::rest_shape::{directors, plan};
 use super::shear::Shear;
 use super::sheet::{Cloth, Sheet};
 use crate::bonds::balance::Balance;

@@ -114,7 +114,7 @@ impl Sheet {
         self.breaking.as_ref().map_or(0.0, |breaking| breaking.utilisation(&self.network, &self.points))
     }
 
-    /// Breaks the bonds taken so far or further in the last evaluation; books a share of the energy that the sheet loses, and
+    /// Breaks the bonds taken so far or further in the last evaluation; counts a share of the energy that the sheet loses, and
     /// returns it \[F L\].
     pub fn break_from(&mut self, least: f64, share: f64) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };

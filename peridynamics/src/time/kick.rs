@@ -35,13 +35,13 @@ impl Kick<'_> {
             let external = external.get(row).copied().unwrap_or_default();
             let (force, old) = (external - vector(&internal[row]), vector(rate));
             let mut new = (old * before + force * (step.kick / mass)) * after;
-            let mut told = false;
+            let mut prescribed = false;
             if let Some(constraint) = constraints.get(row) {
                 new = constraint.free_part(new.into()).into();
                 if constraint.moves() {
                     new += constraint.velocity(step);
                 }
-                told = constraint.moves() || step.kick == 0.0;
+                prescribed = constraint.moves() || step.kick == 0.0;
             }
             let mean = 0.5 * (old + new);
             if !DRIFT {
@@ -51,7 +51,7 @@ impl Kick<'_> {
             }
             work.kinetic += 0.5 * mass * mean.norm_squared();
             work.external += step.kick * external.dot(&mean);
-            if told {
+            if prescribed {
                 // The impulse of a support that moves its row is what the balance of the row lacks.
                 let impulse = (new - old) * mass + (mean * (mass * step.damping) - force) * step.kick;
                 work.external += impulse.dot(&mean);

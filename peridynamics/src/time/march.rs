@@ -21,7 +21,7 @@ impl Dynamics for Solid {
 
     fn kick(&mut self, step: &Step) -> Work {
         let mut work = self.pass::<false>(step);
-        // A kick of no span shows a state: what breaks in it is booked by the kick that follows.
+        // A kick of no span shows a state: what breaks in it is counted by the kick that follows.
         if step.kick > 0.0 && self.mechanics.noted() {
             work.dissipated += self.break_noted(0.5 * step.drift());
         }

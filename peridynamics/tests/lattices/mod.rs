@@ -1,7 +1,7 @@
 //! Lattices of nodes, and bodies on them, for the tests of this crate.
 #![allow(dead_code)] // each test is a crate of its own and uses a part of this
 
-use peridynamics::{Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
+use peridynamics::{Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
 use sph_core::{Block, Vec3};
 
 /// A lattice of cell centres: `counts` of nodes along each axis, one across a plane, the corner of the first cell at zero.
@@ -42,7 +42,7 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
     Parts {
         block,
         material,
-        formulation: Carrier::Bonds(formulation),
+        formulation: Idealisation::Bonds(formulation),
         fracture: None,
         cracks: Vec::new(),
         contact: None,

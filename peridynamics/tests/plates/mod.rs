@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use peridynamics::{
-    Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Sheets, Solid, Space, Support,
+    Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Sheets, Solid, Space, Support,
     Supported, Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
@@ -45,7 +45,7 @@ pub fn parts(block: Block, material: Elastic) -> Parts {
     Parts {
         block,
         material,
-        formulation: Carrier::Sheets(Sheets { thickness, formulation: formulation(Law::StateBased) }),
+        formulation: Idealisation::Sheets(Sheets { thickness, formulation: formulation(Law::StateBased) }),
         fracture: None,
         cracks: Vec::new(),
         contact: None,

@@ -2,7 +2,7 @@
 
 use explicit_dynamics::Amplitude;
 use peridynamics::{
-    AppliedLoad, Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Space, Support, Supported,
+    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Space, Support, Supported,
     Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
@@ -53,7 +53,7 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
     Parts {
         block,
         material,
-        formulation: Carrier::Bonds(formulation),
+        formulation: Idealisation::Bonds(formulation),
         fracture: None,
         cracks: Vec::new(),
         contact: None,

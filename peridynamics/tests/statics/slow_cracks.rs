@@ -71,7 +71,7 @@ fn spent(poisson: f64) -> f64 {
 fn bonds_of_a_slow_crack_hold_what_is_asked() {
     for (poisson, measured) in [(0.2, 1.0), (0.45, 1.02)] {
         let spent = spent(poisson);
-        // Each bond is booked with what takes it to its limit; measured 0.999 and 1.018.
+        // Each bond is counted with what takes it to its limit; measured 0.999 and 1.018.
         assert!((spent - measured).abs() < 0.05, "ν = {poisson}: {spent}");
     }
 }

@@ -108,7 +108,7 @@ mod tests {
         assert_eq!(matching(4, &chain(&[5, 1, 5])), [Some(0), Some(0), Some(2), Some(2)]);
         // Nothing to gain with three.
         assert_eq!(matching(3, &chain(&[5, 1])), [None, Some(1), Some(1)]);
-        // Cheap bonds 1–2, 3–4, … over dear ones at both ends: one path takes them all back.
+        // Cheap bonds 1–2, 3–4, … over expensive ones at both ends: one path takes them all back.
         let costs: Vec<i64> = (0..19).map(|i| if i % 2 == 0 { 9 } else { 1 }).collect();
         assert!(matching(20, &chain(&costs)).iter().all(Option::is_some));
     }

@@ -57,7 +57,7 @@ pub fn polyline_rows(
         let distance = (row as f64 + 0.5) * spacing;
         let free = |x: &Vec3| offsets.none_nearer(x, distance);
         for stretch in polyline.stretches(distance, spacing, free) {
-            stretch.walk(spacing, &mut particles);
+            stretch.fill(spacing, &mut particles);
         }
     }
     Ok(apart(particles, spacing))

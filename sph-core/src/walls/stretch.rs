@@ -76,7 +76,7 @@ impl Row {
 
 impl Stretch {
     /// Places particles on all corners and evenly between them.
-    pub(super) fn walk(mut self, spacing: f64, particles: &mut Vec<Vec3>) {
+    pub(super) fn fill(mut self, spacing: f64, particles: &mut Vec<Vec3>) {
         let mut corners = self.corners();
         let mut last = self.points.len() - 1;
         if self.ring {

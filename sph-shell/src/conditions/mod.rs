@@ -12,6 +12,6 @@ pub(crate) mod shares;
 pub(crate) mod spread;
 pub(crate) mod springs;
 pub(crate) mod supports;
-pub(crate) mod told;
+pub(crate) mod prescribed_at;
 pub(crate) mod turn;
 pub(crate) mod turned;

@@ -57,7 +57,7 @@ impl Shell {
     pub fn support_resultant(&self, about: Vec3) -> Resultant {
         let about = about - self.reference.origin;
         let mut sum = Resultant::default();
-        for (a, row) in self.sprung.iter().enumerate() {
+        for (a, row) in self.spring_forces.iter().enumerate() {
             let force = Vec3::new(row[0], row[1], row[2]);
             sum.add(self.place(a) - about, force, self.director(a), Vec3::new(row[3], row[4], row[5]));
         }

@@ -25,7 +25,7 @@ impl Shell {
         let share = |AppliedLoad { load, .. }: &AppliedLoad| {
             rows.fill([0.0; 6]);
             load.add(1.0, &body, &mut rows);
-            self.ties.take_back(&self.state, &mut rows, |_, _| ());
+            self.ties.condense(&self.state, &mut rows, |_, _| ());
             let (mut sums, mut touched, mut last) = ([[0.0; 2]; 2], 0_usize, 0);
             for (a, (row, state)) in rows.iter().zip(&self.state).enumerate() {
                 if *row != [0.0; 6] {

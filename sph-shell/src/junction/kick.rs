@@ -57,7 +57,7 @@ impl Kick<'_> {
         let turned = body.marching.about(&triad, &director(&change));
         work.change += 0.5 * (group.mass * place(&change).norm_squared() + turned);
         work.resisted += kick * (0..6).map(|k| (external[k] - f[k]) * change[k]).sum::<f64>();
-        if kick == 0.0 || constraint.is_some_and(|constraint| constraint.told().is_some()) {
+        if kick == 0.0 || constraint.is_some_and(|constraint| constraint.prescribed().is_some()) {
             // What the balance of the body lacks, its supports exert.
             let change: Row = std::array::from_fn(|k| new[k] - old[k] + kick * step.damping * mean[k]);
             let impulse = place(&change) * group.mass - place(f) * kick;

@@ -1,7 +1,7 @@
 //! Groups in the march: their kick and their drift, beside the sweep over the particles.
 //!
 //! The sweep finds the particles of a group without rates and leaves them where they are (`Constraint::tied`); what they do is
-//! told here, before and after it.
+//! prescribed here, before and after it.
 
 use explicit_dynamics::{Step, Work};
 use sph_core::Vec3;
@@ -88,9 +88,9 @@ impl Kick<'_> {
         let (kick, decay) = (step.kick, Decay::of(step));
         let mass = |k: usize| if k < 3 { group.mass } else { group.inertia };
         let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], kick / mass(k) * f[k]));
-        let mut told = [false; 2];
+        let mut prescribed = [false; 2];
         if let Some(constraint) = constraint {
-            (new, told) = held(constraint, new, step);
+            (new, prescribed) = held(constraint, new, step);
         }
         let mean: Row = std::array::from_fn(|k| 0.5 * (old[k] + new[k]));
         for k in 0..6 {
@@ -99,7 +99,7 @@ impl Kick<'_> {
             let change = new[k] - old[k];
             work.change += 0.5 * mass(k) * change * change;
             work.resisted += kick * (external[k] - f[k]) * change;
-            if told[k / 3] || kick == 0.0 {
+            if prescribed[k / 3] || kick == 0.0 {
                 let impulse = mass(k) * (new[k] - old[k]) + kick * (mass(k) * step.damping * mean[k] - f[k]);
                 work.external += impulse * mean[k];
             }

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! For a rotation about e alone g = e. The angle is that of less than half a turn. A spring between two reference points exerts a force on
-//! each, which is booked with the loads on the body: their second variation is that of a dead force.
+//! each, which is counted with the loads on the body: their second variation is that of a dead force.
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector6};
 use sph_core::Vec3;

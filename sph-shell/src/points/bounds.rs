@@ -14,7 +14,7 @@ use crate::points::point::Point;
 const STRETCHES: (f64, f64) = (0.1, 10.0);
 
 /// What is wrong with a sampling point.
-pub(crate) struct Unsound {
+pub(crate) struct BoundViolation {
     /// The point, by number and place.
     pub place: String,
     /// The quantity.
@@ -30,7 +30,7 @@ impl Shell {
     ///
     /// `J = (x,1 × x,2)·d` is the area over that of the reference where the director is normal; not positive, the surface
     /// is folded through itself or its director lies in it.
-    pub(crate) fn first_unsound(&self) -> Option<Unsound> {
+    pub(crate) fn first_bound_violation(&self) -> Option<BoundViolation> {
         let packs = &self.points.packs;
         for (index, points) in packs.order.iter().enumerate() {
             let (p, _) = Point::new(packs, index).interpolate::<false>(&self.state);
@@ -57,7 +57,7 @@ impl Shell {
                 } else {
                     ("the greatest stretch", most.sqrt(), "below 10")
                 };
-                return Some(Unsound { place: self.name_point(points[lane] as usize), what, value, bound });
+                return Some(BoundViolation { place: self.name_point(points[lane] as usize), what, value, bound });
             }
         }
         None

@@ -176,7 +176,7 @@ pub(crate) struct Ring {
 }
 
 impl Ring {
-    /// Room for at least so many packs.
+    /// Space for at least so many packs.
     pub fn new(packs: &Packs, room: usize) -> Self {
         let stride = packs.points.iter().map(PointPack::slot_count).max().unwrap_or(0);
         let room = room.next_power_of_two();

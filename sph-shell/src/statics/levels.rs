@@ -31,8 +31,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             let number = shell.constraint_of[a as usize] as usize - 1;
             if shell.body_of(a as usize).is_some() {
                 shell.put_body(a as usize, level);
-            } else if let Some(told) = shell.constraints[number].told() {
-                told.put(level, shell.case, &mut shell.state[a as usize]);
+            } else if let Some(prescribed) = shell.constraints[number].prescribed() {
+                prescribed.put(level, shell.case, &mut shell.state[a as usize]);
             }
             if let Some(basis) = self.carried.get_mut(a as usize) {
                 *basis = shell.basis(a as usize, self.dofs.arc);
@@ -46,8 +46,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         for &a in &self.moved {
             if self.shell.body_of(a as usize).is_some() {
                 self.shell.rates_of_body(a as usize, level, &mut rates);
-            } else if let Some(told) = self.shell.constraint(a as usize).and_then(|c| c.told()) {
-                rates[a as usize] = told.rate(level, &self.shell.director(a as usize), self.shell.case);
+            } else if let Some(prescribed) = self.shell.constraint(a as usize).and_then(|c| c.prescribed()) {
+                rates[a as usize] = prescribed.rate(level, &self.shell.director(a as usize), self.shell.case);
             }
         }
         self.shell.ties.follow(&self.shell.state, &mut rates);
@@ -66,7 +66,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         });
         let shell = &*self.shell;
-        shell.ties.take_back(&shell.state, &mut rows, |_, _| ());
+        shell.ties.condense(&shell.state, &mut rows, |_, _| ());
         shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
         for a in 0..rows.len() {

@@ -8,7 +8,7 @@ use sph_core::Vec3;
 use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::packs::Row;
-use crate::points::bounds::Unsound;
+use crate::points::bounds::BoundViolation;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::{Basis, DofMap, great_circle};
 use crate::statics::projection::{Projection, entries};
@@ -35,8 +35,8 @@ impl StaticShell {
     pub fn new(shell: Shell) -> Self {
         // The first particle of a rigid body stands for all of it.
         let own = |a: usize| shell.body_of(a).is_none_or(|group| group.first() == a);
-        let told = |a: usize| shell.constraint(a).is_some_and(|c| c.told().is_some());
-        let moved = (0..shell.len()).filter(|&a| told(a) && own(a));
+        let prescribed = |a: usize| shell.constraint(a).is_some_and(|c| c.prescribed().is_some());
+        let moved = (0..shell.len()).filter(|&a| prescribed(a) && own(a));
         let moved = moved.map(|a| a as u32).collect();
         Self { moved, ..Self::lent(Box::new(shell)) }
     }
@@ -76,7 +76,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let share = direction.normalize() / particles.len() as f64;
         let mut rows = vec![[0.0; 6]; self.shell.len()];
         particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += share[k]));
-        self.shell.ties.take_back(&self.shell.state, &mut rows, |_, _| ());
+        self.shell.ties.condense(&self.shell.state, &mut rows, |_, _| ());
         let mut weights = vec![0.0; self.dofs.count()];
         self.project(|a| rows[a], &mut weights);
         weights
@@ -205,15 +205,15 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn driving_force(&self) -> f64 {
-        let told = |&a: &u32| {
+        let prescribed = |&a: &u32| {
             let a = a as usize;
             if self.shell.body_of(a).is_some() {
                 return Some(self.shell.force_on_body(a, self.dofs.arc));
             }
-            let told = self.shell.constraint(a)?.told()?;
-            Some(told.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
+            let prescribed = self.shell.constraint(a)?.prescribed()?;
+            Some(prescribed.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
         };
-        self.moved.iter().filter_map(told).sum::<f64>().sqrt()
+        self.moved.iter().filter_map(prescribed).sum::<f64>().sqrt()
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
@@ -360,8 +360,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
-        let found = |Unsound { place, what, value, bound }| OutOfBounds { place, what, value, bound };
-        self.shell.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound)))
+        let found = |BoundViolation { place, what, value, bound }| OutOfBounds { place, what, value, bound };
+        self.shell.first_bound_violation().map_or(Ok(()), |violation| Err(found(violation)))
     }
 }
 

@@ -46,9 +46,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         }
         for &a in &self.moved {
-            let told = shell.constraint(a as usize).and_then(|constraint| constraint.told());
-            if let (Some(told), Some(turn)) = (told, &mut whole[a as usize]) {
-                let [_, spin] = told.motion_rate(from, shell.case);
+            let prescribed = shell.constraint(a as usize).and_then(|constraint| constraint.prescribed());
+            if let (Some(prescribed), Some(turn)) = (prescribed, &mut whole[a as usize]) {
+                let [_, spin] = prescribed.motion_rate(from, shell.case);
                 *turn += spin * (to - from);
             }
         }

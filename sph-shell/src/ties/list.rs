@@ -175,7 +175,7 @@ impl Ties {
     }
 
     /// Takes rows `[f, n]` of what hangs to the corners it hangs on, and keeps them.
-    pub fn take_back(&self, state: &[Row], rows: &mut [Row], mut keep: impl FnMut(usize, Row)) {
+    pub fn condense(&self, state: &[Row], rows: &mut [Row], mut keep: impl FnMut(usize, Row)) {
         for (i, hanging) in self.hanging.iter().enumerate() {
             let row = std::mem::take(&mut rows[hanging.particle as usize]);
             keep(i, row);

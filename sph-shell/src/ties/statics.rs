@@ -14,17 +14,17 @@ impl Shell {
     }
 
     /// Takes internal forces on what hangs to its hosts.
-    pub(crate) fn take_back_internal(&mut self, forces: &mut [Row]) {
+    pub(crate) fn condense_internal(&mut self, forces: &mut [Row]) {
         let mut kept = std::mem::take(&mut self.ties.internal);
-        self.ties.take_back(&self.state, forces, |i, row| kept[i] = row);
+        self.ties.condense(&self.state, forces, |i, row| kept[i] = row);
         self.ties.internal = kept;
     }
 
     /// The same of the loads.
-    pub(crate) fn take_back_external(&mut self) {
+    pub(crate) fn condense_external(&mut self) {
         let (mut kept, mut rows) =
             (std::mem::take(&mut self.ties.external), std::mem::take(&mut self.external));
-        self.ties.take_back(&self.state, &mut rows, |i, row| kept[i] = row);
+        self.ties.condense(&self.state, &mut rows, |i, row| kept[i] = row);
         (self.ties.external, self.external) = (kept, rows);
     }
 

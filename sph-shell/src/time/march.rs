@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::Shell;
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::packs::{PARTICLE_CHUNK, Row};
-use crate::points::bounds::Unsound;
+use crate::points::bounds::BoundViolation;
 use crate::registers::Registers;
 use crate::time::particle::{Decay, Rows, Slots, Update, drifted};
 
@@ -154,8 +154,8 @@ impl Dynamics for Shell {
 
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         if bounds == Bounds::Configuration {
-            let found = |Unsound { place, what, value, bound }| OutOfRange { place, what, value, bound };
-            return self.first_unsound().map_or(Ok(()), |unsound| Err(found(unsound).into()));
+            let found = |BoundViolation { place, what, value, bound }| OutOfRange { place, what, value, bound };
+            return self.first_bound_violation().map_or(Ok(()), |violation| Err(found(violation).into()));
         }
         let (particle, speed) = self.fastest();
         let bound = self.reference.sound_speed;

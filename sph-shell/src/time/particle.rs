@@ -6,7 +6,7 @@ use explicit_dynamics::{Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::supports::Constraint;
-use crate::conditions::told::Told;
+use crate::conditions::prescribed_at::Prescribed;
 use crate::gather::Gather;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::registers::{Baseline, Registers, columns, four_of};
@@ -206,10 +206,10 @@ impl Update<'_> {
             new[k] = (old[k] * before + to_v * f[k]) * after;
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
-        let mut told = [false; LANES];
+        let mut prescribed = [false; LANES];
         if *held != [0; LANES] {
             let mut moved = registers.rows(new);
-            told = self.hold_four(held, rows, &mut moved);
+            prescribed = self.hold_four(held, rows, &mut moved);
             new = columns(registers, &moved);
         }
         let mut mean = new;
@@ -251,7 +251,7 @@ impl Update<'_> {
                     work.external += done[lane][k];
                 }
             }
-            if told[lane] {
+            if prescribed[lane] {
                 let [f, old, new] = [registers.rows(f), registers.rows(old), registers.rows(new)];
                 let rates = [old[lane], new[lane]];
                 work.external = self.with_told_work(a + lane, work.external, rows[lane], f[lane], rates);
@@ -275,13 +275,13 @@ impl Update<'_> {
     #[cold]
     #[inline(never)]
     fn hold_four(&self, held: &[u32; LANES], rows: &[Row; LANES], new: &mut [Row; LANES]) -> [bool; LANES] {
-        let mut told = [false; LANES];
+        let mut prescribed = [false; LANES];
         for lane in (0..LANES).filter(|&lane| held[lane] > 0) {
             let constraint = &self.constraints[held[lane] as usize - 1];
-            (new[lane], told[lane]) = self.hold(constraint, rows[lane], new[lane]);
-            told[lane] |= self.step.kick == 0.0;
+            (new[lane], prescribed[lane]) = self.hold(constraint, rows[lane], new[lane]);
+            prescribed[lane] |= self.step.kick == 0.0;
         }
-        told
+        prescribed
     }
 
     /// Takes out what a support holds and puts in what it prescribes; true if it prescribes anything.
@@ -302,14 +302,14 @@ impl Update<'_> {
     }
 
     /// External work with that of the support of particle `a` on what it prescribes: its impulse is what the particle's balance
-    /// lacks, from the force `f` on the particle and its rates before and after the kick. A kick of no span books what the support
+    /// lacks, from the force `f` on the particle and its rates before and after the kick. A kick of no span counts what the support
     /// gives and takes at once, held velocities among it.
     #[cold]
     #[inline(never)]
     fn with_told_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
         let Step { kick, damping, .. } = *self.step;
-        let told = self.constraints[self.constraint_of[a] as usize - 1].told();
-        let tells = |what: fn(&Told<'_>) -> bool| kick == 0.0 || told.as_ref().is_some_and(what);
+        let prescribed = self.constraints[self.constraint_of[a] as usize - 1].prescribed();
+        let tells = |what: fn(&Prescribed<'_>) -> bool| kick == 0.0 || prescribed.as_ref().is_some_and(what);
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         let work = |external: f64, k: usize| {
             let (m, f) =
@@ -318,8 +318,8 @@ impl Update<'_> {
             let impulse = m * (new[k] - old[k]) + kick * (m * damping * mean - f);
             external + impulse * mean
         };
-        let moved = if tells(|told| told.motion.is_some()) { 0..3 } else { 0..0 };
-        let rotated = if tells(|told| told.rotation.is_some()) { 3..6 } else { 0..0 };
+        let moved = if tells(|prescribed| prescribed.motion.is_some()) { 0..3 } else { 0..0 };
+        let rotated = if tells(|prescribed| prescribed.rotation.is_some()) { 3..6 } else { 0..0 };
         moved.chain(rotated).fold(external, work)
     }
 }

@@ -42,9 +42,9 @@ impl LinearisedDynamics for Shell {
                 }
             }
             self.evaluate_internal(false);
-            if !self.sprung.is_empty() {
+            if !self.spring_forces.is_empty() {
                 self.spring_rows(force);
-                self.ties.take_back(&self.state, force, |_, _| ());
+                self.ties.condense(&self.state, force, |_, _| ());
             }
             for (a, row) in force.iter_mut().enumerate() {
                 let internal = self.internal_force(a);

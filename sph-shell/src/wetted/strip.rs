@@ -25,7 +25,7 @@ struct Strip {
 }
 
 /// Columns of points, then places of free edges; lengths that columns stand for \[L\]; the width of the strip \[L\].
-pub(super) struct Wet {
+pub(super) struct WettedFaces {
     pub middle: Places,
     pub areas: Vec<f64>,
     pub width: f64,
@@ -35,7 +35,7 @@ pub(super) struct Wet {
 ///
 /// # Errors
 /// [`ShellError`] for a shell that is no strip across the plane, and for free edges that are none of its ends.
-pub(super) fn along_strip(cloud: &Cloud, wetting: &Wetting) -> Result<Wet, ShellError> {
+pub(super) fn along_strip(cloud: &Cloud, wetting: &Wetting) -> Result<WettedFaces, ShellError> {
     let strip = Strip::new(cloud)?;
     let (mut middle, mut areas) = (Places::default(), Vec::new());
     for line in strip.lines() {
@@ -63,7 +63,7 @@ pub(super) fn along_strip(cloud: &Cloud, wetting: &Wetting) -> Result<Wet, Shell
     if middle.len() == before && !wetting.free_edges.is_empty() {
         return Err(ShellError::NotAnEdge("a free edge in a fluid"));
     }
-    Ok(Wet { middle, areas, width: strip.width })
+    Ok(WettedFaces { middle, areas, width: strip.width })
 }
 
 /// The segment of a line in which a distance along it ends, and the part of that segment \[–\].

@@ -5,7 +5,7 @@ use coque::{Rendering, RunOptions, Scene, SceneError, render};
 use crate::figures::{
     Axis, BLUE, Chart, Colour, Figure, GREEN, Line, ORANGE, PURPLE, SKY, Series, VERMILION,
 };
-use crate::judge::{Booked, Case, Outcome, Run, Runs, Solver, Variant};
+use crate::judge::{Recorded, Case, Outcome, Run, Runs, Solver, Variant};
 use crate::support::stopwatch::{Look, Stopwatch};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
@@ -237,8 +237,8 @@ fn has_bytes(run: &Run) -> bool {
 }
 
 /// Memory of a particle over that at 10⁴, which may not grow.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
-    let mut booked = Vec::new();
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
+    let mut recorded = Vec::new();
     for growing in MODELS.iter().filter(|growing| growing.edges.contains(&100)) {
         let Some(usual) = runs.get(growing.model, "edge 100")?.filter(|run| has_bytes(run)) else { continue };
         let Some(usual) = usual.last(BYTES)? else { continue };
@@ -247,10 +247,10 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
             let more = runs.chosen[number].last(BYTES)?.map(|bytes| bytes / usual);
             let reason =
                 "rows of walls and rings of slots weigh less, not more, among more particles; vectors double";
-            booked.push((number, Metric::error(MORE, more, "-").within(1.2, reason)));
+            recorded.push((number, Metric::error(MORE, more, "-").within(1.2, reason)));
         }
     }
-    Ok(booked)
+    Ok(recorded)
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {

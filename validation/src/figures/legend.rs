@@ -1,4 +1,4 @@
-//! Colours and marks that can be told apart without seeing red or green, and the legend beside a picture.
+//! Colours and marks that can be distinguished without seeing red or green, and the legend beside a picture.
 
 /// A colour as red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -72,7 +72,7 @@ pub fn silent(run: &Run, metrics: &[Metric]) -> Option<Metric> {
 
 #[cfg(test)]
 mod tests {
-    use coque::{Doubt, Warning};
+    use coque::{WarningKind, Warning};
 
     use super::*;
     use crate::{Outcome, Variant};
@@ -88,7 +88,7 @@ mod tests {
         let quiet = run(Outcome::default());
         assert_eq!(verdict(&quiet, 1.9), None);
         assert_eq!(verdict(&quiet, -5.0), Some(false));
-        let warnings = vec![Warning::new(Doubt::UnevenCells, "made up")];
+        let warnings = vec![Warning::new(WarningKind::UnevenCells, "made up")];
         assert_eq!(verdict(&run(Outcome { warnings, ..Outcome::default() }), -5.0), Some(true));
         let elements = Outcome { solver: Solver::Elements, ..Outcome::default() };
         assert_eq!(verdict(&run(elements), 5.0), None);

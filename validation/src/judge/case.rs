@@ -23,7 +23,7 @@ pub struct Case {
     /// Metrics of one run that every run of the case has; those of single runs stand on the variants.
     pub each: fn(&Run) -> Result<Vec<Metric>, JudgeError>,
     /// Metrics that need several runs.
-    pub together: fn(&Runs) -> Result<Vec<Booked>, JudgeError>,
+    pub together: fn(&Runs) -> Result<Vec<Recorded>, JudgeError>,
     /// The one figure by which answers are compared; none where a case has no error of its own.
     pub headline: Option<Headline>,
     /// Answers of other programs with what they cost, for the figures of error against cost.
@@ -51,14 +51,14 @@ impl Default for Case {
 }
 
 /// A metric with the number of the run in whose record it stands.
-pub type Booked = (usize, Metric);
+pub type Recorded = (usize, Metric);
 
 /// The figure by which the answers to one problem are compared: explicit, static, finite elements, published.
 #[derive(Clone, Copy)]
 pub struct Headline {
     /// Name of the metric.
     pub metric: &'static str,
-    /// Errors below this are not told apart, in the unit of the error: what the reference is known to.
+    /// Errors below this are not distinguished, in the unit of the error: what the reference is known to.
     pub floor: f64,
     /// Published answers with their error, in the same unit.
     pub published: fn() -> Result<Vec<Published>, JudgeError>,

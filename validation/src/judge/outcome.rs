@@ -58,7 +58,7 @@ pub struct Outcome {
     pub critical: Vec<CriticalSummary>,
     /// Why it did not reach its end.
     pub failure: Option<String>,
-    /// What coque told of its numbers; none of finite elements.
+    /// What coque warned of; none of finite elements.
     pub warnings: Vec<Warning>,
     /// Deformed shapes; none of finite elements.
     pub shapes: Vec<Shape>,
@@ -140,8 +140,8 @@ impl Outcome {
     }
 
     /// The words of the warnings, each once, in their order.
-    pub fn doubts(&self) -> Vec<&'static str> {
-        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.doubt.word()).collect();
+    pub fn warnings(&self) -> Vec<&'static str> {
+        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.kind.word()).collect();
         words.dedup();
         words
     }

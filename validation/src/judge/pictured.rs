@@ -31,11 +31,11 @@ pub fn chosen(case: &Case, sizes: &[usize]) -> Option<usize> {
 
 /// Keeps the frame that is drawn.
 #[derive(Default)]
-pub struct Kept {
+pub struct KeptFrames {
     sheet: Option<Sheet>,
 }
 
-impl FieldSink for Kept {
+impl FieldSink for KeptFrames {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
         if frame.shown.state == State::Mode && self.sheet.is_some() {
             return Ok(());
@@ -45,7 +45,7 @@ impl FieldSink for Kept {
     }
 }
 
-impl Kept {
+impl KeptFrames {
     /// What a picture is made from; none of a run that had nothing to show.
     pub fn pictured(self, run: String, mirror: Vec<usize>) -> Option<Pictured> {
         self.sheet.map(|sheet| Pictured { run, sheet, mirror })
@@ -119,7 +119,7 @@ mod tests {
         let scene = Scene::with_overrides(include_str!("../../../scenes/panel.toml"), "panel", &set).unwrap();
         let model = scene.build(1).unwrap();
         let planes = planes(&scene, &model);
-        let mut kept = Kept::default();
+        let mut kept = KeptFrames::default();
         let options = coque::RunOptions {
             progress: &mut coque::Silent,
             checkpoints: None,

@@ -38,7 +38,7 @@ pub struct Record {
     pub wall_seconds: f64,
     /// Particles times steps per second \[1/s\].
     pub particle_steps_per_second: f64,
-    /// Doubts that coque had about its numbers.
+    /// Warnings that coque gave about its numbers.
     pub warnings: Vec<Warning>,
     /// What was measured.
     pub metrics: Vec<Metric>,

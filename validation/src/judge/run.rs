@@ -9,7 +9,7 @@ use coque::{Model, Rendering, RunOptions, Scene, Silent, TangentCost, render};
 use super::asked::{asked, rest, silent};
 use super::case::Case;
 use super::outcome::Outcome;
-use super::pictured::{Kept, Pictured, chosen, planes};
+use super::pictured::{KeptFrames, Pictured, chosen, planes};
 use super::record::Record;
 use super::variant::{Effort, Problem, Run, Runs, Study, Variant};
 use crate::JudgeError;
@@ -190,8 +190,8 @@ fn run_all(
                         let how = match &outcome {
                             Ok((Outcome { failure: Some(failure), .. }, _)) => failure.clone(),
                             Ok((outcome, _)) => {
-                                let doubts = outcome.doubts().into_iter().map(|word| format!(", {word}"));
-                                format!("{:.1} s{}", outcome.wall_seconds, doubts.collect::<String>())
+                                let warnings = outcome.warnings().into_iter().map(|word| format!(", {word}"));
+                                format!("{:.1} s{}", outcome.wall_seconds, warnings.collect::<String>())
                             }
                             Err(cause) => cause.clone(),
                         };
@@ -224,7 +224,7 @@ fn timed(study: &Study) -> Result<Outcome, String> {
 
 /// Runs a scene and keeps the frame that the report draws.
 fn run_pictured(model: Model, planes: Vec<usize>, run: String) -> Result<Left, String> {
-    let mut kept = Kept::default();
+    let mut kept = KeptFrames::default();
     let options =
         RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
     let outcome = model.run_with(options).map_err(|error| error.to_string())?;
@@ -328,7 +328,7 @@ mod tests {
             jobs: 1,
         };
         let all = || {
-            [("made-up", Quick), ("slow", Usual), ("long", Full), ("dear", Heavy)]
+            [("made-up", Quick), ("slow", Usual), ("long", Full), ("expensive", Heavy)]
                 .map(|(name, effort)| {
                     let mut case = case(|_| Ok(Vec::new()));
                     case.name = name;
@@ -344,7 +344,7 @@ mod tests {
         assert_eq!(chosen(Full, &[]).unwrap(), ["made-up", "slow", "long"]);
         assert_eq!(chosen(Usual, &[]).unwrap(), ["made-up", "slow"]);
         assert_eq!(chosen(Quick, &[]).unwrap(), ["made-up"]);
-        assert_eq!(chosen(Heavy, &[]).unwrap(), ["dear"]);
+        assert_eq!(chosen(Heavy, &[]).unwrap(), ["expensive"]);
         assert_eq!(chosen(Full, &["slow"]).unwrap(), ["slow"]);
         assert!(matches!(chosen(Quick, &["slow"]), Err(JudgeError::NothingToRun)));
         let error = chosen(Full, &["fast"]).unwrap_err().to_string();

@@ -146,7 +146,7 @@ pub fn structure(body: &(impl Wetted + ?Sized)) -> Structure {
 /// Structures in a fluid.
 ///
 /// # Errors
-/// Of a fluid that is unsound.
+/// Of an invalid fluid.
 pub fn coupled<S: Wetted>(parts: Parts, bodies: Vec<S>) -> Result<Coupled<S>, Box<dyn Error>> {
     let structures = bodies.iter().map(|body| structure(body)).collect();
     let fluid = Fluid::new(Parts { structures, ..parts })?;

@@ -68,7 +68,7 @@ pub fn marched(body: &Solid, steps: u64, started: Instant, figures: &[(&str, &st
     Outcome {
         particles: body.len(),
         spacing: body.block().greatest_spacing(),
-        dof: body.freedoms(),
+        dof: body.dof(),
         steps,
         wall_seconds,
         particle_steps_per_second: body.len() as f64 * steps as f64 / wall_seconds,

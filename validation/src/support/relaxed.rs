@@ -1,11 +1,11 @@
 //! What a relaxation saves against the march of the same particles.
 
-use crate::judge::{Booked, Run, Runs};
+use crate::judge::{Recorded, Run, Runs};
 use crate::methods::{CELL, RELAXED};
 use crate::{JudgeError, Metric};
 
 /// Force evaluations a level of the relaxed run on a grid, over those of the explicit one.
-pub fn thrift(runs: &Runs, grid: &str) -> Result<Vec<Booked>, JudgeError> {
+pub fn cost(runs: &Runs, grid: &str) -> Result<Vec<Recorded>, JudgeError> {
     let (Some(marched), Some(at)) = (runs.get(CELL, grid)?, runs.number(RELAXED, grid)?) else {
         return Ok(Vec::new());
     };

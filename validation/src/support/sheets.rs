@@ -1,6 +1,6 @@
 //! Bare sheets for studies: square plates as lists of cells, and shells on them, for what no scene can say.
 
-use coque::{Warning, doubts};
+use coque::{Warning, warnings};
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
@@ -128,7 +128,7 @@ pub struct Answer {
 
 /// Displacements of all particles under the loads, linear from rest; the error in words.
 pub fn linear(shell: Shell) -> Result<Answer, String> {
-    let warnings = doubts(&shell);
+    let warnings = warnings(&shell);
     let mut system = StaticShell::new(shell);
     let motion = linear_response(&mut system, 0.0).map_err(|error| error.to_string())?;
     system.update(&motion.iter().map(|q| q * SMALL).collect::<Vec<f64>>());

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use explicit_dynamics::Amplitude;
 use peridynamics::{
-    AppliedLoad, Carrier, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, SolidError, Space,
+    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, SolidError, Space,
     StaticSolid, Support, Supported, Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
@@ -57,7 +57,7 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
     Parts {
         block,
         material,
-        formulation: Carrier::Bonds(formulation),
+        formulation: Idealisation::Bonds(formulation),
         fracture: None,
         cracks: Vec::new(),
         contact: None,
@@ -70,7 +70,7 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
 /// The system of a body.
 ///
 /// # Errors
-/// [`SolidError`] for the first part that is unsound.
+/// [`SolidError`] for the first invalid part.
 pub fn system(parts: Parts) -> Result<StaticSolid, SolidError> {
     Ok(StaticSolid::new(Solid::new(parts)?))
 }
@@ -81,7 +81,7 @@ pub fn found(body: &Solid, started: Instant, figures: &[(&str, f64)]) -> Outcome
     Outcome {
         particles: body.len(),
         spacing: body.block().greatest_spacing(),
-        dof: body.freedoms(),
+        dof: body.dof(),
         steps: 1,
         wall_seconds: started.elapsed().as_secs_f64(),
         ..Outcome::row(Solver::Static, &figures)

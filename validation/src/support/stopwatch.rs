@@ -86,7 +86,7 @@ impl Stopwatch {
     }
 }
 
-/// Through coque: told as the progress bar is.
+/// Through coque: with the calls of a progress bar.
 impl Progress for Stopwatch {
     fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
         self.between(news.steps)

@@ -7,7 +7,7 @@ use crate::JudgeError;
 use crate::figures::{Axis, BLACK, Chart, Colour, Figure, GREEN, Line, Mark, Series, Shapes, Sheet, shade};
 use crate::format::short;
 use crate::judge::measure::largest;
-use crate::judge::{Booked, Measured, Metric, Run, Runs, Variant};
+use crate::judge::{Recorded, Measured, Metric, Run, Runs, Variant};
 use crate::methods::{CELL, ELEMENTS, STATIC, setting};
 use crate::metric_names::DYNAMICS;
 
@@ -29,7 +29,7 @@ pub fn still(
     levels: &[f64],
     length: f64,
     measured: f64,
-) -> Result<Vec<Booked>, JudgeError> {
+) -> Result<Vec<Recorded>, JudgeError> {
     let (Some(moving), Some(at)) = (runs.get(CELL, grid)?, runs.number(STATIC, grid)?) else {
         return Ok(Vec::new());
     };
@@ -106,7 +106,7 @@ impl KnownTip {
     }
 
     /// How far the static run of usual fineness is from the explicit one.
-    pub fn still(&self, runs: &Runs, measured: f64) -> Result<Vec<Booked>, JudgeError> {
+    pub fn still(&self, runs: &Runs, measured: f64) -> Result<Vec<Recorded>, JudgeError> {
         still(runs, &words(self.grids[1]), &LEVELS, self.length, measured)
     }
 

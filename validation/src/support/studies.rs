@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use coque::{Model, Rendering, Scene, SceneError, Silent, doubts, render};
+use coque::{Model, Rendering, Scene, SceneError, Silent, warnings, render};
 use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Observer, Record, largest_eigenvalue};
 use nalgebra::DMatrix;
 use sph_core::Vec3;
@@ -96,12 +96,12 @@ pub fn outcome(
     Outcome {
         particles: shell.len(),
         spacing: shell.reference().cloud.spacing(),
-        dof: shell.freedoms(),
+        dof: shell.dof(),
         steps,
         wall_seconds,
         particle_steps_per_second: shell.len() as f64 * steps as f64 / wall_seconds,
         failure,
-        warnings: doubts(shell),
+        warnings: warnings(shell),
         ..Outcome::row(Solver::Explicit, figures)
     }
 }

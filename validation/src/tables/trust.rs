@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use coque::{Doubt, Warning};
+use coque::{WarningKind, Warning};
 
 use super::overview::relative;
 use crate::judge::{CaseResult, Problem, Record, Run};
@@ -12,12 +12,12 @@ const EXACT: f64 = 1.0;
 /// Error \[%\] beyond which a number has to be warned of.
 const OFF: f64 = 3.0;
 
-/// What is told as a fact about a run, not as a doubt about its numbers.
-const FACTS: [Doubt; 4] = [Doubt::Unstable, Doubt::PassedCritical, Doubt::NoWork, Doubt::HeldLoad];
+/// What is reported as a fact about a run, not as a warning about its numbers.
+const FACTS: [WarningKind; 4] = [WarningKind::Unstable, WarningKind::PassedCritical, WarningKind::NoWork, WarningKind::HeldLoad];
 
 /// Whether a warning says no more than that a number may be off.
 fn says_may(warning: &Warning) -> bool {
-    FACTS.contains(&warning.doubt) || warning.message.split_whitespace().any(|word| word == "may")
+    FACTS.contains(&warning.kind) || warning.message.split_whitespace().any(|word| word == "may")
 }
 
 /// Runs of scenes that reached their end and whose headline has an error in percent, by what coque said of them. Studies on bare models
@@ -32,7 +32,7 @@ pub struct Trust {
     pub warned_off: usize,
     /// Of the others, those whose warnings say that the number may be off.
     pub warned_may: usize,
-    /// What is left: exact, and told to be off.
+    /// What is left: exact, and warned of.
     pub false_alarms: Vec<String>,
     /// Off by more than three percent, without a warning.
     pub silent: Vec<String>,
@@ -46,7 +46,7 @@ pub fn trust(results: &[CaseResult]) -> Trust {
             let Some(error) = error(result, run, record) else { continue };
             out.runs += 1;
             let name = || {
-                let words = run.outcome.doubts().join(", ");
+                let words = run.outcome.warnings().join(", ");
                 format!("{} · {} · {}: {error:.2} % {words}", record.case, record.method, record.variant)
             };
             let warnings = &run.outcome.warnings;
@@ -80,11 +80,11 @@ impl fmt::Display for Trust {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "warnings against errors: of {} runs with an error in percent {} are warned of, {} of them off by more than {EXACT} %, {} told \
+            "warnings against errors: of {} runs with an error in percent {} are warned of, {} of them off by more than {EXACT} %, {} warned \
              that they may be",
             self.runs, self.warned, self.warned_off, self.warned_may
         )?;
-        writeln!(f, "exact, and told to be off: {}", self.false_alarms.len())?;
+        writeln!(f, "exact, and warned of: {}", self.false_alarms.len())?;
         self.false_alarms.iter().try_for_each(|name| writeln!(f, "  {name}"))?;
         writeln!(f, "off by more than {OFF} % without a word: {}", self.silent.len())?;
         self.silent.iter().try_for_each(|name| writeln!(f, "  {name}"))

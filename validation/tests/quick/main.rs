@@ -1,7 +1,7 @@
 //! The quick sets, usual and hard, run once each and held against everything that is asked of them.
 //!
 //! One test a set, since a runner that gives each test a process of its own would run the set once for each. All that
-//! is wrong is told at the end: missed tolerances, changed snapshots, and the rest.
+//! is wrong is reported at the end: missed tolerances, changed snapshots, and the rest.
 
 mod snapshots;
 mod tolerances;
@@ -40,19 +40,19 @@ fn held_against(cases: Vec<Case>, hard: bool, checks: &[(&str, Check)]) {
         Ok(results) => results,
         Err(error) => panic!("{error}"),
     };
-    let mut told = String::new();
+    let mut reported = String::new();
     if let Err(error) = keep_report(&results, &selection) {
-        told += &format!("the report could not be kept: {error}\n");
+        reported += &format!("the report could not be kept: {error}\n");
     }
     for (what, check) in checks {
         for fault in check(&results) {
-            told += &format!("{what}: {fault}\n");
+            reported += &format!("{what}: {fault}\n");
         }
     }
     for fault in tolerances::left_out(&selection, &results) {
-        told += &format!("table or report leave something out: {fault}\n");
+        reported += &format!("table or report leave something out: {fault}\n");
     }
-    assert!(told.is_empty(), "{told}");
+    assert!(reported.is_empty(), "{reported}");
 }
 
 /// Leaves the report of a set in target/quick-report or target/quick-hard-report, where a failure can be looked at.

@@ -40,18 +40,18 @@ pub fn changed(results: &[CaseResult]) -> Faults {
 /// Writes the page of some cases that changed; takes away that of an earlier run where none did.
 fn drawn(changed: &[&CaseResult]) -> Result<Option<String>, String> {
     let folder = Path::new(FOLDER);
-    let told = |error: &dyn std::fmt::Display| error.to_string();
+    let reported = |error: &dyn std::fmt::Display| error.to_string();
     if changed.is_empty() {
         return match fs::remove_dir_all(folder) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(told(&error)),
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(reported(&error)),
             _ => Ok(None),
         };
     }
     let changes: Result<Vec<Change<'_>>, String> = changed.iter().map(|&result| change(result)).collect();
-    let page = page(&changes?).map_err(|error| told(&error))?;
-    fs::create_dir_all(folder).map_err(|error| told(&error))?;
-    let file = folder.canonicalize().map_err(|error| told(&error))?.join(page.file);
-    fs::write(&file, page.html).map_err(|error| told(&error))?;
+    let page = page(&changes?).map_err(|error| reported(&error))?;
+    fs::create_dir_all(folder).map_err(|error| reported(&error))?;
+    let file = folder.canonicalize().map_err(|error| reported(&error))?.join(page.file);
+    fs::write(&file, page.html).map_err(|error| reported(&error))?;
     Ok(Some(file.display().to_string()))
 }
 

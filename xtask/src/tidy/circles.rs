@@ -106,13 +106,13 @@ fn circles(package: &str, modules: &BTreeMap<Path, Module>) -> Vec<Violation> {
                 .iter()
                 .filter(|((a, b), _)| circle.contains(a.as_str()) && circle.contains(b.as_str()))
                 .collect();
-            let told: Vec<String> = own
+            let reported: Vec<String> = own
                 .iter()
                 .map(|((a, b), (file, line, words))| format!("{a} → {b} ({file}:{line} {words})"))
                 .collect();
             let (file, line, _) = own[0].1;
             let place = [&[format!("{package}/src")], &folder[..]].concat().join("/");
-            let what = format!("a circle of modules in {place}: {}", told.join(", "));
+            let what = format!("a circle of modules in {place}: {}", reported.join(", "));
             let repair = "move what two of them share into a module below both";
             violations.push(Violation::new(file, *line, what, repair));
         }
@@ -155,9 +155,9 @@ mod tests {
             ("deep/low.rs", "use crate::{\n    one::{self, One},\n};\n"),
         ]);
         assert_eq!(circle.len(), 1, "{circle:?}");
-        let told = "a circle of modules in a/src: deep → one (a/src/deep/low.rs:1 crate::one), \
+        let reported = "a circle of modules in a/src: deep → one (a/src/deep/low.rs:1 crate::one), \
                     one → two (a/src/one.rs:3 crate::two::Two), two → deep (a/src/two.rs:1 crate::deep::g)";
-        assert!(circle[0].contains(told), "{circle:?}");
+        assert!(circle[0].contains(reported), "{circle:?}");
     }
 
     #[test]

@@ -98,9 +98,9 @@ mod tests {
                     [off](tidy.md#no-such) [web](https://example.org/x)\n```\n[in](a-block.md)\n```\n";
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         let found = check(&[page("src/page.md", text), page("src/tidy.md", "# Tidy …\n")], root);
-        let told: Vec<_> = found.iter().map(|v| (v.line, v.what.as_str())).collect();
+        let reported: Vec<_> = found.iter().map(|v| (v.line, v.what.as_str())).collect();
         let nowhere = "a link to nowhere.md, which is not there";
-        assert_eq!(told, [(2, nowhere), (4, "a link to #no-such, which src/tidy.md has not")]);
+        assert_eq!(reported, [(2, nowhere), (4, "a link to #no-such, which src/tidy.md has not")]);
         assert_eq!(slug("To add …"), "to-add-");
     }
 }

@@ -101,7 +101,7 @@ fn inline(line: &str) -> impl Iterator<Item = Path> {
 mod tests {
     use super::*;
 
-    fn told(text: &str) -> Vec<String> {
+    fn reported(text: &str) -> Vec<String> {
         let words = |used: &Used| {
             let name = used.name.as_ref().map(|name| format!(" as {name}")).unwrap_or_default();
             let passed_on = if used.passed_on { "pub " } else { "" };
@@ -115,13 +115,13 @@ mod tests {
         let text = "use std::{\n    fmt, io::{self, Read as R},\n};\npub(crate) use low::Low;\n";
         let names =
             ["1: std::fmt as fmt", "1: std::io as io", "1: std::io::Read as R", "4: pub low::Low as Low"];
-        assert_eq!(told(text), names);
+        assert_eq!(reported(text), names);
     }
 
     #[test]
     fn paths_in_the_code_say_where_they_begin() {
         assert_eq!(
-            told("fn f() -> crate::A { super::b(std::iota(), c::d) }"),
+            reported("fn f() -> crate::A { super::b(std::iota(), c::d) }"),
             ["1: crate::A", "1: super::b", "1: std::iota"]
         );
     }
@@ -129,6 +129,6 @@ mod tests {
     #[test]
     fn comments_and_tests_are_left_out() {
         let text = "//! crate::a\nf(); // crate::b\n#[cfg(test)]\nmod tests {\n    use crate::c;\n}\n";
-        assert_eq!(told(text), [""; 0]);
+        assert_eq!(reported(text), [""; 0]);
     }
 }

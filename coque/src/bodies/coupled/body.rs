@@ -11,11 +11,11 @@ use sph_core::{Cell, Vec3};
 use super::gauges::at_point;
 use super::layout::{Layout, Place};
 use super::watch::Watch;
-use crate::bodies::body::{Body, Configuration, Found, Marched, Mismatch, StateArray};
+use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::{Sides, lost};
 use crate::bodies::fluid::{fields, figures};
-use crate::bodies::{Evaluated, Shown};
+use crate::bodies::{FieldSource, FieldRequest};
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
@@ -112,7 +112,7 @@ impl Body for Coupled {
     }
 
     /// Those of the fluid.
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields::of_fluid(self.clocks.fluid(), shown)
     }
 
@@ -120,7 +120,7 @@ impl Body for Coupled {
         self.layout.names.iter().map(String::as_str).collect()
     }
 
-    fn fields_of<'a>(&'a self, body: usize, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields_of<'a>(&'a self, body: usize, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         let structures = self.layout.structures.len();
         match body.checked_sub(1) {
             Some(number) if number < structures => match self.structure(number) {
@@ -135,7 +135,7 @@ impl Body for Coupled {
         }
     }
 
-    fn found(&self) -> Found {
+    fn diagnostics(&self) -> Diagnostics {
         let lost = lost(self.clocks.fluid(), &self.basins);
         let counts = self.clocks.counts();
         let mut found = figures::found(self.clocks.fluid(), &counts, &self.added_mass, self.speeds, lost);
@@ -241,7 +241,7 @@ impl Dynamics for Coupled {
     }
 }
 
-impl Marched for Coupled {
+impl DynamicBody for Coupled {
     fn look(&mut self, time: f64) {
         self.watch.look(time, &self.clocks);
     }

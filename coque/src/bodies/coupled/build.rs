@@ -10,23 +10,23 @@ use super::body::{Coupled, Structure};
 use super::layout::{Layout, Share};
 use super::probes::{Measuring, probes};
 use super::soft::soft;
-use super::structures::{Wet, wet};
+use super::structures::{WettedBody, wet};
 use super::watched::watched;
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::lost::basins;
 use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
-use crate::bodies::{Description, Identity, Made, Memory, Model, Ready, Shape};
+use crate::bodies::{Description, Identity, BuiltBody, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene, Scene};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 impl Scene {
     /// Builds a fluid with its walls and the structures in it.
     pub(in crate::bodies) fn model_together(&self, threads: usize) -> Result<Model, SceneError> {
         let Some((name, wanted)) = self.fluid() else { return Err(self.not_a("fluid")) };
-        let alone = self.alone(name)?;
-        let memory = alone.room(wanted.particles_asked())?;
+        let alone = self.single_body(name)?;
+        let memory = alone.check_memory(wanted.particles_asked())?;
         let walls = self.walls_together(wanted)?;
         let mut wets = Vec::new();
         for (structure, _) in self.structures() {
@@ -36,10 +36,10 @@ impl Scene {
         let safety = if let Analysis::Explicit(explicit) = &self.analysis { explicit.safety } else { 1.0 };
         let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
         let liquid = wanted.liquid();
-        let mass = |wet: &Wet| liquid.density * liquid.sound_speed * step / wet.area_density;
+        let mass = |wet: &WettedBody| liquid.density * liquid.sound_speed * step / wet.area_density;
         let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
-        let mut built = Together::new(name, &fluid, &walls, &wets);
-        let (watch, unfelt) = watched(self, wanted, &fluid, &walls, &wets, &built.layout)?;
+        let mut built = CoupledParts::new(name, &fluid, &walls, &wets);
+        let (watch, unseen) = watched(self, wanted, &fluid, &walls, &wets, &built.layout)?;
         let probes = {
             let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
             let measuring =
@@ -52,12 +52,12 @@ impl Scene {
         warnings.extend(fluid_first(coupling));
         warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
         warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
-        warnings.extend(unfelt);
+        warnings.extend(unseen);
         warnings.extend(soft(&fluid, &walls));
         let mut made = Vec::new();
         for (name, wet) in wets {
             let own = wet.made.warnings.iter();
-            warnings.extend(own.map(|own| Warning::new(own.doubt, format!("{name}: {}", own.message))));
+            warnings.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
             made.push((name, wet.made));
         }
         let (bodies, total) = described(name, &description, &walls, &made, wanted.dimensions() == 2);
@@ -92,11 +92,11 @@ impl Scene {
             CouplingOrder::FluidFirst => Order::FluidFirst,
         };
         clocks.impedance = coupling.impedance;
-        let Together { layout, rest, cells } = built;
+        let CoupledParts { layout, rest, cells } = built;
         let basins = basins(self, wanted.geometry.spacing());
         let body =
             Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
-        let made = Made {
+        let made = BuiltBody {
             body: Ready::Dynamic(Box::new(body)),
             description,
             memory,
@@ -115,7 +115,7 @@ impl Scene {
         let mut all = Vec::new();
         for (name, body) in &self.bodies {
             let BodyScene::Walls(scene) = body else { continue };
-            let rows = rows(&self.alone(name)?, scene, fluid.geometry.spacing(), deep)?;
+            let rows = rows(&self.single_body(name)?, scene, fluid.geometry.spacing(), deep)?;
             all.push(BuiltWalls { name, scene, rows });
         }
         Ok(all)
@@ -127,7 +127,7 @@ impl Scene {
         name: &str,
         wanted: &FluidScene,
         walls: &[BuiltWalls<'_>],
-        wets: &[(&str, Wet)],
+        wets: &[(&str, WettedBody)],
         threads: usize,
     ) -> Result<Fluid, SceneError> {
         let positions = places::places(wanted);
@@ -138,7 +138,7 @@ impl Scene {
         };
         let pieces =
             walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
-        let structure = |(_, wet): &(&str, Wet)| {
+        let structure = |(_, wet): &(&str, WettedBody)| {
             let mut state = BoundaryState::default();
             wet.made.body.boundary(&mut state);
             fluid_sph::Structure { layout: wet.made.body.boundary_layout().clone(), state }
@@ -178,14 +178,14 @@ impl Scene {
 }
 
 /// The bodies one behind the other.
-struct Together {
+struct CoupledParts {
     layout: Layout,
     rest: Vec<Vec3>,
     cells: Vec<Cell>,
 }
 
-impl Together {
-    fn new(name: &str, fluid: &Fluid, walls: &[BuiltWalls<'_>], wets: &[(&str, Wet)]) -> Self {
+impl CoupledParts {
+    fn new(name: &str, fluid: &Fluid, walls: &[BuiltWalls<'_>], wets: &[(&str, WettedBody)]) -> Self {
         let mut layout = Layout { names: vec![name.into()], fluid: fluid.len(), ..Layout::default() };
         let (mut rest, mut cells) = (fluid.rest().to_vec(), Vec::new());
         for (name, wet) in wets {
@@ -240,7 +240,7 @@ fn leaks(walls: &[BuiltWalls<'_>]) -> Vec<Warning> {
              folded: fluid may leak; use a narrower spacing",
             body.name, body.rows.leaks
         );
-        Warning::new(Doubt::LeakyWall, message)
+        Warning::new(WarningKind::LeakyWall, message)
     };
     leaky.map(warning).collect()
 }
@@ -250,7 +250,7 @@ fn fluid_first(coupling: Coupling) -> Option<Warning> {
     let message = "the fluid goes first through a step: structures then answer to forces of a step before, which feeds energy \
                    into them, into light ones most; judge energies, not displacements alone, or use order = \
                    \"structure-first\"";
-    (coupling.order == CouplingOrder::FluidFirst).then(|| Warning::new(Doubt::FluidFirst, message))
+    (coupling.order == CouplingOrder::FluidFirst).then(|| Warning::new(WarningKind::FluidFirst, message))
 }
 
 /// The warning of a width at which lattices of the fluid resist shear so much that waves are this much too fast.
@@ -268,7 +268,7 @@ fn stiff(dimensions: usize, formulation: &Formulation) -> Option<Warning> {
             Formulation::default().smoothing
         )
     };
-    (modulus > FAST).then(|| Warning::new(Doubt::StiffLattice, message()))
+    (modulus > FAST).then(|| Warning::new(WarningKind::StiffLattice, message()))
 }
 
 /// The warning of a fluid that may pull on structures.
@@ -278,7 +278,7 @@ fn pulling(formulation: &Formulation, structures: bool) -> Option<Warning> {
          to grow (h = 2 Δx grew slowly): watch the energies, and take confined = false where the fluid has pressure enough",
         formulation.smoothing
     );
-    (formulation.confined && structures).then(|| Warning::new(Doubt::PullingBoundary, message))
+    (formulation.confined && structures).then(|| Warning::new(WarningKind::PullingBoundary, message))
 }
 
 /// What each body is, and what they are together.
@@ -286,7 +286,7 @@ fn described(
     name: &str,
     fluid: &Description,
     walls: &[BuiltWalls<'_>],
-    made: &[(&str, Made<Box<dyn Structure>>)],
+    made: &[(&str, BuiltBody<Box<dyn Structure>>)],
     plane: bool,
 ) -> (BTreeMap<String, Description>, Description) {
     let mut bodies = BTreeMap::from([(name.to_string(), fluid.clone())]);
@@ -323,13 +323,13 @@ fn described(
 }
 
 /// What all bodies need together.
-fn together(fluid: Memory, made: &[(&str, Made<Box<dyn Structure>>)]) -> Memory {
+fn together(fluid: Memory, made: &[(&str, BuiltBody<Box<dyn Structure>>)]) -> Memory {
     let needed = made.iter().map(|(_, made)| made.memory.needed).sum::<f64>() + fluid.needed;
     Memory { needed, available: fluid.available }
 }
 
 /// The files that surfaces of structures were read from, and one checksum of theirs.
-fn identity(made: &[(&str, Made<Box<dyn Structure>>)]) -> Identity {
+fn identity(made: &[(&str, BuiltBody<Box<dyn Structure>>)]) -> Identity {
     let files: Vec<&str> = made.iter().filter_map(|(_, made)| made.identity.file.as_deref()).collect();
     let sums: Vec<u8> =
         made.iter().filter_map(|(_, made)| made.identity.checksum).flat_map(u32::to_le_bytes).collect();

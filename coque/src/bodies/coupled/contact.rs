@@ -1,8 +1,8 @@
 //! Structures and walls do not feel each other: which structure stands in a wall, and which got into one.
 //!
-//! How deep a place is in a wall is told exactly of basins and blocks at rest. Of other walls, and of those that move, it is told by the
+//! How deep a place is in a wall is reported exactly of basins and blocks at rest. Of other walls, and of those that move, it is found by the
 //! balls of half a spacing about their particles, which lie within the wall: that is at least how deep a place is, and rows behind the
-//! last are not told from what lies beyond.
+//! last are not found from what lies beyond.
 
 use std::ops::Range;
 

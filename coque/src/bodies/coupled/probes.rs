@@ -8,7 +8,7 @@ use super::layout::Layout;
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::scene::alone::Owner;
+use crate::scene::single_body::Owner;
 use crate::scene::error::SceneError;
 use crate::scene::{Measured, Probe as Column, Scene};
 
@@ -66,7 +66,7 @@ impl Measuring<'_> {
         if let Some(point) = column.at {
             return Ok(self.gauge(Gauge::InSpace(point.into())));
         }
-        let alone = self.scene.alone(body)?;
+        let alone = self.scene.single_body(body)?;
         let particles = of_fluid(&alone, set, self.fluid.rest(), self.fluid.spacing())?;
         Ok(match &column.through {
             Some(through) => self.gauge(Gauge::Section(section(through), particles)),
@@ -98,7 +98,7 @@ impl Measuring<'_> {
             let gauge = self.beside(walls, point.into());
             return Ok(self.gauge(gauge));
         }
-        let alone = self.scene.alone(body)?;
+        let alone = self.scene.single_body(body)?;
         let first = self.layout.walls[walls].start;
         let OnWalls { particles, pieces, point } =
             of_walls(&alone, set, &self.walls[walls].rows.pieces, self.fluid.spacing())?;

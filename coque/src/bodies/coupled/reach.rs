@@ -3,9 +3,9 @@
 use sph_core::{CellList, Vec3};
 
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::scene::alone::Owner;
+use crate::scene::single_body::Owner;
 use crate::scene::{Analysis, BodyScene, FluidScene, Scene, SupportKind};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// What nothing holds, where it is.
 pub(super) struct Loose<'a> {
@@ -121,6 +121,6 @@ impl Loose<'_> {
              Structures and walls do not feel each other, so that it would go on through the wall; hold it, or end the run \
              before (the summary then says whether it got there)"
         );
-        Some(Warning::new(Doubt::NoContact, message))
+        Some(Warning::new(WarningKind::NoContact, message))
     }
 }

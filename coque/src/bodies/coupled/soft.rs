@@ -8,7 +8,7 @@ use fluid_sph::Fluid;
 use sph_core::CellList;
 
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// Thickness of the layer of fluid as which a wall gives way, in smoothing lengths.
 const LAYER: f64 = 0.57;
@@ -38,5 +38,5 @@ pub(super) fn soft(fluid: &Fluid, walls: &[BuiltWalls<'_>]) -> Option<Warning> {
             100.0 * missing
         )
     };
-    (missing > MISSING).then(|| Warning::new(Doubt::SoftWalls, message()))
+    (missing > MISSING).then(|| Warning::new(WarningKind::SoftWalls, message()))
 }

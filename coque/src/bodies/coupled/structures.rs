@@ -3,14 +3,14 @@
 use sph_shell::{Sides, Wetting};
 
 use super::body::Structure;
-use crate::bodies::Made;
+use crate::bodies::BuiltBody;
 use crate::bodies::fluid::parts::rows_deep;
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, FluidScene, Scene, SolidScene, WetFaces};
 
 /// A structure with what the fluid asks of it.
-pub(super) struct Wet {
-    pub made: Made<Box<dyn Structure>>,
+pub(super) struct WettedBody {
+    pub made: BuiltBody<Box<dyn Structure>>,
     /// Mass by area of its surface, ρ_s t \[F T²/L³\].
     pub area_density: f64,
 }
@@ -21,8 +21,8 @@ pub(super) fn wet(
     name: &str,
     fluid: &FluidScene,
     threads: usize,
-) -> Result<Option<Wet>, SceneError> {
-    let alone = scene.alone(name)?;
+) -> Result<Option<WettedBody>, SceneError> {
+    let alone = scene.single_body(name)?;
     match alone.body() {
         BodyScene::Shell(shell) => {
             let sides = match shell.wet {
@@ -41,12 +41,12 @@ pub(super) fn wet(
             let area_density =
                 shell.material.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
             let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
-            Ok(Some(Wet { made, area_density }))
+            Ok(Some(WettedBody { made, area_density }))
         }
         BodyScene::Solid(solid) => {
             let area_density = thickness(solid) * solid.material.density();
             let made = alone.solid_made(solid, threads, true)?.map(|solid| Box::new(solid) as _);
-            Ok(Some(Wet { made, area_density }))
+            Ok(Some(WettedBody { made, area_density }))
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
     }

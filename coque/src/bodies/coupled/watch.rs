@@ -7,7 +7,7 @@ use sph_core::Vec3;
 use super::contact::{Contact, Entered};
 use super::dry::Dry;
 use crate::bodies::Body;
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// The structures of a fluid, as they are looked at; nothing without structures.
 #[derive(Clone, Debug, Default)]
@@ -56,7 +56,7 @@ impl Watch {
                  the run before",
                 self.contact.wall(wall as usize)
             );
-            Warning::new(Doubt::NoContact, message)
+            Warning::new(WarningKind::NoContact, message)
         });
         let wetted = self.dry.iter().filter(|dry| dry.since >= 0.0).map(|dry| {
             let message = format!(
@@ -67,7 +67,7 @@ impl Watch {
                 dry.word(),
                 dry.most
             );
-            Warning::new(Doubt::DryFace, message)
+            Warning::new(WarningKind::DryFace, message)
         });
         through.chain(wetted).collect()
     }

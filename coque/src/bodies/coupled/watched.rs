@@ -8,7 +8,7 @@ use super::contact::{Contact, Inside};
 use super::dry::Dry;
 use super::layout::Layout;
 use super::reach::Loose;
-use super::structures::Wet;
+use super::structures::WettedBody;
 use super::watch::{Watch, in_plane};
 use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::error::SceneError;
@@ -24,7 +24,7 @@ pub(super) fn watched(
     wanted: &FluidScene,
     fluid: &Fluid,
     walls: &[BuiltWalls<'_>],
-    wets: &[(&str, Wet)],
+    wets: &[(&str, WettedBody)],
     layout: &Layout,
 ) -> Result<(Watch, Vec<Warning>), SceneError> {
     if wets.is_empty() {
@@ -51,7 +51,7 @@ pub(super) fn watched(
 fn dry(
     scene: &Scene,
     (number, name): (usize, &str),
-    wet: &Wet,
+    wet: &WettedBody,
     fluid: &Fluid,
 ) -> Result<Option<Dry>, SceneError> {
     let Some(BodyScene::Shell(shell)) = scene.bodies.get(name) else { return Ok(None) };

@@ -8,11 +8,11 @@ use fluid_sph::Fluid;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::Vec3;
 
-use crate::bodies::{Evaluated, Part, Shown};
+use crate::bodies::{FieldSource, Part, FieldRequest};
 use crate::scene::units::{Quantity, Units};
 
 /// What the fields of a fluid show of its present state.
-pub(in crate::bodies) fn of_fluid<'a>(fluid: &'a Fluid, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+pub(in crate::bodies) fn of_fluid<'a>(fluid: &'a Fluid, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
     let units = shown.units;
     Box::new(move |_: Part, to: &mut dyn FieldWriter| write_fluid(fluid, &units, to))
 }
@@ -21,8 +21,8 @@ pub(in crate::bodies) fn of_fluid<'a>(fluid: &'a Fluid, shown: &Shown<'a>) -> Bo
 pub(in crate::bodies) fn of_walls<'a>(
     fluid: &'a Fluid,
     walls: std::ops::Range<usize>,
-    shown: &Shown<'a>,
-) -> Box<dyn Evaluated + 'a> {
+    shown: &FieldRequest<'a>,
+) -> Box<dyn FieldSource + 'a> {
     let units = shown.units;
     Box::new(move |_: Part, to: &mut dyn FieldWriter| write_walls(fluid, walls.clone(), &units, to))
 }

@@ -4,8 +4,8 @@ use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
 use sph_core::Vec3;
 
-use crate::bodies::{FluidFigures, Found};
-use crate::warning::{Doubt, Warning};
+use crate::bodies::{FluidFigures, Diagnostics};
+use crate::warning::{WarningKind, Warning};
 
 /// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
 /// reach.
@@ -39,14 +39,14 @@ impl Speeds {
     }
 }
 
-/// The figures at present, and their doubts.
+/// The figures at present, and their warnings.
 pub(in crate::bodies) fn found(
     fluid: &Fluid,
     counts: &Counts,
     added_mass: &[f64],
     speeds: Speeds,
     lost: usize,
-) -> Found {
+) -> Diagnostics {
     let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
     let Counts { substeps, most, shortened } = *counts;
     let figures = FluidFigures {
@@ -65,7 +65,7 @@ pub(in crate::bodies) fn found(
         added_mass: added_mass.to_vec(),
     };
     let warnings = [dense(&figures), slow(fluid, speeds), gone(lost)].into_iter().flatten().collect();
-    Found { fluid: Some(figures), warnings }
+    Diagnostics { fluid: Some(figures), warnings }
 }
 
 fn gone(lost: usize) -> Option<Warning> {
@@ -75,7 +75,7 @@ fn gone(lost: usize) -> Option<Warning> {
              the sides higher, or use a narrower spacing"
         )
     };
-    (lost > 0).then(|| Warning::new(Doubt::LostFluid, message()))
+    (lost > 0).then(|| Warning::new(WarningKind::LostFluid, message()))
 }
 
 fn dense(figures: &FluidFigures) -> Option<Warning> {
@@ -88,7 +88,7 @@ fn dense(figures: &FluidFigures) -> Option<Warning> {
             100.0 * DENSE
         )
     };
-    (error > DENSE).then(|| Warning::new(Doubt::Compressed, message()))
+    (error > DENSE).then(|| Warning::new(WarningKind::Compressed, message()))
 }
 
 fn slow(fluid: &Fluid, speeds: Speeds) -> Option<Warning> {
@@ -101,5 +101,5 @@ fn slow(fluid: &Fluid, speeds: Speeds) -> Option<Warning> {
             sound / SLOW
         )
     };
-    (speeds.fast > SPRAY).then(|| Warning::new(Doubt::SlowSound, message()))
+    (speeds.fast > SPRAY).then(|| Warning::new(WarningKind::SlowSound, message()))
 }

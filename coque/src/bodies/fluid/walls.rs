@@ -15,14 +15,14 @@ use crate::scene::{Basin, LineSide, Obstacle, Scene, WallGeometry, WallSurface, 
 /// Part of a spacing behind a face up to which a particle belongs to the first row.
 const FIRST: f64 = 0.75;
 
-/// A part of the walls of a body, of which the force is told apart.
+/// A part of the walls of a body, of which the force is distinguished.
 #[derive(Clone, Debug, Default)]
 pub(in crate::bodies) struct Piece {
     /// The side of a basin.
     pub side: Option<&'static str>,
     /// Its particles at rest \[L\].
     pub points: Vec<Vec3>,
-    /// Whether each stands next to the fluid; all of them where rows are not told apart.
+    /// Whether each stands next to the fluid; all of them where rows are not distinguished.
     pub first: Vec<bool>,
 }
 
@@ -37,7 +37,7 @@ pub(in crate::bodies) struct Corner {
 }
 
 impl Corner {
-    /// The part of the force on it, by component, that one of its sides is told: the whole of that along its own normal, none of that
+    /// The part of the force on it, by component, that one of its sides is reported: the whole of that along its own normal, none of that
     /// along the normal of another, and an equal part of what lies along the edge. Of a basin that turns, whose normals are those of the
     /// axes at rest only, equal parts.
     pub fn part(&self, piece: usize, turns: bool) -> Vec3 {

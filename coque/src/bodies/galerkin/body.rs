@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use implicit_statics::{Equilibrium, OutOfBounds};
 use sph_core::Vec3;
 
-use super::doubts::large_strain;
+use super::warnings::large_strain;
 use super::fields::fields;
 use super::solid::GalerkinSolid;
-use crate::bodies::body::{Balanced, Body, Configuration, Mismatch, StateArray};
-use crate::bodies::{Evaluated, Shown};
+use crate::bodies::body::{StaticBody, Body, Configuration, Mismatch, StateArray};
+use crate::bodies::{FieldSource, FieldRequest};
 use crate::scene::Measured;
 use crate::warning::Warning;
 
@@ -30,7 +30,7 @@ impl Body for GalerkinSolid {
         }
     }
 
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
     }
 
@@ -49,7 +49,7 @@ impl Body for GalerkinSolid {
     }
 }
 
-impl Balanced for GalerkinSolid {
+impl StaticBody for GalerkinSolid {
     fn refresh(&mut self, level: f64) -> f64 {
         match &self.supports {
             Some(supports) => supports.forces(&mut self.galerkin, level, &mut self.reactions),

@@ -5,7 +5,7 @@ use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
-use super::doubts::doubts_of;
+use super::warnings::warnings_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
@@ -16,12 +16,12 @@ use crate::bodies::probe::Probe;
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;
-use crate::bodies::{Identity, Made, Model, Ready};
+use crate::bodies::{Identity, BuiltBody, Model, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{self, BodyScene, Measured, Scene, SolidMaterial, SolidScene};
 
 /// A Galerkin solid with what an analysis asks of it.
-struct Built {
+struct GalerkinParts {
     galerkin: Galerkin,
     places: Places,
     probes: Vec<Probe>,
@@ -40,14 +40,14 @@ impl Scene {
         options: &scene::Galerkin,
         threads: usize,
     ) -> Result<Model, SceneError> {
-        let Built { galerkin, places, probes, driven, supports, memory, widened } =
+        let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened } =
             self.galerkin(solid, options, threads)?;
         let body = GalerkinSolid::new(galerkin, &places, supports);
-        self.refuse_freedoms(body.freedoms())?;
+        self.refuse_dof(body.dof())?;
         let description = describe(self, solid, options, (&body, widened), places.block.greatest_spacing());
-        let warnings = doubts_of(self, options, places.lattice.lengths, &places.block);
+        let warnings = warnings_of(self, options, places.lattice.lengths, &places.block);
         let (identity, judge) = (Identity::default(), None);
-        let made = Made { body, description, memory, identity, probes, driven, warnings, judge };
+        let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge };
         Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))
     }
 
@@ -68,10 +68,10 @@ impl Scene {
         solid: &SolidScene,
         options: &scene::Galerkin,
         threads: usize,
-    ) -> Result<Built, SceneError> {
+    ) -> Result<GalerkinParts, SceneError> {
         let nodes: f64 =
             solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
-        let memory = self.room(nodes)?;
+        let memory = self.check_memory(nodes)?;
         self.refuse_few_layers(solid, options)?;
         let places = Places::new(self, solid)?;
         let sets = NodeSets::find(self, &places.lattice, &places.block, &places.straight)?;
@@ -122,7 +122,7 @@ impl Scene {
         }
         let sought = driven.map(|point| (point.particle, point.direction));
         let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
-        Ok(Built { galerkin, places, probes, driven, supports, memory, widened })
+        Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened })
     }
 
     /// Refuses a support that was asked for and is too narrow by a factor.

@@ -29,7 +29,7 @@ pub(super) fn describe(
         method: options.describe(),
         particles: galerkin.nodes(),
         points: galerkin.points(),
-        dof: body.freedoms(),
+        dof: body.dof(),
         spacing,
         bytes_per_particle: NUMBER * POINT * galerkin.points() as f64 / galerkin.nodes() as f64,
         rotary_inertia_over_true: None,
@@ -37,7 +37,7 @@ pub(super) fn describe(
         modelled,
         left_out,
         resultants: None,
-        tangent: TangentCost::Dear,
+        tangent: TangentCost::Expensive,
     }
 }
 

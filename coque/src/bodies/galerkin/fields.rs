@@ -10,7 +10,7 @@ use sph_core::Vec3;
 use super::recovery::RECOVERED;
 use super::solid::GalerkinSolid;
 use crate::bodies::solid::fields::von_mises;
-use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::bodies::{FieldSource, Part, FieldRequest, State};
 use crate::scene::units::Quantity;
 
 /// Material axes that turn with the point.
@@ -19,7 +19,7 @@ const STRESS: &[&str] = &["11", "22", "33", "12", "23", "13"];
 const STRAIN: &[&str] = &["11", "22", "33", "2x12", "2x23", "2x13"];
 
 /// What the fields of a Galerkin solid show of its present state.
-pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
     let nodes = solid.galerkin().nodes();
     let linear = shown.forces.filter(|row| row.len() == (3 + RECOVERED) * nodes);
     let chunks = |row: &[f64]| row[3 * nodes..].as_chunks::<RECOVERED>().0.to_vec();
@@ -42,14 +42,14 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &Shown<'a>) -> Box<dyn
 /// What is written of one frame.
 struct Content<'a> {
     solid: &'a GalerkinSolid,
-    shown: Shown<'a>,
+    shown: FieldRequest<'a>,
     /// Stress, strain and angle at nodes; none if they are not asked for, or have no size.
     recovered: Option<Vec<[f64; RECOVERED]>>,
     /// Forces of supports; none where they are not known.
     reactions: Option<Vec<Vec3>>,
 }
 
-impl Evaluated for Content<'_> {
+impl FieldSource for Content<'_> {
     fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
         match part {
             Part::Surface | Part::Extruded => self.nodes(to),

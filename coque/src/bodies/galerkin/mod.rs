@@ -4,7 +4,7 @@ mod body;
 mod build;
 mod conditions;
 mod describe;
-mod doubts;
+mod warnings;
 mod faces;
 mod fields;
 mod parts;

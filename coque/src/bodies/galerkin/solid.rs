@@ -18,7 +18,7 @@ pub(crate) struct GalerkinSolid {
     pub(super) supports: Option<Supports>,
     /// Forces that supports exert, by node \[F\].
     pub(super) reactions: Vec<Vec3>,
-    /// Room for forces on unknowns.
+    /// Space for forces on unknowns.
     pub(super) scratch: Vec<f64>,
 }
 
@@ -36,7 +36,7 @@ impl GalerkinSolid {
     }
 
     /// Degrees of freedom that no support holds.
-    pub fn freedoms(&self) -> usize {
+    pub fn dof(&self) -> usize {
         self.galerkin.unknowns()
     }
 

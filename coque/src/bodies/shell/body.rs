@@ -6,14 +6,14 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
-use super::doubts::{among_preloaded_modes, between_lines};
+use super::warnings::{among_preloaded_modes, between_lines};
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::stress::unbalanced;
 use crate::Warning;
-use crate::bodies::body::{Balanced, Body, Configuration, Found, Marched, Mismatch, StateArray};
+use crate::bodies::body::{StaticBody, Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{Evaluated, Resultant, Shown};
+use crate::bodies::{FieldSource, Resultant, FieldRequest};
 use crate::scene::Measured;
 
 impl Body for Shell {
@@ -44,12 +44,12 @@ impl Body for Shell {
         points.iter().map(|&p| numbers(&mut all[p as usize])).collect()
     }
 
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
     }
 
-    fn found(&self) -> Found {
-        Found { fluid: None, warnings: between_lines(self).into_iter().collect() }
+    fn diagnostics(&self) -> Diagnostics {
+        Diagnostics { fluid: None, warnings: between_lines(self).into_iter().collect() }
     }
 
     fn support_resultant(&self) -> Option<Resultant> {
@@ -71,8 +71,8 @@ impl Body for Shell {
     }
 }
 
-impl Marched for Shell {
-    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+impl DynamicBody for Shell {
+    fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
         match self.formulation() {
             Formulation::StrongForm { .. } => None,
             _ => Some(Box::new(StaticShell::lent(self))),
@@ -93,12 +93,12 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
         self.shell().point_numbers(points)
     }
 
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.shell(), shown)
     }
 
-    fn found(&self) -> Found {
-        self.shell().found()
+    fn diagnostics(&self) -> Diagnostics {
+        self.shell().diagnostics()
     }
 
     fn support_resultant(&self) -> Option<Resultant> {
@@ -114,7 +114,7 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
     }
 }
 
-impl<S: DerefMut<Target = Shell> + Send> Balanced for StaticShell<S> {
+impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
     fn refresh(&mut self, level: f64) -> f64 {
         self.evaluate(level);
         self.shell().stored_energy()

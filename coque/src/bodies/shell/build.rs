@@ -8,17 +8,17 @@ use sph_shell::{
 
 use super::cells::CellSets;
 use super::describe::describe;
-use super::doubts::{doubts_of, doubts_of_shapes};
+use super::warnings::{warnings_of, warnings_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
 use super::sections::Sections;
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
-use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
+use crate::bodies::{Identity, BuiltBody, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 impl Scene {
     /// Builds a shell with what is asked of it.
@@ -35,8 +35,8 @@ impl Scene {
         &self,
         threads: usize,
         wetting: Option<Wetting>,
-    ) -> Result<Made<Shell>, SceneError> {
-        let Built { mut shell, probes, driven, surface, turn, memory, free_edges, said } =
+    ) -> Result<BuiltBody<Shell>, SceneError> {
+        let ShellParts { mut shell, probes, driven, surface, turn, memory, free_edges, said } =
             self.assemble(threads)?;
         if let Some(wetting) = wetting {
             let wetting = Wetting { free_edges, ..wetting };
@@ -44,19 +44,19 @@ impl Scene {
             shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
         }
         let description = describe(self, &shell, surface.as_ref(), said);
-        let mut warnings = doubts_of(self, turn, &shell);
+        let mut warnings = warnings_of(self, turn, &shell);
         let poor = surface.iter().filter_map(|surface| surface.poor.clone());
-        warnings.extend(poor.map(|message| Warning::new(Doubt::PoorMesh, message)));
+        warnings.extend(poor.map(|message| Warning::new(WarningKind::PoorMesh, message)));
         warnings.extend(self.doubt_of_start(&mut shell));
         let cloud = &shell.reference().cloud;
         let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
-        let judge = move |cells: &[Cell], shapes: &[Shape]| doubts_of_shapes(cells, loss, area, shapes);
+        let judge = move |cells: &[Cell], shapes: &[Shape]| warnings_of_shapes(cells, loss, area, shapes);
         let identity = surface.map_or_else(Identity::default, |surface| Identity {
             file: Some(surface.file),
             checksum: Some(surface.checksum),
         });
         let judge = Some(Box::new(judge) as _);
-        Ok(Made { body: shell, description, memory, identity, probes, driven, warnings, judge })
+        Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge })
     }
 
     /// Builds the shell alone, for programs that march or solve it themselves.
@@ -71,18 +71,18 @@ impl Scene {
         self.assemble(threads).map(|built| built.shell)
     }
 
-    pub(super) fn assemble(&self, threads: usize) -> Result<Built, SceneError> {
+    pub(super) fn assemble(&self, threads: usize) -> Result<ShellParts, SceneError> {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
-        let asked = self.particles_asked().map(|particles| self.room(particles)).transpose()?;
+        let asked = self.particles_asked().map(|particles| self.check_memory(particles)).transpose()?;
         let mut imported = Imported::read(self)?;
         if let Some(imported) = &mut imported {
             imported.cloud = self.placed(imported.cloud.clone());
         }
         let memory = match (asked, &imported) {
             (Some(memory), _) => memory,
-            (None, Some(imported)) => self.room(imported.cloud.len() as f64)?,
-            (None, None) => self.room(0.0)?,
+            (None, Some(imported)) => self.check_memory(imported.cloud.len() as f64)?,
+            (None, None) => self.check_memory(0.0)?,
         };
         let flat = match &imported {
             Some(imported) => imported.cloud.clone(),
@@ -134,10 +134,10 @@ impl Scene {
         builder.stress(&cells, &mut shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;
-        self.refuse_freedoms(shell.freedoms())?;
+        self.refuse_dof(shell.dof())?;
         let surface = imported.map(|imported| imported.provenance());
         let (turn, said) = (builder.turn, sections.said);
-        Ok(Built { shell, probes, driven, surface, turn, memory, free_edges, said })
+        Ok(ShellParts { shell, probes, driven, surface, turn, memory, free_edges, said })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -151,7 +151,7 @@ impl Scene {
 }
 
 /// A shell with what its curve measures.
-pub(super) struct Built {
+pub(super) struct ShellParts {
     pub(super) shell: Shell,
     probes: Vec<Probe>,
     driven: Option<PrescribedPoint>,

@@ -22,7 +22,7 @@ pub(crate) fn describe(
     parts: Vec<String>,
 ) -> Description {
     let (modelled, left_out) = lists(scene, surface, parts);
-    let dof = shell.freedoms();
+    let dof = shell.dof();
     Description {
         kind: "shell",
         method: scene.shell().formulation.describe(),
@@ -47,7 +47,7 @@ pub(crate) fn describe(
                 TangentCost::Steps(STEPS[0] + STEPS[1] * (dof as f64).sqrt())
             }
             // Tangents of wide stencils are dearer.
-            _ => TangentCost::Dear,
+            _ => TangentCost::Expensive,
         },
     }
 }

@@ -10,7 +10,7 @@ use sph_shell::{Formulation, PointResult, Shell};
 
 use super::linear_forces::LinearForces;
 use crate::bodies::sampled::{face_stress, von_mises};
-use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::bodies::{FieldSource, Part, FieldRequest, State};
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
 
@@ -20,7 +20,7 @@ const DOUBLED: &[&str] = &["11", "22", "2x12"];
 const ACROSS: &[&str] = &["1", "2"];
 
 /// What the fields of a shell show of its present state.
-pub(crate) fn fields<'a>(shell: &'a Shell, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+pub(crate) fn fields<'a>(shell: &'a Shell, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
     let linear = shown.forces.and_then(|row| LinearForces::of(shell).with_numbers(row));
     // Where nothing is in balance and nothing moves there are no forces to show: neither stresses nor reactions.
     let forces = match shown.state {
@@ -43,7 +43,7 @@ pub(crate) fn fields<'a>(shell: &'a Shell, shown: &Shown<'a>) -> Box<dyn Evaluat
 /// What is written of one frame.
 struct Content<'a> {
     shell: &'a Shell,
-    shown: Shown<'a>,
+    shown: FieldRequest<'a>,
     /// Whether there are forces to show.
     forces: bool,
     /// Strains and resultants at the sampling points; none if they are not asked for, or have no size.
@@ -52,7 +52,7 @@ struct Content<'a> {
     reactions: Option<Vec<Vec3>>,
 }
 
-impl Evaluated for Content<'_> {
+impl FieldSource for Content<'_> {
     fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
         match part {
             Part::Surface => self.surface(to),

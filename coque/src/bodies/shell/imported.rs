@@ -17,7 +17,7 @@ use mesh_io::surface::{
 /// Length below which the part of a normal in its symmetry plane has no direction.
 const NO_DIRECTION: f64 = 1e-6;
 
-/// Warping of a quadrangle \[rad\] beyond which it is told, as by `coque mesh`.
+/// Warping of a quadrangle \[rad\] beyond which it is reported, as by `coque mesh`.
 const WARPED: f64 = 0.2;
 
 /// Parts of a thickness by which points may differ from that of the section.
@@ -45,12 +45,12 @@ pub(crate) struct Imported {
     cells: Cells,
     /// End of the boundary edge that begins at a particle.
     edges: HashMap<u32, u32>,
-    kept: Kept,
+    kept: CellLists,
 }
 
 /// Groups of faces that stay groups of cells.
 #[derive(Clone, Debug, Default)]
-struct Kept {
+struct CellLists {
     /// Kind of each cell: its faces lie in the same groups.
     kinds: Vec<u32>,
     /// Kinds that make up each group.
@@ -81,7 +81,7 @@ impl Imported {
         let made = surface.cloud_of_kinds(surface.node_normals(), &of_faces);
         let (cloud, cells, kinds) = made.map_err(|error| refuse(&error))?;
         let edges = boundary_edges(&surface.faces);
-        let kept = Kept { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
+        let kept = CellLists { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
         Ok(Some(Self { surface, cloud, cells, edges, kept }))
     }
 

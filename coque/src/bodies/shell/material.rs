@@ -14,14 +14,14 @@ use crate::scene::{self, MaterialSection};
 
 /// What a section is made of.
 #[derive(Clone)]
-pub(super) enum Stuff {
+pub(super) enum SectionSpec {
     /// One isotropic material through a thickness \[L\], in closed form or by Gauss points.
     Isotropic(Isotropic, f64, Option<usize>),
     /// Plies.
     Layered(Vec<Ply>),
 }
 
-impl Stuff {
+impl SectionSpec {
     /// Isotropic, with Young's modulus and Poisson's ratio.
     ///
     /// # Errors
@@ -69,14 +69,14 @@ impl Stuff {
 
 impl Builder<'_> {
     /// What a shell without parts is made of, or one of its parts, whose keys stand below `s`.
-    pub(super) fn stuff(&self, shell: &scene::ShellScene, s: &Scope<'_>) -> Result<Stuff, SceneError> {
+    pub(super) fn spec(&self, shell: &scene::ShellScene, s: &Scope<'_>) -> Result<SectionSpec, SceneError> {
         let refuse = |path: &'static str| {
             move |e: MaterialError| self.scene.model_error(&s.path(path), &e.to_string())
         };
         match shell.material_section(s)? {
             MaterialSection::Homogeneous(elastic, section) => {
                 let moduli = [elastic.young, elastic.poisson];
-                Stuff::isotropic(moduli, section.thickness, section.gauss_points)
+                SectionSpec::isotropic(moduli, section.thickness, section.gauss_points)
                     .map_err(refuse("material.elastic"))
             }
             MaterialSection::Layered(m, section) => {
@@ -88,7 +88,7 @@ impl Builder<'_> {
                     thickness: ply.thickness,
                     angle: ply.angle.to_radians(),
                 };
-                Ok(Stuff::Layered(section.plies.iter().map(ply).collect()))
+                Ok(SectionSpec::Layered(section.plies.iter().map(ply).collect()))
             }
             MaterialSection::OfFile(..) => {
                 Err(self.scene.model_error(&s.path("section"), "a file gives its sections to cells"))
@@ -97,12 +97,12 @@ impl Builder<'_> {
     }
 
     /// The section made of it.
-    pub(super) fn section(&self, stuff: &Stuff, s: &Scope<'_>) -> Result<Box<dyn Section>, SceneError> {
-        let path = match stuff {
-            Stuff::Isotropic(..) => "section.homogeneous",
-            Stuff::Layered(_) => "section.layered",
+    pub(super) fn section(&self, spec: &SectionSpec, s: &Scope<'_>) -> Result<Box<dyn Section>, SceneError> {
+        let path = match spec {
+            SectionSpec::Isotropic(..) => "section.homogeneous",
+            SectionSpec::Layered(_) => "section.layered",
         };
-        stuff.try_section().map_err(|e| self.scene.model_error(&s.path(path), &e.to_string()))
+        spec.try_section().map_err(|e| self.scene.model_error(&s.path(path), &e.to_string()))
     }
 
     /// Direction of angle zero of plies.

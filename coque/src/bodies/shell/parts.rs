@@ -9,18 +9,18 @@ use sph_shell::Region;
 use super::build::Builder;
 use super::cells::CellSets;
 use super::imported::Imported;
-use super::material::Stuff;
+use super::material::SectionSpec;
 use super::sections::Sections;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{Analysis, MaterialSection, ShellScene};
 
-/// Cells that are alike.
-struct Alike {
+/// Cells that are part.
+struct UniformPart {
     /// Group of the file whose section they have.
     group: Option<String>,
     cells: Vec<u32>,
-    stuff: Stuff,
+    spec: SectionSpec,
     density: f64,
     height: f64,
     axis: Option<Vec3>,
@@ -40,7 +40,7 @@ impl Builder<'_> {
     ) -> Result<Sections, SceneError> {
         let (shell, scope) = (self.scene.shell(), self.scene.body_scope());
         if !shell.has_parts() {
-            let base = self.section(&self.stuff(shell, &scope)?, &scope)?;
+            let base = self.section(&self.spec(shell, &scope)?, &scope)?;
             let (density, axis) =
                 (shell.material.density().unwrap_or_default(), self.material_axis(&shell.section));
             return Ok(Sections {
@@ -63,7 +63,7 @@ impl Builder<'_> {
             let curvature = curvature.map(|name| format!(", {name} curvature"));
             let lines = described(&part.on, part.offset, &found).into_iter();
             said.extend(lines.map(|line| line + curvature.as_deref().unwrap_or_default()));
-            all.extend(found.into_iter().map(|alike| Alike { height: alike.height + part.offset, ..alike }));
+            all.extend(found.into_iter().map(|part| UniformPart { height: part.height + part.offset, ..alike }));
         }
         let rest = std::mem::take(&mut own[0]);
         if !rest.is_empty() {
@@ -74,20 +74,20 @@ impl Builder<'_> {
         }
         let mut areal = vec![0.0; cloud.cells.len()];
         for alike in &all {
-            let by_area = alike.density * alike.stuff.thickness();
-            alike.cells.iter().for_each(|&cell| areal[cell as usize] = by_area);
+            let by_area = part.density * part.spec.thickness();
+            part.cells.iter().for_each(|&cell| areal[cell as usize] = by_area);
         }
         // What most cells on their particles have is the section of the shell; alone, it is the only one.
-        let on_particles = all.iter().enumerate().filter(|(_, alike)| alike.height == 0.0);
-        let most = on_particles.max_by_key(|(i, alike)| (alike.cells.len(), usize::MAX - i)).map(|(i, _)| i);
+        let on_particles = all.iter().enumerate().filter(|(_, alike)| part.height == 0.0);
+        let most = on_particles.max_by_key(|(i, alike)| (part.cells.len(), usize::MAX - i)).map(|(i, _)| i);
         let first = &all[most.unwrap_or_default()];
         let (base, density, axis, strain) =
-            (self.section(&first.stuff, &scope)?, first.density, first.axis, first.strain);
+            (self.section(&first.spec, &scope)?, first.density, first.axis, first.strain);
         if let Some(most) = most {
             all.remove(most);
         }
-        let region = |Alike { cells, stuff, density, height, axis, strain, .. }: Alike| {
-            let section = self.section(&stuff, &scope)?;
+        let region = |UniformPart { cells, spec, density, height, axis, strain, .. }: UniformPart| {
+            let section = self.section(&spec, &scope)?;
             Ok(Region { cells, section, density, height, axis, strain: Some(strain) })
         };
         let regions = all.into_iter().map(region).collect::<Result<_, SceneError>>()?;
@@ -136,7 +136,7 @@ impl Builder<'_> {
         cells: Vec<u32>,
         cloud: &Cloud,
         imported: Option<&Imported>,
-    ) -> Result<Vec<Alike>, SceneError> {
+    ) -> Result<Vec<UniformPart>, SceneError> {
         let density = shell.material.density().unwrap_or_default();
         let axis = self.material_axis(&shell.section);
         let strain = self.strain(shell, at)?;
@@ -145,12 +145,12 @@ impl Builder<'_> {
             MaterialSection::Homogeneous(_, section)
                 if section.taper.is_some() || section.table.is_some() =>
             {
-                let stuff = self.stuff(shell, at)?;
+                let spec = self.spec(shell, at)?;
                 let thickness = self.thicknesses(section, at, &cells, cloud)?;
-                let one = |(cell, thickness): (u32, f64)| Alike {
+                let one = |(cell, thickness): (u32, f64)| UniformPart {
                     group: None,
                     cells: vec![cell],
-                    stuff: stuff.with_thickness(thickness),
+                    spec: spec.with_thickness(thickness),
                     density,
                     height: 0.0,
                     axis,
@@ -159,8 +159,8 @@ impl Builder<'_> {
                 Ok(cells.into_iter().zip(thickness).map(one).collect())
             }
             _ => {
-                let stuff = self.stuff(shell, at)?;
-                Ok(vec![Alike { group: None, cells, stuff, density, height: 0.0, axis, strain }])
+                let spec = self.spec(shell, at)?;
+                Ok(vec![UniformPart { group: None, cells, spec, density, height: 0.0, axis, strain }])
             }
         }
     }
@@ -172,7 +172,7 @@ impl Builder<'_> {
         at: &Scope<'_>,
         cells: &[u32],
         imported: Option<&Imported>,
-    ) -> Result<Vec<Alike>, SceneError> {
+    ) -> Result<Vec<UniformPart>, SceneError> {
         let key = if shell.material.density().is_none() { "material.file" } else { "section.file" };
         let refuse = |value: &str, bound: &str, repair: &str| {
             Err(SceneError::Mesh(at.fault(key, value, bound, repair)))
@@ -218,19 +218,19 @@ impl Builder<'_> {
             };
             let thickness = section.map_or(given.thickness, |section| section.thickness);
             let gauss_points = section.and_then(|section| section.gauss_points);
-            let stuff = Stuff::isotropic(moduli, thickness, gauss_points);
-            let stuff = stuff.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
+            let spec = SectionSpec::isotropic(moduli, thickness, gauss_points);
+            let spec = spec.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
             let (group, height) = (Some(given.group.clone()), given.offset * thickness);
-            all.push(Alike { group, cells, stuff, density, height, axis: None, strain });
+            all.push(UniformPart { group, cells, spec, density, height, axis: None, strain });
         }
         Ok(all)
     }
 }
 
 /// A part in a line, or in one for each section that the file gives to it.
-fn described(name: &str, offset: f64, all: &[Alike]) -> Vec<String> {
-    if let Some(groups) = all.iter().map(|alike| alike.group.as_ref()).collect::<Option<Vec<_>>>() {
-        let of = |(group, alike): (&String, &Alike)| {
+fn described(name: &str, offset: f64, all: &[UniformPart]) -> Vec<String> {
+    if let Some(groups) = all.iter().map(|part| part.group.as_ref()).collect::<Option<Vec<_>>>() {
+        let of = |(group, alike): (&String, &UniformPart)| {
             line(&format!("{name}, section {group} of the file"), offset, std::slice::from_ref(alike))
         };
         return groups.into_iter().zip(all).map(of).collect();
@@ -238,10 +238,10 @@ fn described(name: &str, offset: f64, all: &[Alike]) -> Vec<String> {
     vec![line(name, offset, all)]
 }
 
-fn line(name: &str, offset: f64, all: &[Alike]) -> String {
-    let count: usize = all.iter().map(|alike| alike.cells.len()).sum();
+fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
+    let count: usize = all.iter().map(|part| part.cells.len()).sum();
     let cells = if count == 1 { "1 cell".to_string() } else { format!("{count} cells") };
-    let thickness = all.iter().map(|alike| alike.stuff.thickness());
+    let thickness = all.iter().map(|part| part.spec.thickness());
     let [least, most] = [thickness.clone().fold(f64::INFINITY, f64::min), thickness.fold(0.0, f64::max)];
     let thickness = if least == most { format!("{least}") } else { format!("{least:.4e} to {most:.4e}") };
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };

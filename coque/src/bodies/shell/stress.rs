@@ -6,7 +6,7 @@ use super::build::Builder;
 use super::cells::CellSets;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, InitialStress, Scene};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// Part of the forces of an initial stress up to which it counts as balanced: rounding leaves 1e-14, and to Newton's method
 /// the rest would be little else.
@@ -64,7 +64,7 @@ impl Scene {
                  that, or let damping take the motion away",
                 100.0 * part
             );
-            Warning::new(Doubt::NotAtRest, message)
+            Warning::new(WarningKind::NotAtRest, message)
         })
     }
 }

@@ -9,7 +9,7 @@
 //! x along it, z across. What the nodes of its middle section hold, over `½ E I κ²`, is the stiffness over that of a bar: for
 //! any formulation, horizon and correction, at the price of some thousand nodes.
 
-use peridynamics::{Carrier, Formulation, Parts, Solid, Space};
+use peridynamics::{Idealisation, Formulation, Parts, Solid, Space};
 use sph_core::{BlockLattice, NodePlaces, Vec3};
 
 use super::parts::{carrier, material};
@@ -23,7 +23,7 @@ const TURN: f64 = 1e-4;
 /// Stiffness in bending across an axis over that of a bar; nothing for many layers, and where there are no bonds between nodes.
 pub(super) fn stiffness(body: &SolidScene, [along, across]: [usize; 2]) -> Option<f64> {
     let lattice = body.lattice();
-    let Carrier::Bonds(bonds) = carrier(body, &lattice) else { return None };
+    let Idealisation::Bonds(bonds) = carrier(body, &lattice) else { return None };
     let counts = lattice.cells().ok()?;
     if counts[across] > MANY {
         return None;
@@ -42,7 +42,7 @@ pub(super) fn stiffness(body: &SolidScene, [along, across]: [usize; 2]) -> Optio
     let parts = Parts {
         block,
         material,
-        formulation: Carrier::Bonds(bonds),
+        formulation: Idealisation::Bonds(bonds),
         fracture: None,
         cracks: Vec::new(),
         contact: None,

@@ -8,8 +8,8 @@ use peridynamics::{Solid, StaticSolid};
 use sph_core::Vec3;
 
 use super::fields::fields;
-use crate::bodies::body::{Balanced, Body, Configuration, Marched, Mismatch, StateArray};
-use crate::bodies::{Evaluated, Shown};
+use crate::bodies::body::{StaticBody, Body, Configuration, DynamicBody, Mismatch, StateArray};
+use crate::bodies::{FieldSource, FieldRequest};
 use crate::scene::Measured;
 
 impl Body for Solid {
@@ -35,7 +35,7 @@ impl Body for Solid {
         }
     }
 
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
     }
 
@@ -64,8 +64,8 @@ impl Body for Solid {
     }
 }
 
-impl Marched for Solid {
-    fn at_rest(&mut self) -> Option<Box<dyn Balanced + '_>> {
+impl DynamicBody for Solid {
+    fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
         Some(Box::new(StaticSolid::lent(self)))
     }
 }
@@ -79,7 +79,7 @@ impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
         self.solid().read(of, particle, along)
     }
 
-    fn fields<'a>(&'a self, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.solid(), shown)
     }
 
@@ -92,7 +92,7 @@ impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
     }
 }
 
-impl<S: DerefMut<Target = Solid> + Send> Balanced for StaticSolid<S> {
+impl<S: DerefMut<Target = Solid> + Send> StaticBody for StaticSolid<S> {
     fn refresh(&mut self, level: f64) -> f64 {
         self.evaluate(level);
         self.solid().internal_energy()

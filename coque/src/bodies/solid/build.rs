@@ -5,17 +5,17 @@ use sph_core::{Block, BlockLattice};
 
 use super::conditions::{driver, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
-use super::doubts::doubts_of;
+use super::warnings::warnings_of;
 use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
 use super::sets::NodeSets;
 use crate::bodies::build::amplitude;
 use crate::bodies::rigid::free_of;
-use crate::bodies::{Identity, Made, Memory, Model, PrescribedPoint, Probe, Ready};
+use crate::bodies::{Identity, BuiltBody, Memory, Model, PrescribedPoint, Probe, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene, SolidScene};
 
 /// A solid with what its curve measures.
-struct Built {
+struct SolidParts {
     solid: Solid,
     probes: Vec<Probe>,
     /// The one node whose motion a force that is sought brings about.
@@ -43,15 +43,15 @@ impl Scene {
         scene: &SolidScene,
         threads: usize,
         wet: bool,
-    ) -> Result<Made<Solid>, SceneError> {
-        let Built { mut solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
+    ) -> Result<BuiltBody<Solid>, SceneError> {
+        let SolidParts { mut solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
         if wet {
             solid.wet().map_err(|error| self.solid_refusal(scene, &error))?;
         }
         let description = describe(self, scene, &solid);
-        let warnings = doubts_of(self, scene, &solid);
+        let warnings = warnings_of(self, scene, &solid);
         let identity = Identity::default();
-        Ok(Made { body: solid, description, memory, identity, probes, driven, warnings, judge: None })
+        Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge: None })
     }
 
     /// Builds the solid alone, for programs that march or solve it themselves.
@@ -65,10 +65,10 @@ impl Scene {
         self.assemble_solid(scene, threads).map(|built| built.solid)
     }
 
-    fn assemble_solid(&self, scene: &SolidScene, threads: usize) -> Result<Built, SceneError> {
+    fn assemble_solid(&self, scene: &SolidScene, threads: usize) -> Result<SolidParts, SceneError> {
         let lattice = scene.lattice();
         let memory =
-            self.room(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
+            self.check_memory(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
         let perfect = self.nodes(scene, &lattice)?;
         let block = self.bent(scene, &lattice, &perfect, threads)?;
         let sets = NodeSets::find(self, &lattice, &perfect, &perfect.positions)?;
@@ -103,9 +103,9 @@ impl Scene {
         let mut solid =
             Solid::mirrored(parts, &mirrors).map_err(|error| self.solid_refusal(scene, &error))?;
         set_out(scene, &mut solid);
-        self.refuse_freedoms(solid.freedoms())?;
+        self.refuse_dof(solid.dof())?;
         self.refuse_pieces(&solid)?;
-        Ok(Built { solid, probes, driven, memory })
+        Ok(SolidParts { solid, probes, driven, memory })
     }
 
     /// The nodes of the block, holes cut.

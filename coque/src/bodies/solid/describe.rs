@@ -16,7 +16,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
         method: solid_scene.formulation.describe(solid_scene.correction()),
         particles: solid.len(),
         points: solid.bonds(),
-        dof: solid.freedoms(),
+        dof: solid.dof(),
         spacing: block.greatest_spacing(),
         bytes_per_particle: solid.bytes_per_particle(),
         rotary_inertia_over_true: None,
@@ -24,7 +24,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
         modelled,
         left_out,
         resultants: None,
-        tangent: TangentCost::Dear,
+        tangent: TangentCost::Expensive,
     }
 }
 

@@ -7,7 +7,7 @@
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{
-    AppliedLoad, Carrier, Elastic, Formulation, Law, Mirror, Parts, Solid, Space, StaticSolid, Support,
+    AppliedLoad, Idealisation, Elastic, Formulation, Law, Mirror, Parts, Solid, Space, StaticSolid, Support,
     Supported,
 };
 use sph_core::{BlockLattice, Vec3};
@@ -20,7 +20,7 @@ const SMALL: f64 = 1e-8;
 
 /// What a loaded face moves too far, in spacings times the strain behind it; nothing without bonds between nodes.
 pub(super) fn excess(body: &SolidScene) -> Option<f64> {
-    let Carrier::Bonds(bonds) = carrier(body, &body.lattice()) else { return None };
+    let Idealisation::Bonds(bonds) = carrier(body, &body.lattice()) else { return None };
     let space = if bonds.space == Space::PlaneStrain { Space::PlaneStrain } else { Space::PlaneStress };
     let poisson = match bonds.law {
         Law::BondBased => space.pairwise_poisson(),
@@ -44,7 +44,7 @@ pub(super) fn excess(body: &SolidScene) -> Option<f64> {
     let parts = Parts {
         block,
         material: Elastic { young, poisson, density: 1.0 },
-        formulation: Carrier::Bonds(Formulation { space, ..bonds }),
+        formulation: Idealisation::Bonds(Formulation { space, ..bonds }),
         fracture: None,
         cracks: Vec::new(),
         contact: None,

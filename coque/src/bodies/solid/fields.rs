@@ -8,24 +8,24 @@ use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use peridynamics::Solid;
 use sph_core::Vec3;
 
-use crate::bodies::{Evaluated, Part, Shown, State};
+use crate::bodies::{FieldSource, Part, FieldRequest, State};
 use crate::scene::units::Quantity;
 
 const XYZ: &[&str] = &[];
 const TENSOR: &[&str] = &["xx", "yy", "zz", "xy", "yz", "zx"];
 
 /// What the fields of a solid show of its present state.
-pub(super) fn fields<'a>(solid: &'a Solid, shown: &Shown<'a>) -> Box<dyn Evaluated + 'a> {
+pub(super) fn fields<'a>(solid: &'a Solid, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
     Box::new(Content { solid, shown: *shown })
 }
 
 /// What is written of one frame.
 struct Content<'a> {
     solid: &'a Solid,
-    shown: Shown<'a>,
+    shown: FieldRequest<'a>,
 }
 
-impl Evaluated for Content<'_> {
+impl FieldSource for Content<'_> {
     /// A solid has no other part than its nodes.
     fn write(&self, _: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
         self.geometry(to)?;

@@ -5,7 +5,7 @@ mod body;
 mod build;
 pub(super) mod conditions;
 mod describe;
-mod doubts;
+mod warnings;
 mod ends;
 pub(super) mod fields;
 mod parts;

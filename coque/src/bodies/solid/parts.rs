@@ -1,7 +1,7 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Carrier, Contact, Crack, Criterion, Elastic, Formulation, Fracture, Influence, Law, Sheets, Volumes,
+    Idealisation, Contact, Crack, Criterion, Elastic, Formulation, Fracture, Influence, Law, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
@@ -22,7 +22,7 @@ pub(super) fn material(solid: &SolidScene) -> Elastic {
 }
 
 /// How bonds carry the solid.
-pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Carrier {
+pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisation {
     let law = match solid.formulation {
         SolidFormulation::BondBased(_) => Law::BondBased,
         _ => Law::StateBased,
@@ -35,15 +35,15 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Carrier {
     let correction = match solid.correction() {
         scene::Correction::None => peridynamics::Correction::None,
         scene::Correction::Even => peridynamics::Correction::Even,
-        scene::Correction::Balanced => peridynamics::Correction::Balanced,
+        scene::Correction::StaticBody => peridynamics::Correction::StaticBody,
         scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
     };
     let horizon = solid.formulation.horizon();
     let formulation =
         Formulation { space: solid.space(), law, horizon, volumes: Volumes::Partial, influence, correction };
     match solid.has_directors() {
-        true => Carrier::Sheets(Sheets { thickness: lattice.lengths[2], formulation }),
-        false => Carrier::Bonds(formulation),
+        true => Idealisation::Sheets(Sheets { thickness: lattice.lengths[2], formulation }),
+        false => Idealisation::Bonds(formulation),
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use mesh_io::{read_bytes, read_text, under_way, write_whole};
 
-use super::{CHECKPOINT, Kept, Origin, SCENE_COPY};
+use super::{CHECKPOINT, Contents, Origin, SCENE_COPY};
 
 /// First bytes of the file.
 const MARK: [u8; 8] = *b"coque-cp";
@@ -102,7 +102,7 @@ pub enum CheckpointError {
 }
 
 /// Writes a checkpoint; whoever looks finds the old one or the new one, whole.
-pub(super) fn write(path: &Path, origin: &Origin, kept: &Kept<'_>) -> Result<(), CheckpointError> {
+pub(super) fn write(path: &Path, origin: &Origin, kept: &Contents<'_>) -> Result<(), CheckpointError> {
     let refuse = |reason: String| CheckpointError::Write { path: path.display().to_string(), reason };
     let body = postcard::to_stdvec(origin)
         .and_then(|start| postcard::to_extend(kept, start))
@@ -134,7 +134,7 @@ pub(super) fn remove(path: &Path) -> Result<(), CheckpointError> {
 }
 
 /// Reads the checkpoint of a folder and its scene, and holds one against the other.
-pub(super) fn read(folder: &Path) -> Result<(Origin, Kept<'static>, String), CheckpointError> {
+pub(super) fn read(folder: &Path) -> Result<(Origin, Contents<'static>, String), CheckpointError> {
     let (file, scene) = (folder.join(CHECKPOINT), folder.join(SCENE_COPY));
     let unreadable = |path: &Path, error: io::Error| CheckpointError::Read {
         path: path.display().to_string(),

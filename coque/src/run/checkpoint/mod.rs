@@ -62,13 +62,13 @@ impl Origin {
 pub struct Checkpoint {
     /// What it takes to build the model.
     pub origin: Origin,
-    pub(crate) kept: Kept<'static>,
+    pub(crate) kept: Contents<'static>,
     pub(crate) grown: Grown,
 }
 
 /// All that changes while a run goes on, rows and shapes apart, and the checksum of what does not.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct Kept<'a> {
+pub(crate) struct Contents<'a> {
     /// Of the body at rest, as [`checksum`] finds it.
     pub(crate) body: u32,
     pub(crate) particles: usize,
@@ -187,7 +187,7 @@ impl Checkpoints {
     /// Writes one, in the place of the last: what is kept beside the rows and shapes, and those.
     pub(crate) fn write(
         &mut self,
-        mut kept: Kept<'_>,
+        mut kept: Contents<'_>,
         rows: &[Vec<f64>],
         shapes: &[Shape],
     ) -> Result<(), CheckpointError> {

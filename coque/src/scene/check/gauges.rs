@@ -7,7 +7,7 @@ use crate::scene::problem::{BodyScene, Scene};
 type Checked = Result<(), SceneError>;
 
 impl Scene {
-    /// Refuses a point and a section where nothing is told at one, and what needs one without it.
+    /// Refuses a point and a section where nothing is measured at one, and what needs one without it.
     pub(super) fn check_gauge(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
         self.check_point(at, probe)?;
         self.check_section(at, probe)
@@ -15,19 +15,19 @@ impl Scene {
 
     fn check_point(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
         let (s, word) = (&self.scope(), probe.of.word());
-        let told = matches!(probe.of, Measured::Pressure | Measured::Level | Measured::WetLength);
+        let reported = matches!(probe.of, Measured::Pressure | Measured::Level | Measured::WetLength);
         let (fluid, walls) =
             (matches!(self.body(), BodyScene::Fluid(_)), matches!(self.body(), BodyScene::Walls(_)));
         let Some(point) = &probe.at else {
             if !matches!(probe.of, Measured::Level | Measured::WetLength) || !fluid {
                 return Ok(());
             }
-            let repair = "add the point over which it is told, as in at = [0.1, 0.0, 0.0]";
+            let repair = "add the point over which it is measured, as in at = [0.1, 0.0, 0.0]";
             let bound = "given for the level of a fluid and its wet length";
             return Err(SceneError::Missing(s.fault(&at("at"), "nothing", bound, repair)));
         };
-        if !told || !(fluid || walls) {
-            let bound = format!("none: {word} is told at no point");
+        if !reported || !(fluid || walls) {
+            let bound = format!("none: {word} is measured at no point");
             let repair = "remove `at`, or measure a pressure, a level or a wet length of a fluid or of walls";
             return Err(SceneError::Choice(s.fault(&at("at"), "a point", &bound, repair)));
         }

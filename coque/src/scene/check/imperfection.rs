@@ -6,7 +6,7 @@ use crate::scene::imperfection::Imperfection;
 use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;
 
-/// Modes are found from the lowest up: further ones are dear, and seldom what a body is bent like.
+/// Modes are found from the lowest up: further ones are expensive, and seldom what a body is bent like.
 const MOST: f64 = 100.0;
 
 impl Scene {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::scene::alone::Owner;
+use crate::scene::single_body::Owner;
 use crate::scene::coupling::Coupling;
 use crate::scene::curve::{Measured, mean_of};
 use crate::scene::error::SceneError;
@@ -48,7 +48,7 @@ impl Scene {
         self.check_transient()?;
         self.check_owners()?;
         for name in self.bodies.keys() {
-            self.alone(name)?.check_alone()?;
+            self.single_body(name)?.check_alone()?;
         }
         self.check_dimensions()?;
         self.check_sizes()?;
@@ -228,7 +228,7 @@ impl Scene {
                 return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
             }
             if set != "all" {
-                let bound = "but what a fluid does is told of the whole structure";
+                let bound = "but what a fluid does is reported of the whole structure";
                 let repair = format!("use on = \"{name}.all\"");
                 let value = format!("\"{}\"", probe.on);
                 return Err(SceneError::Set(s.fault(&at("on"), &value, bound, &repair)));

@@ -120,7 +120,7 @@ impl Shell {
             self.external.resize(self.len(), [0.0; 6]);
         }
         if !springs.none_on_particles() {
-            self.sprung.resize(self.len(), [0.0; 6]);
+            self.spring_forces.resize(self.len(), [0.0; 6]);
         }
         let own = &mut self.springs;
         own.ground.append(&mut springs.ground);
@@ -152,12 +152,12 @@ impl Shell {
 
     /// Evaluates the springs and adds their forces to the external ones.
     pub(crate) fn evaluate_springs(&mut self) {
-        let mut rows = std::mem::take(&mut self.sprung);
+        let mut rows = std::mem::take(&mut self.spring_forces);
         self.spring_rows(&mut rows);
         for (sum, row) in self.external.iter_mut().zip(&rows) {
             (0..6).for_each(|k| sum[k] += row[k]);
         }
-        self.sprung = rows;
+        self.spring_forces = rows;
     }
 
     /// Hands the derivatives of the forces of all springs on particles to `put`, as loads do theirs.
@@ -180,7 +180,7 @@ impl Shell {
     }
 
     /// What its springs exert on a particle \[F, F L\], for the last forces evaluated.
-    pub(crate) fn sprung(&self, particle: usize) -> Row {
-        self.sprung.get(particle).copied().unwrap_or_default()
+    pub(crate) fn spring_forces(&self, particle: usize) -> Row {
+        self.spring_forces.get(particle).copied().unwrap_or_default()
     }
 }

@@ -93,7 +93,7 @@ fn gate(name: &'static str, changes: &'static [Change]) -> Variant {
         metrics.push(match changes {
             [] => Metric::error(BROUGHT, brought, "J/m").within(
                 0.1,
-                "work of gravity is 2 J/m; walls and friction are booked, and what is left is below 5 %",
+                "work of gravity is 2 J/m; walls and friction are recorded, and what is left is below 5 %",
             ),
             _ => Metric::error(BROUGHT, brought, "J/m").shown("one change to our settings"),
         });

@@ -162,6 +162,6 @@ fn judged(measured: Option<[f64; 2]>, run: &Run) -> Result<Vec<Metric>, JudgeErr
         Metric::compared("the same against that of μ u'", inner, "N", gradient_torque())
             .shown("what the form of friction gives on a wall that turns"),
         figure(run, "balance", "%")?
-            .shown("friction at walls is booked against mirrored velocities, their work against the walls' own"),
+            .shown("friction at walls is recorded against mirrored velocities, their work against the walls' own"),
     ])
 }

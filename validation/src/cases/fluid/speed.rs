@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Parts};
 
-use crate::judge::{Booked, Case, Outcome, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Outcome, Run, Runs, Variant};
 use crate::support::fluids::{CORRECTED, GRAVITY, KICKS, basin, filled, formulation, march, water};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
@@ -86,17 +86,17 @@ fn judged(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
     ])
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let cost = |run: &Run| Ok::<_, JudgeError>(run.last(SPEED)?.map(f64::recip));
     let Some(small) = runs.get(KICKS, SMALL)?.map(cost).transpose()?.flatten() else { return Ok(Vec::new()) };
-    let mut booked = Vec::new();
+    let mut recorded = Vec::new();
     for grid in ["2D, 10⁵", "2D, 10⁶"] {
         if let Some(number) = runs.number(KICKS, grid)? {
             let ratio = cost(&runs.chosen[number])?.map(|cost| cost / small);
             let found = Metric::error(RATIO, ratio, "-");
-            booked
+            recorded
                 .push((number, found.shown("asked at most 1.3 of a quiet machine: caches are shared here")));
         }
     }
-    Ok(booked)
+    Ok(recorded)
 }

@@ -163,7 +163,7 @@ fn judged(asked: Asked, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let Asked::Nothing = asked else {
         let [rms, most, kinetic] = match asked {
             Asked::Near([at_rms, at_most, at_kinetic]) => [
-                rms.near(at_rms, "what is left of a quiet fluid's sound; parts of it are not told apart"),
+                rms.near(at_rms, "what is left of a quiet fluid's sound; parts of it are not distinguished"),
                 most.near(at_most, "one particle at one record of a hundred; why is not isolated"),
                 kinetic.near(at_kinetic, "the lattice finds its places between the walls"),
             ],

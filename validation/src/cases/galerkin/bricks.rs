@@ -6,7 +6,7 @@ use implicit_statics::EquilibriumError;
 
 use super::{ST_VENANT, off};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, Line, Mark, SKY, Series};
-use crate::judge::{Booked, Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::{JudgeError, Metric};
 
@@ -104,7 +104,7 @@ fn of_calculix(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![Metric::error("bricks of CalculiX", Some(most), "L").within(5e-5, reason)])
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut out = Vec::new();
     for (method, grid, bricks, measured, reason) in PAIRS {
         let Some(at) = runs.number(method, grid)? else { continue };

@@ -4,7 +4,7 @@
 use super::one_solve::{self, ONE_SOLVE};
 use super::{DIGITS, INCREMENTS, ST_VENANT, from_prototype, off, table};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, Numbers, Series, VERMILION};
-use crate::judge::{Booked, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../../scenes/cantilever-solid.toml");
@@ -137,7 +137,7 @@ fn judged(run: &Run, asked: &Asked) -> Result<Vec<Metric>, JudgeError> {
 }
 
 /// What runs differ by: laws, halved steps.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = Vec::new();
     for (name, grid, other, most, reason) in [
         (

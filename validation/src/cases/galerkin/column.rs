@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{INCREMENTS, ST_VENANT};
-use crate::judge::{Booked, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../../scenes/cantilever-solid.toml");
@@ -73,7 +73,7 @@ fn buckling(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
 }
 
 /// The ratio of the laws' loads: 1 + 6ε, ε the strain of the column when it buckles.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let (Some(at), Some(other)) = (runs.number(INCREMENTS, "buckling")?, runs.get(ST_VENANT, "buckling")?)
     else {
         return Ok(Vec::new());

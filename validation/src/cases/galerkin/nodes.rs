@@ -2,7 +2,7 @@
 
 use super::{INCREMENTS, off, table};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, Numbers, Series, VERMILION};
-use crate::judge::{Booked, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const CANTILEVER: &str = include_str!("../../../../scenes/cantilever-solid.toml");
@@ -97,10 +97,10 @@ fn variants() -> Vec<Variant> {
         if source {
             variant = variant.set(&path("formulation.galerkin"), SOURCE);
         }
-        let dear = problem.name == "orthotropic plate" || (problem.body == "plate" && number == 2);
+        let expensive = problem.name == "orthotropic plate" || (problem.body == "plate" && number == 2);
         let measured = problem.theory[usize::from(source)][number];
         let reason = if source && problem.body == "plate" { LOCKS } else { MESH };
-        out.push(variant.full_if(dear).judged(move |run, _| {
+        out.push(variant.full_if(expensive).judged(move |run, _| {
             let found = off(run, "w", &problem.theory()?)?;
             Ok(vec![Metric::error(NAME, found, "%").near(measured, reason)])
         }));
@@ -116,7 +116,7 @@ fn all() -> impl Iterator<Item = (&'static Problem, usize, bool)> {
 }
 
 /// What finer nodes change.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut out = Vec::new();
     for (problem, number, source) in all().filter(|(_, number, _)| *number < 2) {
         let Some(at) = runs.number(INCREMENTS, &problem.grid(number, source))? else { continue };

@@ -29,8 +29,8 @@ pub fn judged(run: &Run, steps: usize, balanced: f64) -> Result<Vec<Metric>, Jud
     let at = |k: f64| run.at("w", k);
     let digits = "four digits are known";
     let end = Metric::compared("w/L at K = 10", at(10.0)?, "-", last);
-    let (told, found) = (run.at("way_left", 1.0)?, at(1.0)?);
-    let share = told.zip(found).map(|(told, w)| told * w / (balanced - w).abs());
+    let (reported, found) = (run.at("way_left", 1.0)?, at(1.0)?);
+    let share = reported.zip(found).map(|(reported, w)| reported * w / (balanced - w).abs());
     Ok(vec![
         Metric::compared("w/L at K = 1", found, "-", first).within(1e-4, digits),
         if steps == 100 {
@@ -38,7 +38,7 @@ pub fn judged(run: &Run, steps: usize, balanced: f64) -> Result<Vec<Metric>, Jud
         } else {
             end.shown("not reproduced: steps of .5 let the last digits depend on when the loads are taken")
         },
-        Metric::compared("error told at K = 1, over the true one", share, "-", 1.0).shown(
+        Metric::compared("error estimated at K = 1, over the true one", share, "-", 1.0).shown(
             "of the order of itself where a step is long: one more solve would not reach balance either",
         ),
         Metric::error("left out of balance, greatest", greatest(run)?, "of the load")

@@ -7,7 +7,7 @@ use benchmarks_ref::{Curve, reference};
 
 use super::INCREMENTS;
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Numbers, Series};
-use crate::judge::{Booked, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
 use crate::methods::{ELEMENTS, STATIC};
 use crate::support::path::value_at;
 use crate::support::scenes;
@@ -139,7 +139,7 @@ fn limit_of(run: &Run, measured: f64) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![found.near(measured, "meshes, and the place under the force, which a shell keeps whole")])
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = Vec::new();
     let pairs = PLATES.map(|(h, _, ratio)| (plate(h), "w_centre", ratio));
     for (grid, column, ratio) in pairs.into_iter().chain([(RING.into(), "w_crown", 0.93814)]) {
@@ -148,7 +148,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         };
         let found =
             runs.chosen[at].last(column)?.zip(shell.last(column)?).map(|(solid, shell)| solid / shell);
-        let reason = "a difference of models that is told by the figures beside it: a change by a fifth of it is a change of mechanics";
+        let reason = "a difference of models that is shown by the figures beside it: a change by a fifth of it is a change of mechanics";
         metrics.push((at, Metric::compared(RATIO, found, "-", ratio).within(0.2 * (1.0 - ratio), reason)));
     }
     if let (Some(at), Some(shell)) = (runs.number(INCREMENTS, PANEL)?, runs.get(STATIC, PANEL)?) {

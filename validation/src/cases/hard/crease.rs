@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use coque::{Warning, doubts};
+use coque::{Warning, warnings};
 use implicit_statics::{natural_modes, unwatched};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Load, StaticShell, Supported, SymmetryPlane};
@@ -283,7 +283,7 @@ fn free(fold: &Fold) -> Result<Outcome, String> {
     let cloud = fold.cloud(1.0)?;
     let body = MaterialSection { young: YOUNG, poisson: 0.3, thickness: THICKNESS, density: 1.0 };
     let shell = shell_of(body, cloud.clone(), fold.method, Vec::new(), Vec::new())?;
-    let warnings = doubts(&shell);
+    let warnings = warnings(&shell);
     let unit = YOUNG * THICKNESS.powi(2) / (12.0 * 0.91);
     let modes = natural_modes(&mut StaticShell::new(shell), 0.0, MODES, -0.1 * unit, &mut unwatched);
     let modes = modes.map_err(|error| error.to_string())?.modes;

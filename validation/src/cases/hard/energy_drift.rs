@@ -29,7 +29,7 @@ pub fn case() -> Case {
         title: "A strip let go from a quarter of a circle, swinging for 10⁶ steps",
         about: "The ring's strip is bent by ¼ of the moment without time, let go, and marched at .8 of the limit. The drift is \
                 the mean energy of the last tenth of the run less that of the first tenth, in parts of the energy given. Wide \
-                stencils and nodal sampling, seven times as dear, run for 10⁵ steps.",
+                stencils and nodal sampling, seven times as expensive, run for 10⁵ steps.",
         citation: "reference: the energy given at the start",
         variants: variants(),
         each,

@@ -102,7 +102,7 @@ fn variants() -> Vec<Variant> {
     }
     let elements = Variant::elements(ELEMENTS, [41, 41], || plate_centre_against_corners(40, 0.01));
     variants.push(by_elements(elements.named("centre against corners lattice")));
-    let slit = Variant::study(STATIC, "lips of a slit", slit).off(|run, _| run.last("felt"));
+    let slit = Variant::study(STATIC, "lips of a slit", slit).off(|run, _| run.last("changed"));
     variants.push(slit.asked(0.0, "cells hold no particle of another sheet: exact independence"));
     variants
 }
@@ -237,5 +237,5 @@ fn slit() -> Result<Outcome, String> {
     let whole = largest(&mut alone.iter().copied());
     let changed = largest(&mut alone.iter().zip(&both).map(|(a, b)| a - b)) / whole;
     let other = largest(&mut both[n * n..].iter().copied()) / whole;
-    Ok(finding(2 * n * n, 1.0 / (n - 1) as f64, &[("felt", 100.0 * changed.max(other))]))
+    Ok(finding(2 * n * n, 1.0 / (n - 1) as f64, &[("changed", 100.0 * changed.max(other))]))
 }

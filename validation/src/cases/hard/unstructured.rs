@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use coque::doubts;
+use coque::warnings;
 use explicit_dynamics::{Damping, LevelReached, Observer, QuasiStatic, Record};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Clamped, Held, Pressure, Shell, SymmetryPlane};
@@ -206,7 +206,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     };
     let pressure = Pressure { value: 1000.0, follower: true };
     let mut shell = shell_of(body, cloud.clone(), method, axes.map(cut).into(), vec![Box::new(pressure)])?;
-    let warnings = doubts(&shell);
+    let warnings = warnings(&shell);
     // What scenes do if they say nothing; the period is the time sound takes round the sphere, 2πR/c.
     let run = QuasiStatic {
         levels: vec![0.5, 1.0],

@@ -50,8 +50,8 @@ pub fn measure(extent: &Extent) -> Result<Vec<Cost>, String> {
     let rows = table_rows(extent)?;
     let mut measurements: Vec<Vec<Measurement>> = vec![Vec::new(); rows.len()];
     for round in 0..extent.rounds.max(1) {
-        for (row, own) in rows.iter().zip(&mut measurements).filter(|(row, _)| round < 2 || !row.dear) {
-            let steps = if row.dear { extent.steps.div_ceil(4) } else { extent.steps };
+        for (row, own) in rows.iter().zip(&mut measurements).filter(|(row, _)| round < 2 || !row.expensive) {
+            let steps = if row.expensive { extent.steps.div_ceil(4) } else { extent.steps };
             own.push(measure_row(row, extent.side, steps)?);
         }
     }

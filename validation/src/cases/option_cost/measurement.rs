@@ -57,7 +57,7 @@ impl Body {
     fn of(shell: &Shell) -> Self {
         let spacing = shell.reference().cloud.spacing();
         let step_bytes = shell.bytes_per_particle();
-        Self { particles: shell.len(), spacing, dof: shell.freedoms(), step_bytes }
+        Self { particles: shell.len(), spacing, dof: shell.dof(), step_bytes }
     }
 }
 

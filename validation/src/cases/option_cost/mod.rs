@@ -21,7 +21,7 @@ pub use table::table;
 use self::cost::{Cost, measure};
 use self::rows::{Pace, WITHOUT, rows};
 use crate::figures::Figure;
-use crate::judge::{Booked, Runs};
+use crate::judge::{Recorded, Runs};
 use crate::{Case, JudgeError, Metric, Outcome, Run, Solver, Variant};
 
 /// Name of the case.
@@ -121,15 +121,15 @@ fn more_time(own: &Run, over: &Run) -> Result<f64, JudgeError> {
     Ok(100.0 * (time(own)? / time(over)? - 1.0))
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let number = |name: &str| runs.iter().position(|run| run.is(name));
-    let mut booked = Vec::new();
+    let mut recorded = Vec::new();
     for row in rows(Pace::ANY) {
         let (Some(own), Some(over)) = (number(row.name), number(row.over)) else { continue };
         if own != over {
             let more = more_time(&runs.chosen[own], &runs.chosen[over])?;
             // It may be negative and is no error.
-            booked.push((own, Metric::compared(MORE_TIME, Some(more), "%", 0.0).shown(TIMES)));
+            recorded.push((own, Metric::compared(MORE_TIME, Some(more), "%", 0.0).shown(TIMES)));
         }
     }
     if let (Some(bare), Some(without)) = (number(BARE), number(WITHOUT)) {
@@ -138,9 +138,9 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
         let name = format!("{STEP_BYTES}, beside no scene");
         let metric =
             Metric::compared(name, runs.chosen[bare].last(STEP_BYTES)?, "bytes a particle", reference);
-        booked.push((bare, metric.within(0.0, reason)));
+        recorded.push((bare, metric.within(0.0, reason)));
     }
-    Ok(booked)
+    Ok(recorded)
 }
 
 #[cfg(test)]
@@ -157,7 +157,7 @@ mod tests {
         };
         let runs = Runs { chosen: case.variants.iter().map(run).collect(), left_out: Vec::new() };
         let mut metrics: Vec<Metric> = runs.iter().flat_map(|run| each(run).unwrap()).collect();
-        metrics.extend(together(&runs).unwrap().into_iter().map(|booked| booked.1));
+        metrics.extend(together(&runs).unwrap().into_iter().map(|recorded| recorded.1));
         assert!(metrics.iter().all(|metric| metric.pass));
         let judged = metrics.iter().filter(|metric| metric.tolerance.is_some());
         assert_eq!(judged.count(), 1, "only the bytes of the bare scene are asked");

@@ -36,7 +36,7 @@ pub struct Row {
     /// Threads.
     pub threads: usize,
     /// Whether a step costs so much that a quarter of the steps and two rounds do.
-    pub dear: bool,
+    pub expensive: bool,
 }
 
 /// The lattice and the pace of all scenes.
@@ -57,7 +57,7 @@ impl Pace {
 
 impl Row {
     fn new(name: &'static str, about: &'static str) -> Self {
-        Self { name, about, over: BARE, set: Vec::new(), threads: 1, dear: false }
+        Self { name, about, over: BARE, set: Vec::new(), threads: 1, expensive: false }
     }
 
     fn set(mut self, path: &str, value: impl ToString) -> Self {
@@ -95,8 +95,8 @@ impl Row {
             .over(CLAMPED)
     }
 
-    fn dear(mut self) -> Self {
-        self.dear = true;
+    fn expensive(mut self) -> Self {
+        self.expensive = true;
         self
     }
 }
@@ -206,8 +206,8 @@ fn clouds(spacing: f64) -> Vec<Row> {
 #[rustfmt::skip] // one line a row
 fn formulations() -> Vec<Row> {
     vec![
-        Row::new("wide support", "stress points with a corrected kernel, support 1.4").set("formulation.stress-point.support", 1.4).dear(),
-        Row::new("nodal", "order 1").set("formulation.nodal.order", 1).dear(),
-        Row::new("strong form", "the paper's equations").set("formulation.strong-form.smoothing", 1.2).dear(),
+        Row::new("wide support", "stress points with a corrected kernel, support 1.4").set("formulation.stress-point.support", 1.4).expensive(),
+        Row::new("nodal", "order 1").set("formulation.nodal.order", 1).expensive(),
+        Row::new("strong form", "the paper's equations").set("formulation.strong-form.smoothing", 1.2).expensive(),
     ]
 }

@@ -126,7 +126,7 @@ fn bracket(n: usize) -> Result<Outcome, String> {
     let words = |error: implicit_statics::EquilibriumError| error.to_string();
 
     let mut system = StaticShell::new(shell(&cloud, &cells, side)?);
-    let warnings = coque::doubts(system.shell());
+    let warnings = coque::warnings(system.shell());
     let motion = linear_response(&mut system, 0.0).map_err(words)?;
     let clamp = particles(&cloud, |x| x.x > FOOT - 1e-9);
     let edge = nearest(&cloud, Vec3::new(-FLANGE, 0.5 * WIDE, UP)) as usize;

@@ -40,7 +40,7 @@ fn variants() -> Vec<Variant> {
             .judged(move |run, _| {
                 Ok(vec![Metric::compared(NAME, level(run)?, "-", 1.04).within(
                     0.02,
-                    "CalculiX finds 1.04 on its mesh, told to two digits: half a digit, and as much for ours",
+                    "CalculiX finds 1.04 on its mesh, given to two digits: half a digit, and as much for ours",
                 )])
             }),
         cap([41, 25]).on("path").set("analysis.arc-length", "{ until = 0.79, radius = 0.2 }").judged(|run, _| {

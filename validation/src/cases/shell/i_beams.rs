@@ -224,7 +224,7 @@ fn buckled(cloud: &Cloud, n: usize, bent: bool) -> Result<Outcome, String> {
         }
     }
     let shell = shell_of(BODY, cloud.clone(), STATIC, supports, loads)?;
-    let warnings = coque::doubts(&shell);
+    let warnings = coque::warnings(&shell);
     let mut system = StaticShell::new(shell);
     // The classical formula leaves the bend out, and so do stresses alone.
     let mut options = BucklingOptions { prebuckling: Prebuckling::Stress, ..BucklingOptions::new(1) };

@@ -6,7 +6,7 @@ use benchmarks_ref::{Curve, Reference, reference};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::judge::Measured;
 use crate::judge::measure::largest;
-use crate::judge::{Booked, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
 use crate::methods::{CELL, ELEMENTS, STATIC};
 use crate::metric_names::DYNAMICS;
 use crate::support::path::value_at;
@@ -111,7 +111,7 @@ fn along(run: &Run, table: &Reference) -> Result<Option<f64>, JudgeError> {
 }
 
 /// What is left of the dynamics in the explicit run, at its levels.
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = Vec::new();
     for stack in &STACKS {
         let grid = format!("11×11 {}", stack.name);

@@ -2,7 +2,7 @@
 
 use crate::figures::{Axis, BLUE, Chart, Figure, GREEN, Line, Mark, Series, shade};
 use crate::judge::Measured;
-use crate::judge::{Booked, Case, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Run, Runs, Variant};
 use crate::support::scenes;
 use crate::{JudgeError, Metric};
 
@@ -88,7 +88,7 @@ const FARTHER: Measured = Measured(&[
     (CELL, &[("11×11", 0.19), ("21×21", 0.071), ("41×41", 0.031)]),
 ]);
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = Vec::new();
     for (number, run) in runs.iter().enumerate() {
         let (second, board) = (second_difference(run), checkerboard(run, 0));

@@ -12,7 +12,7 @@ use benchmarks_ref::reference;
 use crate::figures::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::judge::Measured;
 use crate::judge::measure::{largest, order_of_convergence};
-use crate::judge::{Booked, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
 use crate::methods::{
     CELL, ELEMENTS, METHODS, NODAL_1, NODAL_2, NODAL_3, RELAXED, STATIC, STRONG_12, STRONG_085,
     STRONG_DIFFERENCE, WIDE_14, WIDE_25, WIDE_30,
@@ -149,10 +149,10 @@ const MEASURED: Measured = Measured(&[
     (STRONG_DIFFERENCE, &[("50×5", 0.27)]),
 ]);
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let [coarse, middle, fine] = ["25×3", "50×5", "99×9"].map(|grid| runs.number(CELL, grid));
     let mut metrics = strip::still(runs, "50×5", &QUARTERS.map(|quarter| quarter.0), LENGTH, 0.0011)?;
-    metrics.extend(relaxed::thrift(runs, "50×5")?);
+    metrics.extend(relaxed::cost(runs, "50×5")?);
     let (Some(coarse), Some(middle), Some(fine)) = (coarse?, middle?, fine?) else { return Ok(metrics) };
     let mut points = Vec::new();
     for at in [coarse, middle, fine] {

@@ -1,7 +1,7 @@
 //! turned: the strip cases turned in space, which must not change their curves.
 
 use crate::judge::measure::largest;
-use crate::judge::{Booked, Case, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Run, Runs, Variant};
 use crate::methods::CELL;
 use crate::support::scenes;
 use crate::{JudgeError, Metric};
@@ -75,7 +75,7 @@ fn variants() -> Vec<Variant> {
     variants
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = Vec::new();
     for Strip { name, .. } in STRIPS {
         let Some(straight) = runs.get(&method(name, TURNS[0].0), GRID)? else { continue };

@@ -232,7 +232,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
             .shown("a running crack damages more rows than it opens: asked only where it grows slowly"),
         figure(run, SKEW, "Δx")?.shown("how far the branches are from mirror images: rounding"),
-        figure(run, BALANCE, "%")?.near(0.2, "bonds that break are booked in the middle of a step"),
+        figure(run, BALANCE, "%")?.near(0.2, "bonds that break are recorded in the middle of a step"),
     ]);
     Ok(metrics)
 }

@@ -194,7 +194,7 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         figure(run, DAMAGE, "%")?.shown("what part of all bonds broke, by volume"),
         figure(run, SPENT, "J")?.shown("energy that the broken bonds held"),
         figure(run, FRAGMENTS, "-")?.shown("pieces that no whole bond joins"),
-        figure(run, BALANCE, "%")?.near(0.9, "bonds that break are booked in the middle of a step"),
+        figure(run, BALANCE, "%")?.near(0.9, "bonds that break are recorded in the middle of a step"),
     ]);
     Ok(metrics)
 }

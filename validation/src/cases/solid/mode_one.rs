@@ -215,7 +215,7 @@ impl Strip {
             Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
                 .shown("a running crack damages more rows than it opens, the more the faster"),
             figure(run, BALANCE, "%")?
-                .near(0.5 * self.release, "bonds that break are booked in the middle of a step"),
+                .near(0.5 * self.release, "bonds that break are recorded in the middle of a step"),
         ]);
         Ok(metrics)
     }

@@ -168,7 +168,7 @@ impl Plate {
     fn judged(&self, run: &Run, runs: &Runs) -> Result<Vec<Metric>, JudgeError> {
         let spent = run.last(SPENT)?;
         let mut metrics = vec![
-            figure(run, BALANCE, "%")?.near(0.04, "bonds that break are booked in the middle of a step"),
+            figure(run, BALANCE, "%")?.near(0.04, "bonds that break are recorded in the middle of a step"),
             Metric::at_least(UPPER, run.last(UPPER)?, "-", 1.0).within(0.0, "the plate tears"),
             if self.spacing < 20.0 {
                 figure(run, SKEW, "-")?.shown("rounding, which a tear of a thousand bonds makes grow")

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling};
 use peridynamics::{
-    Carrier, Correction, Elastic, Formulation, Law, Parts, Sheets, Solid, Space, StaticSolid, Supported,
+    Idealisation, Correction, Elastic, Formulation, Law, Parts, Sheets, Solid, Space, StaticSolid, Supported,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 
@@ -57,7 +57,7 @@ pub fn plate(block: Block, way: f64) -> Parts {
         Formulation { horizon: 1.5, ..formulation(Space::PlaneStress, Law::StateBased, Correction::Even) };
     let plate = parts(block, ALUMINIUM, bonds);
     Parts {
-        formulation: Carrier::Sheets(Sheets { thickness: LENGTHS[2], formulation: bonds }),
+        formulation: Idealisation::Sheets(Sheets { thickness: LENGTHS[2], formulation: bonds }),
         supports,
         ..plate
     }

@@ -12,7 +12,7 @@ use crate::figures::{
     Axis, BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, SKY, Series, VERMILION,
 };
 use crate::judge::measure::largest;
-use crate::judge::{Booked, Case, Headline, Outcome, Run, Runs, Solver, Variant};
+use crate::judge::{Recorded, Case, Headline, Outcome, Run, Runs, Solver, Variant};
 use crate::support::coupled::{GRAVITY, WATER};
 use crate::support::studies::{SHOWN, figure};
 use crate::{JudgeError, Metric};
@@ -244,13 +244,13 @@ fn judged(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     Ok(metrics)
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let top = |run: &Run| -> Result<Option<f64>, JudgeError> {
         Ok(peak(&run.column("time")?, &run.column(OPENING)?, END).map(|top| top.1))
     };
     let Some(fine) = runs.get(SHELL, "1 mm")? else { return Ok(Vec::new()) };
     let Some(reference) = top(fine)? else { return Ok(Vec::new()) };
-    let mut booked = Vec::new();
+    let mut recorded = Vec::new();
     for (method, grid) in [(SHELL, "2 mm"), (SOLID, "1 mm")] {
         if let Some(number) = runs.number(method, grid)? {
             let found = Metric::compared(
@@ -259,13 +259,13 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
                 "mm",
                 reference,
             );
-            booked.push((
+            recorded.push((
                 number,
                 found.within(0.03 * reference, "asked: 3 % between spacings, and between kinds of gate"),
             ));
         }
     }
-    Ok(booked)
+    Ok(recorded)
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {

@@ -101,7 +101,7 @@ fn study(ring: &Ring) -> Result<Outcome, String> {
 }
 
 fn together(runs: &Runs) -> Result<Vec<(usize, Metric)>, JudgeError> {
-    let mut booked = Vec::new();
+    let mut recorded = Vec::new();
     for layers in [2, 4] {
         let Some(dry) = runs.get(SHELL, &grid(layers, None))? else { continue };
         let Some(dry) = dry.last(FREQUENCY)? else { continue };
@@ -110,13 +110,13 @@ fn together(runs: &Runs) -> Result<Vec<(usize, Metric)>, JudgeError> {
             let exact = RING.wet(WAVES, density, outer()) / RING.dry(WAVES);
             let ratio = runs.chosen[number].last(FREQUENCY)?.map(|wet| wet / dry);
             let found = Metric::compared(RATIO, ratio, "-", exact);
-            booked.push((
+            recorded.push((
                 number,
                 found.within(0.03 * exact, "asked: 3 %; half a spacing of radius is 2 % of the mass"),
             ));
         }
     }
-    Ok(booked)
+    Ok(recorded)
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {

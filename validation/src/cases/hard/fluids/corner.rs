@@ -84,8 +84,8 @@ fn settled(method: &str, high: usize) -> Result<Outcome, Box<dyn Error>> {
             for (place, pressure) in fluid.positions().iter().zip(fluid.pressures()) {
                 if place.y < JUDGED * DEPTH {
                     // The level that a pressure tells, in parts of the depth.
-                    let told = pressure / head + place.y / DEPTH;
-                    (sum, squares, count) = (sum + told, squares + told * told, count + 1.0);
+                    let reported = pressure / head + place.y / DEPTH;
+                    (sum, squares, count) = (sum + reported, squares + reported * reported, count + 1.0);
                 }
             }
             let speed = fluid.velocities().iter().map(|v| v.norm()).fold(0.0, f64::max);
@@ -93,12 +93,12 @@ fn settled(method: &str, high: usize) -> Result<Outcome, Box<dyn Error>> {
         }
         ControlFlow::Continue(())
     });
-    let told = sum / count;
+    let reported = sum / count;
     let weight = fluid.len() as f64 * fluid.mass() * GRAVITY;
     let figures = [
         (LEAKED, "-", leaked as f64),
-        (LEVEL, "-", told / level * DEPTH),
-        (SCATTER, "%", 100.0 * (squares / count - told * told).max(0.0).sqrt()),
+        (LEVEL, "-", reported / level * DEPTH),
+        (SCATTER, "%", 100.0 * (squares / count - reported * reported).max(0.0).sqrt()),
         (SPEED, "-", fastest),
         (KINETIC, "-", fluid.energies().kinetic / (0.5 * weight * DEPTH)),
         ("level by the mass", "m", level),
@@ -110,7 +110,7 @@ fn judged(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
     Ok(vec![
         figure(run, LEAKED, "-")?.within(0.0, "walls let no particle through, in a corner neither"),
         figure(run, SCATTER, "%")?
-            .near(7.95, "a lattice that walls cut obliquely, not told apart from its tip"),
+            .near(7.95, "a lattice that walls cut obliquely, not distinguished from its tip"),
         Metric::compared(LEVEL, run.last(LEVEL)?, "-", 1.0)
             .shown("a lattice that walls cut obliquely does not fill the wedge: the level is the higher"),
         figure(run, SPEED, "-")?.within(

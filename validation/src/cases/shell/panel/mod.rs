@@ -18,7 +18,7 @@ mod figures;
 
 use crate::judge::Measured;
 use crate::judge::measure::{cubic_at, largest};
-use crate::judge::{Booked, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
 use crate::metric_names::DYNAMICS;
 use crate::{JudgeError, Metric};
 
@@ -259,9 +259,9 @@ fn from_sze(w: &[f64], p: &[f64], range: std::ops::RangeInclusive<f64>) -> Resul
     Ok(largest(differences))
 }
 
-fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let mut metrics = still(runs)?;
-    metrics.extend(relaxed::thrift(runs, "21×21")?);
+    metrics.extend(relaxed::cost(runs, "21×21")?);
     if let (Some(particles), Some(at)) = (runs.get(STATIC, "21×21")?, runs.number(ELEMENTS, "21×21")?) {
         let (ours, theirs) = (limit_point(particles)?, limit_point(&runs.chosen[at])?);
         if let Some(ours) = ours {
@@ -290,7 +290,7 @@ fn together(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
 }
 
 /// How far the loads of the static run are from those read after the holds of the explicit one.
-fn still(runs: &Runs) -> Result<Vec<Booked>, JudgeError> {
+fn still(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {
     let (Some(moving), Some(at)) = (runs.get(CELL, "21×21")?, runs.number(STATIC, "21×21")?) else {
         return Ok(Vec::new());
     };

@@ -6,10 +6,10 @@ use crate::scene::Analysis;
 
 use super::look::Look;
 
-/// Relative error of a frequency above which it is told.
+/// Relative error of a frequency above which it is reported.
 const OFF: f64 = 0.02;
 
-/// Relative error of a rotary inertia above which it is told: half of it is that of a frequency or of the time of a turn.
+/// Relative error of a rotary inertia above which it is reported: half of it is that of a frequency or of the time of a turn.
 const TURNS: f64 = 0.01;
 
 /// Masses at the corners of n cells a side and directors of the size of a cell turn with `1 + 3/n²` of the inertia of a thin plate in a march; what

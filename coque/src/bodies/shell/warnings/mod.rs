@@ -12,7 +12,7 @@ mod method;
 mod offset;
 mod patterns;
 mod profile;
-mod senseless;
+mod meaningless;
 mod sheet;
 mod tied;
 
@@ -22,7 +22,7 @@ use sph_shell::{ChordLoss, Shell};
 
 use crate::bodies::Shape;
 use crate::scene::Scene;
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 use look::Look;
 pub(crate) use patterns::among_preloaded_modes;
 use sheet::Sheet;
@@ -30,62 +30,62 @@ pub(crate) use tied::between_lines;
 
 /// A rule: what is doubtful, and whether it is so in a shell at rest.
 struct Rule {
-    doubt: Doubt,
+    kind: WarningKind,
     of: fn(&Look<'_>) -> Option<String>,
 }
 
 /// Every rule, in the order in which warnings are printed.
 const RULES: [Rule; 21] = [
-    Rule { doubt: Doubt::NoWork, of: senseless::no_work },
-    Rule { doubt: Doubt::HeldLoad, of: senseless::held_load },
-    Rule { doubt: Doubt::FarNearest, of: senseless::far_nearest },
-    Rule { doubt: Doubt::TooThick, of: senseless::too_thick },
-    Rule { doubt: Doubt::Overlap, of: senseless::overlap },
-    Rule { doubt: Doubt::StrongForm, of: method::strong_form },
-    Rule { doubt: Doubt::NodalLocking, of: method::nodal },
-    Rule { doubt: Doubt::WideThin, of: method::wide },
-    Rule { doubt: Doubt::UnevenCells, of: method::uneven },
-    Rule { doubt: Doubt::SharpFold, of: coarse::fold },
-    Rule { doubt: Doubt::TiedBothSides, of: tied::both_sides },
-    Rule { doubt: Doubt::ShallowSheet, of: tied::shallow },
-    Rule { doubt: Doubt::ThinProfile, of: profile::profile },
-    Rule { doubt: Doubt::OffsetInertia, of: offset::inertia },
-    Rule { doubt: Doubt::ScaledInertia, of: offset::scaled },
-    Rule { doubt: Doubt::PatternModes, of: patterns::among_modes },
-    Rule { doubt: Doubt::CoarseTurn, of: coarse::turn },
-    Rule { doubt: Doubt::CoarseBending, of: coarse::bending },
-    Rule { doubt: Doubt::FewParticles, of: coarse::few },
-    Rule { doubt: Doubt::SharpCorners, of: coarse::corners },
-    Rule { doubt: Doubt::Pole, of: coarse::pole },
+    Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
+    Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
+    Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
+    Rule { kind: WarningKind::TooThick, of: meaningless::too_thick },
+    Rule { kind: WarningKind::Overlap, of: meaningless::overlap },
+    Rule { kind: WarningKind::StrongForm, of: method::strong_form },
+    Rule { kind: WarningKind::NodalLocking, of: method::nodal },
+    Rule { kind: WarningKind::WideThin, of: method::wide },
+    Rule { kind: WarningKind::UnevenCells, of: method::uneven },
+    Rule { kind: WarningKind::SharpFold, of: coarse::fold },
+    Rule { kind: WarningKind::TiedBothSides, of: tied::both_sides },
+    Rule { kind: WarningKind::ShallowSheet, of: tied::shallow },
+    Rule { kind: WarningKind::ThinProfile, of: profile::profile },
+    Rule { kind: WarningKind::OffsetInertia, of: offset::inertia },
+    Rule { kind: WarningKind::ScaledInertia, of: offset::scaled },
+    Rule { kind: WarningKind::PatternModes, of: patterns::among_modes },
+    Rule { kind: WarningKind::CoarseTurn, of: coarse::turn },
+    Rule { kind: WarningKind::CoarseBending, of: coarse::bending },
+    Rule { kind: WarningKind::FewParticles, of: coarse::few },
+    Rule { kind: WarningKind::SharpCorners, of: coarse::corners },
+    Rule { kind: WarningKind::Pole, of: coarse::pole },
 ];
 
 /// What is doubtful about a shell that no scene describes; see [`crate::Model::warnings`] for the others.
-pub fn doubts(shell: &Shell) -> Vec<Warning> {
+pub fn warnings(shell: &Shell) -> Vec<Warning> {
     found(&Look::at(shell))
 }
 
 /// What is doubtful about the shell of a scene, turned by `turn`.
-pub(crate) fn doubts_of(scene: &Scene, turn: Rotation3<f64>, shell: &Shell) -> Vec<Warning> {
+pub(crate) fn warnings_of(scene: &Scene, turn: Rotation3<f64>, shell: &Shell) -> Vec<Warning> {
     found(&Look { scene: Some(scene), turn, ..Look::at(shell) })
 }
 
 fn found(look: &Look<'_>) -> Vec<Warning> {
-    RULES.iter().filter_map(|rule| Some(Warning::new(rule.doubt, (rule.of)(look)?))).collect()
+    RULES.iter().filter_map(|rule| Some(Warning::new(rule.kind, (rule.of)(look)?))).collect()
 }
 
 /// What is doubtful about a cloud by itself: folds, cells that lie on each other, narrow sheets at junctions.
-pub(crate) fn doubts_of_cloud(cloud: &Cloud) -> Vec<String> {
+pub(crate) fn warnings_of_cloud(cloud: &Cloud) -> Vec<String> {
     let across = sheet::neighbours(&cloud.cells, cloud.len());
     let sheet = Sheet::at(&cloud.positions, &cloud.cells, &across);
     let overlaps = folded::overlaps(&sheet, &cloud.positions, 0.0);
     let narrow =
         [tied::both_sides_of, tied::shallow_of, profile::profile_of].map(|rule| rule(cloud, &across));
-    [coarse::fold_of(&sheet), senseless::overlap_of(&overlaps)].into_iter().chain(narrow).flatten().collect()
+    [coarse::fold_of(&sheet), meaningless::overlap_of(&overlaps)].into_iter().chain(narrow).flatten().collect()
 }
 
 /// What is doubtful about the shapes that a shell of some area \[L²\] at rest took: cells that turn too far from one to the next,
-/// and uneven cells that are stretched. Each is told once, for the first shape in which it is so.
-pub(crate) fn doubts_of_shapes(cells: &[Cell], loss: ChordLoss, rest: f64, shapes: &[Shape]) -> Vec<Warning> {
+/// and uneven cells that are stretched. Each is reported once, for the first shape in which it is so.
+pub(crate) fn warnings_of_shapes(cells: &[Cell], loss: ChordLoss, rest: f64, shapes: &[Shape]) -> Vec<Warning> {
     let Some(first) = shapes.first() else { return Vec::new() };
     let across = sheet::neighbours(cells, first.positions.len());
     let (mut turned, mut stretched) = (None, None);
@@ -95,8 +95,8 @@ pub(crate) fn doubts_of_shapes(cells: &[Cell], loss: ChordLoss, rest: f64, shape
         turned = turned.or_else(|| coarse::turned(&now, shape.level));
         stretched = stretched.or_else(|| method::stretched(loss, stretch, shape.level));
     }
-    let told = [(Doubt::CoarseTurn, turned), (Doubt::UnevenCells, stretched)];
-    told.into_iter().filter_map(|(doubt, message)| Some(Warning::new(doubt, message?))).collect()
+    let reported = [(WarningKind::CoarseTurn, turned), (WarningKind::UnevenCells, stretched)];
+    reported.into_iter().filter_map(|(kind, message)| Some(Warning::new(kind, message?))).collect()
 }
 
 /// A number with its noun.

@@ -37,14 +37,14 @@ fn changed(text: &str, replaced: &[(&str, &str)]) -> String {
     })
 }
 
-/// Words of the doubts about a scene as it is built.
+/// Words of the warnings about a scene as it is built.
 fn at_start(text: &str, replaced: &[(&str, &str)]) -> Vec<&'static str> {
     let model = Scene::parse(&changed(text, replaced), "scene.toml").unwrap().build(1).unwrap();
-    model.warnings().iter().map(|warning| warning.doubt.word()).collect()
+    model.warnings().iter().map(|warning| warning.kind.word()).collect()
 }
 
 fn words(outcome: &Outcome) -> Vec<&'static str> {
-    outcome.summary.record.warnings.iter().map(|warning| warning.doubt.word()).collect()
+    outcome.summary.record.warnings.iter().map(|warning| warning.kind.word()).collect()
 }
 
 fn run(text: &str, replaced: &[(&str, &str)]) -> Outcome {
@@ -72,12 +72,12 @@ fn water_that_gets_to_a_dry_face_is_told() {
     let far = ("origin = [0.11, 0.0, -0.04]", "origin = [0.16, 0.0, -0.04]");
     let long = ("duration = 0.01", "duration = 0.12");
     let outcome = run(SHELL_GATE, &[("placed =", "wet = \"front\"\nplaced ="), far, long]);
-    let told = |outcome: &Outcome| {
-        outcome.summary.record.warnings.iter().find(|w| w.doubt.word() == "dry-face").cloned()
+    let reported = |outcome: &Outcome| {
+        outcome.summary.record.warnings.iter().find(|w| w.kind.word() == "dry-face").cloned()
     };
-    let said = told(&outcome).unwrap().message;
+    let said = reported(&outcome).unwrap().message;
     assert!(said.starts_with("gate: at time 0.") && said.contains("wet = \"both\""), "{said}");
-    assert_eq!(told(&run(SHELL_GATE, &[("placed =", "wet = \"back\"\nplaced ="), far, long])), None);
+    assert_eq!(reported(&run(SHELL_GATE, &[("placed =", "wet = \"back\"\nplaced ="), far, long])), None);
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn a_stone_that_sinks_through_the_floor_is_told() {
         .record
         .warnings
         .iter()
-        .filter(|w| w.doubt.word() == "no-contact")
+        .filter(|w| w.kind.word() == "no-contact")
         .map(|w| &w.message[..])
         .collect();
     assert_eq!(said.len(), 2, "{said:?}");

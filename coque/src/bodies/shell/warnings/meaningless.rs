@@ -7,15 +7,15 @@ use super::look::Look;
 use super::plural;
 use crate::scene::Material;
 
-/// Part of a load that acts on free freedoms below which it does no work: round-off of the directions that supports hold.
+/// Part of a load that acts on free degrees of freedom below which it does no work: round-off of the directions that supports hold.
 const NO_WORK: f64 = 1e-9;
-/// Part of a load on free freedoms below which most of it is lost in supports.
+/// Part of a load on free degrees of freedom below which most of it is lost in supports.
 const MOSTLY_HELD: f64 = 0.5;
 /// Spacings from the point of a `nearest` to the particle it finds beyond which another place was meant: within the mesh
 /// the particle is at most one cell away.
 const FAR: f64 = 3.0;
 
-/// A load without work: on freedoms that are held, along the director, or of size zero.
+/// A load without work: on degrees of freedom that are held, along the director, or of size zero.
 pub(super) fn no_work(look: &Look<'_>) -> Option<String> {
     let shares: Vec<_> = look.loads.iter().map(|load| load.free).collect();
     let idle = shares.iter().filter(|share| share.is_none_or(|share| share < NO_WORK)).count();
@@ -32,7 +32,7 @@ pub(super) fn no_work(look: &Look<'_>) -> Option<String> {
     })
 }
 
-/// A load of which the greater part falls on freedoms that are held.
+/// A load of which the greater part falls on degrees of freedom that are held.
 pub(super) fn held_load(look: &Look<'_>) -> Option<String> {
     let shares: Vec<_> = look.loads.iter().map(|load| load.free).collect();
     let held = |share: &Option<f64>| share.is_some_and(|s| (NO_WORK..MOSTLY_HELD).contains(&s));

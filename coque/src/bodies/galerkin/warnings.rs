@@ -4,10 +4,10 @@ use sph_core::{Block, Vec3};
 
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Scene, Support};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// What is doubtful before anything is solved.
-pub(super) fn doubts_of(scene: &Scene, options: &Galerkin, lengths: [f64; 3], block: &Block) -> Vec<Warning> {
+pub(super) fn warnings_of(scene: &Scene, options: &Galerkin, lengths: [f64; 3], block: &Block) -> Vec<Warning> {
     let all = [
         leaks(options),
         locks(options, lengths, block),
@@ -47,14 +47,14 @@ fn cannot_turn(scene: &Scene, lengths: [f64; 3]) -> Option<Warning> {
         "the face `{face}` is held along {thin}, its thickness, and free along {normal}: it cannot turn there without straining across, and \
          large deflections may come out some percent too small; hold the line of its middle alone"
     );
-    Some(Warning::new(Doubt::HeldFace, message))
+    Some(Warning::new(WarningKind::HeldFace, message))
 }
 
 /// Fixed parameters are no fixed displacements.
 fn leaks(options: &Galerkin) -> Option<Warning> {
     let message = "supports fix nodal parameters, which are no displacements: a clamped cantilever bends 1 to 2 % more, immovable \
                    edges of a plate leak by tens of percent; use essential = \"collocation\"";
-    (options.essential == GalerkinEssential::Direct).then(|| Warning::new(Doubt::LeakySupport, message))
+    (options.essential == GalerkinEssential::Direct).then(|| Warning::new(WarningKind::LeakySupport, message))
 }
 
 /// Spacings along a thin part over its thickness beyond which bases without cubic terms lock: simply supported plates are .1, 2
@@ -73,11 +73,11 @@ fn locks(options: &Galerkin, lengths: [f64; 3], block: &Block) -> Option<Warning
              \"plate17\", or narrower spacings along the part",
             along / thickness
         );
-        Warning::new(Doubt::ShearLocking, message)
+        Warning::new(WarningKind::ShearLocking, message)
     })
 }
 
-/// Cells along the longest part of a body that bends up to which it is told: a block as deep as long is 13 % stiff with two cells, one twice as long
+/// Cells along the longest part of a body that bends up to which it is reported: a block as deep as long is 13 % stiff with two cells, one twice as long
 /// 5 to 6 % with four, and Cook's panel 3 % with four, at ν = .499 8 %; with eight all are within 1.2 %.
 const FEW: f64 = 4.5;
 
@@ -105,7 +105,7 @@ fn few_cells(scene: &Scene, lengths: [f64; 3], block: &Block) -> Option<Warning>
              most where it is nearly incompressible), 1 % with eight; use a narrower spacing",
             ["x", "y", "z"][long]
         );
-        Warning::new(Doubt::FewParticles, message)
+        Warning::new(WarningKind::FewParticles, message)
     })
 }
 
@@ -119,6 +119,6 @@ pub(super) fn large_strain(found: f64) -> Option<Warning> {
             "a principal strain is {found:.2} in the last state: linear laws of increments are meant for less than {MEANT} and may be \
              off beyond; the other law, law = \"st-venant\", tells how much that matters"
         );
-        Warning::new(Doubt::LargeStrain, message)
+        Warning::new(WarningKind::LargeStrain, message)
     })
 }

@@ -1,4 +1,4 @@
-//! Doubts about solids: each rule fires on a scene made to break it and keeps still on sound ones.
+//! Warnings about solids: each rule fires on a scene made to break it and keeps still on sound ones.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -6,36 +6,36 @@ mod common;
 
 use common::solids::{BAR, PLATE, SHEETS};
 use common::{Replaced, overridden, scene};
-use coque::Doubt;
+use coque::WarningKind;
 
-fn doubts(text: &str, replaced: Replaced) -> Vec<Doubt> {
+fn warned(text: &str, replaced: Replaced) -> Vec<WarningKind> {
     let model = overridden(text, "scene.toml", replaced).unwrap().build(1).unwrap();
-    model.warnings().iter().map(|warning| warning.doubt).collect()
+    model.warnings().iter().map(|warning| warning.kind).collect()
 }
 
 #[test]
 fn sound_solids_raise_no_doubt() {
     for text in [BAR, PLATE, SHEETS] {
-        assert_eq!(doubts(text, &[]), []);
+        assert_eq!(warned(text, &[]), []);
     }
     // Waves and forces do not mind a short horizon, sheets are best with one.
-    assert_eq!(doubts(BAR, &[("bodies.bar.solid.formulation.state-based.horizon", "1.5")]), []);
+    assert_eq!(warned(BAR, &[("bodies.bar.solid.formulation.state-based.horizon", "1.5")]), []);
 }
 
 #[test]
 fn each_rule_fires_on_a_solid_that_breaks_it() {
     let plate = "bodies.plate.solid";
     let horizon = format!("{plate}.formulation.bond-based.horizon");
-    assert_eq!(doubts(PLATE, &[(&horizon, "2.015")]), [Doubt::OddHorizon]);
-    assert_eq!(doubts(PLATE, &[(&horizon, "7.0")]), [Doubt::OddHorizon]);
+    assert_eq!(warned(PLATE, &[(&horizon, "2.015")]), [WarningKind::OddHorizon]);
+    assert_eq!(warned(PLATE, &[(&horizon, "7.0")]), [WarningKind::OddHorizon]);
     let spacing = format!("{plate}.geometry.block.spacing");
-    assert_eq!(doubts(PLATE, &[(&spacing, "[0.25, 0.1]")]), [Doubt::FlatCells]);
-    assert_eq!(doubts(PLATE, &[(&spacing, "[0.25, 0.2]")]), []);
+    assert_eq!(warned(PLATE, &[(&spacing, "[0.25, 0.1]")]), [WarningKind::FlatCells]);
+    assert_eq!(warned(PLATE, &[(&spacing, "[0.25, 0.2]")]), []);
     let across = ("loads[0].traction.value", "[0.0, 0.0, 1.0]");
-    assert_eq!(doubts(BAR, &[across]), [Doubt::FewLayers]);
-    // Eight layers lack a tenth of the stiffness at this horizon, ten less than a twentieth at half of it, which is told as what may be.
+    assert_eq!(warned(BAR, &[across]), [WarningKind::FewLayers]);
+    // Eight layers lack a tenth of the stiffness at this horizon, ten less than a twentieth at half of it, which is reported as what may be.
     let fine = ("bodies.bar.solid.geometry.block.spacing", "0.125");
-    assert_eq!(doubts(BAR, &[across, fine]), [Doubt::FewLayers]);
+    assert_eq!(warned(BAR, &[across, fine]), [WarningKind::FewLayers]);
     let short = ("bodies.bar.solid.formulation.state-based.horizon", "1.5");
     let finer = ("bodies.bar.solid.geometry.block.spacing", "0.1");
     let model = overridden(BAR, "scene.toml", &[across, finer, short]).unwrap().build(1).unwrap();
@@ -43,21 +43,21 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
     // Modes bend whatever the loads are; the estimate is that of the lattice.
     let long = ("bodies.bar.solid.geometry.block.lengths", "[8.0, 1.0, 1.0]");
     for analysis in ["{ modal = { modes = 1 } }", "{ buckling = { modes = 1 } }"] {
-        assert_eq!(doubts(BAR, &[long, ("analysis", analysis)]), [Doubt::FewLayers], "{analysis}");
+        assert_eq!(warned(BAR, &[long, ("analysis", analysis)]), [WarningKind::FewLayers], "{analysis}");
     }
     // Nodes on faces lack bonds beyond them: the loaded one moves two spacings of strain too far, of sixteen.
     let edges = ("bodies.bar.solid.geometry.block.nodes", "\"edges\"");
-    assert_eq!(doubts(BAR, &[edges]), [Doubt::LoadedFace]);
+    assert_eq!(warned(BAR, &[edges]), [WarningKind::LoadedFace]);
     let balanced = ("bodies.bar.solid.formulation.state-based.correction", "\"balanced\"");
-    assert_eq!(doubts(BAR, &[edges, balanced]), []);
+    assert_eq!(warned(BAR, &[edges, balanced]), []);
     let moved =
         |on: &str| format!("{{ on = \"{on}\", moved = {{ direction = [1.0, 0.0, 0.0], by = 0.1 }} }}");
     let layer = ("sets.end.layer", "{ face = \"x1\", depth = 0.76 }");
-    assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("x1"))]), [Doubt::ThinLayer]);
-    assert_eq!(doubts(BAR, &[layer, ("supports[+]", &moved("end"))]), []);
+    assert_eq!(warned(BAR, &[layer, ("supports[+]", &moved("x1"))]), [WarningKind::ThinLayer]);
+    assert_eq!(warned(BAR, &[layer, ("supports[+]", &moved("end"))]), []);
     // The bar is two cells thick: that is all there is of it, and no depth of the layer.
     let thin = ("bodies.bar.solid.geometry.block.lengths", "[4.0, 0.5, 0.5]");
-    assert!(!doubts(BAR, &[thin, layer, ("supports[+]", &moved("end"))]).contains(&Doubt::ThinLayer));
+    assert!(!warned(BAR, &[thin, layer, ("supports[+]", &moved("end"))]).contains(&WarningKind::ThinLayer));
 }
 
 /// Five layers with one factor a bond have all of their stiffness in bending, but clamps on nodes at centres of cells hold behind their faces: the
@@ -83,7 +83,7 @@ clamp = { layer = { face = "x0", depth = 0.003 } }
 "#;
     let model = overridden(GATE, "gate.toml", &[]).unwrap().build(1).unwrap();
     let [warning] = model.warnings() else { panic!("{:?}", model.warnings()) };
-    assert_eq!(warning.doubt, Doubt::FewLayers);
+    assert_eq!(warning.kind, WarningKind::FewLayers);
     assert!(
         warning.message.contains("1.3 % longer: deflections may come out about +2 % off"),
         "{}",
@@ -95,14 +95,14 @@ clamp = { layer = { face = "x0", depth = 0.003 } }
 /// there is nothing to tell.
 #[test]
 fn a_plate_held_over_its_face_is_told() {
-    let doubts = |replaced: Replaced| -> Vec<Doubt> {
+    let warned = |replaced: Replaced| -> Vec<WarningKind> {
         let model = scene("plate-solid.toml", replaced).unwrap().build(1).unwrap();
-        model.warnings().iter().map(|warning| warning.doubt).collect()
+        model.warnings().iter().map(|warning| warning.kind).collect()
     };
     let over = ("supports[2]", "{ on = \"x1\", held = { displacement = [[0, 0, 1]] } }");
     let clamped = ("supports[2]", "{ on = \"x1\", held = { displacement = [[1, 0, 0], [0, 0, 1]] } }");
-    assert_eq!(doubts(&[]), []);
-    assert_eq!(doubts(&[over]), [Doubt::HeldFace]);
-    assert_eq!(doubts(&[clamped]), []);
-    assert_eq!(doubts(&[over, ("analysis", "{ linear = {} }")]), []);
+    assert_eq!(warned(&[]), []);
+    assert_eq!(warned(&[over]), [WarningKind::HeldFace]);
+    assert_eq!(warned(&[clamped]), []);
+    assert_eq!(warned(&[over, ("analysis", "{ linear = {} }")]), []);
 }

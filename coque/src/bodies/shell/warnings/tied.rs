@@ -7,7 +7,7 @@ use sph_shell::Shell;
 
 use super::look::Look;
 use super::plural;
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// Cells from a junction to the opposite edge below which a sheet is too soft in its own plane.
 ///
@@ -82,7 +82,7 @@ pub(crate) fn between_lines(shell: &Shell) -> Option<Warning> {
         100.0 * loss.share,
         100.0 * LOST
     );
-    Some(Warning::new(Doubt::TieBetweenLines, message))
+    Some(Warning::new(WarningKind::TieBetweenLines, message))
 }
 
 /// The edges of cells at which their sheet ends at a junction.

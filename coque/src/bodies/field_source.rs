@@ -13,7 +13,7 @@ pub enum State {
     Moving,
     /// An equilibrium found without time.
     Balance,
-    /// A linear answer: displacements are its own, directors turned by its rotations, forces those of [`Shown::forces`].
+    /// A linear answer: displacements are its own, directors turned by its rotations, forces those of [`FieldRequest::forces`].
     Linear,
     /// A mode, scaled for the eye: displacements show its shape, stresses and reactions have no size.
     Mode,
@@ -21,7 +21,7 @@ pub enum State {
 
 /// What is asked of the fields of a body.
 #[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
+pub struct FieldRequest<'a> {
     /// What kind of state it is in.
     pub state: State,
     /// Units of the scene, for the names of fields.
@@ -31,7 +31,7 @@ pub struct Shown<'a> {
     /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
     /// holds it.
     pub driven: Option<u32>,
-    /// The forces of a linear answer, as [`crate::Balanced::forces`] orders them.
+    /// The forces of a linear answer, as [`crate::StaticBody::forces`] orders them.
     pub forces: Option<&'a [f64]>,
 }
 
@@ -47,7 +47,7 @@ pub enum Part {
 }
 
 /// The fields of a body, ready to be written; any function that writes them is.
-pub trait Evaluated: Sync {
+pub trait FieldSource: Sync {
     /// Writes geometry and fields of a part.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ pub trait Evaluated: Sync {
     fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()>;
 }
 
-impl<F: Fn(Part, &mut dyn FieldWriter) -> io::Result<()> + Sync> Evaluated for F {
+impl<F: Fn(Part, &mut dyn FieldWriter) -> io::Result<()> + Sync> FieldSource for F {
     fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
         self(part, to)
     }

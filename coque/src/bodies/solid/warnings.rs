@@ -8,18 +8,18 @@ use super::ends::excess;
 use super::sets::NodeSets;
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene, Support};
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// A rule: what is doubtful, and whether it is so.
-type Rule = (Doubt, fn(&Look<'_>) -> Option<String>);
+type Rule = (WarningKind, fn(&Look<'_>) -> Option<String>);
 
 /// Every rule, in the order in which warnings are printed.
 const RULES: [Rule; 5] = [
-    (Doubt::OddHorizon, odd_horizon),
-    (Doubt::FlatCells, flat_cells),
-    (Doubt::FewLayers, few_layers),
-    (Doubt::ThinLayer, thin_layer),
-    (Doubt::LoadedFace, loaded_face),
+    (WarningKind::OddHorizon, odd_horizon),
+    (WarningKind::FlatCells, flat_cells),
+    (WarningKind::FewLayers, few_layers),
+    (WarningKind::ThinLayer, thin_layer),
+    (WarningKind::LoadedFace, loaded_face),
 ];
 
 /// What the rules look at.
@@ -30,9 +30,9 @@ struct Look<'a> {
 }
 
 /// What is doubtful about the solid of a scene.
-pub(super) fn doubts_of(scene: &Scene, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
+pub(super) fn warnings_of(scene: &Scene, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
     let look = Look { scene, body, solid };
-    RULES.iter().filter_map(|(doubt, rule)| Some(Warning::new(*doubt, rule(&look)?))).collect()
+    RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?))).collect()
 }
 
 /// Horizons over the spacing between which cracks run freely and waves arrive in time.
@@ -105,7 +105,7 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
         _ => ("deflections", (1.0 + power * longer) / stiffness, power * longer),
     };
     let balanced = match look.body.correction() {
-        Correction::Balanced => "",
+        Correction::StaticBody => "",
         _ => " nodes = \"edges\" with correction = \"balanced\",",
     };
     let clamps = match longer {
@@ -208,7 +208,7 @@ fn loaded_face(look: &Look<'_>) -> Option<String> {
     })
 }
 
-/// A motion that is prescribed on less than the depth of the horizon is felt by part of each family only.
+/// A motion that is prescribed on less than the depth of the horizon acts on part of each family only.
 fn thin_layer(look: &Look<'_>) -> Option<String> {
     let motions = || look.scene.supports.iter().filter(|support| support.moved.is_some());
     if look.body.has_directors() || motions().next().is_none() {
@@ -236,7 +236,7 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
         (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {
             format!(
                 "the motion of `{}` is prescribed on a layer {depth:.3e} deep: below the horizon, {horizon:.3e}, bonds reach past it \
-                 and the motion is felt in part; use a set with layer = {{ face = \"…\", depth = {horizon:.3e} }}",
+                 and the motion acts in part; use a set with layer = {{ face = \"…\", depth = {horizon:.3e} }}",
                 support.on
             )
         })

@@ -1,4 +1,4 @@
-//! The table of doubts: each rule fires on a scene made to break it and keeps still on the scenes of the repository.
+//! The table of warnings: each rule fires on a scene made to break it and keeps still on the scenes of the repository.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -8,15 +8,15 @@ use std::fmt::Write as _;
 
 use common::{Replaced, overridden, scene, scenes};
 use coque::mesh::{Format, Surface, parse, report};
-use coque::{Doubt, doubts};
+use coque::{WarningKind, warnings};
 use explicit_dynamics::Amplitude;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Cylinder, EndWeights, Vec3, lattice};
 use sph_shell::{AppliedLoad, Clamped, Formulation, Parts, Pressure, Reach, Shell, Supported};
 
-fn words(name: &str, replaced: Replaced) -> Vec<Doubt> {
+fn words(name: &str, replaced: Replaced) -> Vec<WarningKind> {
     let model = scene(name, replaced).unwrap().build(1).unwrap();
-    model.warnings().iter().map(|warning| warning.doubt).collect()
+    model.warnings().iter().map(|warning| warning.kind).collect()
 }
 
 /// Scenes of the repository, which `coque new` hands out as templates, and the one on a mesh.
@@ -37,31 +37,31 @@ const JITTERED: &str = "{ radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 9
                         disorder = { fraction = 0.25, seed = 1 } }";
 const SCATTERED: &str = "{ lengths = [1.0, 1.0], scattered = { spacing = 0.05, seed = 1 } }";
 
-/// Scene, what breaks it, and every doubt that it then raises.
-const BROKEN: [(&str, Replaced, &[Doubt]); 16] = [
-    ("plate.toml", &[("loads", "[{ on = \"u0\", force = { total = [0, 0, 1] } }]")], &[Doubt::NoWork]),
-    ("plate.toml", &[("loads", "[{ on = \"all\", pressure = { value = 0.0 } }]")], &[Doubt::NoWork]),
-    ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [3, 0, 1] } }]")], &[Doubt::HeldLoad]),
-    ("plate.toml", &[("sets.centre.nearest", "[0.5, 0.5, 0.2]")], &[Doubt::FarNearest]),
-    ("plate.toml", &[("section.homogeneous.thickness", "0.6")], &[Doubt::TooThick]),
-    ("plate.toml", &[("geometry.plate.particles", "[5, 5]")], &[Doubt::FewParticles]),
-    ("plate.toml", &[("geometry.plate.particles", "[21, 5]")], &[Doubt::FewParticles]),
+/// Scene, what breaks it, and every warning that it then raises.
+const BROKEN: [(&str, Replaced, &[WarningKind]); 16] = [
+    ("plate.toml", &[("loads", "[{ on = \"u0\", force = { total = [0, 0, 1] } }]")], &[WarningKind::NoWork]),
+    ("plate.toml", &[("loads", "[{ on = \"all\", pressure = { value = 0.0 } }]")], &[WarningKind::NoWork]),
+    ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [3, 0, 1] } }]")], &[WarningKind::HeldLoad]),
+    ("plate.toml", &[("sets.centre.nearest", "[0.5, 0.5, 0.2]")], &[WarningKind::FarNearest]),
+    ("plate.toml", &[("section.homogeneous.thickness", "0.6")], &[WarningKind::TooThick]),
+    ("plate.toml", &[("geometry.plate.particles", "[5, 5]")], &[WarningKind::FewParticles]),
+    ("plate.toml", &[("geometry.plate.particles", "[21, 5]")], &[WarningKind::FewParticles]),
     (
         "pinched-cylinder.toml",
         &[("geometry.cylinder.particles", "[4, 17]")],
-        &[Doubt::CoarseTurn, Doubt::CoarseBending, Doubt::FewParticles],
+        &[WarningKind::CoarseTurn, WarningKind::CoarseBending, WarningKind::FewParticles],
     ),
-    ("hemisphere.toml", &[("section.homogeneous.thickness", "0.004")], &[Doubt::CoarseBending]),
-    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[21, 13]")], &[Doubt::CoarseBending]),
+    ("hemisphere.toml", &[("section.homogeneous.thickness", "0.004")], &[WarningKind::CoarseBending]),
+    ("pinched-cylinder.toml", &[("geometry.cylinder.particles", "[21, 13]")], &[WarningKind::CoarseBending]),
     (
         "hemisphere.toml",
         &[("section.homogeneous.thickness", "0.01"), ("geometry.sphere", JITTERED)],
-        &[Doubt::UnevenCells, Doubt::CoarseBending],
+        &[WarningKind::UnevenCells, WarningKind::CoarseBending],
     ),
-    ("plate.toml", &[("formulation.nodal.order", "2")], &[Doubt::NodalLocking]),
-    ("plate.toml", &[("formulation.nodal.order", "3")], &[Doubt::NodalLocking]),
-    ("hemisphere.toml", &[("formulation.nodal.order", "3")], &[Doubt::NodalLocking]),
-    ("ring.toml", &[("formulation.strong-form.smoothing", "1.2")], &[Doubt::StrongForm]),
+    ("plate.toml", &[("formulation.nodal.order", "2")], &[WarningKind::NodalLocking]),
+    ("plate.toml", &[("formulation.nodal.order", "3")], &[WarningKind::NodalLocking]),
+    ("hemisphere.toml", &[("formulation.nodal.order", "3")], &[WarningKind::NodalLocking]),
+    ("ring.toml", &[("formulation.strong-form.smoothing", "1.2")], &[WarningKind::StrongForm]),
     (
         "plate.toml",
         &[
@@ -69,7 +69,7 @@ const BROKEN: [(&str, Replaced, &[Doubt]); 16] = [
             ("section.homogeneous.thickness", "0.0001"),
             ("formulation.stress-point.support", "1.4"),
         ],
-        &[Doubt::WideThin],
+        &[WarningKind::WideThin],
     ),
 ];
 
@@ -99,7 +99,7 @@ fn each_rule_fires_on_a_scene_that_breaks_it() {
 }
 
 /// Eight cells round a circle turn by 0.79 from one to the next; fifty, as the scene has them, by 0.13.
-/// A free plate of n cells a side turns in time with `1 + 3/n²` of its inertia: told above 1 %, and in the summary always. Modes have the true one.
+/// A free plate of n cells a side turns in time with `1 + 3/n²` of its inertia: warned of above 1 %, and in the summary always. Modes have the true one.
 #[test]
 fn a_plate_that_turns_freely_is_told_its_inertia_in_time() {
     const FREE: (&str, &str) = ("supports", "[]");
@@ -110,15 +110,15 @@ fn a_plate_that_turns_freely_is_told_its_inertia_in_time() {
         let all =
             [&[("geometry.plate.particles", particles), ("loads", "[]"), ("curve", "[]")], replaced].concat();
         let model = scene("plate.toml", &all).unwrap().build(1).unwrap();
-        let told = model.warnings().iter().any(|warning| warning.doubt == Doubt::ScaledInertia);
-        (told, model.description.rotary_inertia_over_true)
+        let reported = model.warnings().iter().any(|warning| warning.kind == WarningKind::ScaledInertia);
+        (reported, model.description.rotary_inertia_over_true)
     };
-    let (told, ratio) = made("[11, 11]", &[FREE, IN_TIME]);
-    assert!(told && (ratio.unwrap() - 1.03).abs() < 1e-3, "{ratio:?}");
-    let (told, ratio) = made("[21, 21]", &[FREE, IN_TIME]);
-    assert!(!told && (ratio.unwrap() - 1.0075).abs() < 1e-3, "{ratio:?}");
+    let (reported, ratio) = made("[11, 11]", &[FREE, IN_TIME]);
+    assert!(reported && (ratio.unwrap() - 1.03).abs() < 1e-3, "{ratio:?}");
+    let (reported, ratio) = made("[21, 21]", &[FREE, IN_TIME]);
+    assert!(!reported && (ratio.unwrap() - 1.0075).abs() < 1e-3, "{ratio:?}");
     assert_eq!(made("[11, 11]", &[FREE, MODES]), (false, None));
-    // Supports that leave no rotation leave no doubt.
+    // Supports that leave no rotation raise no warning.
     assert!(!made("[11, 11]", &[IN_TIME]).0);
 }
 
@@ -127,9 +127,9 @@ fn turns_of_the_deformed_shell_are_told_once() {
     let replaced = [("geometry.plate.particles", "[9, 3]"), ("analysis", "{ static = { levels = 8 } }")];
     let model = scene("ring.toml", &replaced).unwrap().build(1).unwrap();
     assert_eq!(model.warnings(), []);
-    let told = model.run(&mut coque::Silent).summary.record.warnings;
-    let turns: Vec<_> = told.iter().filter(|warning| warning.doubt == Doubt::CoarseTurn).collect();
-    assert_eq!(turns.len(), 1, "{told:?}");
+    let reported = model.run(&mut coque::Silent).summary.record.warnings;
+    let turns: Vec<_> = reported.iter().filter(|warning| warning.kind == WarningKind::CoarseTurn).collect();
+    assert_eq!(turns.len(), 1, "{reported:?}");
     assert!(turns[0].message.contains("at level 0.75"), "{}", turns[0].message);
 }
 
@@ -297,9 +297,9 @@ fn sharp_corners_and_poles_are_told() {
         };
         let positions = (0..(n + 1) * (n + 1)).map(place).collect();
         let cloud = Cloud::from_cells(positions, None, (0..n * n).map(corner).collect()).unwrap();
-        doubts(&bare(cloud, 0.01)).iter().map(|warning| warning.doubt).collect::<Vec<_>>()
+        warnings(&bare(cloud, 0.01)).iter().map(|warning| warning.kind).collect::<Vec<_>>()
     };
-    assert_eq!(sheared(20.0), [Doubt::SharpCorners]);
+    assert_eq!(sheared(20.0), [WarningKind::SharpCorners]);
     assert_eq!(sheared(40.0), []);
     let fan = |spokes: u32| {
         let turn = std::f64::consts::TAU / f64::from(spokes);
@@ -310,8 +310,8 @@ fn sharp_corners_and_poles_are_told() {
         let mut positions = vec![Vec3::x()];
         positions.extend((0..spokes).map(ring));
         let cells = (0..spokes).map(|k| Cell::triangle([0, 1 + k, 1 + (k + 1) % spokes])).collect();
-        let told = doubts(&bare(Cloud::from_cells(positions, None, cells).unwrap(), 0.01));
-        told.iter().any(|warning| warning.doubt == Doubt::Pole)
+        let reported = warnings(&bare(Cloud::from_cells(positions, None, cells).unwrap(), 0.01));
+        reported.iter().any(|warning| warning.kind == WarningKind::Pole)
     };
     assert!(fan(12));
     assert!(!fan(8));
@@ -321,12 +321,12 @@ fn sharp_corners_and_poles_are_told() {
 #[test]
 fn a_shell_thicker_than_its_radius_is_told() {
     let tube = Cylinder { radius: 1.0, angles: [0.0, std::f64::consts::PI], length: 3.0 };
-    let told = |thickness| {
+    let reported = |thickness| {
         let shell = bare(lattice(&tube, [31, 31], EndWeights::Trapezoid).unwrap(), thickness);
-        doubts(&shell).iter().map(|warning| warning.doubt).collect::<Vec<_>>()
+        warnings(&shell).iter().map(|warning| warning.kind).collect::<Vec<_>>()
     };
-    assert_eq!(told(1.2), [Doubt::TooThick]);
-    assert_eq!(told(0.8), []);
+    assert_eq!(reported(1.2), [WarningKind::TooThick]);
+    assert_eq!(reported(0.8), []);
 }
 
 /// A slice of plane strain is as long as it is: the width between its mirrors is none of the body.
@@ -337,7 +337,7 @@ fn a_slice_between_mirrors_is_measured_by_its_length() {
     let free = ("supports", "[{ on = \"u0\", clamped = {} }]");
     let mirror = |on: &str| format!("{{ on = \"{on}\", symmetry = {{ normal = [0, 1, 0] }} }}");
     let slice = format!("[{{ on = \"u0\", clamped = {{}} }}, {}, {}]", mirror("v0"), mirror("v1"));
-    let thin = |supports| words("plate.toml", &[narrow, thick, supports]).contains(&Doubt::TooThick);
+    let thin = |supports| words("plate.toml", &[narrow, thick, supports]).contains(&WarningKind::TooThick);
     assert!(thin(free));
     assert!(!thin(("supports", &slice)));
 }
@@ -354,14 +354,14 @@ fn check_prints_warnings_under_their_own_heading() {
         String::from_utf8(command.output().unwrap().stdout).unwrap()
     };
     assert!(!check(&[]).contains("warnings"));
-    let told = check(&["geometry.plate.particles=[5, 5]"]);
-    assert!(told.contains("\nwarnings\n  few-particles: 4 cells from end to end"), "{told}");
+    let reported = check(&["geometry.plate.particles=[5, 5]"]);
+    assert!(reported.contains("\nwarnings\n  few-particles: 4 cells from end to end"), "{reported}");
 }
 
 /// A run says it before it starts, once, and writes it to `summary.json`.
 #[test]
 fn a_run_tells_its_doubts_once_and_writes_them() {
-    let out = std::env::temp_dir().join(format!("coque-doubts-{}", std::process::id()));
+    let out = std::env::temp_dir().join(format!("coque-warnings-{}", std::process::id()));
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coque"));
     command.arg("run").arg(scenes().join("plate.toml")).arg("--out").arg(&out);
     let said = command.args(["--set", "geometry.plate.particles=[5, 5]"]).output().unwrap();
@@ -369,6 +369,6 @@ fn a_run_tells_its_doubts_once_and_writes_them() {
     assert_eq!(said.matches("warning: 4 cells from end to end").count(), 1, "{said}");
     let summary: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
-    assert_eq!(summary["warnings"][0]["doubt"], "few-particles");
+    assert_eq!(summary["warnings"][0]["kind"], "few-particles");
     std::fs::remove_dir_all(out).unwrap();
 }

@@ -67,7 +67,7 @@ pub(super) fn turn(look: &Look<'_>) -> Option<String> {
     (count > 0).then(|| coarse_turn(most, count.div_ceil(2), "at rest"))
 }
 
-/// The same of a shape that the shell took; folds at rest were told before.
+/// The same of a shape that the shell took; folds at rest were reported before.
 pub(super) fn turned(sheet: &Sheet<'_>, level: f64) -> Option<String> {
     let (most, _, count) = sheet.greatest(TURN)?;
     (count > 0).then(|| coarse_turn(most, count, &format!("at level {level}")))

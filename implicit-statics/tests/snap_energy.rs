@@ -10,10 +10,10 @@ use common::bars::Bars;
 use common::hardening::Hardening;
 use common::pendulum::Pendulum;
 use common::{Arch, Flat, Potential, Softening};
-use implicit_statics::{Equilibrium, Relaxation, RelaxationOptions, Release};
+use implicit_statics::{Equilibrium, Relaxation, RelaxationOptions, SnapEnergy};
 
 /// Levels one after the other, each with what it set free.
-fn releases<E: Equilibrium>(system: &mut E, levels: &[f64]) -> Vec<Release> {
+fn releases<E: Equilibrium>(system: &mut E, levels: &[f64]) -> Vec<SnapEnergy> {
     let options = RelaxationOptions { tolerance: 1e-9, ..RelaxationOptions::default() };
     let mut relaxation = Relaxation::new(&options).unwrap();
     let mut before = 0.0;
@@ -115,7 +115,7 @@ fn the_energy_of_a_snap_is_that_of_its_closed_form() {
         let gained = arch.energy(&[ways[i + 1]]) - arch.energy(&[ways[i]]);
         energies.push(0.5 * (before + level) * (ways[i + 1] - ways[i]) - gained);
     }
-    told(&releases(&mut Flat::new(arch), &levels), &energies, 6, "force");
+    reported(&releases(&mut Flat::new(arch), &levels), &energies, 6, "force");
     // Under a motion, through a spring too soft to hold the arch: its force falls from branch to branch.
     let mut pushed = Pushed::new(0.25 / 10.0_f64.hypot(1.0).powi(3));
     let levels = steps(3.1, 12);
@@ -137,11 +137,11 @@ fn the_energy_of_a_snap_is_that_of_its_closed_form() {
         state = (way, energy, force);
     }
     (pushed.q[0], pushed.end) = (0.0, 0.0);
-    told(&releases(&mut pushed, &levels), &energies, snap.unwrap(), "motion");
+    reported(&releases(&mut pushed, &levels), &energies, snap.unwrap(), "motion");
 }
 
 /// What was set free is the energy of the closed form; one level alone, the given one, is a snap.
-fn told(found: &[Release], exact: &[f64], snap: usize, name: &str) {
+fn reported(found: &[SnapEnergy], exact: &[f64], snap: usize, name: &str) {
     for (i, (release, exact)) in found.iter().zip(exact).enumerate() {
         println!("{name} {i}: {:.6e} {exact:.6e} of {:.6e}", release.energy, release.most);
         let scale = release.energy.abs().max(release.most);
@@ -151,7 +151,7 @@ fn told(found: &[Release], exact: &[f64], snap: usize, name: &str) {
     assert!(found[snap].energy > 3.0 * found[snap].most, "{:?}", found[snap]);
 }
 
-/// Half of the limit load at once: the motion carries the arch across below its limit, and that is told as well.
+/// Half of the limit load at once: the motion carries the arch across below its limit, and that is reported as well.
 #[test]
 fn a_motion_that_overshoots_is_told() {
     let arch = Arch { half: 10.0, height: 1.0, sideways: false };
@@ -173,7 +173,7 @@ fn bisected(range: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
 /// Stiff paths and soft ones, coarse steps and fine ones, there and back.
 #[test]
 fn what_is_joined_by_stable_states_sets_no_energy_free() {
-    let quiet = |name: &str, found: Vec<Release>| {
+    let quiet = |name: &str, found: Vec<SnapEnergy>| {
         let worst = found.iter().map(|release| release.energy / release.most).fold(f64::MIN, f64::max);
         println!("{name}: {worst:.3} of what a path may leave over");
         assert!(found.iter().all(|release| !release.snapped()), "{name}: {found:?}");

@@ -41,7 +41,7 @@ impl Scene {
                 let every = self.bodies.keys().map(|name| format!("{name}.all"));
                 let known: Vec<String> = every.chain(self.sets.keys().cloned()).collect();
                 let repair = suggest(on, &known.iter().map(String::as_str).collect::<Vec<_>>());
-                let bound = "which names no set of any body: several bodies are told apart as in body.set";
+                let bound = "which names no set of any body: several bodies are distinguished as in body.set";
                 Err(SceneError::Set(self.source.fault(path, &format!("\"{on}\""), bound, &repair)))
             }
         }
@@ -54,7 +54,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError::Set`] for a name that names no body.
-    pub(crate) fn alone(&self, name: &str) -> Result<Self, SceneError> {
+    pub(crate) fn single_body(&self, name: &str) -> Result<Self, SceneError> {
         let mut alone = self.clone();
         alone.bodies.retain(|known, _| known == name);
         alone.sets.retain(|_, region| region.of.as_ref().is_none_or(|of| of == name));

@@ -7,7 +7,7 @@ use sph_shell::{Formulation, Reach, Shell};
 use super::look::Look;
 use super::method::unevenness;
 use crate::scene::Analysis;
-use crate::warning::{Doubt, Warning};
+use crate::warning::{WarningKind, Warning};
 
 /// c of the frequency of patterns on even cells \[–\]: 9 to 15 measured.
 const PATTERNS: f64 = 10.0;
@@ -28,16 +28,16 @@ const EVEN: f64 = 0.02;
 /// The m-th mode of a sheet of area A has `k² = 4πm/A` (Weyl) and `ρ t ω² = N k² + D k⁴`. Where patterns are lower, they are among the modes.
 pub(super) fn among_modes(look: &Look<'_>) -> Option<String> {
     let Analysis::Modal(modal) = &look.scene?.analysis else { return None };
-    told(look, modal.modes)
+    reported(look, modal.modes)
 }
 
 /// The same of the state that a preload left.
 pub(crate) fn among_preloaded_modes(shell: &Shell, wanted: usize) -> Option<Warning> {
-    let message = told(&Look::at(shell), wanted)?;
-    Some(Warning::new(Doubt::PatternModes, format!("after the preload {message}")))
+    let message = reported(&Look::at(shell), wanted)?;
+    Some(Warning::new(WarningKind::PatternModes, format!("after the preload {message}")))
 }
 
-fn told(look: &Look<'_>, wanted: usize) -> Option<String> {
+fn reported(look: &Look<'_>, wanted: usize) -> Option<String> {
     let Formulation::StressPoint(Reach::Cell) = look.shell.formulation() else { return None };
     let [tension, bending] = look.shell.mean_tension()?;
     let cloud = &look.shell.reference().cloud;

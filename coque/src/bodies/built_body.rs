@@ -8,7 +8,7 @@ use crate::Warning;
 use crate::scene::Scene;
 
 /// A body as its builder made it.
-pub(super) struct Made<B> {
+pub(super) struct BuiltBody<B> {
     /// The body.
     pub body: B,
     /// What it is.
@@ -23,19 +23,19 @@ pub(super) struct Made<B> {
     pub driven: Option<PrescribedPoint>,
     /// What is known beforehand to make its numbers wrong.
     pub warnings: Vec<Warning>,
-    /// Who looks for doubts in the shapes that it took.
+    /// Who looks for warnings in the shapes that it took.
     pub judge: Option<ShapeJudge>,
 }
 
-impl<B> Made<B> {
+impl<B> BuiltBody<B> {
     /// The same with another body in its place.
-    pub fn map<T>(self, body: impl FnOnce(B) -> T) -> Made<T> {
+    pub fn map<T>(self, body: impl FnOnce(B) -> T) -> BuiltBody<T> {
         let Self { body: own, description, memory, identity, probes, driven, warnings, judge } = self;
-        Made { body: body(own), description, memory, identity, probes, driven, warnings, judge }
+        BuiltBody { body: body(own), description, memory, identity, probes, driven, warnings, judge }
     }
 }
 
-impl Made<Ready> {
+impl BuiltBody<Ready> {
     /// The body with what its scene asks of it.
     pub fn model(self, scene: &Scene, threads: usize) -> Model {
         let Self { body, description, memory, identity, probes, driven, warnings, judge } = self;

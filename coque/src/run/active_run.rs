@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 
 use implicit_statics::EquilibriumError;
 
-use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Kept, Stage, checksum};
+use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Contents, Stage, checksum};
 use super::impulses::Impulses;
 use super::outcome::{Ended, Failure};
 use super::progress::{Progress, ProgressReport};
 use super::record::RunRecord;
-use crate::Doubt;
+use crate::WarningKind;
 use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Resultant, Shape};
 use crate::fields::Frames;
 use crate::results::curve::Curve;
@@ -106,7 +106,7 @@ impl Run<'_> {
         self.checkpoints.as_ref().is_some_and(|kept| kept.due(asked))
     }
 
-    /// Writes a checkpoint, if the run writes any; what prevents it is told, and the run goes on.
+    /// Writes a checkpoint, if the run writes any; what prevents it is reported, and the run goes on.
     pub fn keep_checkpoint(&mut self, stage: &Stage, body: &dyn Body) {
         let Some(checkpoints) = self.checkpoints.take() else { return };
         if let Err(error) = checkpoints.write(self.kept(stage, body), &self.curve.rows, &self.shapes) {
@@ -116,11 +116,11 @@ impl Run<'_> {
     }
 
     /// What a checkpoint keeps of it beside its rows and shapes.
-    fn kept<'k>(&'k self, stage: &'k Stage, body: &'k dyn Body) -> Kept<'k> {
+    fn kept<'k>(&'k self, stage: &'k Stage, body: &'k dyn Body) -> Contents<'k> {
         let mut record = self.record.clone();
         let offered = self.frames.as_ref().map_or(0, |frames| frames.offered);
         record.frames = self.frames.as_ref().map_or(0, |frames| frames.taken);
-        Kept {
+        Contents {
             body: 0,
             particles: body.configuration().rest.len(),
             stage: Cow::Borrowed(stage),
@@ -185,7 +185,7 @@ impl Run<'_> {
         Ended::Diverged(Failure::Balance { points, level, cause, unit })
     }
 
-    /// Warns of loads whose stiffness is not symmetric, where stability is told from the symmetric part.
+    /// Warns of loads whose stiffness is not symmetric, where stability is judged from the symmetric part.
     pub fn warn_of_skew_loads(&mut self, share: f64) {
         if share > 0.0 {
             let message = format!(
@@ -194,7 +194,7 @@ impl Run<'_> {
                  exact, but critical levels and negative pivots are those of the symmetric part and may be others, and flutter is not \
                  looked for: check with [analysis.explicit.transient]"
             );
-            self.record.warn(Doubt::NoPotential, message);
+            self.record.warn(WarningKind::NoPotential, message);
         }
     }
 }

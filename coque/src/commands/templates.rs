@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use coque::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
 
-use super::say::{Refused, print};
+use super::stderr::{Refused, print};
 
 #[derive(Args)]
 pub struct New {

@@ -53,7 +53,7 @@ impl SlowModes {
     }
 
     /// `out += (M̃⁻¹ − M⁻¹) force`, for a velocity that becomes `keeps v + takes out`.
-    pub fn hasten(&mut self, force: &[f64], out: &mut [f64], (keeps, takes): (f64, f64)) {
+    pub fn deflate(&mut self, force: &[f64], out: &mut [f64], (keeps, takes): (f64, f64)) {
         for ((mode, share), impulse) in self.span.iter().zip(&self.shares).zip(&mut self.impulses) {
             let part = dot(mode, force);
             *impulse = keeps * *impulse + takes * (1.0 + share) * part;
@@ -167,7 +167,7 @@ mod tests {
             let (mut force, mode) = ([0.0; 9], wave(number));
             chain(&mode, &mut force);
             let mut out = force.map(|force| force / 2.0);
-            slow.hasten(&force, &mut out, (0.0, 1.0));
+            slow.deflate(&force, &mut out, (0.0, 1.0));
             for (out, x) in out.iter().zip(&mode) {
                 assert!((out - expected * x).abs() < 1e-12, "{number}: {out} {x}");
             }

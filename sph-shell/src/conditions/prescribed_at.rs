@@ -44,15 +44,15 @@ impl Constraint {
     }
 
     /// What is prescribed by level, if anything is.
-    pub(crate) fn told(&self) -> Option<Told<'_>> {
+    pub(crate) fn prescribed(&self) -> Option<Prescribed<'_>> {
         let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
         let held = &self.held[..self.count];
-        (motion.is_some() || rotation.is_some()).then_some(Told { rest: self.rest, motion, rotation, held })
+        (motion.is_some() || rotation.is_some()).then_some(Prescribed { rest: self.rest, motion, rotation, held })
     }
 }
 
-/// What one particle is told, without time: its share of a load level.
-pub(crate) struct Told<'a> {
+/// What is prescribed on one particle, without time: its share of a load level.
+pub(crate) struct Prescribed<'a> {
     /// Position and director at rest.
     pub rest: (Vec3, Vec3),
     pub motion: Option<&'a Motion>,
@@ -61,7 +61,7 @@ pub(crate) struct Told<'a> {
     pub held: &'a [Vec3],
 }
 
-impl Told<'_> {
+impl Prescribed<'_> {
     /// Puts the held components where a level has them.
     pub fn put(&self, level: f64, under_way: LoadCase, row: &mut Row) {
         let at = Instant { time: 0.0, level };

@@ -1,4 +1,4 @@
-//! The energy that is set free between two levels: by it a snap is told from a path.
+//! The energy that is set free between two levels: by it a snap is distinguished from a path.
 //!
 //! Along stable equilibria q(λ) the potential `E(λ) = U − λW`, W the work of the unit loads, changes by
 //!
@@ -30,14 +30,14 @@ const STEEPER: f64 = 4.0;
 
 /// Energy set free between two levels, and the most that a path of stable equilibria between them leaves over.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Release {
+pub struct SnapEnergy {
     /// D \[F L\].
     pub energy: f64,
     /// Its bound \[F L\].
     pub most: f64,
 }
 
-impl Release {
+impl SnapEnergy {
     /// Whether the state found lies on another branch than the one before.
     pub fn snapped(&self) -> bool {
         self.energy > self.most
@@ -68,7 +68,7 @@ impl Energies {
         (from, to): (f64, f64),
         start: &[f64],
         way: Vec<f64>,
-    ) -> Release {
+    ) -> SnapEnergy {
         let step = to - from;
         let after = seen(system, to, step);
         let [_, before_u, before_r] = self.last.replace(after).unwrap_or_default();
@@ -78,7 +78,7 @@ impl Energies {
         let energy = 0.5 * (step * (before_r + after_r) + (from + to) * work) - (after_u - before_u);
         let one_way = 0.5 * size * (work.abs() + size * slope.max(0.0));
         let most = one_way.max(0.25 * STEEPER * self.steepest * size * size);
-        let release = Release { energy, most };
+        let release = SnapEnergy { energy, most };
         if !release.snapped() {
             self.steepest = self.steepest.max(slope.abs());
         }

@@ -61,7 +61,7 @@ fn the_kept_page_is_the_present_one() {
 
 #[test]
 fn every_key_is_described() {
-    fn walk(value: &Value, path: &str, silent: &mut Vec<String>) {
+    fn visit(value: &Value, path: &str, silent: &mut Vec<String>) {
         if let Some(keys) = value["properties"].as_object() {
             // The one key of an alternative is described beside it.
             let alternative = keys.len() == 1 && value["description"].is_string();
@@ -72,13 +72,13 @@ fn every_key_is_described() {
             }
         }
         match value {
-            Value::Object(map) => map.iter().for_each(|(key, of)| walk(of, &format!("{path}.{key}"), silent)),
-            Value::Array(items) => items.iter().for_each(|of| walk(of, path, silent)),
+            Value::Object(map) => map.iter().for_each(|(key, of)| visit(of, &format!("{path}.{key}"), silent)),
+            Value::Array(items) => items.iter().for_each(|of| visit(of, path, silent)),
             _ => {}
         }
     }
     let mut silent = Vec::new();
-    walk(&schema(), "", &mut silent);
+    visit(&schema(), "", &mut silent);
     assert_eq!(silent, [""; 0]);
     assert!(!schema_text().contains("\\\\["), "rustdoc marks are left in descriptions");
 }
@@ -234,7 +234,7 @@ fn every_scene_is_a_template_that_checks() {
     fs::create_dir_all(&folder).unwrap();
     let listed = said(&coque(&folder, &["new"]));
     for (name, text) in scenes() {
-        assert!(listed.contains(&format!("  {name} ")), "{name} is no template: add it in commands/teach.rs");
+        assert!(listed.contains(&format!("  {name} ")), "{name} is no template: add it in commands/templates.rs");
         let written = coque(&folder, &["new", &name]);
         assert_eq!(written.status.code(), Some(0), "{}", said(&written));
         let copy = fs::read_to_string(folder.join(format!("{name}.toml"))).unwrap();
@@ -271,8 +271,8 @@ fn a_check_prints_the_model_and_the_cost() {
     // strip bent by a couple, w = x²: 17.9 s √(12.36/20); the given one is taken as it is.
     let steps = |period: f64| 8.0 * period / (0.8 * numbers("  stable step")[0]);
     let bent = steps(17.9 * (12.36_f64 / 20.0).sqrt());
-    for (told, wanted) in numbers("  steps").into_iter().zip([1.1 * bent, 9.0 * bent]) {
-        assert!((told / wanted - 1.0).abs() < 0.05, "{told} for {wanted}");
+    for (reported, wanted) in numbers("  steps").into_iter().zip([1.1 * bent, 9.0 * bent]) {
+        assert!((reported / wanted - 1.0).abs() < 0.05, "{reported} for {wanted}");
     }
     assert_eq!(numbers("  steps").len(), 2);
     let levels = coque(&root(), &["check", "scenes/ring.toml", "--set", "analysis.static.levels=8"]);
