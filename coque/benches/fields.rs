@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use coque::scene::Fields;
-use coque::{FieldFiles, FieldSink, Force, Frame, Length, Scene, FieldRequest, State, Time, Units};
+use coque::{FieldFiles, FieldRequest, FieldSink, Force, Frame, Length, Scene, State, Time, Units};
 use criterion::{Criterion, criterion_group, criterion_main};
 use explicit_dynamics::Clock;
 

@@ -136,7 +136,7 @@
 //! | solids: a bar stretched as Hooke says, a plate that breaks, the same bits for any number of threads | tests/solid.rs |
 //! | what is refused of solids, and warned of | tests/solid_refusals.rs, tests/solid_warnings.rs |
 //! | a run of a breaking solid goes on to the same bits | `a_breaking_solid_goes_on_to_the_same_bits` (tests/resume.rs) |
-//! | every rule of the table of warnings fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_doubt` (tests/warnings.rs) |
+//! | every rule of the table of warnings fires on a scene made to break it; scenes of the repository raise none | `each_rule_fires_on_a_scene_that_breaks_it`, `scenes_of_the_repository_raise_no_warning` (tests/warnings.rs) |
 //! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
 //! | a fluid with a shell or a solid in it goes on to the same bits | `a_fluid_and_what_is_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
@@ -159,9 +159,9 @@ mod warning;
 pub use analyses::{Estimate, RunOptions};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
-    StaticBody, Body, Configuration, Description, FieldSource, FluidFigures, Diagnostics, LoadResultants, DynamicBody,
-    Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, FieldRequest, State, StateArray,
-    TangentCost, Task,
+    Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
+    LoadResultants, Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, State,
+    StateArray, StaticBody, TangentCost, Task,
 };
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
 pub use mesh_io::{
@@ -188,4 +188,4 @@ pub use scene::render::{Rendering, render};
 pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
-pub use warning::{WarningKind, Warning};
+pub use warning::{Warning, WarningKind};

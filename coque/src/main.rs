@@ -26,7 +26,7 @@ use commands::bar::Bar;
 use commands::results::{CURVE, ResultFolder};
 use commands::stderr::{Refused, say};
 use commands::stop::{Stop, outlive_file_limits};
-use commands::{check, mesh, plot, resume, sweep, teach};
+use commands::{check, mesh, plot, resume, sweep, templates};
 use coque::{
     Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
     Outcome, RunOptions, Scene, Task, Warning, Written, read_text,

@@ -66,7 +66,7 @@ fn the_lattice_that_is_forecast_has_the_accuracy() {
 }
 
 #[test]
-fn a_march_is_told_beside_the_same_answer_without_time() {
+fn a_march_is_reported_beside_the_same_answer_without_time() {
     let ring = scene("ring.toml", &[("analysis.explicit.quasi-static.levels", "[0.25]")]).unwrap();
     let forecasts = forecast(&ring, 0.01);
     let methods: Vec<&str> = forecasts.iter().map(|forecast| forecast.method.as_str()).collect();

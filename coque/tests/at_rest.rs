@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use coque::{WarningKind, Ended, Outcome, Scene, Silent};
+use coque::{Ended, Outcome, Scene, Silent, WarningKind};
 
 const PATH: &str = "analysis.explicit.quasi-static";
 
@@ -243,10 +243,7 @@ fn an_unsettled_run_ends_with_a_code_and_a_last_line_of_its_own() {
     assert!(out.join("curve.csv").exists());
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
-    assert_eq!(
-        (&summary["ended"], &summary["warnings"][1]["kind"]),
-        (&"done".into(), &"not-settled".into())
-    );
+    assert_eq!((&summary["ended"], &summary["warnings"][1]["kind"]), (&"done".into(), &"not-settled".into()));
     assert!(summary["levels"][0]["way_left"].as_f64().unwrap() > 0.1, "{summary}");
 
     let over = format!("{PATH}.damping.ratio=1.0,100.0");

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use common::{Replaced, column, run, scene};
-use coque::{WarningKind, Ended, Outcome, Progress, ProgressReport, Scene};
+use coque::{Ended, Outcome, Progress, ProgressReport, Scene, WarningKind};
 
 const STRESS: (&str, &str) = ("analysis.buckling.prebuckling", "\"stress\"");
 
@@ -59,7 +59,7 @@ fn a_load_that_pulls_has_levels_below_zero_only() {
 }
 
 #[test]
-fn more_modes_than_freedoms_are_refused_before_anything_runs() {
+fn more_modes_than_degrees_of_freedom_are_refused_before_anything_runs() {
     let small = ("geometry.plate.particles", "[5, 3]");
     for kind in ["modal", "buckling"] {
         let path = format!("analysis.{kind}.modes");
@@ -180,7 +180,9 @@ analysis.buckling.sign = "either"
         let found = column(&outcome, "level");
         assert!((found[0] + found[1]).abs() < 1e-5, "{found:?}");
         assert!((found[1] - 1.046).abs() < 0.003, "{prebuckling} {found:?}");
-        assert!(outcome.summary.record.warnings.iter().all(|warning| warning.kind != WarningKind::ChangedShape));
+        assert!(
+            outcome.summary.record.warnings.iter().all(|warning| warning.kind != WarningKind::ChangedShape)
+        );
     }
 }
 

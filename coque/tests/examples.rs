@@ -56,7 +56,7 @@ fn every_example_holds() {
 }
 
 #[test]
-fn the_ladder_is_the_one_that_is_told() {
+fn the_ladder_is_the_one_that_is_reported() {
     let names: Vec<String> = ladder().into_iter().map(|(name, _)| name).collect();
     let readme =
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/README.md")).unwrap();

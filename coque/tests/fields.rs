@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use common::fields::{EVERYTHING, HINGE, Read, folder, listed, names, run, scene};
-use coque::{Ended, FieldError, FieldFiles, FieldSink, Frame, Scene, FieldRequest, State};
+use coque::{Ended, FieldError, FieldFiles, FieldRequest, FieldSink, Frame, Scene, State};
 use sph_core::{Cell, Cloud, Vec3};
 
 /// Uniform tension F on a sheet b wide: every cell carries N = F/b along x, the faces σ = F/(bt), whatever its frame.

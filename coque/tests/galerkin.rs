@@ -7,7 +7,8 @@ mod common;
 use common::galerkin::{ARC, BAR};
 use common::{column, last};
 use coque::{
-    WarningKind, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
+    FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
+    WarningKind,
 };
 
 fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
@@ -175,7 +176,7 @@ fn states_are_taken_up_with_their_history() {
 
 /// What is doubtful is reported: supports that leak, bases that lock, strains beyond the law.
 #[test]
-fn doubts_are_told() {
+fn warned_are_reported() {
     let warned = |set: &[(&str, &str)]| {
         let outcome = scene(BAR, set).build(1).unwrap().run(&mut Silent);
         outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect::<Vec<_>>()
@@ -215,13 +216,13 @@ fn a_level_far_along_the_bend_is_doubtful() {
         let lengths = ("bodies.bar.solid.geometry.block.lengths", length);
         let found = scene(BAR, &[lengths, ("loads", &load), ("analysis", buckling), ("curve", "[]")]);
         let outcome = found.build(1).unwrap().run(&mut Silent);
-        let doubtful = |warning: &Warning| warning.kind == WarningKind::ChangedShape;
-        (last(&outcome, "level"), outcome.summary.record.warnings.iter().any(doubtful))
+        let warned_of = |warning: &Warning| warning.kind == WarningKind::ChangedShape;
+        (last(&outcome, "level"), outcome.summary.record.warnings.iter().any(warned_of))
     };
     assert!(found("[2, 1, 1]", "[0, 0, -0.001]").1);
-    let (level, doubtful) = found("[8, 1, 1]", "[-0.001, 0, 0]");
+    let (level, warned_of) = found("[8, 1, 1]", "[-0.001, 0, 0]");
     let euler = std::f64::consts::PI.powi(2) / 12.0 / 256.0 / 1e-3;
-    assert!(!doubtful && (level / euler - 1.0).abs() < 0.1, "{level} of {euler}");
+    assert!(!warned_of && (level / euler - 1.0).abs() < 0.1, "{level} of {euler}");
 }
 
 /// One solve a step on the source's cantilever: its figures with the source's basis, 20 and 100 steps to K = 10; every level tells how far

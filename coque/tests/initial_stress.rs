@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run, text};
-use coque::{WarningKind, Ended, Outcome, Rendering, render};
+use coque::{Ended, Outcome, Rendering, WarningKind, render};
 
 fn done(outcome: Outcome) -> Outcome {
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
@@ -102,7 +102,7 @@ fn a_march_sets_out_of_balance_and_says_so() {
 }
 
 #[test]
-fn patterns_among_the_modes_are_told() {
+fn patterns_among_the_modes_are_reported() {
     let thin = ("section.homogeneous.thickness", "1e-5");
     let modes = |count: &'static str| ("analysis.modal.modes", count);
     assert!(warned(&done(run("tensioned-plate.toml", &[thin, modes("10")]))).is_empty());

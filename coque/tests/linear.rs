@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, last, ran, scene};
-use coque::{WarningKind, Ended, Outcome, Rendering, Scene, SceneError, render};
+use coque::{Ended, Outcome, Rendering, Scene, SceneError, WarningKind, render};
 
 fn solved(scene: Result<Scene, SceneError>) -> Outcome {
     let outcome = ran(scene);
@@ -274,7 +274,7 @@ type Case<'a> = (&'a str, &'a str, Replaced<'a>);
 
 /// The strip moves by P L³/3EI: what is not small against its length is reported, with a motion as with a load, of shells and of solids.
 #[test]
-fn an_answer_too_large_to_be_linear_is_told() {
+fn an_answer_too_large_to_be_linear_is_reported() {
     let reported = |outcome: &Outcome| {
         outcome.summary.record.warnings.iter().any(|warning| warning.kind == WarningKind::LargeLinear)
     };

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 use coque::mesh::report;
-use coque::{WarningKind, Outcome, Rendering, Scene, SceneError, Silent, render};
+use coque::{Outcome, Rendering, Scene, SceneError, Silent, WarningKind, render};
 use meshes::{PLATES, folder, plate, square_with_a_hole};
 use sph_core::{EndWeights, Plate, lattice};
 
@@ -295,7 +295,7 @@ fn a_tied_rib_bears_its_plate_and_wrong_ties_are_refused() {
 
 /// A rib pushed aside turns its foot, which hangs in the middle of cells: what these do not see is reported after the run.
 #[test]
-fn couples_between_the_lines_of_a_host_are_told() {
+fn couples_between_the_lines_of_a_host_are_reported() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes/tied-rib.toml");
     let text = fs::read_to_string(&file).unwrap();
     let aside = "[[loads]]\non = \"rib\"\nforce = { total = [0.0, 1e2, 0.0], by_area = true }\n";

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run, scene};
-use coque::{WarningKind, Ended, Outcome, Rendering, render};
+use coque::{Ended, Outcome, Rendering, WarningKind, render};
 
 const TENSION: (&str, &str) = ("loads[0].force.total", "[39.4784, 0, 0]");
 
@@ -101,7 +101,7 @@ fn a_path_goes_on_from_the_preload_to_where_one_load_case_ends() {
 }
 
 #[test]
-fn a_preload_beyond_its_limits_is_told() {
+fn a_preload_beyond_its_limits_is_reported() {
     let much = ("loads[0].force.total", "[-12.0, 0, 0]");
     let outcome = run("pulled-strip.toml", &[much]);
     let record = &outcome.summary.record;

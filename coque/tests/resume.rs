@@ -66,7 +66,7 @@ fn warnings_and_looks_at_stability_go_on_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");
     let path = "{ levels = 3, period = 17.9, hold = 2, damping = { ratio = 4.0 }, stability = true }";
     let replaced = [coarse, ("analysis.explicit.quasi-static", path)];
-    stopped_again_and_again("restless", &text("ring.toml"), &replaced, 8);
+    stopped_again_and_again("unsettled", &text("ring.toml"), &replaced, 8);
     let replaced = [coarse, ("analysis.explicit.quasi-static.stability", "true")];
     stopped_again_and_again("looked-at", &text("ring.toml"), &replaced, 8);
 }

@@ -67,7 +67,7 @@ fn a_clamped_body_is_a_clamped_edge_and_bears_its_own_weight() {
 
 /// Loads on a body do work unless its supports hold them.
 #[test]
-fn a_load_on_a_body_is_told_to_do_no_work_where_the_body_is_held() {
+fn a_load_on_a_body_is_reported_to_do_no_work_where_the_body_is_held() {
     let push = "[{ on = 'u1', couple = { moment = 1, axis = [0, 1, 0] } }]";
     let warned = |supports| {
         let scene = overridden(STRIP, "strip.toml", &[("loads", push), ("supports", supports)]).unwrap();

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, last, overridden, ran};
-use coque::{WarningKind, Outcome, Scene, Silent};
+use coque::{Outcome, Scene, Silent, WarningKind};
 
 /// A bar between mirror planes, pulled at its end: uniform tension.
 const BAR: &str = r#"title = "Bar"
@@ -199,7 +199,7 @@ fn the_motion_of_one_node_seeks_its_force() {
 
 /// Bonds that break in a state of balance are warned of, and the run falls short; a state within the limits is not.
 #[test]
-fn bonds_that_break_at_rest_raise_a_doubt() {
+fn bonds_that_break_at_rest_raise_a_warning() {
     let moved = |by: f64| {
         format!(
             "[{{ on = \"x0\", clamped = {{}} }}, {{ on = \"x1\", moved = {{ direction = [1, 0, 0], by = {by} }} }}]"

@@ -184,7 +184,8 @@ fn contact_needs_time() {
             assert!(!refuses, "{analysis} is not refused");
             continue;
         };
-        let reported = ["`bodies.bar.solid.contact`", "it is not in the tangent", "[analysis.explicit]", "───"];
+        let reported =
+            ["`bodies.bar.solid.contact`", "it is not in the tangent", "[analysis.explicit]", "───"];
         assert!(refuses && reported.iter().all(|words| said.contains(words)), "{analysis}: {said}");
     }
 }

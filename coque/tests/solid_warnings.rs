@@ -14,7 +14,7 @@ fn warned(text: &str, replaced: Replaced) -> Vec<WarningKind> {
 }
 
 #[test]
-fn sound_solids_raise_no_doubt() {
+fn sound_solids_raise_no_warning() {
     for text in [BAR, PLATE, SHEETS] {
         assert_eq!(warned(text, &[]), []);
     }
@@ -63,7 +63,7 @@ fn each_rule_fires_on_a_solid_that_breaks_it() {
 /// Five layers with one factor a bond have all of their stiffness in bending, but clamps on nodes at centres of cells hold behind their faces: the
 /// deflection under a load all over is 4.2 % off.
 #[test]
-fn a_clamp_behind_its_face_is_told() {
+fn a_clamp_behind_its_face_is_reported() {
     const GATE: &str = r#"
 title = "Gate"
 units = { length = "m", force = "N", time = "s" }
@@ -94,7 +94,7 @@ clamp = { layer = { face = "x0", depth = 0.003 } }
 /// Held along its thickness over the face, the edge of a plate cannot turn: 3.4 % of the deflection. On a line, clamped, or for small motion
 /// there is nothing to tell.
 #[test]
-fn a_plate_held_over_its_face_is_told() {
+fn a_plate_held_over_its_face_is_reported() {
     let warned = |replaced: Replaced| -> Vec<WarningKind> {
         let model = scene("plate-solid.toml", replaced).unwrap().build(1).unwrap();
         model.warnings().iter().map(|warning| warning.kind).collect()

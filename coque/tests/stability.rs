@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, overridden, ran, text};
-use coque::{WarningKind, Ended, Failure, Outcome, Scene};
+use coque::{Ended, Failure, Outcome, Scene, WarningKind};
 use explicit_dynamics::MarchError;
 
 /// A quarter of the force \[N\].
@@ -58,8 +58,14 @@ fn a_relaxation_names_the_levels_between_which_it_snapped() {
             panic!("{:?}", outcome.summary.record.critical)
         };
         let reported = snap.between.unwrap();
-        assert!((reported[0] - between[0]).abs() < 1e-12 && (reported[1] - between[1]).abs() < 1e-12, "{snap:?}");
-        assert_eq!((snap.kind.as_str(), warned(&outcome)), ("change of branch", vec![WarningKind::PassedCritical]));
+        assert!(
+            (reported[0] - between[0]).abs() < 1e-12 && (reported[1] - between[1]).abs() < 1e-12,
+            "{snap:?}"
+        );
+        assert_eq!(
+            (snap.kind.as_str(), warned(&outcome)),
+            ("change of branch", vec![WarningKind::PassedCritical])
+        );
         let message = &outcome.summary.record.warnings[0].message;
         println!("{message}");
         for word in ["snapped", "times the energy", "another branch", "[analysis.arc-length]"] {
@@ -116,7 +122,11 @@ fn what_turns_far_without_a_snap_is_not_doubted() {
         let outcome = ran(overridden(&text(name), name, &replaced));
         assert_eq!(outcome.ended, Ended::Done, "{name}");
         let warned = warned(&outcome);
-        assert!(!warned.contains(&WarningKind::PassedCritical), "{name}: {:?}", outcome.summary.record.warnings);
+        assert!(
+            !warned.contains(&WarningKind::PassedCritical),
+            "{name}: {:?}",
+            outcome.summary.record.warnings
+        );
     }
 }
 
@@ -201,7 +211,7 @@ fn a_straight_column_beyond_its_load_is_called_unstable() {
 
 /// Without a word from the scene a small body is looked at, however short the run; a large one is reported as not looked at.
 #[test]
-fn what_is_not_looked_at_is_told() {
+fn what_is_not_looked_at_is_reported() {
     let column = |particles: &str, more: &str| {
         let scene = format!(
             "title = \"Column\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\n\
@@ -219,7 +229,8 @@ fn what_is_not_looked_at_is_told() {
     assert!(warned(&large).contains(&WarningKind::StabilityUnknown), "{:?}", warned(&large));
     let looked = column("[321, 33]", "period = 0.004\nstability = true");
     assert!(
-        warned(&looked).contains(&WarningKind::Unstable) && !warned(&looked).contains(&WarningKind::StabilityUnknown)
+        warned(&looked).contains(&WarningKind::Unstable)
+            && !warned(&looked).contains(&WarningKind::StabilityUnknown)
     );
 }
 

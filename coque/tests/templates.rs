@@ -72,7 +72,9 @@ fn every_key_is_described() {
             }
         }
         match value {
-            Value::Object(map) => map.iter().for_each(|(key, of)| visit(of, &format!("{path}.{key}"), silent)),
+            Value::Object(map) => {
+                map.iter().for_each(|(key, of)| visit(of, &format!("{path}.{key}"), silent))
+            }
             Value::Array(items) => items.iter().for_each(|of| visit(of, path, silent)),
             _ => {}
         }
@@ -234,7 +236,10 @@ fn every_scene_is_a_template_that_checks() {
     fs::create_dir_all(&folder).unwrap();
     let listed = said(&coque(&folder, &["new"]));
     for (name, text) in scenes() {
-        assert!(listed.contains(&format!("  {name} ")), "{name} is no template: add it in commands/templates.rs");
+        assert!(
+            listed.contains(&format!("  {name} ")),
+            "{name} is no template: add it in commands/templates.rs"
+        );
         let written = coque(&folder, &["new", &name]);
         assert_eq!(written.status.code(), Some(0), "{}", said(&written));
         let copy = fs::read_to_string(folder.join(format!("{name}.toml"))).unwrap();

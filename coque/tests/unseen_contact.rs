@@ -68,7 +68,7 @@ fn water_at_a_dry_face_is_refused() {
 
 /// A dam breaks towards a gate whose near face is dry: at the start no water is there, later it is.
 #[test]
-fn water_that_gets_to_a_dry_face_is_told() {
+fn water_that_gets_to_a_dry_face_is_reported() {
     let far = ("origin = [0.11, 0.0, -0.04]", "origin = [0.16, 0.0, -0.04]");
     let long = ("duration = 0.01", "duration = 0.12");
     let outcome = run(SHELL_GATE, &[("placed =", "wet = \"front\"\nplaced ="), far, long]);
@@ -81,7 +81,7 @@ fn water_that_gets_to_a_dry_face_is_told() {
 }
 
 #[test]
-fn a_stone_that_sinks_through_the_floor_is_told() {
+fn a_stone_that_sinks_through_the_floor_is_reported() {
     let outcome = run(STONE, &[]);
     let said: Vec<&str> = outcome
         .summary
@@ -100,7 +100,7 @@ fn a_stone_that_sinks_through_the_floor_is_told() {
 
 /// What floats, what is held, what has no time to fall, and what falls on dry ground.
 #[test]
-fn only_what_may_get_to_a_wall_is_told_at_the_start() {
+fn only_what_may_get_to_a_wall_is_reported_at_the_start() {
     assert_eq!(at_start(STONE, &[]), ["no-contact"]);
     assert!(at_start(STONE, &[("density = 3000.0", "density = 500.0")]).is_empty());
     assert!(at_start(STONE, &[("duration = 0.4", "duration = 0.1")]).is_empty());

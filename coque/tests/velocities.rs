@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran};
-use coque::{WarningKind, Outcome};
+use coque::{Outcome, WarningKind};
 
 const PLATE: &str = r#"
 title = "Free plate"
@@ -102,7 +102,7 @@ formulation.state-based = { horizon = 3.015, plane = "stress" }
 /// Supports that give and take velocities at once do the work `½mv²` of it, and the balance stays closed at every record, also at
 /// the one at which they stop. Before it was counted shell, bonds and body missed 9, 4 and 60 % of what was turned over.
 #[test]
-fn a_motion_that_starts_at_speed_has_its_work_booked() {
+fn a_motion_that_starts_at_speed_has_its_work_counted() {
     let rigid = "[{ on = 'u0', at = [-0.3, 0.25, 0.2], mass = 40.0, inertia = [0.5, 0.7, 0.9], products = [0.1, 0, 0] }]";
     let turned = "[{ on = 'u0', turned = { axis = [0, 1, 0], point = [-0.2, 0, 0], by = 20.0 }, amplitude = { ramp = 0.002 } }]";
     let rotated = "[{ on = 'u0', rotated = { axis = [0, 1, 0], by = 20.0 }, amplitude = { ramp = 0.002 } }]";
@@ -141,7 +141,7 @@ fn a_motion_that_starts_at_speed_has_its_work_booked() {
 
 /// A formulation without energy loses 44 % of it in two milliseconds: a warning leaves with the run.
 #[test]
-fn a_balance_that_does_not_close_is_told() {
+fn a_balance_that_does_not_close_is_reported() {
     let outcome = ran(overridden(STRUCK, "struck.toml", &[("formulation", "{ strong-form = {} }")]));
     let reported = |warning: &&coque::Warning| warning.kind == WarningKind::OpenBalance;
     let warning = outcome.summary.record.warnings.iter().find(reported).unwrap();

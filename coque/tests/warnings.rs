@@ -21,7 +21,7 @@ fn words(name: &str, replaced: Replaced) -> Vec<WarningKind> {
 
 /// Scenes of the repository, which `coque new` hands out as templates, and the one on a mesh.
 #[test]
-fn scenes_of_the_repository_raise_no_doubt() {
+fn scenes_of_the_repository_raise_no_warning() {
     for folder in [scenes(), scenes().join("meshes")] {
         for file in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
             if file.extension().is_some_and(|end| end == "toml") {
@@ -41,7 +41,11 @@ const SCATTERED: &str = "{ lengths = [1.0, 1.0], scattered = { spacing = 0.05, s
 const BROKEN: [(&str, Replaced, &[WarningKind]); 16] = [
     ("plate.toml", &[("loads", "[{ on = \"u0\", force = { total = [0, 0, 1] } }]")], &[WarningKind::NoWork]),
     ("plate.toml", &[("loads", "[{ on = \"all\", pressure = { value = 0.0 } }]")], &[WarningKind::NoWork]),
-    ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [3, 0, 1] } }]")], &[WarningKind::HeldLoad]),
+    (
+        "plate.toml",
+        &[("loads", "[{ on = \"all\", force = { total = [3, 0, 1] } }]")],
+        &[WarningKind::HeldLoad],
+    ),
     ("plate.toml", &[("sets.centre.nearest", "[0.5, 0.5, 0.2]")], &[WarningKind::FarNearest]),
     ("plate.toml", &[("section.homogeneous.thickness", "0.6")], &[WarningKind::TooThick]),
     ("plate.toml", &[("geometry.plate.particles", "[5, 5]")], &[WarningKind::FewParticles]),
@@ -101,7 +105,7 @@ fn each_rule_fires_on_a_scene_that_breaks_it() {
 /// Eight cells round a circle turn by 0.79 from one to the next; fifty, as the scene has them, by 0.13.
 /// A free plate of n cells a side turns in time with `1 + 3/n²` of its inertia: warned of above 1 %, and in the summary always. Modes have the true one.
 #[test]
-fn a_plate_that_turns_freely_is_told_its_inertia_in_time() {
+fn a_plate_that_turns_freely_is_reported_its_inertia_in_time() {
     const FREE: (&str, &str) = ("supports", "[]");
     const IN_TIME: (&str, &str) =
         ("analysis", "{ explicit = { transient = { duration = 1e-3, record_every = 1e-3 } } }");
@@ -123,7 +127,7 @@ fn a_plate_that_turns_freely_is_told_its_inertia_in_time() {
 }
 
 #[test]
-fn turns_of_the_deformed_shell_are_told_once() {
+fn turns_of_the_deformed_shell_are_reported_once() {
     let replaced = [("geometry.plate.particles", "[9, 3]"), ("analysis", "{ static = { levels = 8 } }")];
     let model = scene("ring.toml", &replaced).unwrap().build(1).unwrap();
     assert_eq!(model.warnings(), []);
@@ -157,7 +161,7 @@ fn the_figure_of_uneven_cells_bounds_what_they_cost() {
 
 /// A turned scene finds its sets where they are.
 #[test]
-fn a_turned_scene_raises_no_doubt() {
+fn a_turned_scene_raises_no_warning() {
     let turned = [("orientation", "{ axis = [1.0, 2.0, 3.0], degrees = 77.0 }")];
     assert_eq!(words("plate.toml", &turned), []);
 }
@@ -188,7 +192,7 @@ fn warnings_of(surface: &Surface) -> Vec<String> {
 }
 
 #[test]
-fn folds_are_told_by_mesh() {
+fn folds_are_reported_by_mesh() {
     let bent = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let x = |i: i32| 0.1 * f64::from(i);
@@ -204,7 +208,7 @@ fn folds_are_told_by_mesh() {
 }
 
 #[test]
-fn sheets_that_are_too_narrow_at_junctions_are_told() {
+fn sheets_that_are_too_narrow_at_junctions_are_reported() {
     // Flanges of so many cells on a web of so many, at right angles.
     let channel = |flange: usize, web: usize| {
         let mut profile: Vec<[f64; 2]> = (0..=flange).map(|i| [0.1 * (flange - i) as f64, 0.0]).collect();
@@ -227,7 +231,7 @@ fn sheets_that_are_too_narrow_at_junctions_are_told() {
 }
 
 #[test]
-fn beams_of_too_few_cells_a_wall_are_told() {
+fn beams_of_too_few_cells_a_wall_are_reported() {
     // Z sections with so many cells a plate, half a metre long.
     let zee = |n: usize, wide: f64| {
         let place = |i: usize| wide * i as f64 / n as f64;
@@ -248,7 +252,7 @@ fn beams_of_too_few_cells_a_wall_are_told() {
 
 /// A sheet that comes back over itself at a two-hundredth of a cell, its nodes beside those below.
 #[test]
-fn a_mesh_folded_onto_itself_is_told() {
+fn a_mesh_folded_onto_itself_is_reported() {
     let hairpin = |gap: f64| {
         let mut profile: Vec<[f64; 2]> = (0..=10).map(|i| [0.1 * f64::from(i), 0.0]).collect();
         profile.push([1.0, gap]);
@@ -283,7 +287,7 @@ fn bare(cloud: Cloud, thickness: f64) -> Shell {
 }
 
 #[test]
-fn sharp_corners_and_poles_are_told() {
+fn sharp_corners_and_poles_are_reported() {
     let sheared = |degrees: f64| {
         let lean = 1.0 / degrees.to_radians().tan();
         let n = 10_u32;
@@ -319,7 +323,7 @@ fn sharp_corners_and_poles_are_told() {
 
 /// Scenes of their own geometry are refused from t = R on; meshes are not.
 #[test]
-fn a_shell_thicker_than_its_radius_is_told() {
+fn a_shell_thicker_than_its_radius_is_reported() {
     let tube = Cylinder { radius: 1.0, angles: [0.0, std::f64::consts::PI], length: 3.0 };
     let reported = |thickness| {
         let shell = bare(lattice(&tube, [31, 31], EndWeights::Trapezoid).unwrap(), thickness);
@@ -360,7 +364,7 @@ fn check_prints_warnings_under_their_own_heading() {
 
 /// A run says it before it starts, once, and writes it to `summary.json`.
 #[test]
-fn a_run_tells_its_doubts_once_and_writes_them() {
+fn a_run_tells_its_warnings_once_and_writes_them() {
     let out = std::env::temp_dir().join(format!("coque-warnings-{}", std::process::id()));
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coque"));
     command.arg("run").arg(scenes().join("plate.toml")).arg("--out").arg(&out);

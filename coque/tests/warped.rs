@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 use common::{column, ran};
-use coque::{WarningKind, Outcome, Rendering, Scene, SceneError, render};
+use coque::{Outcome, Rendering, Scene, SceneError, WarningKind, render};
 use sph_core::Vec3;
 
 /// Cells along the side of a third of an octant.
@@ -93,7 +93,7 @@ fn hollow_cells_are_cut_in_two() {
 
 /// A node out of the surface warps the cells at it, which is reported; turned by 89° two cells cross themselves, of which no cut makes cells.
 #[test]
-fn warped_cells_are_told_and_crossed_ones_refused() {
+fn warped_cells_are_reported_and_crossed_ones_refused() {
     assert!(buckled("warped", 0.0, 0.02).unwrap().0);
     let refused = buckled("crossed", 89.0, 0.0).err().unwrap();
     let text = render(&refused, Rendering { width: 200, colour: false });

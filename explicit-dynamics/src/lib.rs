@@ -139,7 +139,7 @@
 //! | invariant | test |
 //! |---|---|
 //! | second order: an oscillator is the cosine, the error falls with Δt² | `free_vibration_is_the_cosine_to_second_order` (tests/oscillator.rs) |
-//! | kinetic, internal, external and dissipated energy balance | `energy_is_booked_to_the_last` |
+//! | kinetic, internal, external and dissipated energy balance | `energy_is_counted_to_the_last` |
 //! | both dampings end at the static answer | `ramp_and_dwell_ends_at_the_static_answer` |
 //! | a dwell without rest says so | `a_dwell_that_never_rests_says_so` |
 //! | a level settles at its equilibrium or says that it did not, for any damping and any period | `what_settles_is_near_its_equilibrium` |

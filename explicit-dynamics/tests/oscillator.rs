@@ -52,7 +52,7 @@ fn free_vibration_is_the_cosine_to_second_order() {
 }
 
 #[test]
-fn energy_is_booked_to_the_last() {
+fn energy_is_counted_to_the_last() {
     // Damped and driven: whatever the loads bring is stored, moving or dissipated.
     let (mut body, mut notes) = (Oscillator::new(0.3, -1.0, 5.0), Notes::default());
     let run = Transient { duration: 4.0 * PERIOD, record_every: 0.25 * PERIOD, damping: 0.3, safety: 0.02 };
@@ -225,7 +225,7 @@ fn a_ratio_of_critical_damping_is_two_ratio_omega() {
 }
 
 #[test]
-fn a_stop_is_booked() {
+fn a_stop_is_counted() {
     let mut clock = Clock::start(&mut Oscillator::new(1.0, 0.0, 0.0), 0.0, 0.1, 0.0).unwrap();
     let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
     for _ in 0..20 {

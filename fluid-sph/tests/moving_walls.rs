@@ -43,7 +43,7 @@ fn walls_hand_over_impulses() {
 
 /// A box pushed aside under water at rest: the work of walls and weight is what the fluid has more of.
 #[test]
-fn the_work_of_walls_is_booked() {
+fn the_work_of_walls_is_counted() {
     let mut parts = pool(2, [1.0, 0.5, 0.0], [1.0, 0.8, 0.0], 0.05);
     let push = (Vec3::x() * 0.5, Amplitude::Smooth(0.6));
     parts.walls[0].motion = Some(Motion { translation: Some(push), rotation: None });

@@ -193,7 +193,7 @@
 //! | load control stops before the falling side of a limit point | `load_control_follows_the_arch_up_to_its_limit`, `a_load_step_that_leaps_over_a_limit_point_is_refused` (tests/paths.rs) |
 //! | a step to another branch names where its own turns back, over one limit point or many, with line search or without; a long step on its branch says nothing | `a_load_step_to_the_far_side_of_the_arch_names_the_limit_it_leapt_over`, `a_leap_over_many_limit_points_names_the_first`, `a_displacement_step_over_a_turning_point_says_so`, `steps_that_stay_on_their_branch_are_proved_to` |
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
-//! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_told`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
+//! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_reported`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
 //! | the rest goes along with held values that move, and kept states are announced once | `held_values_move_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
 //! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
@@ -211,7 +211,7 @@
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 //! | no level of a dense spectrum is missing, in two factorisations | `no_level_of_a_dense_spectrum_is_missing` |
-//! | levels of either sign; a load that stretches is refused | `levels_of_either_sign`, `a_load_that_stretches_is_told_so` |
+//! | levels of either sign; a load that stretches is refused | `levels_of_either_sign`, `a_load_that_stretches_is_reported_so` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]

@@ -339,7 +339,7 @@ fn levels_of_either_sign() {
 
 /// A load that pulls everywhere: no positive level, said with the proof and the nearest negative one.
 #[test]
-fn a_load_that_stretches_is_told_so() {
+fn a_load_that_stretches_is_reported_so() {
     let mut system = dense(2000);
     system.levels.iter_mut().for_each(|level| *level = -level.abs());
     let error = buckling(&mut system, 0.0, 1, Sign::Positive).unwrap_err();

@@ -60,7 +60,7 @@ impl Equilibrium for Spring {
 
 /// To λ = 2, where q = 1: half the step leaves a quarter of the error, and `K⁻¹ r` is the error but for its own square.
 #[test]
-fn errors_are_of_the_second_order_and_told() {
+fn errors_are_of_the_second_order_and_reported() {
     let run = |steps: usize| {
         let mut spring = Spring(0.0);
         let mut scheme = OneSolve::new(&spring).unwrap();

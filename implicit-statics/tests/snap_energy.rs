@@ -153,7 +153,7 @@ fn reported(found: &[SnapEnergy], exact: &[f64], snap: usize, name: &str) {
 
 /// Half of the limit load at once: the motion carries the arch across below its limit, and that is reported as well.
 #[test]
-fn a_motion_that_overshoots_is_told() {
+fn a_motion_that_overshoots_is_reported() {
     let arch = Arch { half: 10.0, height: 1.0, sideways: false };
     let levels = steps(0.995 * arch.limit(), 2);
     let mut system = Flat::new(arch);

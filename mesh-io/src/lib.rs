@@ -64,17 +64,17 @@
 //! | a damaged frame is refused or sound | `damaged_frames_are_refused_or_sound` (src/sheet.rs) |
 //! | a write that fails leaves the old file; no link is followed | `a_write_that_fails_leaves_the_old_file`, `links_are_not_followed` (src/whole.rs) |
 
+mod atomic_file;
 mod input;
 mod series;
 mod sheet;
 pub mod surface;
 mod vtu;
-mod atomic_file;
 mod writer;
 
+pub use atomic_file::{Whole, under_way, write_whole};
 pub use input::{read_bytes, read_text};
 pub use series::{FieldError, Series, listed};
 pub use sheet::{Array, ReadError, Sheet};
 pub use vtu::write::Vtu;
-pub use atomic_file::{Whole, under_way, write_whole};
 pub use writer::{At, Connectivity, FieldWriter, Kind, Rows, Values, rows};

@@ -4,11 +4,11 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::atomic_file::{under_way, write_whole};
 use crate::input::read_text;
 use crate::sheet::ReadError;
 use crate::vtu::write::Vtu;
 use crate::vtu::xml::parsed;
-use crate::atomic_file::{under_way, write_whole};
 use crate::writer::FieldWriter;
 
 /// A frame that could not be written.

@@ -100,7 +100,7 @@ fn surfaces_of_abaqus_files_are_groups_of_faces() {
 }
 
 #[test]
-fn the_side_of_the_normals_is_told() {
+fn the_side_of_the_normals_is_reported() {
     let said = |surface: &Surface| side(&common::cloud(surface));
     let flat = plate("plate.obj");
     assert_eq!(said(&flat), "along [0, 0, 1] at [0, 0, 0]");

@@ -84,7 +84,7 @@ fn the_longest_boundary_comes_first() {
 }
 
 #[test]
-fn unused_nodes_and_seams_are_told() {
+fn unused_nodes_and_seams_are_reported() {
     let surface = obj(
         "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 4 5\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n",
     );

@@ -9,8 +9,8 @@ use implicit_statics::{Equilibrium, linear_response, natural_modes, unwatched};
 use lattices::{ALL, Random, displace, formulation, parts, poisson};
 use nalgebra::Matrix3;
 use peridynamics::{
-    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Mirror, Parts, Sheets, Solid,
-    Space, StaticSolid, Support, Supported,
+    AppliedLoad, Correction, Elastic, Formulation, Idealisation, Influence, Law, Mirror, Parts, Sheets,
+    Solid, Space, StaticSolid, Support, Supported,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 

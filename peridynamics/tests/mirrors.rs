@@ -9,8 +9,8 @@ use explicit_dynamics::{Dynamics, Instant, LinearisedDynamics, Step};
 use implicit_statics::Equilibrium;
 use lattices::{ALL, Random, formulation, parts, poisson};
 use peridynamics::{
-    Idealisation, Correction, Crack, Criterion, Elastic, Fracture, Law, Mirror, Parts, Sheets, Solid, SolidError,
-    Space, StaticSolid,
+    Correction, Crack, Criterion, Elastic, Fracture, Idealisation, Law, Mirror, Parts, Sheets, Solid,
+    SolidError, Space, StaticSolid,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 

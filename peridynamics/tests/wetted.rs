@@ -12,7 +12,9 @@ use explicit_dynamics::{
     Observer, OutOfBounds, Record, StableStep, Step, Transient, TwoClocks, Wetted, Work,
 };
 use lattices::{Random, displace, formulation, lattice, parts, plane, poisson};
-use peridynamics::{Idealisation, Criterion, Elastic, Fracture, Law, Parts, Sheets, Solid, SolidError, Space};
+use peridynamics::{
+    Criterion, Elastic, Fracture, Idealisation, Law, Parts, Sheets, Solid, SolidError, Space,
+};
 use peridynamics::{Support, Supported};
 use sph_core::{Block, Vec3};
 

@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equal_constants_are_kept_once_and_zeros_of_either_sign_are_told_apart() {
+    fn equal_constants_are_kept_once_and_zeros_of_either_sign_are_distinguished_apart() {
         let all = [1.0, 0.0, 1.0, -0.0, 2.0, 0.0].map(Pack::splat);
         let shared = Shared::new(all, |pack| [*pack]);
         assert_eq!(shared.distinct.len(), 4);

@@ -204,7 +204,8 @@ impl Shell {
     /// ones, less what is held.
     pub fn dof(&self) -> usize {
         let alone = (0..self.len()).filter(|&a| self.junctions.first(a) == a);
-        let held: usize = alone.filter_map(|a| self.constraint(a)).map(Constraint::held_freedoms).sum();
+        let held: usize =
+            alone.filter_map(|a| self.constraint(a)).map(Constraint::held_degrees_of_freedom).sum();
         let (particles, groups) = self.tied();
         5 * (self.len() - particles) + 6 * groups - held
     }
@@ -249,7 +250,8 @@ impl Shell {
     /// The moment that the supports and springs of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let [f, e, s] = [self.internal_force(particle), self.external_force(particle), self.spring_forces(particle)];
+        let [f, e, s] =
+            [self.internal_force(particle), self.external_force(particle), self.spring_forces(particle)];
         if let Some(group) = self.junctions.of(particle) {
             if group.first() != particle {
                 return Vec3::zeros();

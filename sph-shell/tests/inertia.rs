@@ -132,7 +132,7 @@ fn a_rigid_plate_flips_with_its_own_inertia() {
 /// What marches make of a plate of n cells a side: `1 + 2/n²` by its corners, `1/n²` more about its own axes by directors of the size of a
 /// cell; about its edge four times as much inertia has the same error. Rigid cells have none, nor has a shell that cannot turn.
 #[test]
-fn the_error_of_the_inertia_of_marches_is_told() {
+fn the_error_of_the_inertia_of_marches_is_reported() {
     let (n, thickness) = (10.0_f64, 1e-4);
     let reported = |supports| {
         let cloud = flat([11, 11], [1.0, 1.0]);

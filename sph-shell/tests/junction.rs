@@ -145,7 +145,7 @@ fn particles_that_cannot_be_tied_are_refused() {
 
 /// Six unknowns a group, less what is held: directions held on one particle are held on all.
 #[test]
-fn a_group_has_six_freedoms_and_one_set_of_supports() {
+fn a_group_has_six_degrees_of_freedom_and_one_set_of_supports() {
     let free = free_shell(tee(2, 1.0, 2), CELL, 0.1);
     assert_eq!(free.tied(), (6, 3));
     assert_eq!(free.dof(), 5 * (free.len() - 6) + 18);

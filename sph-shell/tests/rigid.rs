@@ -108,7 +108,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
 
 /// A couple about a fixed axis has a potential where the body turns about that axis alone.
 #[test]
-fn the_skew_part_of_a_couple_on_a_body_is_told() {
+fn the_skew_part_of_a_couple_on_a_body_is_reported() {
     let about = Holds { translations: vec![X, Z], director: DirectorHold::InPlane(Y), ..Holds::default() };
     for (holds, couple, skew) in [(vec![], Y, true), (vec![about], Y, false), (vec![], Vec3::zeros(), false)]
     {

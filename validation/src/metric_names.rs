@@ -5,7 +5,7 @@ pub const ERROR: &str = "error";
 /// What is left between the explicit and the static run.
 pub const DYNAMICS: &str = "explicit − static";
 /// Levels at which the motion had not died.
-pub const REST: &str = "restless levels";
+pub const REST: &str = "unsettled levels";
 /// Asserts a failure as it is, with its cause.
 pub const KNOWN: &str = "known failure";
 /// Fails an answer that is far off and says nothing.

@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn the_list_line_is_told() {
+    fn the_list_line_is_reported() {
         let reported = Name::new("made-up").unwrap().left_to_do();
         assert!(reported.contains("made_up::case()") && reported.contains("--case made-up"), "{reported}");
     }

@@ -8,15 +8,15 @@ const DOF: usize = 5;
 /// Entries in the lower triangle of an element's tangent.
 const ENTRIES: usize = 210;
 
-/// Marks an entry of an element that belongs to a held freedom.
+/// Marks an entry of an element that belongs to a held dof.
 const HELD: u32 = u32::MAX;
 
 /// Numbers and places, the same for every state.
 #[derive(Debug, Clone)]
 pub struct Assembly {
-    /// Unknown of each freedom of each node.
+    /// Unknown of each dof of each node.
     numbers: Vec<[Option<usize>; DOF]>,
-    /// Node and freedom of each unknown.
+    /// Node and dof of each unknown.
     owners: Vec<(usize, usize)>,
     /// Positions (row, column), row ≥ column, by rows.
     pattern: Vec<(usize, usize)>,
@@ -33,9 +33,9 @@ impl Assembly {
             .enumerate()
             .map(|(node, frame)| {
                 std::array::from_fn(|dof| {
-                    let free = if freedom < 3 { freedom >= frame.held } else { freedom - 3 < frame.turns };
+                    let free = if dof < 3 { dof >= frame.held } else { dof - 3 < frame.turns };
                     free.then(|| {
-                        owners.push((node, freedom));
+                        owners.push((node, dof));
                         owners.len() - 1
                     })
                 })
@@ -65,12 +65,12 @@ impl Assembly {
         self.pattern.clone()
     }
 
-    /// The unknown of a node's freedom, if it is free.
-    pub fn unknown(&self, node: usize, freedom: usize) -> Option<usize> {
+    /// The unknown of a node's dof, if it is free.
+    pub fn unknown(&self, node: usize, dof: usize) -> Option<usize> {
         self.numbers[node][dof]
     }
 
-    /// Node and freedom of an unknown.
+    /// Node and dof of an unknown.
     pub fn owner(&self, unknown: usize) -> (usize, usize) {
         self.owners[unknown]
     }
@@ -86,7 +86,7 @@ impl Assembly {
     }
 }
 
-/// Positions of an element's lower triangle, row by row; `None` where a freedom is held.
+/// Positions of an element's lower triangle, row by row; `None` where a dof is held.
 fn entries(nodes: &[usize; 4], numbers: &[[Option<usize>; DOF]]) -> Vec<Option<(usize, usize)>> {
     let unknown = |local: usize| numbers[nodes[local / DOF]][local % DOF];
     let pair = |row: usize, column: usize| {
@@ -105,7 +105,7 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
-    fn held_freedoms_have_no_number_and_the_pattern_holds_the_diagonal() {
+    fn held_degrees_of_freedom_have_no_number_and_the_pattern_holds_the_diagonal() {
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         let free = Frame { axes, held: 0, turns: 2 };
         let clamped = Frame { axes, held: 3, turns: 0 };

@@ -177,9 +177,9 @@ impl Model {
         first * self.part(increment, node, 3) + second * self.part(increment, node, 4)
     }
 
-    /// A freedom's part of an increment; zero where it is held.
-    fn part(&self, increment: &[f64], node: usize, freedom: usize) -> f64 {
-        self.assembly.unknown(node, freedom).map_or(0.0, |unknown| increment[unknown])
+    /// A dof's part of an increment; zero where it is held.
+    fn part(&self, increment: &[f64], node: usize, dof: usize) -> f64 {
+        self.assembly.unknown(node, dof).map_or(0.0, |unknown| increment[unknown])
     }
 
     fn corners(&self, nodes: &[usize; 4]) -> Corners {
@@ -192,11 +192,11 @@ impl Model {
     /// Adds a force and a force on the director to the degrees of freedom of a node.
     fn add(&self, node: usize, force: &Vector3<f64>, on_director: &Vector3<f64>, out: &mut [f64]) {
         let tangents = self.directors[node].axes();
-        for freedom in 0..5 {
-            if let Some(unknown) = self.assembly.unknown(node, freedom) {
-                out[unknown] += match freedom {
+        for dof in 0..5 {
+            if let Some(unknown) = self.assembly.unknown(node, dof) {
+                out[unknown] += match dof {
                     0..3 => self.frames[node].axes[dof].dot(force),
-                    _ => tangents[freedom - 3].dot(on_director),
+                    _ => tangents[dof - 3].dot(on_director),
                 };
             }
         }
@@ -219,7 +219,7 @@ impl Model {
             let (axes, tangents) = (&self.frames[node].axes, self.directors[node].axes());
             [axes[0], axes[1], axes[2], tangents[0], tangents[1]]
         });
-        let start = |corner: usize, freedom: usize| 3 * corner + if freedom < 3 { 0 } else { 12 };
+        let start = |corner: usize, dof: usize| 3 * corner + if dof < 3 { 0 } else { 12 };
         for (j, basis) in bases.iter().enumerate() {
             for (b, direction) in basis.iter().enumerate() {
                 let column: Forces = tangent.fixed_columns::<3>(start(j, b)) * direction;
@@ -336,7 +336,7 @@ impl Equilibrium for Model {
         for node in 0..self.nodes() {
             let moved = self.displacement_in(increment, node);
             self.positions[node] += moved;
-            let turn = [3, 4].map(|dof| self.part(increment, node, freedom));
+            let turn = [3, 4].map(|dof| self.part(increment, node, dof));
             self.directors[node].turn(turn);
         }
     }
@@ -370,10 +370,9 @@ impl Equilibrium for Model {
     fn masses(&self) -> Vec<f64> {
         let mut masses = vec![0.0; self.unknowns()];
         for (node, area) in self.areas.iter().enumerate() {
-            for freedom in 0..5 {
-                if let Some(unknown) = self.assembly.unknown(node, freedom) {
-                    masses[unknown] =
-                        area * if freedom < 3 { self.section.mass } else { self.section.rotary };
+            for dof in 0..5 {
+                if let Some(unknown) = self.assembly.unknown(node, dof) {
+                    masses[unknown] = area * if dof < 3 { self.section.mass } else { self.section.rotary };
                 }
             }
         }
@@ -381,14 +380,14 @@ impl Equilibrium for Model {
     }
 
     fn name_unknown(&self, unknown: usize) -> String {
-        let (node, freedom) = self.assembly.owner(unknown);
-        match freedom {
+        let (node, dof) = self.assembly.owner(unknown);
+        match dof {
             0..3 => {
                 let axis = self.frames[node].axes[dof];
                 format!("displacement of node {node} along ({:.3}, {:.3}, {:.3})", axis.x, axis.y, axis.z)
             }
             _ => {
-                let axis = self.directors[node].axes()[freedom - 3];
+                let axis = self.directors[node].axes()[dof - 3];
                 format!(
                     "turn of the director of node {node} towards ({:.3}, {:.3}, {:.3})",
                     axis.x, axis.y, axis.z

@@ -7,7 +7,7 @@ use implicit_statics::{SymmetricSolver, linear_response};
 
 use super::linear::solved;
 use super::march::reference_step;
-use crate::bodies::{StaticBody, DynamicBody, Model, Ready};
+use crate::bodies::{DynamicBody, Model, Ready, StaticBody};
 use crate::scene::{Analysis, Explicit, LevelSign, Linear};
 
 /// How long steps are timed.

@@ -8,7 +8,7 @@ use sph_core::Vec3;
 use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
 use crate::WarningKind;
-use crate::bodies::{StaticBody, Configuration, Probe, Resultant, extent};
+use crate::bodies::{Configuration, Probe, Resultant, StaticBody, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::record::{ConjugateSummary, Energies};
@@ -73,11 +73,11 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     match way {
         Way::Factor(inertia) => {
             row.push(inertia.negative as f64);
-            doubt_stability(inertia, run);
+            warning_stability(inertia, run);
         }
         Way::Iterated(found) => run.record.conjugate_gradients = Some(found),
     }
-    doubt_size(system, &there, largest, run);
+    warning_size(system, &there, largest, run);
     let linear = |i: usize| {
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
@@ -136,7 +136,7 @@ pub(super) fn solved(
 }
 
 /// Warns of a body that would leave its place under no load at all.
-fn doubt_stability(inertia: Inertia, run: &mut Run<'_>) {
+fn warning_stability(inertia: Inertia, run: &mut Run<'_>) {
     if inertia.negative > 0 {
         let message = format!(
             "the unloaded body is not stable (negative pivots of its tangent: {}): the linear answer is one to a state that it would leave \
@@ -154,7 +154,7 @@ fn doubt_stability(inertia: Inertia, run: &mut Run<'_>) {
 const LARGE: [f64; 2] = [0.15, 0.5];
 
 /// Warns of an answer that is too large to be linear; `largest` is the largest displacement of the places `there`.
-fn doubt_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
+fn warning_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
     let Configuration { rest, cells, .. } = system.configuration();
     // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
     let sides = cells.iter().flat_map(|cell| {

@@ -40,7 +40,7 @@ pub(crate) fn march(
         (None, None) => return Ended::Done,
     };
     let Watcher { run, ended, .. } = watcher;
-    doubt_balance(body, &mut run.record);
+    warning_balance(body, &mut run.record);
     match marched {
         Ok(clock) => {
             run.record.steps = clock.steps;
@@ -65,7 +65,7 @@ const OPEN_BALANCE: f64 = 0.02;
 const ROUND_OFF: f64 = 1e-10;
 
 /// Warns of energy that came or went without a book that says from where or whereto; a body that nothing but rounding moved has none.
-fn doubt_balance(body: &dyn DynamicBody, record: &mut RunRecord) {
+fn warning_balance(body: &dyn DynamicBody, record: &mut RunRecord) {
     let Some(balance) = record.balance.filter(|balance| balance.share().abs() > OPEN_BALANCE) else { return };
     let Configuration { rest, present, .. } = body.configuration();
     let size = rest.iter().map(|x| (x - rest[0]).norm()).fold(0.0, f64::max);
@@ -151,7 +151,7 @@ impl Watcher<'_, '_, '_> {
         let last = reached == levels;
         let steps = if last { record.step } else { level.steps };
         if !self.stability.due(steps) {
-            if last && self.stability.is_told() {
+            if last && self.stability.is_reported() {
                 let message = format!(
                     "level {} is at rest, but whether it is stable was not looked at, which would take more than 1 % of the run: a perfect column \
                      rests straight beyond its critical load; see by analysis.explicit.quasi-static.stability = true, or say that it need \

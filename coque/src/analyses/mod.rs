@@ -17,7 +17,7 @@ use std::time::Instant;
 
 pub use estimate::Estimate;
 
-use crate::bodies::{StaticBody, Description, DynamicBody, Model, Ready, Resultant, TangentCost};
+use crate::bodies::{Description, DynamicBody, Model, Ready, Resultant, StaticBody, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;

@@ -9,7 +9,7 @@ use implicit_statics::{
 
 use super::breaking::{at_rest, note_breaches};
 use super::criticality::{Follows, note};
-use crate::bodies::{StaticBody, PrescribedPoint};
+use crate::bodies::{PrescribedPoint, StaticBody};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};

@@ -45,7 +45,7 @@ impl Stability {
     }
 
     /// Whether a state that is not looked at is to be reported: where it could be, and nobody said that it need not.
-    pub fn is_told(&self) -> bool {
+    pub fn is_reported(&self) -> bool {
         self.wanted.is_none() && self.tangent != TangentCost::Without
     }
 

@@ -8,10 +8,10 @@ use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
+use super::field_source::{FieldRequest, FieldSource};
 use super::figures::FluidFigures;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
-use super::field_source::{FieldSource, FieldRequest};
 use crate::Warning;
 use crate::scene::Measured;
 

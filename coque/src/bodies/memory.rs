@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn more_than_half_is_told_with_both_numbers() {
+    fn more_than_half_is_reported_with_both_numbers() {
         let memory = |needed| Memory { needed, available: Some(8e9) };
         assert_eq!(memory(3e9).warning(), None);
         let reported = memory(5e9).warning().unwrap();

@@ -14,12 +14,13 @@
 
 pub(crate) mod body;
 mod build;
+mod built_body;
 mod coupled;
+mod field_source;
 mod figures;
 mod fluid;
 mod galerkin;
 mod imperfect;
-mod built_body;
 mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
@@ -28,19 +29,18 @@ mod rigid;
 mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;
-mod field_source;
 mod solid;
 
 pub(crate) use body::extent;
 pub use body::{
-    StaticBody, Body, Configuration, Description, Diagnostics, DynamicBody, Mismatch, PrescribedPoint, Ready, Shape,
-    StateArray, TangentCost,
+    Body, Configuration, Description, Diagnostics, DynamicBody, Mismatch, PrescribedPoint, Ready, Shape,
+    StateArray, StaticBody, TangentCost,
 };
-pub use figures::FluidFigures;
 use built_body::BuiltBody;
+pub use field_source::{FieldRequest, FieldSource, Part, State};
+pub use figures::FluidFigures;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, Task};
 pub use probe::Probe;
 pub use resultants::{LoadResultants, Resultant};
-pub use field_source::{FieldSource, Part, FieldRequest, State};

@@ -108,7 +108,8 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
             for warning in &row.warnings {
                 say(&format!("[{}/{all}] warning: {}", number + 1, warning.message));
             }
-            let warnings = if row.warnings.is_empty() { String::new() } else { format!(", {}", row.warnings()) };
+            let warnings =
+                if row.warnings.is_empty() { String::new() } else { format!(", {}", row.warnings()) };
             say(&format!("[{}/{all}] {named}: {}{warnings} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);

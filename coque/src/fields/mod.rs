@@ -21,7 +21,7 @@ use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
 pub use files::{FieldFiles, Written};
 
-use crate::bodies::{Body, FieldSource, Part, FieldRequest, State, Task};
+use crate::bodies::{Body, FieldRequest, FieldSource, Part, State, Task};
 use crate::results::picture::together;
 use crate::scene::Analysis;
 use crate::scene::units::Units;

@@ -93,7 +93,7 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     };
     let edges = outline(&cells).into_iter().filter(|&(from, to)| !inner(from, to));
     canvas.dashed(edges.map(|(from, to)| [&before[from], &before[to]]));
-    let range = told_apart(wanted.range.unwrap_or_else(|| ends(&of_cells)));
+    let range = reported_apart(wanted.range.unwrap_or_else(|| ends(&of_cells)));
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -155,7 +155,7 @@ fn mirrored(mut points: Vec<[f64; 3]>, planes: &[usize]) -> Vec<[f64; 3]> {
 }
 
 /// The ends of the scale; one value where the four digits beside the bar would be the same: rounding has no colour.
-fn told_apart([low, high]: [f64; 2]) -> [f64; 2] {
+fn reported_apart([low, high]: [f64; 2]) -> [f64; 2] {
     let middle = 0.5 * (low + high);
     if high - low <= 1e-4 * middle.abs() { [middle; 2] } else { [low, high] }
 }
@@ -242,10 +242,10 @@ mod tests {
 
     #[test]
     fn rounding_has_no_colour() {
-        assert_eq!(told_apart([1.0, 1.0 + 1e-9]), [1.0 + 5e-10; 2]);
-        assert_eq!(told_apart([-1.0, 1.0]), [-1.0, 1.0]);
-        assert_eq!(told_apart([0.0, 1e-30]), [0.0, 1e-30]);
-        let none = told_apart([f64::INFINITY, f64::NEG_INFINITY]);
+        assert_eq!(reported_apart([1.0, 1.0 + 1e-9]), [1.0 + 5e-10; 2]);
+        assert_eq!(reported_apart([-1.0, 1.0]), [-1.0, 1.0]);
+        assert_eq!(reported_apart([0.0, 1e-30]), [0.0, 1e-30]);
+        let none = reported_apart([f64::INFINITY, f64::NEG_INFINITY]);
         assert_eq!(none, [f64::INFINITY, f64::NEG_INFINITY]);
     }
 

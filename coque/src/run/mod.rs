@@ -1,11 +1,11 @@
 //! A run: what it is given, what it has found so far, how it is reported, kept and ended. What it does is an analysis.
 
+mod active_run;
 pub(crate) mod checkpoint;
 pub(crate) mod impulses;
 pub(crate) mod outcome;
 pub(crate) mod progress;
 pub(crate) mod record;
 pub(crate) mod summary;
-mod active_run;
 
 pub(crate) use active_run::Run;

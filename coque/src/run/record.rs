@@ -4,7 +4,7 @@ use implicit_statics::Inertia;
 use serde::{Deserialize, Serialize};
 
 use crate::bodies::FluidFigures;
-use crate::{WarningKind, Warning};
+use crate::{Warning, WarningKind};
 
 /// What a run has found so far, its rows and shapes apart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -1,19 +1,18 @@
 //! A scene: a problem as plain, validated data.
 
 mod absent;
-pub(crate) mod single_body;
 mod amplitude;
 mod analysis;
 mod analysis_kind;
 mod bounds;
 pub(crate) mod catalogue;
 mod check;
+mod compatibility;
 mod coupling;
 mod curve;
 pub(crate) mod error;
 pub(crate) mod fluid;
 mod forms;
-mod compatibility;
 mod imperfection;
 mod levels;
 mod loads;
@@ -29,6 +28,7 @@ pub(crate) mod schema;
 pub(crate) mod scope;
 pub(crate) mod sets;
 mod shell;
+pub(crate) mod single_body;
 pub(crate) mod solid;
 pub(crate) mod source;
 mod statics;

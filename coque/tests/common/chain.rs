@@ -5,8 +5,8 @@
 use std::borrow::Cow;
 
 use coque::scene::Measured;
-use coque::{At, StaticBody, Body, Configuration, Connectivity, FieldSource, FieldWriter, Kind, DynamicBody};
-use coque::{Mismatch, Part, FieldRequest, StateArray, Values, rows};
+use coque::{At, Body, Configuration, Connectivity, DynamicBody, FieldSource, FieldWriter, Kind, StaticBody};
+use coque::{FieldRequest, Mismatch, Part, StateArray, Values, rows};
 use explicit_dynamics::{Bounds, Dynamics, Instant, MarchError, StableStep, Step, Work};
 use implicit_statics::Equilibrium;
 use sph_core::Vec3;

@@ -4,10 +4,10 @@
 //! central differences are stable for ω < 2, hence `M_i = Λ/4 Σⱼ|K_ij|` with Λ a little above one \[underwood1983\].
 //! The slowest modes are made faster ([`slow`]), and a level starts where the levels before point ([`past`]).
 
+mod deflation;
 mod motion;
 mod predictor;
 mod snap_energy;
-mod deflation;
 
 use std::ops::ControlFlow;
 
@@ -18,11 +18,11 @@ use crate::error::require;
 use crate::options::RelaxationOptions;
 use crate::vectors::dot;
 use crate::{Equilibrium, EquilibriumError};
+use deflation::SlowModes;
 use motion::Motion;
 use predictor::Past;
 use snap_energy::Energies;
 pub use snap_energy::SnapEnergy;
-use deflation::SlowModes;
 
 /// Tries at the level at which a first limit is met.
 const TRIES: usize = 6;

@@ -11,11 +11,11 @@ use super::{MeshError, Quality, Surface, quality, side};
 /// Sets that are listed one by one.
 const LISTED: usize = 24;
 
-/// Everything that was found in a file, with what `warnings` finds in its cloud among the warnings.
+/// Everything that was found in a file, with what `of_cloud` finds in its cloud among the warnings.
 ///
 /// # Errors
 /// [`MeshError`] for a surface that no cloud can be made of.
-pub fn report(surface: &Surface, warnings: impl Fn(&Cloud) -> Vec<String>) -> Result<String, MeshError> {
+pub fn report(surface: &Surface, of_cloud: impl Fn(&Cloud) -> Vec<String>) -> Result<String, MeshError> {
     let (cloud, made) = surface.cloud(surface.node_normals())?;
     let figures = quality(surface);
     let mut out = format!("{}: {}\n", surface.file, surface.format.name());
@@ -112,7 +112,7 @@ pub fn report(surface: &Surface, warnings: impl Fn(&Cloud) -> Vec<String>) -> Re
     for note in &surface.notes {
         line("note", note.clone());
     }
-    for warning in warnings(surface, &figures).into_iter().chain(warnings(&cloud)) {
+    for warning in warnings(surface, &figures).into_iter().chain(of_cloud(&cloud)) {
         line("warning", warning);
     }
     Ok(out)

@@ -1,7 +1,9 @@
 //! Blocks of nodes in slow motion, for the benches of this crate.
 #![allow(dead_code)] // each bench is a crate of its own and uses a part of this
 
-use peridynamics::{Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
+use peridynamics::{
+    Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Solid, Space, Volumes,
+};
 use sph_core::{Block, Vec3};
 
 /// Spacing of nodes.

@@ -3,8 +3,8 @@
 use sph_core::Vec3;
 
 use super::images::Images;
-use super::network::{Network, Row};
 use super::intact::Bond;
+use super::network::{Network, Row};
 
 /// Least length of a present bond \[L\]: one that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-300;

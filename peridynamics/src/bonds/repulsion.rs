@@ -16,9 +16,9 @@
 use rayon::prelude::*;
 use sph_core::{CellList, Vec3};
 
+use super::intact::Whole;
 use super::network::NODE_CHUNK;
 use super::network::{Network, Row};
-use super::intact::Whole;
 use crate::contact::Contact;
 use crate::error::SolidError;
 use crate::material::{Elastic, Moduli};

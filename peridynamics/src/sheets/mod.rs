@@ -15,8 +15,8 @@
 
 mod breaking;
 mod columns;
-mod rest_shape;
 mod plate;
+mod rest_shape;
 mod shear;
 mod sheet;
 mod tangent;

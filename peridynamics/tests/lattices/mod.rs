@@ -1,7 +1,9 @@
 //! Lattices of nodes, and bodies on them, for the tests of this crate.
 #![allow(dead_code)] // each test is a crate of its own and uses a part of this
 
-use peridynamics::{Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, Space, Volumes};
+use peridynamics::{
+    Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Solid, Space, Volumes,
+};
 use sph_core::{Block, Vec3};
 
 /// A lattice of cell centres: `counts` of nodes along each axis, one across a plane, the corner of the first cell at zero.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use peridynamics::{
-    Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Sheets, Solid, Space, Support,
+    Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Sheets, Solid, Space, Support,
     Supported, Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};

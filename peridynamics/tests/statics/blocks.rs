@@ -2,8 +2,8 @@
 
 use explicit_dynamics::Amplitude;
 use peridynamics::{
-    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Space, Support, Supported,
-    Volumes,
+    AppliedLoad, Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Space, Support,
+    Supported, Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 

@@ -47,7 +47,12 @@ impl Constraint {
     pub(crate) fn prescribed(&self) -> Option<Prescribed<'_>> {
         let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
         let held = &self.held[..self.count];
-        (motion.is_some() || rotation.is_some()).then_some(Prescribed { rest: self.rest, motion, rotation, held })
+        (motion.is_some() || rotation.is_some()).then_some(Prescribed {
+            rest: self.rest,
+            motion,
+            rotation,
+            held,
+        })
     }
 }
 

@@ -358,7 +358,7 @@ pub(super) fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
 
 impl Constraint {
     /// Degrees of freedom held, of three translations and two rotations, of three and three of a group.
-    pub(crate) fn held_freedoms(&self) -> usize {
+    pub(crate) fn held_degrees_of_freedom(&self) -> usize {
         let rotations = match self.director {
             DirectorHold::Free => 0,
             DirectorHold::InPlane(_) => 1 + usize::from(self.tied),

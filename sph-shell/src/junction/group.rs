@@ -262,7 +262,7 @@ impl Constraint {
 
     /// Whether anything is held or prescribed.
     pub(crate) fn holds(&self) -> bool {
-        !self.tied || self.held_freedoms() > 0
+        !self.tied || self.held_degrees_of_freedom() > 0
     }
 }
 

@@ -37,9 +37,10 @@ impl Shell {
 
     /// Square of the force that brings about what is prescribed to the body that a particle stands for, turns counted as arcs \[F²\].
     pub(crate) fn force_on_body(&self, particle: usize, arc: f64) -> f64 {
-        let (Some(group), Some(prescribed)) =
-            (self.body_of(particle), self.constraint(particle).and_then(|constraint| constraint.prescribed()))
-        else {
+        let (Some(group), Some(prescribed)) = (
+            self.body_of(particle),
+            self.constraint(particle).and_then(|constraint| constraint.prescribed()),
+        ) else {
             return 0.0;
         };
         let row = group.along_unknowns(&self.state, group.gather(&self.state, |a| self.internal_force(a)));
@@ -49,9 +50,10 @@ impl Shell {
 
     /// Rates of all particles of the body that one stands for, per unit of level at fixed unknowns.
     pub(crate) fn rates_of_body(&self, particle: usize, level: f64, rates: &mut [Row]) {
-        let (Some(group), Some(prescribed)) =
-            (self.body_of(particle), self.constraint(particle).and_then(|constraint| constraint.prescribed()))
-        else {
+        let (Some(group), Some(prescribed)) = (
+            self.body_of(particle),
+            self.constraint(particle).and_then(|constraint| constraint.prescribed()),
+        ) else {
             return;
         };
         let [u, spin] = prescribed.motion_rate(level, self.case);

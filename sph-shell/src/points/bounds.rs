@@ -57,7 +57,12 @@ impl Shell {
                 } else {
                     ("the greatest stretch", most.sqrt(), "below 10")
                 };
-                return Some(BoundViolation { place: self.name_point(points[lane] as usize), what, value, bound });
+                return Some(BoundViolation {
+                    place: self.name_point(points[lane] as usize),
+                    what,
+                    value,
+                    bound,
+                });
             }
         }
         None

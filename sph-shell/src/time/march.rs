@@ -154,7 +154,8 @@ impl Dynamics for Shell {
 
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         if bounds == Bounds::Configuration {
-            let found = |BoundViolation { place, what, value, bound }| OutOfRange { place, what, value, bound };
+            let found =
+                |BoundViolation { place, what, value, bound }| OutOfRange { place, what, value, bound };
             return self.first_bound_violation().map_or(Ok(()), |violation| Err(found(violation).into()));
         }
         let (particle, speed) = self.fastest();

@@ -5,8 +5,8 @@ use std::ops::Range;
 use explicit_dynamics::{Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
-use crate::conditions::supports::Constraint;
 use crate::conditions::prescribed_at::Prescribed;
+use crate::conditions::supports::Constraint;
 use crate::gather::Gather;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::registers::{Baseline, Registers, columns, four_of};
@@ -254,7 +254,7 @@ impl Update<'_> {
             if prescribed[lane] {
                 let [f, old, new] = [registers.rows(f), registers.rows(old), registers.rows(new)];
                 let rates = [old[lane], new[lane]];
-                work.external = self.with_told_work(a + lane, work.external, rows[lane], f[lane], rates);
+                work.external = self.with_reported_work(a + lane, work.external, rows[lane], f[lane], rates);
             }
         }
         if !DRIFT {
@@ -306,7 +306,7 @@ impl Update<'_> {
     /// gives and takes at once, held velocities among it.
     #[cold]
     #[inline(never)]
-    fn with_told_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
+    fn with_reported_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
         let Step { kick, damping, .. } = *self.step;
         let prescribed = self.constraints[self.constraint_of[a] as usize - 1].prescribed();
         let tells = |what: fn(&Prescribed<'_>) -> bool| kick == 0.0 || prescribed.as_ref().is_some_and(what);

@@ -5,7 +5,7 @@ use coque::{Rendering, RunOptions, Scene, SceneError, render};
 use crate::figures::{
     Axis, BLUE, Chart, Colour, Figure, GREEN, Line, ORANGE, PURPLE, SKY, Series, VERMILION,
 };
-use crate::judge::{Recorded, Case, Outcome, Run, Runs, Solver, Variant};
+use crate::judge::{Case, Outcome, Recorded, Run, Runs, Solver, Variant};
 use crate::support::stopwatch::{Look, Stopwatch};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};

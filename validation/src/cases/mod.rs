@@ -46,7 +46,7 @@ mod tests {
     use crate::Variant;
 
     #[test]
-    fn cases_and_their_runs_can_be_told_apart() {
+    fn cases_and_their_runs_can_be_distinguished_apart() {
         let mut names = BTreeSet::new();
         for case in usual().into_iter().chain(hard()) {
             assert!(names.insert(case.name), "two cases are called {}", case.name);

@@ -15,9 +15,9 @@ const DISORDER: f64 = 0.5;
 
 /// Asks that a quasi-static run came to rest at every level.
 pub fn rest(run: &Run) -> Option<Metric> {
-    let restless = run.outcome.restless as f64;
+    let unsettled = run.outcome.unsettled as f64;
     let reason = "a load that is read while the shell still moves is dragged by the damping";
-    let found = Metric::error(REST, run.done().then_some(restless), "-");
+    let found = Metric::error(REST, run.done().then_some(unsettled), "-");
     (run.variant.settles && run.outcome.solver == Solver::Explicit).then(|| found.within(0.0, reason))
 }
 
@@ -72,7 +72,7 @@ pub fn silent(run: &Run, metrics: &[Metric]) -> Option<Metric> {
 
 #[cfg(test)]
 mod tests {
-    use coque::{WarningKind, Warning};
+    use coque::{Warning, WarningKind};
 
     use super::*;
     use crate::{Outcome, Variant};

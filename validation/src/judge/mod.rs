@@ -14,7 +14,7 @@ mod run;
 mod variant;
 
 pub use asked::silent;
-pub use case::{Recorded, Case, Headline, Published};
+pub use case::{Case, Headline, Published, Recorded};
 pub use measured::Measured;
 pub use metric::{Found, Metric, Verdict};
 pub use outcome::{Outcome, Solver};

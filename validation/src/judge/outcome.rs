@@ -53,7 +53,7 @@ pub struct Outcome {
     /// Greatest stable step at rest \[T\]; zero without time.
     pub stable_step: f64,
     /// Load levels at which the motion had not died.
-    pub restless: usize,
+    pub unsettled: usize,
     /// Critical points met on a path without time.
     pub critical: Vec<CriticalSummary>,
     /// Why it did not reach its end.
@@ -84,7 +84,7 @@ impl From<coque::Outcome> for Outcome {
             wall_seconds: summary.record.wall_seconds,
             particle_steps_per_second: summary.particle_steps_per_second,
             stable_step: summary.record.stable_step,
-            restless: summary.record.levels.iter().filter(|level| !level.settled).count(),
+            unsettled: summary.record.levels.iter().filter(|level| !level.settled).count(),
             critical: summary.record.critical,
             failure: match run.ended {
                 Ended::Done => None,

@@ -235,7 +235,7 @@ impl Variant {
 
     /// Does not ask that load levels come to rest.
     #[must_use]
-    pub fn restless(mut self) -> Self {
+    pub fn unsettled(mut self) -> Self {
         self.settles = false;
         self
     }

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use explicit_dynamics::Amplitude;
 use peridynamics::{
-    AppliedLoad, Idealisation, Correction, Elastic, Formulation, Influence, Law, Parts, Solid, SolidError, Space,
-    StaticSolid, Support, Supported, Volumes,
+    AppliedLoad, Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Solid, SolidError,
+    Space, StaticSolid, Support, Supported, Volumes,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 

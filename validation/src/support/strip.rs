@@ -7,7 +7,7 @@ use crate::JudgeError;
 use crate::figures::{Axis, BLACK, Chart, Colour, Figure, GREEN, Line, Mark, Series, Shapes, Sheet, shade};
 use crate::format::short;
 use crate::judge::measure::largest;
-use crate::judge::{Recorded, Measured, Metric, Run, Runs, Variant};
+use crate::judge::{Measured, Metric, Recorded, Run, Runs, Variant};
 use crate::methods::{CELL, ELEMENTS, STATIC, setting};
 use crate::metric_names::DYNAMICS;
 

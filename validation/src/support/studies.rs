@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use coque::{Model, Rendering, Scene, SceneError, Silent, warnings, render};
+use coque::{Model, Rendering, Scene, SceneError, Silent, render, warnings};
 use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Observer, Record, largest_eigenvalue};
 use nalgebra::DMatrix;
 use sph_core::Vec3;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use coque::{WarningKind, Warning};
+use coque::{Warning, WarningKind};
 
 use super::overview::relative;
 use crate::judge::{CaseResult, Problem, Record, Run};
@@ -13,7 +13,8 @@ const EXACT: f64 = 1.0;
 const OFF: f64 = 3.0;
 
 /// What is reported as a fact about a run, not as a warning about its numbers.
-const FACTS: [WarningKind; 4] = [WarningKind::Unstable, WarningKind::PassedCritical, WarningKind::NoWork, WarningKind::HeldLoad];
+const FACTS: [WarningKind; 4] =
+    [WarningKind::Unstable, WarningKind::PassedCritical, WarningKind::NoWork, WarningKind::HeldLoad];
 
 /// Whether a warning says no more than that a number may be off.
 fn says_may(warning: &Warning) -> bool {

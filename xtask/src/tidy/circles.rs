@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_is_told_with_a_line_for_each_arrow() {
+    fn a_circle_is_reported_with_a_line_for_each_arrow() {
         let circle = found(&[
             ("one.rs", "//! One.\nuse std::fmt;\nuse crate::two::Two;\n"),
             ("two.rs", "fn f() { crate::deep::g() }\n"),

@@ -7,6 +7,7 @@ mod links;
 mod paths;
 mod sources;
 mod tree;
+mod words;
 
 use crate::cargo;
 use std::fmt;
@@ -45,6 +46,7 @@ pub fn run() -> Result<(), String> {
 
     let mut violations = layers::check(&packages);
     violations.extend(files.iter().flat_map(sources::check));
+    violations.extend(files.iter().flat_map(words::check));
     violations.extend(circles::check(&files));
     violations.extend(citations.violations);
     violations.extend(links::check(&files, &root));

@@ -12,10 +12,10 @@ use super::gauges::at_point;
 use super::layout::{Layout, Place};
 use super::watch::Watch;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray};
+use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
-use crate::bodies::fluid::lost::{Sides, lost};
 use crate::bodies::fluid::{fields, figures};
-use crate::bodies::{FieldSource, FieldRequest};
+use crate::bodies::{FieldRequest, FieldSource};
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.

@@ -12,14 +12,14 @@ use super::probes::{Measuring, probes};
 use super::soft::soft;
 use super::structures::{WettedBody, wet};
 use super::watched::watched;
+use crate::bodies::fluid::escaped::basins;
 use crate::bodies::fluid::figures::Speeds;
-use crate::bodies::fluid::lost::basins;
 use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
-use crate::bodies::{Description, Identity, BuiltBody, Memory, Model, Ready, Shape};
+use crate::bodies::{BuiltBody, Description, Identity, Memory, Model, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene, Scene};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 impl Scene {
     /// Builds a fluid with its walls and the structures in it.

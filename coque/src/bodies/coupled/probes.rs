@@ -8,8 +8,8 @@ use super::layout::Layout;
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::scene::single_body::Owner;
 use crate::scene::error::SceneError;
+use crate::scene::single_body::Owner;
 use crate::scene::{Measured, Probe as Column, Scene};
 
 /// What columns are found from; gauges are added to the layout.

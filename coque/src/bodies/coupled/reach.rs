@@ -5,7 +5,7 @@ use sph_core::{CellList, Vec3};
 use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::single_body::Owner;
 use crate::scene::{Analysis, BodyScene, FluidScene, Scene, SupportKind};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// What nothing holds, where it is.
 pub(super) struct Loose<'a> {

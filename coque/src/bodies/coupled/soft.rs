@@ -8,7 +8,7 @@ use fluid_sph::Fluid;
 use sph_core::CellList;
 
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// Thickness of the layer of fluid as which a wall gives way, in smoothing lengths.
 const LAYER: f64 = 0.57;

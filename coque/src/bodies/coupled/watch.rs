@@ -7,7 +7,7 @@ use sph_core::Vec3;
 use super::contact::{Contact, Entered};
 use super::dry::Dry;
 use crate::bodies::Body;
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// The structures of a fluid, as they are looked at; nothing without structures.
 #[derive(Clone, Debug, Default)]

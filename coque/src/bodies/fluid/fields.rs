@@ -8,11 +8,14 @@ use fluid_sph::Fluid;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::Vec3;
 
-use crate::bodies::{FieldSource, Part, FieldRequest};
+use crate::bodies::{FieldRequest, FieldSource, Part};
 use crate::scene::units::{Quantity, Units};
 
 /// What the fields of a fluid show of its present state.
-pub(in crate::bodies) fn of_fluid<'a>(fluid: &'a Fluid, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
+pub(in crate::bodies) fn of_fluid<'a>(
+    fluid: &'a Fluid,
+    shown: &FieldRequest<'a>,
+) -> Box<dyn FieldSource + 'a> {
     let units = shown.units;
     Box::new(move |_: Part, to: &mut dyn FieldWriter| write_fluid(fluid, &units, to))
 }

@@ -4,8 +4,8 @@ use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
 use sph_core::Vec3;
 
-use crate::bodies::{FluidFigures, Diagnostics};
-use crate::warning::{WarningKind, Warning};
+use crate::bodies::{Diagnostics, FluidFigures};
+use crate::warning::{Warning, WarningKind};
 
 /// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
 /// reach.

@@ -9,9 +9,9 @@
 //! | descriptions | `describe.rs` |
 
 pub(in crate::bodies) mod describe;
+pub(in crate::bodies) mod escaped;
 pub(in crate::bodies) mod fields;
 pub(in crate::bodies) mod figures;
-pub(in crate::bodies) mod escaped;
 pub(in crate::bodies) mod parts;
 pub(in crate::bodies) mod places;
 pub(in crate::bodies) mod sets;

@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use implicit_statics::{Equilibrium, OutOfBounds};
 use sph_core::Vec3;
 
-use super::warnings::large_strain;
 use super::fields::fields;
 use super::solid::GalerkinSolid;
-use crate::bodies::body::{StaticBody, Body, Configuration, Mismatch, StateArray};
-use crate::bodies::{FieldSource, FieldRequest};
+use super::warnings::large_strain;
+use crate::bodies::body::{Body, Configuration, Mismatch, StateArray, StaticBody};
+use crate::bodies::{FieldRequest, FieldSource};
 use crate::scene::Measured;
 use crate::warning::Warning;
 

@@ -5,10 +5,10 @@ use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
-use super::warnings::warnings_of;
 use super::parts::{axes, basis, essential, material, support, tangent, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
+use super::warnings::warnings_of;
 use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
 use crate::bodies::memory::Memory;
@@ -16,7 +16,7 @@ use crate::bodies::probe::Probe;
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;
-use crate::bodies::{Identity, BuiltBody, Model, Ready};
+use crate::bodies::{BuiltBody, Identity, Model, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{self, BodyScene, Measured, Scene, SolidMaterial, SolidScene};
 

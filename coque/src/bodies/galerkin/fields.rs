@@ -10,7 +10,7 @@ use sph_core::Vec3;
 use super::recovery::RECOVERED;
 use super::solid::GalerkinSolid;
 use crate::bodies::solid::fields::von_mises;
-use crate::bodies::{FieldSource, Part, FieldRequest, State};
+use crate::bodies::{FieldRequest, FieldSource, Part, State};
 use crate::scene::units::Quantity;
 
 /// Material axes that turn with the point.

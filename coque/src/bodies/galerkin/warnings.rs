@@ -4,10 +4,15 @@ use sph_core::{Block, Vec3};
 
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Scene, Support};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// What is doubtful before anything is solved.
-pub(super) fn warnings_of(scene: &Scene, options: &Galerkin, lengths: [f64; 3], block: &Block) -> Vec<Warning> {
+pub(super) fn warnings_of(
+    scene: &Scene,
+    options: &Galerkin,
+    lengths: [f64; 3],
+    block: &Block,
+) -> Vec<Warning> {
     let all = [
         leaks(options),
         locks(options, lengths, block),

@@ -6,14 +6,14 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
-use super::warnings::{among_preloaded_modes, between_lines};
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::stress::unbalanced;
+use super::warnings::{among_preloaded_modes, between_lines};
 use crate::Warning;
-use crate::bodies::body::{StaticBody, Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray};
+use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{FieldSource, Resultant, FieldRequest};
+use crate::bodies::{FieldRequest, FieldSource, Resultant};
 use crate::scene::Measured;
 
 impl Body for Shell {

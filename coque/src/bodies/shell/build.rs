@@ -8,17 +8,17 @@ use sph_shell::{
 
 use super::cells::CellSets;
 use super::describe::describe;
-use super::warnings::{warnings_of, warnings_of_shapes};
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::rigid::free_motions;
 use super::sections::Sections;
+use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::build::amplitude;
 use crate::bodies::sets::{self, Sets};
-use crate::bodies::{Identity, BuiltBody, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
+use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 impl Scene {
     /// Builds a shell with what is asked of it.
@@ -47,7 +47,7 @@ impl Scene {
         let mut warnings = warnings_of(self, turn, &shell);
         let poor = surface.iter().filter_map(|surface| surface.poor.clone());
         warnings.extend(poor.map(|message| Warning::new(WarningKind::PoorMesh, message)));
-        warnings.extend(self.doubt_of_start(&mut shell));
+        warnings.extend(self.warning_of_start(&mut shell));
         let cloud = &shell.reference().cloud;
         let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
         let judge = move |cells: &[Cell], shapes: &[Shape]| warnings_of_shapes(cells, loss, area, shapes);

@@ -10,7 +10,7 @@ use sph_shell::{Formulation, PointResult, Shell};
 
 use super::linear_forces::LinearForces;
 use crate::bodies::sampled::{face_stress, von_mises};
-use crate::bodies::{FieldSource, Part, FieldRequest, State};
+use crate::bodies::{FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
 

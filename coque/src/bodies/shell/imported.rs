@@ -81,7 +81,8 @@ impl Imported {
         let made = surface.cloud_of_kinds(surface.node_normals(), &of_faces);
         let (cloud, cells, kinds) = made.map_err(|error| refuse(&error))?;
         let edges = boundary_edges(&surface.faces);
-        let kept = CellLists { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
+        let kept =
+            CellLists { kinds, groups: names.into_iter().zip(of_lists).collect(), sections: of_sections };
         Ok(Some(Self { surface, cloud, cells, edges, kept }))
     }
 

@@ -15,7 +15,7 @@ use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{Analysis, MaterialSection, ShellScene};
 
-/// Cells that are part.
+/// Cells of one section.
 struct UniformPart {
     /// Group of the file whose section they have.
     group: Option<String>,
@@ -58,28 +58,33 @@ impl Builder<'_> {
         let mut said = Vec::new();
         for (i, part) in shell.parts.iter().enumerate() {
             let (at, cells) = (scope.below(&format!("parts[{i}]")), std::mem::take(&mut own[i + 1]));
-            let found = self.alike(&shell.in_part(i), &at, cells, cloud, imported)?;
+            let found = self.uniform(&shell.in_part(i), &at, cells, cloud, imported)?;
             let curvature = part.formulation.as_ref().and_then(|own| own.curvature());
             let curvature = curvature.map(|name| format!(", {name} curvature"));
             let lines = described(&part.on, part.offset, &found).into_iter();
             said.extend(lines.map(|line| line + curvature.as_deref().unwrap_or_default()));
-            all.extend(found.into_iter().map(|part| UniformPart { height: part.height + part.offset, ..alike }));
+            all.extend(
+                found
+                    .into_iter()
+                    .map(|uniform| UniformPart { height: uniform.height + part.offset, ..uniform }),
+            );
         }
         let rest = std::mem::take(&mut own[0]);
         if !rest.is_empty() {
-            let found = self.alike(shell, &scope, rest, cloud, imported)?;
+            let found = self.uniform(shell, &scope, rest, cloud, imported)?;
             let lines = described(if shell.parts.is_empty() { "all" } else { "all others" }, 0.0, &found);
             said.splice(0..0, lines);
             all.extend(found);
         }
         let mut areal = vec![0.0; cloud.cells.len()];
-        for alike in &all {
-            let by_area = part.density * part.spec.thickness();
-            part.cells.iter().for_each(|&cell| areal[cell as usize] = by_area);
+        for uniform in &all {
+            let by_area = uniform.density * uniform.spec.thickness();
+            uniform.cells.iter().for_each(|&cell| areal[cell as usize] = by_area);
         }
         // What most cells on their particles have is the section of the shell; alone, it is the only one.
-        let on_particles = all.iter().enumerate().filter(|(_, alike)| part.height == 0.0);
-        let most = on_particles.max_by_key(|(i, alike)| (part.cells.len(), usize::MAX - i)).map(|(i, _)| i);
+        let on_particles = all.iter().enumerate().filter(|(_, uniform)| uniform.height == 0.0);
+        let most =
+            on_particles.max_by_key(|(i, uniform)| (uniform.cells.len(), usize::MAX - i)).map(|(i, _)| i);
         let first = &all[most.unwrap_or_default()];
         let (base, density, axis, strain) =
             (self.section(&first.spec, &scope)?, first.density, first.axis, first.strain);
@@ -128,8 +133,8 @@ impl Builder<'_> {
         Ok(own)
     }
 
-    /// The cells of a part, those that are alike together.
-    fn alike(
+    /// The cells of a part, grouped by thickness and material.
+    fn uniform(
         &self,
         shell: &ShellScene,
         at: &Scope<'_>,
@@ -229,9 +234,9 @@ impl Builder<'_> {
 
 /// A part in a line, or in one for each section that the file gives to it.
 fn described(name: &str, offset: f64, all: &[UniformPart]) -> Vec<String> {
-    if let Some(groups) = all.iter().map(|part| part.group.as_ref()).collect::<Option<Vec<_>>>() {
-        let of = |(group, alike): (&String, &UniformPart)| {
-            line(&format!("{name}, section {group} of the file"), offset, std::slice::from_ref(alike))
+    if let Some(groups) = all.iter().map(|uniform| uniform.group.as_ref()).collect::<Option<Vec<_>>>() {
+        let of = |(group, uniform): (&String, &UniformPart)| {
+            line(&format!("{name}, section {group} of the file"), offset, std::slice::from_ref(uniform))
         };
         return groups.into_iter().zip(all).map(of).collect();
     }
@@ -239,9 +244,9 @@ fn described(name: &str, offset: f64, all: &[UniformPart]) -> Vec<String> {
 }
 
 fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
-    let count: usize = all.iter().map(|part| part.cells.len()).sum();
+    let count: usize = all.iter().map(|uniform| uniform.cells.len()).sum();
     let cells = if count == 1 { "1 cell".to_string() } else { format!("{count} cells") };
-    let thickness = all.iter().map(|part| part.spec.thickness());
+    let thickness = all.iter().map(|uniform| uniform.spec.thickness());
     let [least, most] = [thickness.clone().fold(f64::INFINITY, f64::min), thickness.fold(0.0, f64::max)];
     let thickness = if least == most { format!("{least}") } else { format!("{least:.4e} to {most:.4e}") };
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };

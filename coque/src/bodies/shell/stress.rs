@@ -6,7 +6,7 @@ use super::build::Builder;
 use super::cells::CellSets;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, InitialStress, Scene};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// Part of the forces of an initial stress up to which it counts as balanced: rounding leaves 1e-14, and to Newton's method
 /// the rest would be little else.
@@ -52,7 +52,7 @@ impl Builder<'_> {
 
 impl Scene {
     /// What is doubtful about a march that sets out under initial stress.
-    pub(super) fn doubt_of_start(&self, shell: &mut Shell) -> Option<Warning> {
+    pub(super) fn warning_of_start(&self, shell: &mut Shell) -> Option<Warning> {
         if !(shell.is_stressed() && self.analysis.kind().passes_time) {
             return None;
         }

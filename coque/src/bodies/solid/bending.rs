@@ -9,7 +9,7 @@
 //! x along it, z across. What the nodes of its middle section hold, over `½ E I κ²`, is the stiffness over that of a bar: for
 //! any formulation, horizon and correction, at the price of some thousand nodes.
 
-use peridynamics::{Idealisation, Formulation, Parts, Solid, Space};
+use peridynamics::{Formulation, Idealisation, Parts, Solid, Space};
 use sph_core::{BlockLattice, NodePlaces, Vec3};
 
 use super::parts::{carrier, material};

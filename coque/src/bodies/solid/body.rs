@@ -8,8 +8,8 @@ use peridynamics::{Solid, StaticSolid};
 use sph_core::Vec3;
 
 use super::fields::fields;
-use crate::bodies::body::{StaticBody, Body, Configuration, DynamicBody, Mismatch, StateArray};
-use crate::bodies::{FieldSource, FieldRequest};
+use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody};
+use crate::bodies::{FieldRequest, FieldSource};
 use crate::scene::Measured;
 
 impl Body for Solid {

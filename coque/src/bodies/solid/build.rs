@@ -5,12 +5,12 @@ use sph_core::{Block, BlockLattice};
 
 use super::conditions::{driver, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
-use super::warnings::warnings_of;
 use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
 use super::sets::NodeSets;
+use super::warnings::warnings_of;
 use crate::bodies::build::amplitude;
 use crate::bodies::rigid::free_of;
-use crate::bodies::{Identity, BuiltBody, Memory, Model, PrescribedPoint, Probe, Ready};
+use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene, SolidScene};
 
@@ -67,8 +67,8 @@ impl Scene {
 
     fn assemble_solid(&self, scene: &SolidScene, threads: usize) -> Result<SolidParts, SceneError> {
         let lattice = scene.lattice();
-        let memory =
-            self.check_memory(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
+        let memory = self
+            .check_memory(lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
         let perfect = self.nodes(scene, &lattice)?;
         let block = self.bent(scene, &lattice, &perfect, threads)?;
         let sets = NodeSets::find(self, &lattice, &perfect, &perfect.positions)?;

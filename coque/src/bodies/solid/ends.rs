@@ -7,7 +7,7 @@
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{
-    AppliedLoad, Idealisation, Elastic, Formulation, Law, Mirror, Parts, Solid, Space, StaticSolid, Support,
+    AppliedLoad, Elastic, Formulation, Idealisation, Law, Mirror, Parts, Solid, Space, StaticSolid, Support,
     Supported,
 };
 use sph_core::{BlockLattice, Vec3};

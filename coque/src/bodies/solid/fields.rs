@@ -8,7 +8,7 @@ use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use peridynamics::Solid;
 use sph_core::Vec3;
 
-use crate::bodies::{FieldSource, Part, FieldRequest, State};
+use crate::bodies::{FieldRequest, FieldSource, Part, State};
 use crate::scene::units::Quantity;
 
 const XYZ: &[&str] = &[];

@@ -1,7 +1,7 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Idealisation, Contact, Crack, Criterion, Elastic, Formulation, Fracture, Influence, Law, Sheets, Volumes,
+    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Influence, Law, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
@@ -35,7 +35,7 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisatio
     let correction = match solid.correction() {
         scene::Correction::None => peridynamics::Correction::None,
         scene::Correction::Even => peridynamics::Correction::Even,
-        scene::Correction::StaticBody => peridynamics::Correction::StaticBody,
+        scene::Correction::Balanced => peridynamics::Correction::Balanced,
         scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
     };
     let horizon = solid.formulation.horizon();

@@ -8,7 +8,7 @@ use super::ends::excess;
 use super::sets::NodeSets;
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene, Support};
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// A rule: what is doubtful, and whether it is so.
 type Rule = (WarningKind, fn(&Look<'_>) -> Option<String>);
@@ -105,7 +105,7 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
         _ => ("deflections", (1.0 + power * longer) / stiffness, power * longer),
     };
     let balanced = match look.body.correction() {
-        Correction::StaticBody => "",
+        Correction::Balanced => "",
         _ => " nodes = \"edges\" with correction = \"balanced\",",
     };
     let clamps = match longer {

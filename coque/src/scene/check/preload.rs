@@ -53,7 +53,8 @@ impl Scene {
         match &self.analysis {
             Analysis::Buckling(wanted) if wanted.prebuckling == Prebuckling::Stress => {
                 let bound = "\"rotations\" from a state with stresses of its own";
-                let repair = "leave it out: the stresses of the load alone are computed from an unloaded shell";
+                let repair =
+                    "leave it out: the stresses of the load alone are computed from an unloaded shell";
                 Err(s.value("analysis.buckling.prebuckling", "\"stress\" beside a preload", bound, repair))
             }
             _ => Ok(()),

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::scene::single_body::Owner;
 use crate::scene::coupling::Coupling;
 use crate::scene::curve::{Measured, mean_of};
 use crate::scene::error::SceneError;
 use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::single_body::Owner;
 use sph_core::Vec3;
 
 type Checked = Result<(), SceneError>;

@@ -81,7 +81,7 @@ pub enum Correction {
     Even,
     /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
     /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
-    StaticBody,
+    Balanced,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,
     /// Nothing.
@@ -159,7 +159,7 @@ impl SolidFormulation {
         };
         let correction = match correction {
             Correction::Even => "even correction",
-            Correction::StaticBody => "balanced correction",
+            Correction::Balanced => "balanced correction",
             Correction::EnergyFactor => "energy factors",
             Correction::None => "no correction",
         };

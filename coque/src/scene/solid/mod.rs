@@ -68,7 +68,7 @@ impl SolidScene {
                 && block.disorder.is_none()
                 && self.geometry.cut_outs.is_empty()
         });
-        let best = if in_order { Correction::StaticBody } else { Correction::Even };
+        let best = if in_order { Correction::Balanced } else { Correction::Even };
         self.formulation.correction().unwrap_or(best)
     }
 

@@ -43,7 +43,7 @@ fn dam() -> Variant {
         .set(SPACING, 2.0 * COLUMN.0 / high)
         .set("bodies.tank.walls.geometry.basin.max", "[0.876, 0.5]")
         .set(TRANSIENT, "{ duration = 0.28, record_every = 0.0025 }")
-        .restless()
+        .unsettled()
         .judged(|run, _| fronts(run))
 }
 
@@ -66,7 +66,7 @@ fn plate() -> Variant {
         .set(SPACING, 0.025)
         .set("bodies.plate.shell.geometry.plate.particles", "[41, 2]")
         .set(TRANSIENT, "{ duration = 0.4, record_every = 0.002 }")
-        .restless()
+        .unsettled()
         .judged(|run, _| {
             let exact = super::column::exact(2700.0);
             let late = mean_and_deviation(&run.column("time")?, &run.column("w")?, [0.2, 0.4]);
@@ -84,7 +84,7 @@ fn gate() -> Variant {
     Variant::scene(SHELL, GATE, "gate, 2 mm, to the peak")
         .set(SPACING, 0.002)
         .set(TRANSIENT, "{ duration = 0.14, record_every = 0.002 }")
-        .restless()
+        .unsettled()
         .judged(|run, _| {
             let top = peak(&run.column("time")?, &run.column("dx")?, 0.14);
             let way = Metric::compared("peak of dx", top.map(|top| 1e3 * top.1), "mm", 36.2);
@@ -100,7 +100,7 @@ fn gate() -> Variant {
 fn gate_of_bonds() -> Variant {
     Variant::scene(SOLID, GATE_OF_BONDS, "gate of bonds, 4 across, to the peak")
         .set(TRANSIENT, "{ duration = 0.114, record_every = 0.002 }")
-        .restless()
+        .unsettled()
         .judged(|run, _| {
             let top = peak(&run.column("time")?, &run.column("dx")?, 0.114);
             let way = Metric::compared("peak of dx", top.map(|top| 1e3 * top.1), "mm", 36.2);
@@ -124,7 +124,7 @@ fn baffle() -> Variant {
     let baffle = Variant::scene(PAIRWISE, BAFFLE, "baffle, 4 across")
         .set(TRANSIENT, "{ duration = 0.8, record_every = 0.01 }")
         .full_if(true)
-        .restless();
+        .unsettled();
     baffle.judged(|run, _| {
         let arrival = Metric::compared("arrival at the baffle", when(run, "front", 1.975)?, "s", 0.335);
         let first = Metric::compared("first broken bond", when(run, "damage", 0.0)?, "s", 0.5);
@@ -154,7 +154,7 @@ fn coarse_baffle() -> Variant {
         )
         .set("sets.below.layer.depth", 0.15)
         .set("sets.foot.box.max", "[2.1, 0.05, 0.0]")
-        .restless()
+        .unsettled()
         .judged(|run, _| {
             let arrival = Metric::compared("arrival at the baffle", when(run, "front", 1.95)?, "s", 0.335);
             let first = Metric::compared("first broken bond", when(run, "damage", 0.0)?, "s", 0.5);

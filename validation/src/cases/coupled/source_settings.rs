@@ -75,7 +75,7 @@ fn measured(variant: Variant) -> Variant {
     variant
         .set("curve[+]", "{ name = \"density\", of = \"density\", on = \"water.all\", take = \"max\" }")
         .full_if(true)
-        .restless()
+        .unsettled()
 }
 
 fn gate(name: &'static str, changes: &'static [Change]) -> Variant {

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Parts};
 
-use crate::judge::{Recorded, Case, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Outcome, Recorded, Run, Runs, Variant};
 use crate::support::fluids::{CORRECTED, GRAVITY, KICKS, basin, filled, formulation, march, water};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};

@@ -6,7 +6,7 @@ use implicit_statics::EquilibriumError;
 
 use super::{ST_VENANT, off};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, Line, Mark, SKY, Series};
-use crate::judge::{Recorded, Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Outcome, Recorded, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::{JudgeError, Metric};
 

@@ -4,7 +4,7 @@
 use super::one_solve::{self, ONE_SOLVE};
 use super::{DIGITS, INCREMENTS, ST_VENANT, from_prototype, off, table};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, Numbers, Series, VERMILION};
-use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Recorded, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../../scenes/cantilever-solid.toml");

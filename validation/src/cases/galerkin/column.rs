@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{INCREMENTS, ST_VENANT};
-use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Recorded, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../../scenes/cantilever-solid.toml");

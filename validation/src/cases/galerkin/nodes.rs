@@ -2,7 +2,7 @@
 
 use super::{INCREMENTS, off, table};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, Numbers, Series, VERMILION};
-use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Recorded, Run, Runs, Variant};
 use crate::{JudgeError, Metric};
 
 const CANTILEVER: &str = include_str!("../../../../scenes/cantilever-solid.toml");

@@ -14,7 +14,7 @@ const PROTOTYPE: [(usize, f64, f64); 2] = [(20, 0.0779, 0.7421), (100, 0.1233, 0
 pub fn led(scene: Variant, steps: usize) -> Variant {
     let levels: Vec<f64> = (1..=steps).map(|step| (LAST * step) as f64 / steps as f64).collect();
     let grid = format!("{}, {steps} steps", scene.grid);
-    let led = scene.named(grid).static_levels(&levels).set("analysis.static.one_solve", true).restless();
+    let led = scene.named(grid).static_levels(&levels).set("analysis.static.one_solve", true).unsettled();
     Variant { method: ONE_SOLVE.into(), ..led }
 }
 

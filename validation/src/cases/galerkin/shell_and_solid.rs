@@ -7,7 +7,7 @@ use benchmarks_ref::{Curve, reference};
 
 use super::INCREMENTS;
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Numbers, Series};
-use crate::judge::{Recorded, Case, Headline, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Recorded, Run, Runs, Variant};
 use crate::methods::{ELEMENTS, STATIC};
 use crate::support::path::value_at;
 use crate::support::scenes;

@@ -121,7 +121,7 @@ fn rolled_twice() -> Vec<Variant> {
             variants.push(twice.clone().set("supports[1].on", "all").on("in its plane"));
         }
         // Lost in time, it has no rest to ask for.
-        variants.push(twice.restless().known(known, cause));
+        variants.push(twice.unsettled().known(known, cause));
     }
     variants
 }
@@ -139,7 +139,7 @@ fn whips() -> Vec<Variant> {
                 "[{ name = \"turn\", of = \"rotation\", on = \"u1\", direction = [0.0, -1.0, 0.0] }]",
             )
             .set("output.plot", "{ x = \"time\", y = \"turn\" }")
-            .restless()
+            .unsettled()
             .named(format!("whip {u}×{v}"))
             .off(|run, _| lost_energy(run))
             .asked(1.0, "energy is kept; central differences swing about it")

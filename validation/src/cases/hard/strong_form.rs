@@ -50,7 +50,7 @@ fn variants() -> Vec<Variant> {
     for (shape, column, period, clouds) in PROBLEMS {
         for &cloud in clouds {
             let on = |method, analysis: &str| {
-                or_refused(shape.on(method, cloud).set("analysis", analysis).restless())
+                or_refused(shape.on(method, cloud).set("analysis", analysis).unsettled())
             };
             let still = on(STATIC, "{ static = { levels = [0.1] } }");
             let grid = still.grid.clone();
@@ -72,11 +72,11 @@ fn beside(run: &Run, rest: Option<&Run>, column: &str) -> Result<Vec<Metric>, Ju
         Some(rest) => run.last(column)?.zip(rest.last(column)?).map(|(found, known)| found / known),
         None => None,
     };
-    let restless = run.done().then_some(run.outcome.restless as f64);
+    let unsettled = run.done().then_some(run.outcome.unsettled as f64);
     Ok(vec![
         Metric::error(ERROR, off(error), "%")
             .shown("the published pair sums derive from no energy and are exact on linear fields alone"),
-        Metric::error("levels that did not come to rest", restless, "-")
+        Metric::error("levels that did not come to rest", unsettled, "-")
             .shown("flutter: motion that damping does not end"),
     ])
 }

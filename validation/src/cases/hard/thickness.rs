@@ -256,7 +256,7 @@ fn against(
 /// A few steps in time, which show the stable step over the time that sound of some speed takes over the least spacing.
 fn steps(variant: Variant, duration: f64, spacing: f64, speed: f64) -> Variant {
     let transient = format!("{{ transient = {{ duration = {duration:?}, record_every = {duration:?} }} }}");
-    variant.set("analysis.explicit", transient).restless().judged(move |run, _| {
+    variant.set("analysis.explicit", transient).unsettled().judged(move |run, _| {
         let step = Some(run.outcome.stable_step * speed / spacing).filter(|_| run.done());
         let reason = "rotary inertia is scaled to the cell so that the step of the membrane stands; narrow strips lose a \
                       seventh at free edges, a step of bending would be t/Δ = .002 at 10⁴";

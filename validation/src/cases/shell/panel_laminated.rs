@@ -6,7 +6,7 @@ use benchmarks_ref::{Curve, Reference, reference};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, Series};
 use crate::judge::Measured;
 use crate::judge::measure::largest;
-use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Published, Recorded, Run, Runs, Variant};
 use crate::methods::{CELL, ELEMENTS, STATIC};
 use crate::metric_names::DYNAMICS;
 use crate::support::path::value_at;

@@ -2,7 +2,7 @@
 
 use crate::figures::{Axis, BLUE, Chart, Figure, GREEN, Line, Mark, Series, shade};
 use crate::judge::Measured;
-use crate::judge::{Recorded, Case, Run, Runs, Variant};
+use crate::judge::{Case, Recorded, Run, Runs, Variant};
 use crate::support::scenes;
 use crate::{JudgeError, Metric};
 

@@ -12,7 +12,7 @@ use benchmarks_ref::reference;
 use crate::figures::{Axis, Chart, Figure, GREY, Line, Series};
 use crate::judge::Measured;
 use crate::judge::measure::{largest, order_of_convergence};
-use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Published, Recorded, Run, Runs, Variant};
 use crate::methods::{
     CELL, ELEMENTS, METHODS, NODAL_1, NODAL_2, NODAL_3, RELAXED, STATIC, STRONG_12, STRONG_085,
     STRONG_DIFFERENCE, WIDE_14, WIDE_25, WIDE_30,
@@ -75,7 +75,7 @@ fn variants() -> Vec<Variant> {
     variants.push(marched(STRONG_DIFFERENCE, "[0.25, 0.5, 0.75, 1.0]"));
     for method in [STRONG_12, STRONG_085] {
         // With the curvature of the paper it is lost at two thirds of the moment.
-        variants.push(marched(method, "[0.25, 0.5]").full_if(method == STRONG_085).restless());
+        variants.push(marched(method, "[0.25, 0.5]").full_if(method == STRONG_085).unsettled());
     }
     variants
 }

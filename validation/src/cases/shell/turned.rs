@@ -1,7 +1,7 @@
 //! turned: the strip cases turned in space, which must not change their curves.
 
 use crate::judge::measure::largest;
-use crate::judge::{Recorded, Case, Run, Runs, Variant};
+use crate::judge::{Case, Recorded, Run, Runs, Variant};
 use crate::methods::CELL;
 use crate::support::scenes;
 use crate::{JudgeError, Metric};

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling};
 use peridynamics::{
-    Idealisation, Correction, Elastic, Formulation, Law, Parts, Sheets, Solid, Space, StaticSolid, Supported,
+    Correction, Elastic, Formulation, Idealisation, Law, Parts, Sheets, Solid, Space, StaticSolid, Supported,
 };
 use sph_core::{Block, BlockLattice, NodePlaces, Vec3};
 

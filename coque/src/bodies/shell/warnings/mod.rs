@@ -8,11 +8,11 @@
 mod coarse;
 mod folded;
 mod look;
+mod meaningless;
 mod method;
 mod offset;
 mod patterns;
 mod profile;
-mod meaningless;
 mod sheet;
 mod tied;
 
@@ -22,7 +22,7 @@ use sph_shell::{ChordLoss, Shell};
 
 use crate::bodies::Shape;
 use crate::scene::Scene;
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 use look::Look;
 pub(crate) use patterns::among_preloaded_modes;
 use sheet::Sheet;
@@ -80,12 +80,21 @@ pub(crate) fn warnings_of_cloud(cloud: &Cloud) -> Vec<String> {
     let overlaps = folded::overlaps(&sheet, &cloud.positions, 0.0);
     let narrow =
         [tied::both_sides_of, tied::shallow_of, profile::profile_of].map(|rule| rule(cloud, &across));
-    [coarse::fold_of(&sheet), meaningless::overlap_of(&overlaps)].into_iter().chain(narrow).flatten().collect()
+    [coarse::fold_of(&sheet), meaningless::overlap_of(&overlaps)]
+        .into_iter()
+        .chain(narrow)
+        .flatten()
+        .collect()
 }
 
 /// What is doubtful about the shapes that a shell of some area \[L²\] at rest took: cells that turn too far from one to the next,
 /// and uneven cells that are stretched. Each is reported once, for the first shape in which it is so.
-pub(crate) fn warnings_of_shapes(cells: &[Cell], loss: ChordLoss, rest: f64, shapes: &[Shape]) -> Vec<Warning> {
+pub(crate) fn warnings_of_shapes(
+    cells: &[Cell],
+    loss: ChordLoss,
+    rest: f64,
+    shapes: &[Shape],
+) -> Vec<Warning> {
     let Some(first) = shapes.first() else { return Vec::new() };
     let across = sheet::neighbours(cells, first.positions.len());
     let (mut turned, mut stretched) = (None, None);

@@ -7,7 +7,7 @@ use sph_shell::{Formulation, Reach, Shell};
 use super::look::Look;
 use super::method::unevenness;
 use crate::scene::Analysis;
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// c of the frequency of patterns on even cells \[–\]: 9 to 15 measured.
 const PATTERNS: f64 = 10.0;

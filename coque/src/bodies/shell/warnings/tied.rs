@@ -7,7 +7,7 @@ use sph_shell::Shell;
 
 use super::look::Look;
 use super::plural;
-use crate::warning::{WarningKind, Warning};
+use crate::warning::{Warning, WarningKind};
 
 /// Cells from a junction to the opposite edge below which a sheet is too soft in its own plane.
 ///

@@ -1,10 +1,10 @@
 //! The least speed of sound: from the height that a fluid may fall and the velocity with which it sets out.
 
 use super::Checked;
-use crate::scene::single_body::Owner;
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::geometry::Extent;
 use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::single_body::Owner;
 use crate::scene::walls::WallGeometry;
 use sph_core::Vec3;
 

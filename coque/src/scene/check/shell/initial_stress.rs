@@ -61,7 +61,8 @@ impl Scene {
         }
         if matches!(&self.analysis, Analysis::Buckling(wanted) if wanted.prebuckling == Prebuckling::Stress) {
             let bound = "\"rotations\" beside an initial stress";
-            let repair = "leave it out: the stresses of the load alone are computed from a shell without others";
+            let repair =
+                "leave it out: the stresses of the load alone are computed from a shell without others";
             return Err(self.scope().value("analysis.buckling.prebuckling", "\"stress\"", bound, repair));
         }
         let energy = self.curve.iter().position(|column| column.of == Measured::Energy);

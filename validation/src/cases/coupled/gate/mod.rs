@@ -12,7 +12,7 @@ use crate::figures::{
     Axis, BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, Line, Mark, ORANGE, SKY, Series, VERMILION,
 };
 use crate::judge::measure::largest;
-use crate::judge::{Recorded, Case, Headline, Outcome, Run, Runs, Solver, Variant};
+use crate::judge::{Case, Headline, Outcome, Recorded, Run, Runs, Solver, Variant};
 use crate::support::coupled::{GRAVITY, WATER};
 use crate::support::studies::{SHOWN, figure};
 use crate::{JudgeError, Metric};

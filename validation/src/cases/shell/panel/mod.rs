@@ -18,7 +18,7 @@ mod figures;
 
 use crate::judge::Measured;
 use crate::judge::measure::{cubic_at, largest};
-use crate::judge::{Recorded, Case, Headline, Published, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Published, Recorded, Run, Runs, Variant};
 use crate::metric_names::DYNAMICS;
 use crate::{JudgeError, Metric};
 
@@ -92,14 +92,14 @@ fn variants() -> Vec<Variant> {
         let printed = at(method, &[2.0, 6.0, 10.0, 10.5, 11.0])
             .set("analysis.explicit.quasi-static.period", 0.031)
             .set("analysis.explicit.quasi-static.hold", 6.0);
-        variants.push(printed.full_if(method == STRONG_085).restless());
+        variants.push(printed.full_if(method == STRONG_085).unsettled());
     }
     variants.push(
         Variant::new(FAST, scenes::PANEL, "cylinder", [21, 21])
             .set("analysis.explicit", "{ transient = { duration = 0.003, record_every = 1e-5 } }")
             .set("supports[3].amplitude", "{ ramp = 0.003 }")
             .quick()
-            .restless(),
+            .unsettled(),
     );
     variants
 }
