@@ -1,9 +1,11 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case · soak · gallery`.
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case · soak · gallery · book`.
 
 mod bench;
+mod book;
 mod cargo;
 mod gallery;
 mod new_case;
+mod pages;
 mod python;
 mod soak;
 mod test_all;
@@ -53,7 +55,8 @@ enum Task {
     /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, ignored tests, numbers of issues or
     /// paths of one machine; files and streams only in mesh-io, coque, validation and xtask.
     /// Citations: every key in square brackets has its entry in references.bib.
-    /// Links: those of Markdown pages lead to files and headings that are there.
+    /// Links: those of Markdown pages lead to files and headings that are there; docs/SUMMARY.md lists every page of docs.
+    /// Words: none that only those know who wrote the project.
     Tidy,
 
     /// The environment in target/python with which the tests read fields back: meshio and numpy, locked by hashes
@@ -79,6 +82,11 @@ enum Task {
     ///
     /// A scene that takes longer than the limit is drawn as it stands then. An error where a scene has no picture.
     Gallery(gallery::Options),
+
+    /// The Markdown pages as one site in target/book/html, in the order of docs/SUMMARY.md; needs mdbook
+    ///
+    /// Pictures of the gallery go along where `cargo xtask gallery` has made them.
+    Book,
 }
 
 fn main() -> ExitCode {
@@ -92,6 +100,7 @@ fn main() -> ExitCode {
         Task::NewCase(options) => new_case::run(&options),
         Task::Soak(options) => soak::run(&options),
         Task::Gallery(options) => gallery::run(&options),
+        Task::Book => book::run(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,6 +2,7 @@
 
 use super::Violation;
 use super::tree::SourceFile;
+use crate::pages::{joined, listed};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -27,7 +28,20 @@ pub fn check(files: &[SourceFile], root: &Path) -> Vec<Violation> {
             }
         }
     }
+    violations.extend(unlisted(files));
     violations
+}
+
+/// Pages of docs that no reader of the site finds.
+fn unlisted(files: &[SourceFile]) -> Vec<Violation> {
+    let Some(summary) = files.iter().find(|file| file.path == "docs/SUMMARY.md") else { return Vec::new() };
+    let listed = listed(&summary.text);
+    let of_docs = pages(files).filter(|file| file.path.starts_with("docs/") && file.path != summary.path);
+    let missing = of_docs.filter(|file| !listed.contains(&file.path));
+    let violation = |file: &SourceFile| {
+        Violation::new(&file.path, 1, "docs/SUMMARY.md does not list it", "add a line there")
+    };
+    missing.map(violation).collect()
 }
 
 fn pages(files: &[SourceFile]) -> impl Iterator<Item = &SourceFile> {
@@ -55,20 +69,6 @@ fn links(text: &str) -> Vec<(usize, &str)> {
         }
     }
     found
-}
-
-/// A path from the root, of what a page at `from` calls `target`.
-fn joined(from: &str, target: &str) -> String {
-    let mut parts: Vec<&str> = from.split('/').collect();
-    parts.pop();
-    for part in target.split('/') {
-        match part {
-            ".." => drop(parts.pop()),
-            "." | "" => {}
-            part => parts.push(part),
-        }
-    }
-    parts.join("/")
 }
 
 /// Names by which links know the headings of a page: small letters, blanks as hyphens, no other marks.
@@ -102,5 +102,8 @@ mod tests {
         let nowhere = "a link to nowhere.md, which is not there";
         assert_eq!(reported, [(2, nowhere), (4, "a link to #no-such, which src/tidy.md has not")]);
         assert_eq!(slug("To add …"), "to-add-");
+        let site = [page("docs/SUMMARY.md", "[a](a.md)"), page("docs/a.md", ""), page("docs/b.md", "")];
+        let missing = unlisted(&site);
+        assert_eq!(missing.iter().map(|v| v.file.as_str()).collect::<Vec<_>>(), ["docs/b.md"]);
     }
 }
