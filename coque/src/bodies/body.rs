@@ -47,7 +47,7 @@ pub trait Body: Send {
         self.fields(shown)
     }
 
-    /// What it found so far beside what is measured on it.
+    /// What it noticed so far beside what is measured on it.
     fn diagnostics(&self) -> Diagnostics {
         Diagnostics::default()
     }
@@ -69,7 +69,7 @@ pub trait Body: Send {
 
 /// A body that is marched in time.
 pub trait DynamicBody: Body + Dynamics {
-    /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::found`].
+    /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::diagnostics`].
     fn look(&mut self, _time: f64) {}
 
     /// The same body without time, for a look at the tangent of the state at which it rests; none without an energy.
