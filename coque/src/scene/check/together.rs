@@ -228,7 +228,7 @@ impl Scene {
                 return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
             }
             if set != "all" {
-                let bound = "but what a fluid does is reported of the whole structure";
+                let bound = "but the forces of a fluid are measured on whole structures";
                 let repair = format!("use on = \"{name}.all\"");
                 let value = format!("\"{}\"", probe.on);
                 return Err(SceneError::Set(s.fault(&at("on"), &value, bound, &repair)));
