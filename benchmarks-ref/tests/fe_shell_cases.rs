@@ -32,7 +32,7 @@ fn path_distance(path: &[(f64, f64)], points: &[(f64, f64)], scale: (f64, f64)) 
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let along = ((p.0 - a.0) * dx + (p.1 - a.1) * dy) / (dx * dx + dy * dy);
         let t = along.clamp(0.0, 1.0);
-        (p.0 - a.0 - t * dx).hypot(p.1 - a.1 - t * dy)
+        libm::hypot(p.0 - a.0 - t * dx, p.1 - a.1 - t * dy)
     };
     points.iter().fold(0.0, |worst: f64, point| {
         let point = scaled(point);
@@ -106,7 +106,7 @@ fn rings_close_thick_and_thin() {
         assert_eq!(solved.rows.len(), steps + 1, "{name}: steps were cut");
         let error = solved.rows.iter().skip(1).fold(0.0_f64, |worst, row| {
             let tip = elastica::end_moment(TAU * row[0]);
-            worst.max((row[1] / strip.length - tip.u).hypot(row[2] / strip.length - tip.w))
+            worst.max(libm::hypot(row[1] / strip.length - tip.u, row[2] / strip.length - tip.w))
         });
         measured(name, error, 0.002);
     }
@@ -117,7 +117,7 @@ fn end_shear_lifts_a_strip_as_the_elastica_says() {
     let solved = end_shear(&Strip::END_SHEAR, [49, 4], 20).unwrap();
     let error = solved.rows.iter().skip(1).fold(0.0_f64, |worst, row| {
         let tip = elastica::end_load(4.0 * row[0]);
-        worst.max((row[1] / 10.0 - tip.u).hypot(row[2] / 10.0 - tip.w))
+        worst.max(libm::hypot(row[1] / 10.0 - tip.u, row[2] / 10.0 - tip.w))
     });
     measured("end shear", error, 0.002);
 }

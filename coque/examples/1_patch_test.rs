@@ -70,7 +70,7 @@ fn gradient(shell: &Shell) -> f64 {
     let (operator, slope) = (&shell.reference().operator, Vec3::new(3.0, -2.0, 0.0));
     let field: Vec<f64> = shell.reference().cloud.positions.iter().map(|x| slope.dot(x)).collect();
     let errors = operator.gradient(&field).into_iter().zip(&operator.points).map(|(found, point)| {
-        (found[0] - slope.dot(&point.frame.t1)).hypot(found[1] - slope.dot(&point.frame.t2))
+        libm::hypot(found[0] - slope.dot(&point.frame.t1), found[1] - slope.dot(&point.frame.t2))
     });
     norm(errors) / slope.norm()
 }
@@ -100,7 +100,7 @@ fn stretched(shell: &mut Shell) -> f64 {
         let [x, y, z, ..] = shell.internal_force(b);
         (Vec3::new(x, y, z) - traction).norm()
     });
-    norm(errors) / (force[0].hypot(force[1]) * cloud.spacing())
+    norm(errors) / (libm::hypot(force[0], force[1]) * cloud.spacing())
 }
 
 /// Root of the sum of squares: no less than the largest.

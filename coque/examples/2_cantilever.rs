@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (i, level) in levels.iter().enumerate().skip(1) {
         let (u, w) = (u[i] / LENGTH, w[i] / LENGTH);
         let exact = elastica(FULL_LOAD * level);
-        let off = (u - exact[0]).hypot(w - exact[1]);
+        let off = libm::hypot(u - exact[0], w - exact[1]);
         println!("{level:>6} {u:>9.5} {:>9.5} {w:>9.5} {:>9.5} {off:>9.1e}", exact[0], exact[1]);
         worst = worst.max(off);
     }

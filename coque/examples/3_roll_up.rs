@@ -121,7 +121,7 @@ impl Observer<Shell> for Film {
         let tip = shell.position(self.tip) / LENGTH;
         let turn = TAU * level.max(1e-9);
         let exact = [libm::sin(turn) / turn, (1.0 - libm::cos(turn)) / turn];
-        let off = (tip.x - exact[0]).hypot(tip.z - exact[1]);
+        let off = libm::hypot(tip.x - exact[0], tip.z - exact[1]);
         println!("{level:>6} {:>9.5} {:>9.5} {:>9.5} {:>9.5} {off:>9.1e}", tip.x, exact[0], tip.z, exact[1]);
         self.worst = self.worst.max(off);
 

@@ -146,7 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The wall moves outward by this much at a height \[m\].
 fn deflection(y: f64) -> f64 {
-    let beta = (3.0 * (1.0 - POISSON * POISSON)).powf(0.25) / (RADIUS * THICKNESS).sqrt();
+    let beta = libm::pow(3.0 * (1.0 - POISSON * POISSON), 0.25) / (RADIUS * THICKNESS).sqrt();
     let (sin, cos) = libm::sincos(beta * y);
     let held = libm::exp(-beta * y) * (HEIGHT * cos + (HEIGHT - 1.0 / beta) * sin);
     WEIGHT * RADIUS * RADIUS / (YOUNG * THICKNESS) * (HEIGHT - y - held)

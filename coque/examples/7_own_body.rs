@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let march = Transient { duration: 500.0, record_every: 100.0, damping: 0.2 };
     let damping = RelaxationDamping::Kinetic;
     let exact = BEADS as f64;
-    let omega = 2.0 * (PI / (2.0 * (2 * BEADS + 1) as f64)).sin();
+    let omega = 2.0 * libm::sin(PI / (2.0 * (2 * BEADS + 1) as f64));
     let rows = [
         (
             "static",

@@ -109,7 +109,7 @@ fn octant(n: usize, radius_over_thickness: f64) -> Scene {
     fs::create_dir_all(&folder).unwrap();
     let mut mesh = String::new();
     let at = |i: usize, j: usize| i * (n + 1) - i * i.saturating_sub(1) / 2 + j + 1;
-    let part = |k: usize| (FRAC_PI_2 * k as f64 / n as f64).sin();
+    let part = |k: usize| libm::sin(FRAC_PI_2 * k as f64 / n as f64);
     for i in 0..=n {
         for j in 0..=n - i {
             let v = [part(i), part(j), part(n - i - j)];

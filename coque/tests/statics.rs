@@ -52,9 +52,9 @@ const RHO_A: f64 = 1.0;
 /// Distance of the ring's tip from where the exact arc ends, in units of L = 10.
 fn tip_error(outcome: &Outcome, row: usize) -> f64 {
     let theta = TAU * outcome.curve.rows[row][0];
-    let exact = [10.0 - 10.0 / theta * theta.sin(), 10.0 / theta * (1.0 - theta.cos())];
+    let exact = [10.0 - 10.0 / theta * libm::sin(theta), 10.0 / theta * (1.0 - libm::cos(theta))];
     let found = [column(outcome, "minus_U_tip")[row], column(outcome, "W_tip")[row]];
-    (found[0] - exact[0]).hypot(found[1] - exact[1]) / 10.0
+    libm::hypot(found[0] - exact[0], found[1] - exact[1]) / 10.0
 }
 
 #[test]

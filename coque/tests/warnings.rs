@@ -194,7 +194,7 @@ fn warnings_of(surface: &Surface) -> Vec<String> {
 #[test]
 fn folds_are_reported_by_mesh() {
     let bent = |degrees: f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(degrees.to_radians());
         let x = |i: i32| 0.1 * f64::from(i);
         let place = |i: i32| if i < 10 { [x(i), 0.0] } else { [1.0 + x(i - 10) * cos, x(i - 10) * sin] };
         let obj = drawn_out(&(0..=20).map(place).collect::<Vec<_>>());
@@ -289,7 +289,7 @@ fn bare(cloud: Cloud, thickness: f64) -> Shell {
 #[test]
 fn sharp_corners_and_poles_are_reported() {
     let sheared = |degrees: f64| {
-        let lean = 1.0 / degrees.to_radians().tan();
+        let lean = 1.0 / libm::tan(degrees.to_radians());
         let n = 10_u32;
         let place = |k: u32| {
             Vec3::new(f64::from(k / (n + 1)), 0.0, 0.0)
@@ -308,7 +308,7 @@ fn sharp_corners_and_poles_are_reported() {
     let fan = |spokes: u32| {
         let turn = std::f64::consts::TAU / f64::from(spokes);
         let ring = |k: u32| {
-            let (sin, cos) = (turn * f64::from(k % spokes)).sin_cos();
+            let (sin, cos) = libm::sincos(turn * f64::from(k % spokes));
             Vec3::new(1.0 + cos, sin, 0.0) * f64::from(1 + k / spokes)
         };
         let mut positions = vec![Vec3::x()];

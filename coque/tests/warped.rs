@@ -20,7 +20,7 @@ const SIDE: usize = 12;
 /// pushed outwards.
 fn octant(degrees: f64, out: f64) -> String {
     let (mut nodes, mut index, mut faces) = (Vec::<Vec3>::new(), HashMap::new(), Vec::new());
-    let tan = |i: usize| (std::f64::consts::FRAC_PI_4 * i as f64 / SIDE as f64).tan();
+    let tan = |i: usize| libm::tan(std::f64::consts::FRAC_PI_4 * i as f64 / SIDE as f64);
     for axis in 0..3 {
         let mut node = |i: usize, j: usize| {
             let mut x = Vec3::zeros();

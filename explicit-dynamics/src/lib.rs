@@ -61,7 +61,7 @@
 //!         }
 //!     }
 //! }
-//! let fastest = 2.0 * 100.0_f64.sqrt() * (8.0 * std::f64::consts::PI / 18.0).sin();
+//! let fastest = 2.0 * 100.0_f64.sqrt() * libm::sin(8.0 * std::f64::consts::PI / 18.0);
 //! let step = lanczos_step(&mut Chain(100.0), 0.9)?;
 //! assert!((step.dt * fastest / 2.0 - 0.9).abs() < 1e-9);
 //! # Ok::<(), explicit_dynamics::MarchError>(())

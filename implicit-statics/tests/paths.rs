@@ -125,7 +125,7 @@ fn a_failed_path_keeps_its_points_its_state_and_a_restart() {
     let mut system = Flat::new(Softening);
     let control = Control::Load { step: 0.05, until: 0.5 };
     let (path, curve) = trace(&mut system, &options(control));
-    let limit = (-1.0_f64).exp();
+    let limit = libm::exp(-1.0_f64);
     let Err(EquilibriumError::StepTooSmall { level, size, smallest, .. }) = &path.end else {
         panic!("{:?}", path.end)
     };
@@ -141,7 +141,7 @@ fn a_failed_path_keeps_its_points_its_state_and_a_restart() {
     let path = follow(&mut system, &path.restart, &on, |_, _| ControlFlow::Continue(()));
     assert_eq!(path.end, Ok(End::Reached));
     let w = system.q[0];
-    assert!(w > 1.0 && (w * (-w).exp() - 0.2).abs() < 1e-12);
+    assert!(w > 1.0 && (w * libm::exp(-w) - 0.2).abs() < 1e-12);
 }
 
 /// λ = cos 0.3 − cos(q + 0.3) stiffens before it turns at q = π − 0.3: a step of 1 leaps over the limit point.
@@ -152,13 +152,13 @@ impl Potential for Swing {
         1
     }
     fn energy(&self, q: &[f64]) -> f64 {
-        q[0] * 0.3_f64.cos() - (q[0] + 0.3).sin() + 0.3_f64.sin()
+        q[0] * libm::cos(0.3_f64) - libm::sin(q[0] + 0.3) + libm::sin(0.3_f64)
     }
     fn gradient(&self, q: &[f64], out: &mut [f64]) {
-        out[0] = 0.3_f64.cos() - (q[0] + 0.3).cos();
+        out[0] = libm::cos(0.3_f64) - libm::cos(q[0] + 0.3);
     }
     fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
-        add(0, 0, (q[0] + 0.3).sin());
+        add(0, 0, libm::sin(q[0] + 0.3));
     }
     fn load(&self, _q: &[f64], out: &mut [f64]) {
         out[0] = 1.0;
@@ -232,13 +232,13 @@ impl Potential for Ripple {
         1
     }
     fn energy(&self, q: &[f64]) -> f64 {
-        0.5 * q[0] * q[0] - self.0 * q[0].cos()
+        0.5 * q[0] * q[0] - self.0 * libm::cos(q[0])
     }
     fn gradient(&self, q: &[f64], out: &mut [f64]) {
-        out[0] = q[0] + self.0 * q[0].sin();
+        out[0] = q[0] + self.0 * libm::sin(q[0]);
     }
     fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
-        add(0, 0, 1.0 + self.0 * q[0].cos());
+        add(0, 0, 1.0 + self.0 * libm::cos(q[0]));
     }
     fn load(&self, _q: &[f64], out: &mut [f64]) {
         out[0] = 1.0;
@@ -247,8 +247,8 @@ impl Potential for Ripple {
 
 #[test]
 fn a_leap_over_many_limit_points_names_the_first() {
-    let q = (-1.0_f64 / 1.5).acos();
-    let limit = q + 1.5 * q.sin();
+    let q = libm::acos(-1.0_f64 / 1.5);
+    let limit = q + 1.5 * libm::sin(q);
     for until in [6.0, 9.0, 14.0, 30.0] {
         let mut system = Flat::new(Ripple(1.5));
         let (path, _) = trace(&mut system, &watched(Control::Load { step: until, until }));
@@ -268,7 +268,7 @@ fn steps_that_stay_on_their_branch_are_proved_to() {
     assert_eq!(path.end, Ok(End::Reached));
     assert!((path.critical.is_empty(), path.passages.is_empty()) == (true, true), "{:?}", path.passages);
     let (level, q) = curve.last().unwrap();
-    assert!((q[0] + 0.9 * q[0].sin() - level).abs() < 1e-8);
+    assert!((q[0] + 0.9 * libm::sin(q[0]) - level).abs() < 1e-8);
 }
 
 /// A spring whose model ends at q = 1.

@@ -117,7 +117,7 @@ fn the_energy_of_a_snap_is_that_of_its_closed_form() {
     }
     reported(&releases(&mut Flat::new(arch), &levels), &energies, 6, "force");
     // Under a motion, through a spring too soft to hold the arch: its force falls from branch to branch.
-    let mut pushed = Pushed::new(0.25 / 10.0_f64.hypot(1.0).powi(3));
+    let mut pushed = Pushed::new(0.25 / libm::hypot(10.0_f64, 1.0).powi(3));
     let levels = steps(3.1, 12);
     let mut state = (0.0, 0.0, 0.0);
     let (mut energies, mut snap) = (Vec::new(), None);

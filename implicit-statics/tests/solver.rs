@@ -147,7 +147,7 @@ fn a_small_saddle_point_is_solved() {
     let matrix = dense(n + multipliers, &pattern, &values);
     let mut solver = SymmetricSolver::new(n + multipliers, &pattern).unwrap();
     solver.factor(&values).unwrap();
-    let right = DVector::from_fn(n + multipliers, |i, _| (i as f64).sin());
+    let right = DVector::from_fn(n + multipliers, |i, _| libm::sin(i as f64));
     let mut x = right.as_slice().to_vec();
     solver.solve(&mut x).unwrap();
     let residual = (&matrix * DVector::from_column_slice(&x) - &right).norm();
@@ -167,13 +167,13 @@ fn the_residual_guard_refuses_what_growth_has_spoilt() {
             values.push(stiffness);
             for b in (0..block).filter(|b| (l * 13 + b * b * 7) % 11 < 4) {
                 pattern.push((loose + b, l));
-                values.push(1.0 + 0.3 * ((l * b) as f64).sin());
+                values.push(1.0 + 0.3 * libm::sin((l * b) as f64));
             }
         }
         for i in 0..block {
             for j in 0..=i {
                 pattern.push((loose + i, loose + j));
-                values.push(if i == j { 30.0 } else { ((i * j) as f64).cos() });
+                values.push(if i == j { 30.0 } else { libm::cos((i * j) as f64) });
             }
         }
         let n = loose + block;

@@ -98,7 +98,7 @@ fn crowds_and_needles_are_answered_soon() {
     for i in 0..3000 {
         let corner = |part: f64| {
             let turn = std::f64::consts::TAU * (f64::from(i) + part) / 3000.0;
-            format!("v {} {} 0\n", turn.cos(), turn.sin())
+            format!("v {} {} 0\n", libm::cos(turn), libm::sin(turn))
         };
         let [a, b, c] = [1, 2, 3].map(|corner| 3 * i + corner);
         crowd.push_str(&format!("v 0 0 0\n{}{}f {a} {b} {c}\n", corner(0.0), corner(0.5)));

@@ -49,7 +49,7 @@ fn polygon(degrees: f64, cells: usize, facets: usize, triangles: bool) -> Surfac
     let mut faces = Vec::new();
     let mut start = [0.0; 3];
     for facet in 0..facets {
-        let (sin, cos) = (facet as f64 * degrees).to_radians().sin_cos();
+        let (sin, cos) = libm::sincos((facet as f64 * degrees).to_radians());
         let along = [cos, 0.0, sin];
         faces.extend(sheet(start, along, Y, [cells, 2]));
         start = std::array::from_fn(|k| start[k] + cells as f64 * along[k]);

@@ -109,7 +109,7 @@ fn broken_files() {
 /// So many triangles round the edge from vertex 1 to vertex 2.
 fn fan(count: u32) -> String {
     let triangle = |i: u32| {
-        let (sin, cos) = (f64::from(i) / f64::from(count) * std::f64::consts::TAU).sin_cos();
+        let (sin, cos) = libm::sincos(f64::from(i) / f64::from(count) * std::f64::consts::TAU);
         format!("v 0.5 {cos:.6} {sin:.6}\nf 1 2 {}\n", i + 5)
     };
     (0..count).map(triangle).collect()

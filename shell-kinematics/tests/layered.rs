@@ -108,7 +108,7 @@ proptest! {
         strain in prop::array::uniform8(-1.0..1.0_f64),
     ) {
         let rotated_plies: Vec<_> = plies.iter().map(|&(m, t, angle)| (m, t, angle + turn)).collect();
-        let (s, c) = turn.sin_cos();
+        let (s, c) = libm::sincos(turn);
         // Components of a strain in axes rotated back by `turn`.
         let tensor = |e: &[f64]| {
             [
@@ -135,7 +135,7 @@ proptest! {
             let a = stiffness(section).fixed_view::<3, 3>(0, 0).into_owned();
             let mut most = 0.0_f64;
             for (i, j) in (0..180).flat_map(|i| (0..180).map(move |j| (i, j))) {
-                let (n, m) = ((f64::from(i) * PI / 180.0).sin_cos(), (f64::from(j) * PI / 180.0).sin_cos());
+                let (n, m) = (libm::sincos(f64::from(i) * PI / 180.0), libm::sincos(f64::from(j) * PI / 180.0));
                 let e = SMatrix::<f64, 3, 1>::new(n.1 * m.1, n.0 * m.0, n.0 * m.1 + n.1 * m.0);
                 most = most.max((e.transpose() * a * e)[0]);
             }

@@ -9,7 +9,7 @@ use shell_kinematics::{
 
 /// Numbers that no two entries share.
 fn row(first: f64) -> [Pack; 8] {
-    std::array::from_fn(|i| Pack::from_fn(|lane| 0.3 * (first + 3.1 * i as f64 + 1.7 * lane as f64).sin()))
+    std::array::from_fn(|i| Pack::from_fn(|lane| 0.3 * libm::sin(first + 3.1 * i as f64 + 1.7 * lane as f64)))
 }
 
 fn measures(first: f64) -> Measures {

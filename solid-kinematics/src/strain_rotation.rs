@@ -63,7 +63,7 @@ pub fn half_turn(w: &Tensor) -> f64 {
 /// Angle by which a rotation turns, 0 … π.
 pub fn angle(rotation: &Tensor) -> f64 {
     let (_, w) = parts(rotation);
-    spin_product(&w, &w).sqrt().atan2(0.5 * (rotation.trace() - 1.0))
+    libm::atan2(spin_product(&w, &w).sqrt(), 0.5 * (rotation.trace() - 1.0))
 }
 
 /// The orthonormal triad next to one that is nearly so: `Q (3 − QᵀQ)/2`, which squares the error.

@@ -47,7 +47,7 @@ fn disorder_stays_on_the_surface_and_on_the_edges_and_repeats() {
     assert_ne!(cloud, jittered_lattice(&roof, [9, 7], 0.25, 43).unwrap());
     let sides = cloud.sides.as_ref().unwrap();
     for (a, x) in cloud.positions.iter().enumerate() {
-        assert_relative_eq!(x.x.hypot(x.z), 2.0, epsilon = 1e-14);
+        assert_relative_eq!(libm::hypot(x.x, x.z), 2.0, epsilon = 1e-14);
         assert_relative_eq!(cloud.frames[a].n, Vec3::new(x.x, 0.0, x.z) / 2.0, epsilon = 1e-14);
         assert!((x - regular.positions[a]).norm() < 0.25 * (0.25f64.powi(2) + (1.0f64 / 6.0).powi(2)).sqrt());
     }
@@ -75,7 +75,7 @@ fn estimated_normals_and_flat_areas_converge_to_those_of_the_sphere() {
             .filter(inside)
             .map(|a| (cloud.frames[a].n - exact.frames[a].n).norm())
             .fold(0.0, f64::max);
-        let area = 0.8 * (0.5f64.cos() - 1.2f64.cos());
+        let area = 0.8 * (libm::cos(0.5f64) - libm::cos(1.2f64));
         (tilt, (cloud.areas.iter().sum::<f64>() / area - 1.0).abs())
     };
     let (coarse, fine) = (error(9), error(17));
@@ -128,7 +128,7 @@ fn cells_without_area_are_refused() {
 fn the_lips_of_a_slit_may_touch_but_kernels_refuse_to_mix_them() {
     // A full ring cut open at φ = 0: first and last row coincide.
     let ring = Parametric {
-        position: |u: f64, v: f64| Vec3::new(u * v.cos(), u * v.sin(), 0.0),
+        position: |u: f64, v: f64| Vec3::new(u * libm::cos(v), u * libm::sin(v), 0.0),
         range: [[1.0, 2.0], [0.0, std::f64::consts::TAU]],
     };
     let mut cloud = lattice(&ring, [4, 25], EndWeights::Trapezoid).unwrap();
@@ -177,8 +177,8 @@ fn ribbon(n: usize, half_turns: usize) -> (Vec<Vec3>, Vec<Cell>) {
     let place = |i: usize, side: f64| {
         let along = std::f64::consts::TAU * i as f64 / n as f64;
         let twist = 0.5 * half_turns as f64 * along;
-        let radius = 3.0 + side * twist.cos();
-        Vec3::new(radius * along.cos(), radius * along.sin(), side * twist.sin())
+        let radius = 3.0 + side * libm::cos(twist);
+        Vec3::new(radius * libm::cos(along), radius * libm::sin(along), side * libm::sin(twist))
     };
     let positions = (0..n).flat_map(|i| [place(i, -0.5), place(i, 0.5)]).collect();
     let cells = (0..n as u32).map(|i| {

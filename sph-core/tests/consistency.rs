@@ -98,8 +98,8 @@ fn the_consistent_operator_on_the_corners_of_a_cell_is_the_cell_operator() {
                 let frame = operator.points[p].frame;
                 for (k, e) in entries.enumerate() {
                     let free = signs[k] - exact.g1[e] * sum.dot(&frame.t1) - exact.g2[e] * sum.dot(&frame.t2);
-                    operator.g1[e] += 0.3 * free * (p as f64).sin();
-                    operator.g2[e] -= 0.2 * free * (p as f64).cos();
+                    operator.g1[e] += 0.3 * free * libm::sin(p as f64);
+                    operator.g2[e] -= 0.2 * free * libm::cos(p as f64);
                 }
             }
         }

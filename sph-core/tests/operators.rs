@@ -122,7 +122,7 @@ fn an_axis_that_stands_on_the_surface_is_refused_with_its_place() {
     match operator.align(&Vec3::z()).unwrap_err() {
         SpaceError::AxisNormal { position, projection, bound } => {
             let off = Vec3::from(position) - crown;
-            assert!(off.x.hypot(off.z) < 1e-12 && projection < 1e-12 && bound == 1e-6, "{position:?}");
+            assert!(libm::hypot(off.x, off.z) < 1e-12 && projection < 1e-12 && bound == 1e-6, "{position:?}");
         }
         other => panic!("{other}"),
     }
@@ -250,7 +250,7 @@ proptest! {
     #[test]
     fn gather_is_the_transpose_of_value_and_gradient(seed in any::<u64>()) {
         let cloud = jittered_lattice(&Cylinder { radius: 2.0, angles: [0.0, 1.0], length: 2.0 }, [9, 9], 0.25, seed).unwrap();
-        let noise = |k: usize| ((seed % 1000 + 1) as f64 * (k + 1) as f64).sin();
+        let noise = |k: usize| libm::sin((seed % 1000 + 1) as f64 * (k + 1) as f64);
         for (name, operator) in operators(&cloud) {
             let field: Vec<f64> = (0..cloud.len()).map(noise).collect();
             let resultants: Vec<[f64; 3]> =

@@ -44,7 +44,7 @@ fn particles_keep_their_distance_and_fill_the_surface() {
     let cases: [(&dyn Patch, f64, f64); 3] = [
         (&plate, 2.0, 0.05),
         (&roof(), 2.0, 0.05),
-        (&dome(), 100.0 * 1.57 * ((0.1 * std::f64::consts::PI).cos() - 1.57_f64.cos()), 0.4),
+        (&dome(), 100.0 * 1.57 * (libm::cos(0.1 * std::f64::consts::PI) - libm::cos(1.57_f64)), 0.4),
     ];
     for (patch, area, spacing) in cases {
         for seed in 0..3 {
@@ -69,7 +69,7 @@ fn edges_hold_evenly_spaced_particles_in_order() {
     let sides = cloud.sides.as_ref().unwrap();
     let [[u0, u1], [v0, v1]] = dome.range();
     let meridian = 10.0 * (u1 - u0);
-    let parallels = [10.0 * u0.sin() * (v1 - v0), 10.0 * u1.sin() * (v1 - v0)];
+    let parallels = [10.0 * libm::sin(u0) * (v1 - v0), 10.0 * libm::sin(u1) * (v1 - v0)];
     for (side, length) in SIDES.into_iter().zip([parallels[0], parallels[1], meridian, meridian]) {
         let edge = sides.edge(side);
         assert_eq!(edge.len(), length.round() as usize + 1);

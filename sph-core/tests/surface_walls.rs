@@ -173,7 +173,7 @@ fn an_open_dish_has_its_wall_on_one_side_and_ends_at_its_border() {
 #[test]
 fn a_sharp_wedge_of_fluid_is_closed_at_its_edge() {
     // A prism over a triangle of 15° between two long sides.
-    let (far, half) = (1.5, 1.5 * 7.5_f64.to_radians().tan());
+    let (far, half) = (1.5, 1.5 * libm::tan(7.5_f64.to_radians()));
     let ends = [0.0, 1.0].map(|z| [[0.0, 0.0, z], [far, half, z], [far, -half, z]].map(Vec3::from));
     let vertices = ends.concat();
     let triangles =
@@ -230,8 +230,8 @@ fn wrong_surfaces_are_refused() {
     let turn = |i: usize| {
         let (angle, side) = ((i / 2) as f64 * 2.0944, if i.is_multiple_of(2) { 1.0 } else { -1.0 });
         let (about, arm) = (0.5 * angle, 0.3 * side);
-        let radius = 1.0 + arm * about.cos();
-        Vec3::new(radius * angle.cos(), radius * angle.sin(), arm * about.sin())
+        let radius = 1.0 + arm * libm::cos(about);
+        Vec3::new(radius * libm::cos(angle), radius * libm::sin(angle), arm * libm::sin(about))
     };
     let vertices: Vec<Vec3> = (0..6).map(turn).collect();
     refused(surface_rows(&vertices, &strip, &Vec3::z(), 0.1, 3), "one side only");

@@ -152,7 +152,7 @@ fn corners_of_any_angle_are_closed_outside() {
     for degrees in [5.0_f64, 20.0, 30.0, 31.0, 45.0, 60.0, 89.0, 90.0, 120.0, 150.0, 175.0, 179.9] {
         // The fluid is within the angle, which opens to the right; the wall lies to the left of who comes from above.
         let half = 0.5 * degrees.to_radians();
-        let wedge = [[half.cos(), half.sin()], [0.0, 0.0], [half.cos(), -half.sin()]];
+        let wedge = [[libm::cos(half), libm::sin(half)], [0.0, 0.0], [libm::cos(half), -libm::sin(half)]];
         let (outside, open) = checked(&wedge, WallSide::Right);
         assert_eq!(open, 0, "{degrees}°");
         // A ray from within, through the corner and half a spacing to either side, meets the wall: the tip is closed.
@@ -168,7 +168,7 @@ fn a_circle_of_few_or_many_points_has_rows_of_its_length() {
     for count in [24, 100, 1000] {
         let at = |i: usize| {
             let angle = (i % count) as f64 / count as f64 * std::f64::consts::TAU;
-            [angle.cos(), angle.sin()]
+            [libm::cos(angle), libm::sin(angle)]
         };
         let circle: Vec<[f64; 2]> = (0..=count).map(at).collect();
         for (side, sign) in [(WallSide::Right, 1.0), (WallSide::Left, -1.0)] {
@@ -198,7 +198,7 @@ fn tight_bends_into_the_wall_are_trimmed_without_a_gap() {
     let mut points = vec![[-1.0, 0.0], [-0.06, 0.0]];
     points.extend((1..40).map(|i| {
         let angle = std::f64::consts::PI * (1.0 - f64::from(i) / 40.0);
-        [0.06 * angle.cos(), 0.06 * angle.sin()]
+        [0.06 * libm::cos(angle), 0.06 * libm::sin(angle)]
     }));
     points.extend([[0.06, 0.0], [1.0, 0.0]]);
     // The wall below: the bump stands into the fluid. Above: the fluid fills a groove.
@@ -219,13 +219,13 @@ proptest! {
         let count = radii.len();
         let at = |i: usize| {
             let angle = (i % count) as f64 / count as f64 * std::f64::consts::TAU;
-            [radii[i % count] * angle.cos(), radii[i % count] * angle.sin()]
+            [radii[i % count] * libm::cos(angle), radii[i % count] * libm::sin(angle)]
         };
         let star: Vec<[f64; 2]> = (0..=count).map(at).collect();
         let sharpest = (0..count).map(|i| {
             let (a, b, c) = (at((i + count - 1) % count), at(i), at(i + 1));
             let (u, v) = ([a[0] - b[0], a[1] - b[1]], [c[0] - b[0], c[1] - b[1]]);
-            let angle = (v[0] * u[1] - v[1] * u[0]).atan2(v[0] * u[0] + v[1] * u[1]);
+            let angle = libm::atan2(v[0] * u[1] - v[1] * u[0], v[0] * u[0] + v[1] * u[1]);
             if angle < 0.0 { -angle } else { std::f64::consts::TAU - angle }
         }).fold(f64::INFINITY, f64::min);
         let (walls, open) = checked(&star, WallSide::Right);

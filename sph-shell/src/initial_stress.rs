@@ -116,7 +116,7 @@ impl Shell {
     fn seen(&self, cell: u32, axis: &Vec3) -> Option<[f64; 2]> {
         let frame = &self.reference.operator.points[cell as usize].frame;
         let [a, b] = [axis.dot(&frame.t1), axis.dot(&frame.t2)];
-        let size = a.hypot(b);
+        let size = libm::hypot(a, b);
         (size > ACROSS * axis.norm()).then(|| [a / size, b / size])
     }
 
@@ -157,9 +157,9 @@ impl Shell {
         for (p, resultants) in self.stresses.iter().enumerate() {
             let (stencil, weight) = (operator.stencil(p), operator.points[p].weight);
             let size = |of: &[f64]| of.iter().map(|value| value * value).sum::<f64>().sqrt();
-            let force = weight * size(&resultants[..3]).hypot(size(&resultants[3..]) / arc);
+            let force = weight * libm::hypot(size(&resultants[..3]), size(&resultants[3..]) / arc);
             for (k, &b) in stencil.particles.iter().enumerate() {
-                sums[b as usize] += force * stencil.g1[k].hypot(stencil.g2[k]);
+                sums[b as usize] += force * libm::hypot(stencil.g1[k], stencil.g2[k]);
             }
         }
         sums.iter().map(|sum| sum * sum).sum::<f64>().sqrt()

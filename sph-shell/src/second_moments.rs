@@ -87,7 +87,7 @@ impl Around<'_> {
         let arm = self.cloud.positions[b as usize] - self.cloud.positions[a];
         let frame = &self.cloud.frames[a];
         let [x, y] = [arm.dot(&frame.t1), arm.dot(&frame.t2)];
-        let scale = arm.norm() / x.hypot(y).max(f64::MIN_POSITIVE) / self.spacing;
+        let scale = arm.norm() / libm::hypot(x, y).max(f64::MIN_POSITIVE) / self.spacing;
         [x * scale, y * scale]
     }
 

@@ -55,7 +55,7 @@ fn a_strip_in_an_elastic_clamp_is_the_beam() {
     let k = kappa * EI / LENGTH;
     let force = 1e-4 * EI / LENGTH.powi(2);
     let lack = |x: f64| {
-        let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
+        let (sin, cos, sinh, cosh) = (libm::sin(x), libm::cos(x), libm::sinh(x), libm::cosh(x));
         // w = A sin + C sinh + B (cos − cosh), B = −κ (A + C)/2x.
         let row = |of_a: [f64; 2], of_b: f64| of_a.map(|a| a - kappa / (2.0 * x) * of_b);
         let second = row([-sin, sinh], -cos - cosh);
@@ -64,7 +64,7 @@ fn a_strip_in_an_elastic_clamp_is_the_beam() {
     };
     let x = root_of(0.8, 1.87, lack);
     let square = x.powi(4) * EI / (DENSITY * THICK * LENGTH.powi(4));
-    let u = root_of(0.5, 1.55, |u| u * u.sin() - kappa * u.cos());
+    let u = root_of(0.5, 1.55, |u| u * libm::sin(u) - kappa * libm::cos(u));
     let critical = EI * u * u / LENGTH.powi(2);
     let mut errors = Vec::new();
     for cells in [10, 20, 40] {

@@ -151,7 +151,7 @@ fn a_strip_whose_heavy_end_is_hinged_beside_its_mass_vibrates_as_the_beam() {
     let lack = |x: f64| {
         let beta = x / length;
         let square = beta.powi(4) / line * (inertia + mass * beyond * beyond);
-        let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
+        let (sin, cos, sinh, cosh) = (libm::sin(x), libm::cos(x), libm::sinh(x), libm::cosh(x));
         let row = |[w, w1, w2, w3]: [f64; 4]| {
             let turn = beta * w1;
             [w + beyond * turn, beta * beta * w2 + beyond * beta.powi(3) * w3 - square * turn]
@@ -264,7 +264,7 @@ fn a_pendulum_swings_as_long_as_the_elliptic_integral_says() {
     let start = 2.5_f64;
     let down =
         nalgebra::Rotation3::from_axis_angle(&nalgebra::Vector3::y_axis(), start) * (-long.normalize());
-    let (mut a, mut b) = (1.0, (0.5 * start).cos());
+    let (mut a, mut b) = (1.0, libm::cos(0.5 * start));
     for _ in 0..20 {
         (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
     }

@@ -18,7 +18,7 @@ const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 /// Energy of an L of two legs of length one, clamped at one end, under a unit force across the far leg: bending, axial force
 /// and shear of beams in series, `M = s cos φ + 1` on the near leg and `s` on the far one.
 fn beam_energy_of_fold(fold: f64, thickness: f64, wide: f64) -> f64 {
-    let (sin, cos) = fold.sin_cos();
+    let (sin, cos) = libm::sincos(fold);
     let bending = 12.0 / (common::YOUNG * thickness.powi(3) * wide);
     let axial = 1.0 / (common::YOUNG * thickness * wide);
     let shear = 1.0 / (5.0 / 6.0 * 0.5 * common::YOUNG * thickness * wide);
@@ -30,11 +30,11 @@ fn beam_energy_of_fold(fold: f64, thickness: f64, wide: f64) -> f64 {
 fn error_of_fold(fold: f64, n: usize, thickness: f64) -> f64 {
     let wide = 0.3;
     let cloud = folded(fold, n, wide, 1);
-    let tip = X + X * fold.cos() + Z * fold.sin();
-    let end = at(&cloud, |x| (x.x - tip.x).hypot(x.z - tip.z) < 1e-9);
-    let across = -X * fold.sin() + Z * fold.cos();
+    let tip = X + X * libm::cos(fold) + Z * libm::sin(fold);
+    let end = at(&cloud, |x| libm::hypot(x.x - tip.x, x.z - tip.z) < 1e-9);
+    let across = -X * libm::sin(fold) + Z * libm::cos(fold);
     let force = Force { shares: line(&cloud, &end), total: across };
-    let clamp = supported(at(&cloud, |x| x.x.hypot(x.z) < 1e-9), Clamped);
+    let clamp = supported(at(&cloud, |x| libm::hypot(x.x, x.z) < 1e-9), Clamped);
     let body = Shell::new(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(force)])).unwrap();
     linear_energy(body) / beam_energy_of_fold(fold, thickness, wide) - 1.0
 }
@@ -86,7 +86,7 @@ fn rolled(cloud: Cloud, end: Vec<u32>, probe: [Vec3; 2], turn: f64) -> [Vec3; 2]
     let moment = turn * 0.3 * common::YOUNG * thickness.powi(3) / 12.0;
     let edge = line(&cloud, &end);
     let couple = EdgeCouple { edge, moment, axis: CoupleAxis::Fixed(Y) };
-    let clamp = supported(at(&cloud, |x| x.x.hypot(x.z) < 1e-9), Clamped);
+    let clamp = supported(at(&cloud, |x| libm::hypot(x.x, x.z) < 1e-9), Clamped);
     let body = Shell::new(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(couple)])).unwrap();
     let mut system = StaticShell::new(body);
     let options = NewtonOptions { tolerance: 1e-10, line_search: false, ..NewtonOptions::default() };
@@ -184,7 +184,7 @@ fn an_end_turned_by_its_support_carries_the_joint_and_needs_the_couple_of_a_beam
 fn a_column_held_by_a_beam_buckles_as_slope_deflection_says() {
     let (thickness, wide) = (0.01_f64, 0.05);
     let ei = common::YOUNG * thickness.powi(3) * wide / 12.0;
-    let lack = |u: f64| u.tan() - 4.0 * u / (4.0 + u * u);
+    let lack = |u: f64| libm::tan(u) - 4.0 * u / (4.0 + u * u);
     let (mut low, mut high) = (std::f64::consts::PI, 4.49);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);

@@ -18,7 +18,7 @@ const WIDE: f64 = 0.3;
 /// Legs of length one from the line x = z = 0 at angles \[°\], n cells each, wide along y.
 fn star(degrees: &[f64], n: usize, across: usize) -> Cloud {
     let leg = |sheets: Sheets, degrees: &f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(degrees.to_radians());
         sheets.add(Vec3::zeros(), [X * cos + Z * sin, Y * WIDE], [n, across])
     };
     degrees.iter().fold(Sheets::default(), leg).cloud()
@@ -57,9 +57,9 @@ fn disordered(cloud: &Cloud, reach: f64, n: usize, across: usize, seed: u64) -> 
 /// Work of a couple on the joint of legs clamped at their ends, over that of beams: `M²/Σk`, `k = EI (4 + Φ)/L(1 + Φ)`.
 fn turned_joint(cloud: Cloud, legs: usize) -> f64 {
     let thickness = 0.01_f64;
-    let joint = at(&cloud, |x| x.x.hypot(x.z) < 1e-9);
+    let joint = at(&cloud, |x| libm::hypot(x.x, x.z) < 1e-9);
     let supports = vec![
-        supported(at(&cloud, |x| x.x.hypot(x.z) > 1.0 - 1e-9), Clamped),
+        supported(at(&cloud, |x| libm::hypot(x.x, x.z) > 1.0 - 1e-9), Clamped),
         supported(joint.clone(), Held { displacement: vec![X, Z], director: None }),
     ];
     let firsts: Vec<u32> = cloud.joined.iter().map(|group| group[0]).collect();
@@ -139,7 +139,7 @@ fn a_sliver_at_a_junction_changes_little() {
 fn a_star_turned_far_keeps_its_angles_and_newton_its_pace() {
     let degrees = STARS[1].1;
     let cloud = star(degrees, 6, 2);
-    let tip = at(&cloud, |x| (x.x + 1.0).hypot(x.z) < 0.2 && x.x.hypot(x.z) > 1.0 - 1e-9);
+    let tip = at(&cloud, |x| libm::hypot(x.x + 1.0, x.z) < 0.2 && libm::hypot(x.x, x.z) > 1.0 - 1e-9);
     let force = Force { shares: line(&cloud, &tip), total: Z * 2.5e-4 + Y * 0.5e-4 };
     let clamp = supported(at(&cloud, |x| (x.x - 1.0).abs() < 1e-9 && x.z.abs() < 1e-9), Clamped);
     let body = Shell::new(beam_parts(cloud.clone(), 0.02, vec![clamp], vec![Box::new(force)])).unwrap();

@@ -23,7 +23,7 @@ fn thrown() -> Shell {
         let (x, d) = (body.position(a), body.director(a));
         body.set_rate(
             a,
-            drift + spin.cross(&x) + Vec3::new(0.0, 0.2 * x.x, 0.3 * (3.0 * x.y).sin()),
+            drift + spin.cross(&x) + Vec3::new(0.0, 0.2 * x.x, 0.3 * libm::sin(3.0 * x.y)),
             spin.cross(&d),
         );
     }
@@ -91,7 +91,7 @@ fn tying_raises_no_frequency() {
         let fold = fold.to_radians();
         let tied = Sheets::default()
             .add(Vec3::zeros(), [X, Y], [6, 4])
-            .add(X, [X * fold.cos() + Z * fold.sin(), Y], [4, 4])
+            .add(X, [X * libm::cos(fold) + Z * libm::sin(fold), Y], [4, 4])
             .cloud();
         let tied = omega(free_shell(tied, CELL, thickness));
         println!("t = {thickness}: sheets {sheets:.6e}, tied {tied:.6e}");

@@ -20,7 +20,8 @@ const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
 /// Radii 6 and 10, thickness .03, E = 21e6, ν = 0, clamped along one lip, lifted along the other by .8 a length.
 fn annulus() -> StaticShell {
-    let place = |radius: f64, angle: f64| Vec3::new(radius * angle.cos(), radius * angle.sin(), 0.0);
+    let place =
+        |radius: f64, angle: f64| Vec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0);
     let patch = Parametric { position: place, range: [[6.0, 10.0], [0.0, 2.0 * PI]] };
     let cloud = lattice(&patch, [7, 31], EndWeights::Trapezoid).unwrap();
     let sides = cloud.sides.clone().unwrap();

@@ -60,7 +60,7 @@ fn free_flight_keeps_momentum_and_moment_of_momentum() {
         let (x, d) = (body.position(a), body.director(a));
         body.set_rate(
             a,
-            drift + spin.cross(&x) + Vec3::new(0.0, 0.0, 0.3 * (3.0 * x.y).sin()),
+            drift + spin.cross(&x) + Vec3::new(0.0, 0.0, 0.3 * libm::sin(3.0 * x.y)),
             spin.cross(&d),
         );
     }

@@ -35,14 +35,14 @@ fn rotation(shell: &Shell, [a, b]: [usize; 2]) -> Matrix3<f64> {
 fn twist(turn: &Matrix3<f64>, axis: &Vec3) -> f64 {
     let axial =
         Vec3::new(turn[(2, 1)] - turn[(1, 2)], turn[(0, 2)] - turn[(2, 0)], turn[(1, 0)] - turn[(0, 1)]);
-    2.0 * (axis.dot(&axial) / (1.0 + turn.trace())).atan()
+    2.0 * libm::atan(axis.dot(&axial) / (1.0 + turn.trace()))
 }
 
 /// Signed angle between what directors at rest and now have across an axis.
 fn turned(axis: &Vec3, rest: &Vec3, d: &Vec3) -> f64 {
     let across = |v: &Vec3| (v - axis * axis.dot(v)).normalize();
     let (from, to) = (across(rest), across(d));
-    from.dot(&to).acos().copysign(axis.dot(&from.cross(&to)))
+    libm::acos(from.dot(&to)).copysign(axis.dot(&from.cross(&to)))
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn springs_between_sheets_know_no_common_motion() {
             let x = body.position(a);
             body.set_rate(
                 a,
-                Vec3::new(0.1, -0.3, 0.4) + X.cross(&x) * 0.5 + Z * (3.0 * x.x).sin(),
+                Vec3::new(0.1, -0.3, 0.4) + X.cross(&x) * 0.5 + Z * libm::sin(3.0 * x.x),
                 Vec3::zeros(),
             );
         }

@@ -193,7 +193,7 @@ fn motions_are_the_inverse_of_forces() {
     let couple = RigidLoad { set: 0, force: Vec3::zeros(), couple: Y * 0.02 };
     let turned_by = solve(std::slice::from_ref(&hinge), Some(couple));
     let d = turned_by.shell().director(first);
-    let angle = d.x.atan2(d.z);
+    let angle = libm::atan2(d.x, d.z);
     let turned = solve(&[turned(Y, at, angle, Amplitude::Constant)], None);
     let found = borne(turned.shell(), &patch(), at)[1].y;
     let errors = [found / 0.02 - 1.0, apart(&turned, &turned_by)];

@@ -46,7 +46,7 @@ fn residuals_fall_quadratically() {
         let order = residuals
             .windows(3)
             .filter(|r| r[0] < largest && r[2] > 1e-10 * largest)
-            .map(|r| (r[2] / r[1]).ln() / (r[1] / r[0]).ln())
+            .map(|r| libm::log(r[2] / r[1]) / libm::log(r[1] / r[0]))
             .fold(0.0, f64::max);
         assert!(order > 1.8, "{name}: order {order} in {residuals:?}");
     }

@@ -199,7 +199,7 @@ fn a_strip_rolls_up_to_a_ring_by_its_end() {
             let moment: f64 = edge.iter().map(|&a| -shell.reaction_moment(a as usize).y).sum();
             let end = shell.position(edge[1] as usize);
             let radius = LENGTH / angle;
-            let exact = Vec3::new(radius * angle.sin(), end.y, radius * (1.0 - angle.cos()));
+            let exact = Vec3::new(radius * libm::sin(angle), end.y, radius * (1.0 - libm::cos(angle)));
             worst.0 = worst.0.max((moment * LENGTH / (EI * angle) - 1.0).abs());
             worst.1 = worst.1.max((end - exact).norm() / LENGTH);
         }
@@ -238,7 +238,7 @@ fn a_march_with_a_turned_end_finds_the_same() {
     marched.evaluate_internal(true);
     for &a in &edge {
         let (d, x) = (marched.director(a as usize), marched.position(a as usize));
-        let reported = Vec3::new(-angle.sin(), 0.0, angle.cos());
+        let reported = Vec3::new(-libm::sin(angle), 0.0, libm::cos(angle));
         assert!((d - reported).norm() < 1e-12, "{d:?} is not {reported:?}");
         assert!((x - found.position(a as usize)).norm() < 1e-4 * LENGTH, "{x:?}");
     }

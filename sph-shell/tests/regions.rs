@@ -316,7 +316,7 @@ fn two_measures_in_one_strip_turn_as_each_says() {
         green = rate / (1.0 - (thickness * green).powi(2) / 6.0);
     }
     let d = system.shell().director(edge[1].0 as usize);
-    let found = f64::atan2(d.x, d.z);
+    let found = libm::atan2(d.x, d.z);
     let [exact, alike] = [5.0 * (rate + green), 10.0 * rate];
     println!("{found} {exact}, with one measure {alike}");
     // Of the difference that the measure makes, .0036, a hundredth.

@@ -198,7 +198,7 @@ fn cantilever(cells: usize, beyond: f64, mass: f64, inertia: f64, loads: Vec<Box
 /// `−EI w''' = ω²M (w + e w')`, `EI w'' = ω²[(J + Me²) w' + M e w]`, `w = A (cosh − cos) + B (sinh − sin)`.
 fn determinant(x: f64, beyond: f64, mass: f64, inertia: f64) -> f64 {
     let beta = x / LENGTH;
-    let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
+    let (sin, cos, sinh, cosh) = (libm::sin(x), libm::cos(x), libm::sinh(x), libm::cosh(x));
     // ω²/EI = β⁴/ρA
     let square = beta.powi(4) / (DENSITY * THICK);
     let row = |[w, w1, w2, w3]: [f64; 4]| {

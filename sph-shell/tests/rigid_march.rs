@@ -39,7 +39,7 @@ fn thrown(cloud: sph_core::Cloud) -> (Shell, RigidSet) {
         let shake = if set.particles.contains(&(a as u32)) { 0.0 } else { 0.3 };
         body.set_rate(
             a,
-            drift + spin.cross(&x) + Vec3::new(0.0, 0.0, shake * (3.0 * x.y).sin()),
+            drift + spin.cross(&x) + Vec3::new(0.0, 0.0, shake * libm::sin(3.0 * x.y)),
             spin.cross(&d),
         );
     }

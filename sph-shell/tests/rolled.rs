@@ -18,10 +18,10 @@ fn rolled(turn: f64) -> Shell {
     let lengths = COUNTS.map(|n| SPACING * (n - 1) as f64);
     let mut shell =
         free_shell(flat(COUNTS, lengths), Formulation::StressPoint(Reach::Cell), common::THICKNESS);
-    let radius = 0.5 * SPACING / (0.5 * turn).sin();
+    let radius = 0.5 * SPACING / libm::sin(0.5 * turn);
     for a in 0..shell.len() {
         let x = shell.position(a);
-        let (sin, cos) = (turn * x.x / SPACING).sin_cos();
+        let (sin, cos) = libm::sincos(turn * x.x / SPACING);
         shell.set_state(a, Vec3::new(radius * sin, x.y, radius * cos), Vec3::new(sin, 0.0, cos));
     }
     shell
@@ -34,7 +34,7 @@ fn hourglass(shell: &mut Shell, angle: f64, across: bool) {
         let lattice = shell.reference().cloud.positions[a] / SPACING;
         let sign = if (lattice.x + lattice.y).round() as i64 % 2 == 0 { 1.0 } else { -1.0 };
         let aside = if across { Vec3::y() } else { Vec3::y().cross(&d) };
-        shell.set_state(a, x, d * angle.cos() + aside * (sign * angle.sin()));
+        shell.set_state(a, x, d * libm::cos(angle) + aside * (sign * libm::sin(angle)));
     }
 }
 
@@ -47,7 +47,7 @@ fn a_polygon_bends_like_the_circle() {
         let circle = 0.5 * d * area * (turn / SPACING).powi(2);
         let error = (energy(&mut shell) / circle - 1.0).abs();
         // The first term of arcsin that c leaves out, twice: 2 · 15/336 sin⁶(turn/2); 1e-12 is round-off.
-        let bound = 1.2 * 2.0 * 15.0 / 336.0 * (0.5 * turn).sin().powi(6) + 1e-12;
+        let bound = 1.2 * 2.0 * 15.0 / 336.0 * libm::sin(0.5 * turn).powi(6) + 1e-12;
         assert!(error < bound, "turn {turn}: {error:.1e} above {bound:.1e}");
     }
 }

@@ -126,7 +126,7 @@ fn directions_that_are_held_are_no_unknowns() {
         let (u, d) = (system.shell().displacement(7), system.shell().director(7));
         match left {
             4 => assert!(d.x == 0.0 && d.y != 0.0 && u.norm() > 0.0),
-            3 => assert!(u.x.hypot(u.y) < 1e-17 && u.z == 0.01),
+            3 => assert!(libm::hypot(u.x, u.y) < 1e-17 && u.z == 0.01),
             _ => assert!(u.norm() == 0.0 && d.y == 0.0 && d.x != 0.0),
         }
     }

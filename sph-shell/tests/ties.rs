@@ -145,7 +145,7 @@ fn patch(field: impl Fn(&Vec3) -> (Vec3, Vec3)) -> f64 {
         let across = turn - d * d.dot(&turn);
         let angle = across.norm();
         let axis = if angle > 0.0 { across / angle } else { across };
-        let (x, d) = (x + u, d * angle.cos() + axis.cross(&d) * angle.sin());
+        let (x, d) = (x + u, d * libm::cos(angle) + axis.cross(&d) * libm::sin(angle));
         [x.x, x.y, x.z, d.x, d.y, d.z]
     };
     let there: Vec<f64> = (0..cloud.len()).flat_map(row).collect();

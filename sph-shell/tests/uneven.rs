@@ -21,7 +21,7 @@ fn sheet() -> Shell {
 fn bend(body: &mut Shell, radius: f64) {
     for a in 0..body.len() {
         let x = body.position(a);
-        let (sin, cos) = (x.x.atan2(x.z) * RADIUS / radius).sin_cos();
+        let (sin, cos) = libm::sincos(libm::atan2(x.x, x.z) * RADIUS / radius);
         body.set_state(a, Vec3::new(radius * sin, x.y, radius * cos), Vec3::new(sin, 0.0, cos));
     }
 }

@@ -33,7 +33,7 @@ fn tube(around: usize, radius: f64, height: f64) -> Cloud {
     for i in 0..around {
         let angle = 2.0 * PI * i as f64 / around as f64;
         for z in [0.0, height] {
-            positions.push(Vec3::new(radius * angle.cos(), radius * angle.sin(), z));
+            positions.push(Vec3::new(radius * libm::cos(angle), radius * libm::sin(angle), z));
         }
     }
     let at = |i: usize, z: usize| (2 * (i % around) + z) as u32;
@@ -230,7 +230,7 @@ fn a_closed_tube_has_no_edge_and_no_seam() {
     let (layout, state) = (shell.boundary_layout(), boundary(&shell));
     let count = layout.points / 2;
     // Forty sides of 2 sin(π/40), as many points as divide their sum hardly wider than .08.
-    let round = 80.0 * (PI / 40.0).sin();
+    let round = 80.0 * libm::sin(PI / 40.0);
     assert_eq!(count, (round / 0.08_f64).ceil() as usize);
     assert_eq!(state.middle.len(), count);
     assert!(layout.thin.as_ref().unwrap().edges.iter().all(|edge| !edge));
@@ -283,7 +283,7 @@ fn pressure_on_points_is_pressure_on_the_shell() {
         let forces: Vec<[f64; 3]> =
             (0..3 * columns).map(|p| state.normals[p % columns].map(|n| n * 2.0 * areas[p] / 3.0)).collect();
         let rows = on_particles(&mut shell, &forces, &vec![[0.0; 3]; forces.len()], 0.0);
-        let share = 2.0 * 2.0 * (PI / 60.0).sin() * 0.1 * 0.5;
+        let share = 2.0 * 2.0 * libm::sin(PI / 60.0) * 0.1 * 0.5;
         for (a, row) in rows.iter().enumerate() {
             let out = Vec3::new(row[0], row[1], row[2]).dot(&shell.director(a));
             assert!((out / share - 1.0).abs() < 0.02, "{out} {share}");

@@ -25,7 +25,7 @@ fn digits(value: f64, count: i32) -> String {
     if value == 0.0 {
         return "0".into();
     }
-    let size = value.abs().log10().floor() as i32;
+    let size = libm::log10(value.abs()).floor() as i32;
     if !(-4..6).contains(&size) {
         let text = format!("{value:.*e}", count as usize - 1);
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));

@@ -28,7 +28,7 @@ impl Convergence {
     /// Of the distances between the first and the second answer and between the second and the third, as shares of the
     /// answer; `turned` where the two steps go in opposite directions.
     pub fn of([h1, h2, h3]: [f64; 3], [first, second]: [f64; 2], turned: bool) -> Self {
-        let ratio = |p: f64| (h1.powf(p) - h2.powf(p)) / (h2.powf(p) - h3.powf(p));
+        let ratio = |p: f64| (libm::pow(h1, p) - libm::pow(h2, p)) / (libm::pow(h2, p) - libm::pow(h3, p));
         let [slowest, fastest] = ORDERS;
         if turned || first < ratio(slowest) * second {
             return Self { error: SAFETY[1] * first.max(second), order: 1.0, regular: false };
@@ -46,13 +46,13 @@ impl Convergence {
                 high = middle;
             }
         }
-        let share = 1.0 / ((h2 / h3).powf(low) - 1.0);
+        let share = 1.0 / (libm::pow(h2 / h3, low) - 1.0);
         Self { error: SAFETY[0] * share * second, order: low, regular: true }
     }
 
     /// The spacing at which the error is so large, over the finest of the three.
     pub fn spacing_for(&self, error: f64) -> f64 {
-        (error / self.error).powf(1.0 / self.order)
+        libm::pow(error / self.error, 1.0 / self.order)
     }
 }
 
@@ -62,7 +62,7 @@ mod tests {
 
     /// Distances between answers with the error C hᵖ.
     fn distances(h: [f64; 3], p: f64, c: f64) -> [f64; 2] {
-        let error = h.map(|h| c * h.powf(p));
+        let error = h.map(|h| c * libm::pow(h, p));
         [error[0] - error[1], error[1] - error[2]]
     }
 
@@ -71,12 +71,12 @@ mod tests {
         let h = [0.25, 0.17, 0.125];
         for (p, c) in [(0.7, 0.02), (1.0, 3.0), (1.6, 0.5), (2.0, 1.0)] {
             let found = Convergence::of(h, distances(h, p, c), false);
-            let error = SAFETY[0] * c * h[2].powf(p);
+            let error = SAFETY[0] * c * libm::pow(h[2], p);
             assert!(found.regular, "{found:?}");
             assert!((found.order - p).abs() < 1e-9 && (found.error / error - 1.0).abs() < 1e-9, "{found:?}");
             // Twice as fine as the place where the error is what was asked leaves 2⁻ᵖ of it.
             let spacing = h[2] * found.spacing_for(0.5 * error);
-            assert!((SAFETY[0] * c * spacing.powf(p) / (0.5 * error) - 1.0).abs() < 1e-9);
+            assert!((SAFETY[0] * c * libm::pow(spacing, p) / (0.5 * error) - 1.0).abs() < 1e-9);
         }
     }
 
@@ -85,7 +85,7 @@ mod tests {
         let h = [0.25, 0.17, 0.125];
         let found = Convergence::of(h, distances(h, 4.0, 1.0), false);
         assert_eq!((found.order, found.regular), (2.0, true));
-        assert!(found.error > h[2].powf(4.0));
+        assert!(found.error > libm::pow(h[2], 4.0));
     }
 
     #[test]

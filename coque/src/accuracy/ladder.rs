@@ -123,11 +123,11 @@ impl Ladder {
         let Some(last) = self.rungs.last() else { return 0.0 };
         let before = self.rungs.iter().rev().nth(1).filter(|rung| rung.seconds > TIMED);
         let growth = before.map_or(2.0 * GROWTH, |before| {
-            let growth = (last.seconds / before.seconds).ln() / (before.spacing / last.spacing).ln();
+            let growth = libm::log(last.seconds / before.seconds) / libm::log(before.spacing / last.spacing);
             // A time grows at least with the particles of a surface, at most with those of a solid and as many levels.
             growth.clamp(2.0, 6.0)
         });
-        last.seconds * finer.powf(growth)
+        last.seconds * libm::pow(finer, growth)
     }
 
     /// Errors of all runs, from the differences of the last that can be compared.
@@ -174,7 +174,7 @@ fn careful(rungs: &[Rung], column: usize) -> Convergence {
     }
     let before = of(&rungs[count - 4..count - 1]);
     let finer = rungs[count - 1].spacing / rungs[count - 2].spacing;
-    let error = before.error * finer.powf(before.order);
+    let error = before.error * libm::pow(finer, before.order);
     if error > now.error { Convergence { error, ..before } } else { now }
 }
 

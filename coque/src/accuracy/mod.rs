@@ -109,12 +109,12 @@ fn needed(scene: &Scene, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
     let last = ladder.rungs.last()?;
     let refined = scene.refined(1.0 / (last.spacing * found.spacing_for(accuracy))).ok()?;
     let finer = last.spacing / refined.spacing;
-    let particles = last.particles as f64 * finer.powf(scene.dimensions());
+    let particles = last.particles as f64 * libm::pow(finer, scene.dimensions());
     (particles <= MOST_PARTICLES).then(|| Needed {
         lattice: refined.lattice,
         spacing: refined.spacing,
         particles,
-        error: found.error * finer.powf(-found.order),
+        error: found.error * libm::pow(finer, -found.order),
         seconds: ladder.seconds_at(finer),
         memory: scene.memory(particles),
         ran: false,

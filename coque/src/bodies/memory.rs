@@ -136,7 +136,7 @@ impl Scene {
         let factor = match &self.analysis {
             Analysis::Explicit(_) => 0.0,
             Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }) => self.multigrid(),
-            _ => factor * particles.max(2.0).log2(),
+            _ => factor * libm::log2(particles.max(2.0)),
         };
         PROGRAM + particles * (each + factor)
     }

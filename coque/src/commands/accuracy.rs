@@ -103,7 +103,7 @@ fn basis(forecast: &Forecast) -> String {
 /// A share in percent, to two digits.
 fn percent(share: f64) -> String {
     let percent = 100.0 * share;
-    let digits = if percent > 0.0 { (1 - percent.log10().floor() as i32).max(0) as usize } else { 0 };
+    let digits = if percent > 0.0 { (1 - libm::log10(percent).floor() as i32).max(0) as usize } else { 0 };
     format!("{percent:.digits$} %")
 }
 

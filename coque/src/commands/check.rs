@@ -101,7 +101,7 @@ fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),
         1e-3..1e6 => {
-            let digits = (4 - x.abs().log10().floor() as i32).max(0) as usize;
+            let digits = (4 - libm::log10(x.abs()).floor() as i32).max(0) as usize;
             let text = format!("{x:.digits$}");
             if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
         }

@@ -41,7 +41,8 @@ impl Scene {
                 let every = self.bodies.keys().map(|name| format!("{name}.all"));
                 let known: Vec<String> = every.chain(self.sets.keys().cloned()).collect();
                 let repair = suggest(on, &known.iter().map(String::as_str).collect::<Vec<_>>());
-                let bound = "which names no set of any body: a set of one of several bodies is written body.set";
+                let bound =
+                    "which names no set of any body: a set of one of several bodies is written body.set";
                 Err(SceneError::Set(self.source.fault(path, &format!("\"{on}\""), bound, &repair)))
             }
         }

@@ -98,7 +98,7 @@ fn loads_that_lag_or_do_not_yield_let_the_energy_grow() {
 /// Frequency of the mode that a spring of stiffness `stiffness` and the gas have below the first of the gas alone:
 /// `mω² = k + ρcω cot(ωL/c)`.
 fn coupled_frequency(stiffness: f64) -> f64 {
-    let lack = |w: f64| MASS * w * w - stiffness - DENSITY * SOUND * w / (w * LENGTH / SOUND).tan();
+    let lack = |w: f64| MASS * w * w - stiffness - DENSITY * SOUND * w / libm::tan(w * LENGTH / SOUND);
     let (mut low, mut high) = (1e-6, 3.1 * SOUND / LENGTH);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
@@ -115,7 +115,7 @@ fn error_in_a_mode(cells: usize, substeps: u32) -> f64 {
     let mut fluid = Column::new(cells, COURANT);
     for (i, strain) in fluid.strains.iter_mut().enumerate() {
         let x = (i as f64 + 0.5) * LENGTH / cells as f64;
-        *strain = -amplitude * wave * (wave * (LENGTH - x)).cos() / (wave * LENGTH).sin();
+        *strain = -amplitude * wave * libm::cos(wave * (LENGTH - x)) / libm::sin(wave * LENGTH);
     }
     // The gas of the half cell at the spring has no node of its own; it moves with the spring.
     let half_cell = 0.5 * DENSITY * LENGTH / cells as f64;
@@ -125,7 +125,7 @@ fn error_in_a_mode(cells: usize, substeps: u32) -> f64 {
     let steps = (periods / system.fluid().dt).ceil() as usize;
     let (notes, end) = march(&mut system, steps, 1);
     end.unwrap();
-    let error = |(record, x): (&Record, &f64)| (x / amplitude - (frequency * record.at.time).cos()).abs();
+    let error = |(record, x): (&Record, &f64)| (x / amplitude - libm::cos(frequency * record.at.time)).abs();
     greatest(notes.records.iter().zip(&notes.ends).map(error))
 }
 

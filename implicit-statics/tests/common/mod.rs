@@ -121,7 +121,7 @@ pub struct Arch {
 
 impl Arch {
     pub fn bar(&self) -> f64 {
-        self.half.hypot(self.height)
+        libm::hypot(self.half, self.height)
     }
 
     /// λ(w) on the symmetric path: z (h² − z²)/ℓ³, z = h − w.
@@ -240,11 +240,11 @@ impl Potential for RigidColumn {
     }
 
     fn load(&self, q: &[f64], out: &mut [f64]) {
-        out[0] = q[0].sin();
+        out[0] = libm::sin(q[0]);
     }
 
     fn load_tangent(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
-        add(0, 0, q[0].cos());
+        add(0, 0, libm::cos(q[0]));
     }
 }
 
@@ -257,15 +257,15 @@ impl Potential for Softening {
     }
 
     fn energy(&self, q: &[f64]) -> f64 {
-        1.0 - (1.0 + q[0]) * (-q[0]).exp()
+        1.0 - (1.0 + q[0]) * libm::exp(-q[0])
     }
 
     fn gradient(&self, q: &[f64], out: &mut [f64]) {
-        out[0] = q[0] * (-q[0]).exp();
+        out[0] = q[0] * libm::exp(-q[0]);
     }
 
     fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
-        add(0, 0, (1.0 - q[0]) * (-q[0]).exp());
+        add(0, 0, (1.0 - q[0]) * libm::exp(-q[0]));
     }
 
     fn load(&self, _q: &[f64], out: &mut [f64]) {
@@ -287,7 +287,7 @@ impl Hencky {
     /// Critical load m of the chain, (4c/a) sin²(mπ/2n) with c = EI/a.
     pub fn critical(&self, m: usize) -> f64 {
         let a = self.link();
-        4.0 / (a * a) * (m as f64 * std::f64::consts::PI / (2.0 * self.links as f64)).sin().powi(2)
+        4.0 / (a * a) * libm::sin(m as f64 * std::f64::consts::PI / (2.0 * self.links as f64)).powi(2)
     }
 
     fn slope(&self, q: &[f64], link: usize) -> f64 {
@@ -310,14 +310,14 @@ impl Potential for Hencky {
     }
 
     fn energy(&self, q: &[f64]) -> f64 {
-        let angle = |link| self.slope(q, link).asin();
+        let angle = |link| libm::asin(self.slope(q, link));
         (1..self.links).map(|l| 0.5 / self.link() * (angle(l) - angle(l - 1)).powi(2)).sum()
     }
 
     fn gradient(&self, q: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         for joint in 1..self.links {
-            let turn = self.slope(q, joint).asin() - self.slope(q, joint - 1).asin();
+            let turn = libm::asin(self.slope(q, joint)) - libm::asin(self.slope(q, joint - 1));
             for (link, sign) in [(joint, 1.0), (joint - 1, -1.0)] {
                 let rate = 1.0 / (1.0 - self.slope(q, link).powi(2)).sqrt();
                 for (i, share) in self.ends(link) {
@@ -329,7 +329,8 @@ impl Potential for Hencky {
 
     fn hessian(&self, q: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
         for joint in 1..self.links {
-            let turn = (self.slope(q, joint).asin() - self.slope(q, joint - 1).asin()) / self.link();
+            let turn =
+                (libm::asin(self.slope(q, joint)) - libm::asin(self.slope(q, joint - 1))) / self.link();
             let mut rates: Vec<(usize, f64)> = Vec::new();
             for (link, sign) in [(joint, 1.0), (joint - 1, -1.0)] {
                 let s = self.slope(q, link);

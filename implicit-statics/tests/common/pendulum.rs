@@ -23,7 +23,7 @@ impl Pendulum {
 
     /// Angle from e_z towards the load.
     pub fn angle(&self, i: usize) -> f64 {
-        self.director(i).dot(&LOAD.normalize()).atan2(self.director(i).z)
+        libm::atan2(self.director(i).dot(&LOAD.normalize()), self.director(i).z)
     }
 
     /// Magnitude of the load on one director at level 1.

@@ -51,7 +51,7 @@ pub(super) fn number(x: f64) -> String {
     if !(1e-4..1e7).contains(&x.abs()) {
         return format!("{x:.5e}");
     }
-    let digits = (5 - x.abs().log10().floor() as i32).max(0) as usize;
+    let digits = (5 - libm::log10(x.abs()).floor() as i32).max(0) as usize;
     let text = format!("{x:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }

@@ -42,7 +42,7 @@ fn residuals_fall_quadratically() {
             let order = residuals
                 .windows(3)
                 .filter(|r| r[0] <= largest && r[1] < r[0] && r[2] > 1e-13 * largest)
-                .map(|r| (r[2] / r[1]).ln() / (r[1] / r[0]).ln())
+                .map(|r| libm::log(r[2] / r[1]) / libm::log(r[1] / r[0]))
                 .fold(0.0, f64::max);
             println!("{space:?}, {law:?}: sag {sag:.2}, order {order:.2} in {}", short(&residuals));
             assert!(order > 1.8, "{space:?}, {law:?}: {residuals:?}");

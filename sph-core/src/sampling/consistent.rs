@@ -248,7 +248,7 @@ impl Conditions {
 /// Orthonormal rows that span `√ω (1, ξ, η, …)` up to `order`, by Gram–Schmidt done twice; dependent rows drop out,
 /// which makes the pseudo-inverse of `BΩBᵀ` exact.
 fn orthonormal_rows(plane: &[[f64; 2]], roots: &[f64], order: u8) -> Vec<f64> {
-    let size = plane.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
+    let size = plane.iter().map(|x| libm::hypot(x[0], x[1])).fold(0.0, f64::max);
     let mut rows: Vec<f64> = Vec::new();
     for (i, j) in std::iter::once((0, 0)).chain(monomials(order)) {
         let mut row: Vec<f64> =

@@ -215,7 +215,7 @@ mod tests {
             let h = 1.6 * size;
             for correction in corrections() {
                 let weights: Vec<f64> = xi.iter().zip(&eta)
-                    .map(|(x, y): (&f64, &f64)| correction.weight(&CubicSpline, x.hypot(*y).max(1e-3 * size), h))
+                    .map(|(x, y): (&f64, &f64)| correction.weight(&CubicSpline, libm::hypot(*x, *y).max(1e-3 * size), h))
                     .collect();
                 let near = Neighbourhood { xi: &xi, eta: &eta, weights: &weights, scale: h };
                 let shape = correction.shape(&near).unwrap();

@@ -109,7 +109,7 @@ impl SamplingOperator {
         for p in points {
             let Frame { t1, t2, n } = self.points[p].frame;
             let [first, second] = [axis.dot(&t1), axis.dot(&t2)];
-            let projection = first.hypot(second);
+            let projection = libm::hypot(first, second);
             if projection.is_nan() || projection < SHORTEST_PROJECTION {
                 let position = self.points[p].position.into();
                 return Err(SpaceError::AxisNormal { position, projection, bound: SHORTEST_PROJECTION });

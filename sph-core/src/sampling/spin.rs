@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn directions_follow_a_turn_as_far_as_they_may() {
         let turn = Vec3::z() * 0.4;
-        let (sine, cosine) = 0.4_f64.sin_cos();
+        let (sine, cosine) = libm::sincos(0.4_f64);
         let goal = [Vec3::new(cosine, sine, 0.0), Vec3::new(-sine, cosine, 0.0), Vec3::z()];
         let before = [Vec3::x(), Vec3::y(), Vec3::z()];
         let mut three = before;

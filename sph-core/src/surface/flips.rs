@@ -103,7 +103,7 @@ mod tests {
         // Twelve particles on a circle all joined to the first, and one in the middle of a triangle: every flip order must end.
         let place = |i: usize| 0.5 * i as f64 + 0.01 * (i * i) as f64;
         let x: Vec<Vec3> = (0..12)
-            .map(|i| Vec3::new(place(i).cos(), (1.0 + 0.05 * i as f64) * place(i).sin(), 0.0))
+            .map(|i| Vec3::new(libm::cos(place(i)), (1.0 + 0.05 * i as f64) * libm::sin(place(i)), 0.0))
             .collect();
         let mut triangles: Vec<[u32; 3]> = (1..11).map(|i| [0, i, i + 1]).collect();
         let area = |list: &[[u32; 3]]| -> f64 {

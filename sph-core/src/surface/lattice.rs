@@ -152,7 +152,7 @@ mod tests {
             (
                 &Sphere { radius: 1.0, polar: [PI / 3.0, PI / 2.0], azimuth: [0.0, 1.0] },
                 0.5,
-                2.0 * PI / 6.0 + (PI / 3.0).sin() + 1.0,
+                2.0 * PI / 6.0 + libm::sin(PI / 3.0) + 1.0,
             ),
         ];
         for (patch, area, length) in cases {

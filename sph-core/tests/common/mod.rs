@@ -56,7 +56,7 @@ pub fn curved_clouds() -> Vec<(&'static str, Cloud)> {
     let dome = Sphere { radius: 10.0, polar: [0.4, 1.5], azimuth: [0.0, 1.5] };
     let strip = Twisted { length: 3.0, width: 1.0, twist: 1.5 };
     let wave = Parametric {
-        position: |u: f64, v: f64| Vec3::new(u, v, 0.2 * (2.0 * u).sin() * v),
+        position: |u: f64, v: f64| Vec3::new(u, v, 0.2 * libm::sin(2.0 * u) * v),
         range: [[0.0, 2.0], [0.0, 1.0]],
     };
     vec![

@@ -95,7 +95,7 @@ impl Prescribed<'_> {
     pub fn pull(&self, force: &Vec3) -> f64 {
         let Some(motion) = self.motion else { return 0.0 };
         let along = motion.parts(&self.rest.0).filter_map(|part| part.try_normalize(0.0));
-        along.map(|along| along.dot(force)).reduce(f64::hypot).unwrap_or(0.0)
+        along.map(|along| along.dot(force)).reduce(libm::hypot).unwrap_or(0.0)
     }
 
     /// Derivative of place and rotation with respect to the level of the case that is under way, at a level \[L, rad\].

@@ -45,7 +45,7 @@ impl Shell {
         };
         let row = group.along_unknowns(&self.state, group.gather(&self.state, |a| self.internal_force(a)));
         let turn = prescribed.rotation.map_or(0.0, |rotation| rotation.axis.dot(&director(&row)) / arc);
-        prescribed.pull(&place(&row)).hypot(turn).powi(2)
+        libm::hypot(prescribed.pull(&place(&row)), turn).powi(2)
     }
 
     /// Rates of all particles of the body that one stands for, per unit of level at fixed unknowns.

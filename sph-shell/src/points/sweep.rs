@@ -312,7 +312,7 @@ mod tests {
         let mut state = reference.rest();
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {
-                *value += 0.01 * ((7 * i + 3 * k) as f64).sin();
+                *value += 0.01 * libm::sin((7 * i + 3 * k) as f64);
             }
         }
         let law =

@@ -41,7 +41,7 @@ impl Shell {
         let positions = &self.reference.cloud.positions;
         let [l1, l2] = hanging.line;
         // Edges on both sides of the particle are counted in full in the line.
-        let width = 0.5 * l1.hypot(l2);
+        let width = 0.5 * libm::hypot(l1, l2);
         let direction = |v: &Vectors| (v[1] * l1 + v[2] * l2).normalize();
         let along = direction(&hanging.vectors(&self.reference.rest()));
         let across = self.reference.operator.points[cell].frame.n.cross(&along);

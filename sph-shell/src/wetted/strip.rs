@@ -83,7 +83,7 @@ impl Strip {
         let x = &cloud.positions;
         let apart = |a: u32, b: u32| {
             let d = x[b as usize] - x[a as usize];
-            d.x.hypot(d.y)
+            libm::hypot(d.x, d.y)
         };
         let near = ABOVE * cloud.spacing();
         let mut lowest: Vec<usize> = (0..x.len()).collect();

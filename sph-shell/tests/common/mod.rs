@@ -223,7 +223,7 @@ pub const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
 /// Two legs of length one that meet at an angle between their normals [rad], so many cells each; wide along y.
 pub fn folded(fold: f64, n: usize, wide: f64, across: usize) -> Cloud {
-    let (sin, cos) = fold.sin_cos();
+    let (sin, cos) = libm::sincos(fold);
     Sheets::default()
         .add(Vec3::zeros(), [X, Y * wide], [n, across])
         .add(X, [X * cos + Z * sin, Y * wide], [n, across])

@@ -74,7 +74,7 @@ impl Axis {
 
     /// A value in the units of the drawing: itself, or its decimal logarithm.
     fn place(&self, value: f64) -> f64 {
-        if self.log { value.log10() } else { value }
+        if self.log { libm::log10(value) } else { value }
     }
 
     /// Range in the units of the drawing, with a little air.
@@ -98,12 +98,12 @@ impl Axis {
             let fine = high - low < 3.0;
             let digits: &[f64] = if fine { &[1.0, 2.0, 5.0] } else { &[1.0] };
             return decades
-                .flat_map(|k| digits.iter().map(move |digit| f64::from(k) + digit.log10()))
+                .flat_map(|k| digits.iter().map(move |digit| f64::from(k) + libm::log10(*digit)))
                 .filter(|tick| (low..=high).contains(tick))
                 .collect();
         }
         let raw = (high - low) / 8.0;
-        let decade = 10.0_f64.powf(raw.log10().floor());
+        let decade = libm::pow(10.0_f64, libm::log10(raw).floor());
         let step = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * decade).into_iter().find(|step| *step >= raw);
         let step = step.unwrap_or(10.0 * decade);
         let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
@@ -111,7 +111,7 @@ impl Axis {
     }
 
     fn words(&self, place: f64) -> String {
-        crate::format::short(if self.log { 10.0_f64.powf(place) } else { place })
+        crate::format::short(if self.log { libm::pow(10.0_f64, place) } else { place })
     }
 }
 

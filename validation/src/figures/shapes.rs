@@ -119,8 +119,8 @@ impl Shapes {
 
     fn faces(&self) -> Vec<Face> {
         let (azimuth, elevation) = (self.view.0.to_radians(), self.view.1.to_radians());
-        let (sa, ca) = azimuth.sin_cos();
-        let (se, ce) = elevation.sin_cos();
+        let (sa, ca) = libm::sincos(azimuth);
+        let (se, ce) = libm::sincos(elevation);
         let along = |p: &[f64; 3], v: [f64; 3]| p[0] * v[0] + p[1] * v[1] + p[2] * v[2];
         let (right, up, towards) = ([-sa, ca, 0.0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]);
         let mut faces = Vec::new();

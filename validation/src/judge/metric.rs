@@ -147,7 +147,7 @@ fn most(measured: f64) -> f64 {
     if most == 0.0 {
         return 0.0;
     }
-    let power = most.log10().floor() as i32 - 1;
+    let power = libm::log10(most).floor() as i32 - 1;
     // A hair less, for numbers that have two digits already.
     let digits = (most / 10_f64.powi(power) - 1e-9).ceil();
     // Through text: the number that is nearest to these digits, whatever powers of ten do.

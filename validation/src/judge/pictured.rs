@@ -102,7 +102,7 @@ impl Pictured {
             return 1.0;
         }
         let exact = SHOWN * extent / largest;
-        let power = 10.0_f64.powi(exact.log10().floor() as i32);
+        let power = 10.0_f64.powi(libm::log10(exact).floor() as i32);
         let digit = [5.0, 2.0].into_iter().find(|digit| digit * power <= exact).unwrap_or(1.0);
         digit * power
     }

@@ -238,11 +238,11 @@ fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
 /// Orders runs by time, not more: particles × points of a stencil × steps, where steps grow as the spacing falls.
 fn rough_cost(work: &Work) -> f64 {
     // Finite elements take about as long as an explicit run of this many particles.
-    let Work::Particles { model, .. } = work else { return 100.0_f64.powf(1.5) };
+    let Work::Particles { model, .. } = work else { return libm::pow(100.0_f64, 1.5) };
     let particles = model.description.particles as f64;
     // A wide stencil takes about five times as long as a cell of four particles.
     let stencil = if matches!(model.description.tangent, TangentCost::Steps(_)) { 1.0 } else { 5.0 };
-    particles.powf(1.5) * stencil
+    libm::pow(particles, 1.5) * stencil
 }
 
 fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {

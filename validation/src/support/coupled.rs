@@ -46,7 +46,7 @@ impl Strip {
     /// Width of the strip \[L\]: the distance of its first stations.
     pub fn width(&self) -> f64 {
         let [a, b] = [self.line[0], self.line[1]];
-        (b[0] - a[0]).hypot(b[1] - a[1])
+        libm::hypot(b[0] - a[0], b[1] - a[1])
     }
 
     /// The shell, dry.

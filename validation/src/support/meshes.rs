@@ -167,12 +167,12 @@ impl Mesh {
     pub fn zigzag(n: usize, degrees: f64) -> Self {
         let step = 1.0 / n as f64;
         let mut mesh = Self::square([n, n]);
-        let sway = 0.5 * step / degrees.to_radians().tan();
+        let sway = 0.5 * step / libm::tan(degrees.to_radians());
         for place in &mut mesh.places {
             let row = (place.y / step).round();
             if row > 0.5 && row < n as f64 - 0.5 {
                 let side = if (row as usize).is_multiple_of(2) { 1.0 } else { -1.0 };
-                place.x += side * sway * (std::f64::consts::PI * place.x).sin();
+                place.x += side * sway * libm::sin(std::f64::consts::PI * place.x);
             }
         }
         mesh
@@ -304,10 +304,10 @@ pub fn octant(n: usize) -> Mesh {
 pub fn poled_octant(n: usize) -> Mesh {
     let quarter = std::f64::consts::FRAC_PI_2;
     let place = |u: f64, v: f64| {
-        let (sin, cos) = (quarter * u).sin_cos();
+        let (sin, cos) = libm::sincos(quarter * u);
         // A row of exact poles welds.
         let sin = if u == 0.0 { 0.0 } else { sin };
-        Vec3::new(sin * (quarter * v).cos(), sin * (quarter * v).sin(), cos)
+        Vec3::new(sin * libm::cos(quarter * v), sin * libm::sin(quarter * v), cos)
     };
     Mesh::blocks([n, n], &[&place]).with_normals(|x| *x)
 }
@@ -318,7 +318,7 @@ fn arc(from: &Vec3, to: &Vec3, part: f64) -> Vec3 {
     if angle < 1e-12 {
         return *from;
     }
-    (from * ((1.0 - part) * angle).sin() + to * (part * angle).sin()) / angle.sin()
+    (from * libm::sin((1.0 - part) * angle) + to * libm::sin(part * angle)) / libm::sin(angle)
 }
 
 /// The particles at places that fulfil a condition.

@@ -18,7 +18,7 @@ pub fn distance(path: &[(f64, f64)], points: &[(f64, f64)], scale: (f64, f64)) -
         let square = dx * dx + dy * dy;
         let along = if square > 0.0 { ((p.0 - a.0) * dx + (p.1 - a.1) * dy) / square } else { 0.0 };
         let t = along.clamp(0.0, 1.0);
-        (p.0 - a.0 - t * dx).hypot(p.1 - a.1 - t * dy)
+        libm::hypot(p.0 - a.0 - t * dx, p.1 - a.1 - t * dy)
     };
     largest(points.iter().map(|point| {
         let point = scaled(point);

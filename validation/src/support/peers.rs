@@ -51,7 +51,7 @@ fn answer(table: &Reference, row: usize, exact: fn(f64) -> (f64, f64)) -> Result
     let (shortening, deflection) = (table.number(row, "shortening")?, table.number(row, "deflection")?);
     Ok(Peer {
         method: table.text(row, "program")?,
-        error: 100.0 * (shortening - u).hypot(deflection - w),
+        error: 100.0 * libm::hypot(shortening - u, deflection - w),
         cost: table.number(row, "time")?,
     })
 }

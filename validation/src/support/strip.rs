@@ -17,7 +17,7 @@ pub const UNIT: &str = "% of L";
 /// Distance of the tip from `exact` = (shortening, deflection), both in parts of `length`: √(Δu² + Δw²)/L in percent.
 pub fn tip_error(run: &Run, level: f64, length: f64, exact: (f64, f64)) -> Result<Option<f64>, JudgeError> {
     let (u, w) = (run.at("minus_U_tip", level)?, run.at("W_tip", level)?);
-    Ok(u.zip(w).map(|(u, w)| 100.0 * (u / length - exact.0).hypot(w / length - exact.1)))
+    Ok(u.zip(w).map(|(u, w)| 100.0 * libm::hypot(u / length - exact.0, w / length - exact.1)))
 }
 
 /// How far the static run on a grid is from the explicit one: what is left of the dynamics in the latter.
@@ -121,7 +121,7 @@ impl KnownTip {
     pub fn table_error(&self) -> Result<f64, JudgeError> {
         let distance = |(level, u, w): (f64, f64, f64)| {
             let tip = (self.exact)(level);
-            100.0 * (u / self.length - tip.0).hypot(w / self.length - tip.1)
+            100.0 * libm::hypot(u / self.length - tip.0, w / self.length - tip.1)
         };
         Ok(self.rows()?.into_iter().map(distance).fold(0.0, f64::max))
     }

@@ -57,7 +57,7 @@ impl Dry {
         let normals: Vec<Vec3> = state.normals.iter().map(plane).collect();
         let across = 0.5 * self.thickness + AT_FACE * self.spacing;
         let along = PAST_EDGE * self.spacing;
-        let reach = across.hypot(along);
+        let reach = libm::hypot(across, along);
         let (low, high) = corners(&middle);
         let list = CellList::new(&middle, reach);
         let (mut found, mut count) = (Vec::new(), [0; 2]);

@@ -70,7 +70,7 @@ pub(super) fn support(solid: &SolidScene, galerkin: &Galerkin, places: &Places) 
         GalerkinSupport::Sphere(radius) => {
             Support::sphere(radius * spacing.iter().copied().fold(0.0, f64::max))
         }
-        GalerkinSupport::Ellipsoid(radii) => Support::ellipsoid(turned(scaled(&radii), f64::hypot)),
+        GalerkinSupport::Ellipsoid(radii) => Support::ellipsoid(turned(scaled(&radii), libm::hypot)),
         GalerkinSupport::Tensor(radii) => Support::tensor(turned(scaled(&radii), |a, b| a.abs() + b.abs())),
     }
 }

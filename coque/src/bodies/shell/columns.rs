@@ -57,7 +57,7 @@ impl Builder<'_> {
             if let Some(direction) = column.direction {
                 let e = self.turned(direction).normalize();
                 let [a, b] = [e.dot(&point.frame.t1), e.dot(&point.frame.t2)];
-                let size = a.hypot(b);
+                let size = libm::hypot(a, b);
                 if size < ACROSS {
                     let x = self.turn_back(&point.position);
                     let bound = format!(

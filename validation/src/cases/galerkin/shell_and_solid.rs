@@ -115,7 +115,7 @@ fn flat() -> f64 {
 
 /// The same by Winkler's beam, whose neutral axis lies e inside the middle one: its stretch couples with bending.
 fn winkler() -> f64 {
-    let neutral = 1.0 / ((RADIUS + 0.5) / (RADIUS - 0.5)).ln();
+    let neutral = 1.0 / libm::log((RADIUS + 0.5) / (RADIUS - 0.5));
     let e = RADIUS - neutral;
     let moments = HALF * (RADIUS * PI / 4.0 - 2.0 * neutral / PI);
     let shear = HALF * RADIUS * PI / 4.0 / (YOUNG / 2.0 * 5.0 / 6.0);

@@ -113,9 +113,9 @@ fn moebius() -> Result<bool, String> {
     let count = 40_u32;
     let place = |i: u32, side: f64| {
         let along = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-        let (sin, cos) = (0.5 * along).sin_cos();
+        let (sin, cos) = libm::sincos(0.5 * along);
         let radius = 3.0 + side * cos;
-        Vec3::new(radius * along.cos(), radius * along.sin(), side * sin)
+        Vec3::new(radius * libm::cos(along), radius * libm::sin(along), side * sin)
     };
     let positions = (0..count).flat_map(|i| [place(i, -0.5), place(i, 0.5)]).collect();
     let cells = (0..count).map(|i| {

@@ -150,7 +150,7 @@ impl Fold {
 
     /// The directions in which the plates leave the fold, which lies along x through the origin, and their normals.
     fn plates(&self) -> [(Vec3, Vec3); 2] {
-        let (sin, cos) = (0.5 * self.angle.to_radians()).sin_cos();
+        let (sin, cos) = libm::sincos(0.5 * self.angle.to_radians());
         let plate = |side: f64| (Vec3::new(0.0, side * sin, -cos), Vec3::new(0.0, side * cos, sin));
         [plate(-1.0), plate(1.0)]
     }
@@ -214,7 +214,7 @@ fn across(fold: &Fold) -> Result<Outcome, String> {
     let loads = vec![force(shares.clone(), right.1)];
     let Answer { motion, warnings } = fold.respond(&cloud, 0.0, vec![supported(clamp, Clamped)], loads)?;
     let mean = shares.iter().map(|&(a, share)| share * motion[a as usize].dot(&right.1)).sum::<f64>() / whole;
-    let (sin, cos) = (PI - fold.angle.to_radians()).sin_cos();
+    let (sin, cos) = libm::sincos(PI - fold.angle.to_radians());
     let (area, inertia) = (width * THICKNESS, width * THICKNESS.powi(3) / 12.0);
     let exact = (4.0 / 3.0 + cos + cos * cos / 3.0) / (YOUNG * inertia)
         + sin * sin / (YOUNG * area)

@@ -118,7 +118,7 @@ fn jump(mut shell: Shell) -> Result<Outcome, String> {
         march(&mut clock, &mut shell, [20, STEPS / 20], |shell, record| {
             // In the middle of the kick of a record the velocities are half a step ahead of it.
             let time = record.at.time + 0.5 * dt;
-            let decay = (-damping * time).exp();
+            let decay = libm::exp(-damping * time);
             apart = apart.max((momentum(shell) - given * decay).norm() / given.norm());
             energy = energy.max(record.balance_error.abs());
         })

@@ -162,7 +162,7 @@ fn variants() -> Vec<Variant> {
             let found = clamped(method).off(move |run, _| Ok(off(run.last("w_centre")?.map(|w| w / exact))));
             found.asked(PLATES.0, PLATES.1).known(error, cause(method))
         }));
-        let duration = 0.05 * slenderness.powf(-1.0);
+        let duration = 0.05 * slenderness.recip();
         variants.push(steps(clamped(CELL), duration, 0.05, 12.0_f64.sqrt() * slenderness));
     }
     for Slender { slenderness, known, jittered, .. } in &THICKNESSES {
@@ -226,7 +226,7 @@ fn hemispheres(slenderness: f64, known: [f64; 5], jittered: f64) -> Vec<Variant>
         sphere(method, Cloud::Lattice).asked(SPHERES.0, SPHERES.1).known(error, cause(method))
     });
     // The least spacing lies at the hole; c² = E/ρ(1 − ν²).
-    let spacing = 10.0 * 18.0_f64.to_radians().sin() * std::f64::consts::FRAC_PI_2 / 20.0;
+    let spacing = 10.0 * libm::sin(18.0_f64.to_radians()) * std::f64::consts::FRAC_PI_2 / 20.0;
     let marched = sized(HEMISPHERE.on(CELL, Cloud::Lattice), thickness, &label);
     let elements = Variant::elements(ELEMENTS, [49, 49], move || hemisphere_of_thickness(48, thickness));
     on_lattice

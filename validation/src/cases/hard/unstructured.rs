@@ -170,7 +170,11 @@ fn plate(method: &str, mesh: &Mesh, (thickness, exact): (f64, f64)) -> Result<Ou
 fn belt(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     let place = |x: &Vec3| {
         let (polar, azimuth) = ((18.0 + 72.0 * x.x).to_radians(), 90.0_f64.to_radians() * x.y);
-        Vec3::new(polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos())
+        Vec3::new(
+            libm::sin(polar) * libm::cos(azimuth),
+            libm::sin(polar) * libm::sin(azimuth),
+            libm::cos(polar),
+        )
     };
     let cloud = mesh.clone().mapped(place).with_normals(|x| *x).mapped(|x| x * 10.0).cloud()?;
     pinched(method, cloud, BRICKS)

@@ -86,7 +86,7 @@ fn cloud(n: usize) -> Result<Cloud, String> {
             let (side, half) = (2.0 * u - 1.0, 0.5 * WIDE);
             let [y, z] = [[side, -1.0], [1.0, side], [-side, 1.0], [-1.0, -side]][k];
             let mix = |out: f64, round: f64| half + (1.0 - v) * half * out + v * HOLE * round;
-            Vec3::new(0.0, mix(y, at.cos()), mix(z, at.sin()))
+            Vec3::new(0.0, mix(y, libm::cos(at)), mix(z, libm::sin(at)))
         }
     };
     let [below, right, above, left] = [0, 1, 2, 3].map(quarter);

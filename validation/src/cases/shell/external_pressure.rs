@@ -55,7 +55,7 @@ fn variants() -> Vec<Variant> {
         let length = times * TUBE.radius;
         debug_assert_eq!(least(&TUBE, length).1, waves);
         let angle = 180.0 / f64::from(waves);
-        let (sin, cos) = angle.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(angle.to_radians());
         let variant = Variant::new(STATIC, CYLINDER, "cylinder", [17, along])
             .on(&format!("cylinder, {waves} waves"))
             .set("geometry.cylinder.angles", format!("[0.0, {angle}]"))

@@ -56,13 +56,13 @@ const BODY: MaterialSection = MaterialSection { young: 3300.0, poisson: 0.35, th
 
 /// A place of the strip, at a part of its cells along it, a third of them on the first arc, and at a part of its width.
 fn place(part: f64, across: f64) -> Vec3 {
-    let (sin, cos) = ((3.0 * part).min(1.0) * ANGLES[0]).sin_cos();
+    let (sin, cos) = libm::sincos((3.0 * part).min(1.0) * ANGLES[0]);
     let (mut x, mut y) = (RADII[0] * sin, RADII[0] * (1.0 - cos));
     if 3.0 * part > 1.0 {
         // On from the inflection, turning the other way.
         let turn = (1.5 * part - 0.5) * ANGLES[1];
-        let (c, s) = (ANGLES[0].cos(), ANGLES[0].sin());
-        let (along, aside) = (RADII[1] * turn.sin(), -RADII[1] * (1.0 - turn.cos()));
+        let (c, s) = (libm::cos(ANGLES[0]), libm::sin(ANGLES[0]));
+        let (along, aside) = (RADII[1] * libm::sin(turn), -RADII[1] * (1.0 - libm::cos(turn)));
         x += c * along - s * aside;
         y += s * along + c * aside;
     }
@@ -70,11 +70,11 @@ fn place(part: f64, across: f64) -> Vec3 {
 }
 
 fn deflection(cloud: &Cloud, end: Vec3) -> Result<(f64, Vec<coque::Warning>), String> {
-    let near = |x: &Vec3| (x.x - end.x).hypot(x.y - end.y) < 1e-6;
+    let near = |x: &Vec3| libm::hypot(x.x - end.x, x.y - end.y) < 1e-6;
     let tip = particles(cloud, near);
     let share = |a: u32| if (1e-6..WIDE - 1e-6).contains(&cloud.positions[a as usize].z) { 1.0 } else { 0.5 };
     let shares: Vec<(u32, f64)> = tip.into_iter().map(|a| (a, share(a))).collect();
-    let clamp = supported(particles(cloud, |x| x.x.hypot(x.y) < 1e-6), Clamped);
+    let clamp = supported(particles(cloud, |x| libm::hypot(x.x, x.y) < 1e-6), Clamped);
     let load = force(shares.clone(), Vec3::z());
     let answer = linear(shell_of(BODY, cloud.clone(), STATIC, vec![clamp], vec![load])?)?;
     let whole: f64 = shares.iter().map(|share| share.1).sum();

@@ -187,7 +187,7 @@ fn run(problem: Problem, n: usize) -> Result<Outcome, String> {
             (supports, torque(), LONG / (shear * torsion))
         }
         _ => {
-            let exact = (LONG - (k * LONG).tanh() / k) / (shear * torsion);
+            let exact = (LONG - libm::tanh(k * LONG) / k) / (shear * torsion);
             (vec![supported(root(), Clamped)], torque(), exact)
         }
     };

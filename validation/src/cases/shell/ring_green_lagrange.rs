@@ -56,7 +56,7 @@ fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let error = strip::tip_error(run, 1.0, LENGTH, circle(1.0))?;
     // The law against the circle, by closed forms.
     let (law, circle) = (law(1.0)?, circle(1.0));
-    let expected = 100.0 * (law.0 - circle.0).hypot(law.1 - circle.1);
+    let expected = 100.0 * libm::hypot(law.0 - circle.0, law.1 - circle.1);
     let cost = Metric::compared("circle at 1", error, strip::UNIT, expected);
     metrics.push(cost.near(0.1, "what the measure costs is the distance of its law from the circle"));
     Ok(metrics)

@@ -92,10 +92,10 @@ fn rim(k: usize, part: f64, [a, b]: [f64; 2]) -> [f64; 2] {
 /// A quarter of the branch on its tube: both as they meet, `n` cells to an eighth of the branch.
 fn branch(n: usize) -> Result<Outcome, String> {
     // Along the tube, and the angle round it from the side of the branch.
-    let tube = |[x, angle]: [f64; 2]| Vec3::new(x, TUBE * angle.sin(), TUBE * angle.cos());
+    let tube = |[x, angle]: [f64; 2]| Vec3::new(x, TUBE * libm::sin(angle), TUBE * libm::cos(angle));
     let curve = |k: usize, part: f64| {
-        let (sin, cos) = (FRAC_PI_4 * (k as f64 + part)).sin_cos();
-        [BRANCH * cos, (BRANCH * sin / TUBE).asin()]
+        let (sin, cos) = libm::sincos(FRAC_PI_4 * (k as f64 + part));
+        [BRANCH * cos, libm::asin(BRANCH * sin / TUBE)]
     };
     let near = [2.0 * BRANCH, PI / 3.0];
     let ring = |k: usize| move |u: f64, v: f64| tube(between(curve(k, u), rim(k, u, near), graded(v)));
@@ -106,7 +106,7 @@ fn branch(n: usize) -> Result<Outcome, String> {
     let below = |u: f64, v: f64| tube([near[0] * u, round(v)]);
     let far = |u: f64, v: f64| tube([along(u), round(v)]);
     let wall = |u: f64, v: f64| {
-        let (sin, cos) = (2.0 * FRAC_PI_4 * u).sin_cos();
+        let (sin, cos) = libm::sincos(2.0 * FRAC_PI_4 * u);
         let foot = (TUBE * TUBE - (BRANCH * sin).powi(2)).sqrt();
         Vec3::new(BRANCH * cos, BRANCH * sin, foot + graded(v) * (HIGH - foot))
     };
@@ -126,7 +126,7 @@ fn branch(n: usize) -> Result<Outcome, String> {
 fn pipe(n: usize) -> Result<Outcome, String> {
     let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
     let circle = |k: usize, part: f64| {
-        let (sin, cos) = (FRAC_PI_4 * (k as f64 + part)).sin_cos();
+        let (sin, cos) = libm::sincos(FRAC_PI_4 * (k as f64 + part));
         [PIPE * cos, PIPE * sin]
     };
     // The block in the middle leans in at its corner.
@@ -162,7 +162,7 @@ fn pushed(
     clamped: impl Fn(&Vec3) -> bool,
 ) -> Result<Outcome, String> {
     let body = MaterialSection { young: 1e6, poisson: 0.3, thickness, density: 1.0 };
-    let rim = particles(cloud, |x| (x.z - top).abs() < 1e-9 && (x.x.hypot(x.y) - radius).abs() < 1e-9);
+    let rim = particles(cloud, |x| (x.z - top).abs() < 1e-9 && (libm::hypot(x.x, x.y) - radius).abs() < 1e-9);
     let shares: Vec<(u32, f64)> = rim.iter().map(|&a| (a, 1.0)).collect();
     let (mut works, mut warnings) = ([0.0; 3], Vec::new());
     for (work, direction) in works.iter_mut().zip([Vec3::z(), Vec3::x(), Vec3::y()]) {

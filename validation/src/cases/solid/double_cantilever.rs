@@ -265,6 +265,6 @@ fn rate(table: &[[f64; 2]], opening: f64, force: f64) -> f64 {
     // C^⅓ is all but linear in a, so that dC = 3 C^⅔ dC^⅓.
     let place = table.partition_point(|row| row[1] < compliance).clamp(1, table.len() - 1);
     let [before, after] = [table[place - 1], table[place]];
-    let slope = (after[1].cbrt() - before[1].cbrt()) / (after[0] - before[0]);
-    force * force / (2.0 * ARM) * 3.0 * compliance.cbrt().powi(2) * slope
+    let slope = (libm::cbrt(after[1]) - libm::cbrt(before[1])) / (after[0] - before[0]);
+    force * force / (2.0 * ARM) * 3.0 * libm::cbrt(compliance).powi(2) * slope
 }

@@ -67,7 +67,7 @@ fn reported(look: &Look<'_>, wanted: usize) -> Option<String> {
             last.sqrt(),
             wanted,
             sound + 1,
-            last.cbrt(),
+            libm::cbrt(last),
             sound.max(1),
         )
     })

@@ -116,7 +116,7 @@ fn rings(from: f64, to: f64, spacing: f64) -> Vec<Vec3> {
 fn potential_flow(at: &Vec3) -> Vec3 {
     let (face, wall) = (RADIUS + 0.5 * THICKNESS, WALL.powi(4));
     let scale = SPEED / (2.0 * face - 2.0 * wall / face.powi(3));
-    let (radius, angle) = (at.x.hypot(at.y), libm::atan2(at.y, at.x));
+    let (radius, angle) = (libm::hypot(at.x, at.y), libm::atan2(at.y, at.x));
     let (out, along) = (Vec3::new(at.x, at.y, 0.0) / radius, Vec3::new(-at.y, at.x, 0.0) / radius);
     let outward = 2.0 * (radius - wall / radius.powi(3)) * libm::cos(2.0 * angle);
     let around = -2.0 * (radius + wall / radius.powi(3)) * libm::sin(2.0 * angle);
