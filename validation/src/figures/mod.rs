@@ -1,10 +1,12 @@
 //! What a case may show: curves, deformed shapes, numbers, words.
 
 mod charts;
+mod instants;
 mod legend;
 mod shapes;
 
 pub use charts::{Axis, Chart, Series};
+pub use instants::{Instant, Instants};
 pub use legend::{BLACK, BLUE, Colour, GREEN, GREY, Line, Mark, ORANGE, PURPLE, SKY, VERMILION, shade};
 pub use shapes::{Shapes, Sheet};
 
@@ -15,6 +17,8 @@ pub enum Figure {
     Chart(Chart),
     /// Deformed shapes.
     Shapes(Shapes),
+    /// Particles at several instants.
+    Instants(Instants),
     /// Numbers.
     Numbers(Numbers),
     /// A heading with paragraphs.

@@ -43,6 +43,7 @@ pub fn show(figure: &Figure) -> Result<String, JudgeError> {
     Ok(match figure {
         Figure::Chart(chart) => framed(&chart.title, &chart.caption, &chart.html()?),
         Figure::Shapes(shapes) => framed(&shapes.title, &shapes.caption, &shapes.html()),
+        Figure::Instants(instants) => framed(&instants.title, &instants.caption, &instants.html()),
         Figure::Numbers(numbers) => {
             let row = |cells: &[String], tag: &str| {
                 let cells: String =
