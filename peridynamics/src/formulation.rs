@@ -73,11 +73,26 @@ impl Formulation {
     /// [`SolidError::Material`], and [`SolidError::Pairwise`] for a Poisson's ratio that pairwise forces have not.
     pub(crate) fn moduli(&self, material: &Elastic) -> Result<Moduli, SolidError> {
         let moduli = material.moduli(self.space)?;
-        let pairwise = self.space.pairwise_poisson();
-        if self.law == Law::BondBased && (material.poisson - pairwise).abs() > SAME {
-            return Err(SolidError::Pairwise(material.poisson, pairwise));
+        let carried = self.law.poisson(self.space, material.poisson);
+        if (material.poisson - carried).abs() > SAME {
+            return Err(SolidError::Pairwise(material.poisson, carried));
         }
         Ok(moduli)
+    }
+}
+
+impl Law {
+    /// Whether a bond feels the dilatation at its ends beside its own extension.
+    pub fn has_dilatation(self) -> bool {
+        match self {
+            Self::BondBased => false,
+            Self::StateBased => true,
+        }
+    }
+
+    /// Poisson's ratio \[–\] that bonds can carry where one is stated: of pairwise forces that of their space, else any.
+    pub fn poisson(self, space: Space, stated: f64) -> f64 {
+        if self.has_dilatation() { stated } else { space.pairwise_poisson() }
     }
 }
 

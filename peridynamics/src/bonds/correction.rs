@@ -18,7 +18,7 @@ use nalgebra::{SMatrix, SVector, SymmetricEigen};
 use sph_core::Vec3;
 
 use super::families::Families;
-use crate::formulation::{Correction, Formulation, Law};
+use crate::formulation::{Correction, Formulation};
 use crate::material::Moduli;
 
 /// Singular values below this part of the largest belong to families that do not span a strain.
@@ -78,7 +78,7 @@ impl Plain<'_> {
 
     /// `m = Σ w r² V̄`; of pairwise bonds that of a whole family, `∫ w r² dV`.
     fn weighted_volume(&self, node: usize) -> f64 {
-        if self.formulation.law == Law::BondBased {
+        if !self.formulation.law.has_dilatation() {
             let f = self.families;
             return self.thickness
                 * self.formulation.influence.second_moment(self.moduli.dimensions, f.horizon, f.reach);
@@ -103,7 +103,7 @@ impl Plain<'_> {
             for bond in f.of(node) {
                 let share = self.influence(bond) * f.volumes[bond];
                 deviatoric.push(to_c * share);
-                if self.formulation.law == Law::StateBased {
+                if self.formulation.law.has_dilatation() {
                     dilatation.push(to_d * share * f.lengths[bond]);
                 }
             }

@@ -151,8 +151,7 @@ mod tests {
     /// Energy per area of a crack along `along`, of the bonds that it cuts in a body, each at the limit that spends the
     /// energy one.
     fn spent(formulation: &Formulation, along: [f64; 2], by_work: bool) -> f64 {
-        let poisson =
-            if formulation.law == Law::StateBased { 0.22 } else { formulation.space.pairwise_poisson() };
+        let poisson = formulation.law.poisson(formulation.space, 0.22);
         let moduli = Elastic { young: 72e9, poisson, density: 1.0 }.moduli(formulation.space).unwrap();
         let (n, layers) = (26, if moduli.dimensions == 3 { 11 } else { 1 });
         let mut positions = Vec::new();

@@ -33,7 +33,9 @@ fn lists(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -> (Vec<String>
     let word = match solid_scene.formulation {
         SolidFormulation::BondBased(_) => "pairwise forces",
         SolidFormulation::StateBased(_) => "pairwise forces and dilatation",
-        _ => "two plane-stress sheets on directors, shear and thickness held",
+        SolidFormulation::TwoSheets(_) | SolidFormulation::Galerkin(_) => {
+            "two plane-stress sheets on directors, shear and thickness held"
+        }
     };
     let bonds = solid.bonds() / 2;
     let mut modelled = vec![

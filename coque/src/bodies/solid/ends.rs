@@ -7,7 +7,7 @@
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{
-    AppliedLoad, Elastic, Formulation, Idealisation, Law, Mirror, Parts, Solid, Space, StaticSolid, Support,
+    AppliedLoad, Elastic, Formulation, Idealisation, Mirror, Parts, Solid, Space, StaticSolid, Support,
     Supported,
 };
 use sph_core::{BlockLattice, Vec3};
@@ -22,10 +22,7 @@ const SMALL: f64 = 1e-8;
 pub(super) fn excess(body: &SolidScene) -> Option<f64> {
     let Idealisation::Bonds(bonds) = carrier(body, &body.lattice()) else { return None };
     let space = if bonds.space == Space::PlaneStrain { Space::PlaneStrain } else { Space::PlaneStress };
-    let poisson = match bonds.law {
-        Law::BondBased => space.pairwise_poisson(),
-        Law::StateBased => material(body).poisson,
-    };
+    let poisson = bonds.law.poisson(space, material(body).poisson);
     let young = if space == Space::PlaneStrain { 1.0 - poisson * poisson } else { 1.0 };
     let reach = libm::ceil(bonds.horizon + 0.5);
     let lattice = BlockLattice {

@@ -14,19 +14,23 @@ pub(super) fn material(solid: &SolidScene) -> Elastic {
     let (young, poisson) =
         solid.material.elastic().map_or_else(Default::default, |elastic| (elastic.young, elastic.poisson));
     let density = solid.material.density();
-    let poisson = match solid.formulation {
-        SolidFormulation::BondBased(_) => solid.space().pairwise_poisson(),
-        _ => poisson,
-    };
+    let poisson = law(&solid.formulation).poisson(solid.space(), poisson);
     Elastic { young, poisson, density }
+}
+
+/// What a bond feels; a body without bonds is carried by none of them.
+fn law(formulation: &SolidFormulation) -> Law {
+    match formulation {
+        SolidFormulation::BondBased(_) => Law::BondBased,
+        SolidFormulation::StateBased(_) | SolidFormulation::TwoSheets(_) | SolidFormulation::Galerkin(_) => {
+            Law::StateBased
+        }
+    }
 }
 
 /// How bonds carry the solid.
 pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisation {
-    let law = match solid.formulation {
-        SolidFormulation::BondBased(_) => Law::BondBased,
-        _ => Law::StateBased,
-    };
+    let law = law(&solid.formulation);
     let influence = match solid.formulation.influence() {
         scene::Influence::Constant => Influence::Constant,
         scene::Influence::Inverse => Influence::Inverse,
