@@ -7,7 +7,9 @@ use explicit_dynamics::{Amplitude, BoundaryState, Observer, Record, Transient, T
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Structure, Wall};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Vec3};
-use sph_shell::{AppliedLoad, Gravity, Reach, Shell, Sides, Support, Supported, SymmetryPlane, Wetting};
+use sph_shell::{
+    AppliedLoad, Gravity, Reach, Shell, ShellBuilder, Sides, Support, Supported, SymmetryPlane, Wetting,
+};
 
 /// A fluid and structures of one kind.
 pub type Coupled<S> = TwoClocks<Fluid, S>;

@@ -22,10 +22,7 @@ impl Builder<'_> {
     ///
     /// # Errors
     /// [`SceneError`] for sets without cells.
-    pub(super) fn stresses(
-        &self,
-        cells: &CellSets<'_>,
-    ) -> Result<Vec<sph_shell::InitialStress>, SceneError> {
+    pub(super) fn stresses(&self, cells: &CellSets<'_>) -> Result<Vec<sph_shell::InitialStress>, SceneError> {
         let all = &self.scene.shell().initial_stress;
         let stress = |(i, stress): (usize, &InitialStress)| {
             let path = self.scene.body_scope().path(&format!("initial_stress[{i}].on"));

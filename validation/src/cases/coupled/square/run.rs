@@ -6,7 +6,9 @@ use fluid_sph::Parts;
 use implicit_statics::linear_response;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, EndWeights, Plate, Vec3, basin_rows, lattice};
-use sph_shell::{AppliedLoad, Clamped, Force, Load, Reach, Shell, Sides, StaticShell, Supported, Wetting};
+use sph_shell::{
+    AppliedLoad, Clamped, Force, Load, Reach, Shell, ShellBuilder, Sides, StaticShell, Supported, Wetting,
+};
 
 use crate::support::coupled::{GRAVITY, ROWS, WATER, coupled, march, water};
 
