@@ -7,13 +7,14 @@
 //!
 //! | where is | look in |
 //! |---|---|
+//! | what a shell is made of, and in which order | `builder.rs`; its groups: `material.rs`, `points/scheme.rs`, `conditions/constraints.rs`, `dependents.rs`, `loading.rs`, `motion.rs`, `time/evaluation.rs` |
 //! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
 //! | points in packs of four; equal constants kept once | `packs.rs`; `shared.rs` |
 //! | where the forces on a particle lie, the transpose of the stencils | `gather.rs` |
 //! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
-//! | stresses of the unstrained shell | `initial_stress.rs`, [`Shell::stress`] |
+//! | stresses of the unstrained shell | `initial_stress.rs`, [`ShellBuilder::stresses`] |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
@@ -21,8 +22,8 @@
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
-//! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`Shell::tie`] |
-//! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
+//! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
+//! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
@@ -172,14 +173,14 @@
 //!
 //! # Several sections
 //!
-//! [`Shell::with_regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
+//! [`ShellBuilder::regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
 //! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
 //! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
 //!
-//! A region may have a strain measure of its own ([`Region::strain`]). [`Shell::stress`] puts stresses on the unstrained shell ([`InitialStress`]): in
+//! A region may have a strain measure of its own ([`Region::strain`]). [`ShellBuilder::stresses`] puts stresses on the unstrained shell ([`InitialStress`]): in
 //! statics a preload, or counted by the level; in the march there from the start.
 //!
-//! [`Shell::lump`] adds masses to particles, which do not turn with the director.
+//! [`ShellBuilder::masses`] adds masses to particles, which do not turn with the director.
 //!
 //! # Supports and loads
 //!
@@ -204,17 +205,17 @@
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
 //!
-//! [`Shell::spring`] holds particles elastically along directions, directors and rigid sets against turning, and joins pairs, whatever the
+//! [`ShellBuilder::springs`] holds particles elastically along directions, directors and rigid sets against turning, and joins pairs, whatever the
 //! level ([`Springs`]).
 //!
-//! [`Shell::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
+//! [`ShellBuilder::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
 //!
 //! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
 //! [`StaticShell::set_case`].
 //!
 //! # In a fluid
 //!
-//! [`Shell::wet`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
+//! [`ShellBuilder::wetted`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
 //! of the shell, with rows at heights z below each wet face ([`Wetting`]). For `explicit_dynamics::TwoClocks` a shell is then
 //! `Wetted`:
 //!
