@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A free sheet of 2 × 1, its particles displaced at random by up to a quarter of their spacing.
 fn sheet(formulation: Formulation) -> Result<Shell, Box<dyn Error>> {
     let section = IsotropicSection::new(Isotropic::new(YOUNG, POISSON)?, THICKNESS)?;
-    Ok(Shell::new(Parts {
+    Ok(Shell::builder(Parts {
         cloud: jittered_lattice(&Plate { lengths: [2.0, 1.0] }, [17, 9], 0.25, 1)?,
         section: Box::new(section),
         strain: &StretchCorrected,
@@ -62,7 +62,8 @@ fn sheet(formulation: Formulation) -> Result<Shell, Box<dyn Error>> {
         supports: Vec::new(),
         loads: Vec::new(),
         threads: 1,
-    })?)
+    })
+    .build()?)
 }
 
 /// Errors of the gradient of f = 3x − 2y over its size.

@@ -92,7 +92,7 @@ fn strip() -> Result<(Shell, usize), Box<dyn Error>> {
     let tip = sides.edge(Side::U1)[1] as usize;
     let axis = CoupleAxis::Fixed(-Vec3::y());
     let couple = EdgeCouple { edge, moment: TAU * stiffness / LENGTH, axis };
-    let shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         supports,
         loads: vec![AppliedLoad { load: Box::new(couple), amplitude: Amplitude::Constant }],
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.0)?, THICKNESS)?),
@@ -102,7 +102,8 @@ fn strip() -> Result<(Shell, usize), Box<dyn Error>> {
         formulation: Formulation::StressPoint(Reach::Cell),
         threads: 1,
         cloud,
-    })?;
+    })
+    .build()?;
     Ok((shell, tip))
 }
 

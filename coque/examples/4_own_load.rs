@@ -163,7 +163,7 @@ fn tank() -> Result<Shell, Box<dyn Error>> {
     };
     let base = Supported { particles: sides.edge(Side::V0).to_vec(), support: Box::new(Clamped) };
     let water = Water { weight: WEIGHT, surface: HEIGHT };
-    Ok(Shell::new(Parts {
+    Ok(Shell::builder(Parts {
         supports: vec![base, plane(Side::U0, -HALF_ANGLE), plane(Side::U1, HALF_ANGLE)],
         loads: vec![AppliedLoad { load: Box::new(water), amplitude: Amplitude::Constant }],
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, POISSON)?, THICKNESS)?),
@@ -173,5 +173,6 @@ fn tank() -> Result<Shell, Box<dyn Error>> {
         formulation: Formulation::StressPoint(Reach::Cell),
         threads: 1,
         cloud,
-    })?)
+    })
+    .build()?)
 }

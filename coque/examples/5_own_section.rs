@@ -144,7 +144,7 @@ fn plate(section: Graded, moment: f64) -> Result<(StaticShell, [u32; 2]), Box<dy
     // On an uneven edge each particle stands for its own part of it, half way to its neighbours.
     let edge = sides.edge(Side::U1).iter().map(|&a| (a, cloud.edge_normals[a as usize].x)).collect();
     let couple = EdgeCouple { edge, moment, axis: CoupleAxis::Fixed(Vec3::y()) };
-    let shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         supports,
         loads: vec![AppliedLoad { load: Box::new(couple), amplitude: Amplitude::Constant }],
         section: Box::new(section),
@@ -154,6 +154,7 @@ fn plate(section: Graded, moment: f64) -> Result<(StaticShell, [u32; 2]), Box<dy
         formulation: Formulation::StressPoint(Reach::Cell),
         threads: 1,
         cloud,
-    })?;
+    })
+    .build()?;
     Ok((StaticShell::new(shell), corners))
 }

@@ -124,7 +124,7 @@ fn deflection(kernel: &'static dyn Kernel) -> Result<f64, Box<dyn Error>> {
     let shares: Vec<(u32, f64)> = (0..).zip(cloud.positions.iter().zip(&cloud.areas).map(share)).collect();
     // A pressure of one in the middle: the shares are the forces.
     let force = Force { total: Vec3::z() * shares.iter().map(|share| share.1).sum::<f64>(), shares };
-    let shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         supports: vec![
             held(Side::U0, simple(Vec3::y())),
             held(Side::V0, simple(Vec3::x())),
@@ -139,7 +139,8 @@ fn deflection(kernel: &'static dyn Kernel) -> Result<f64, Box<dyn Error>> {
         formulation: Formulation::StressPoint(Reach::Kernel(kernel, REACH)),
         threads: 1,
         cloud,
-    })?;
+    })
+    .build()?;
     let mut system = StaticShell::new(shell);
     let response = linear_response(&mut system, 0.0)?;
     system.update(&response);

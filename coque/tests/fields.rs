@@ -69,7 +69,7 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
     let positions = positions.map(|[x, y]| Vec3::new(x, y, 0.0)).to_vec();
     let cells = vec![Cell::quadrangle([0, 1, 2, 3]), Cell::triangle([1, 4, 2]), Cell::triangle([4, 5, 2])];
     let material = shell_kinematics::Isotropic::new(10.0, 0.3).unwrap();
-    let shell = sph_shell::Shell::new(sph_shell::Parts {
+    let shell = sph_shell::Shell::builder(sph_shell::Parts {
         cloud: Cloud::from_cells(positions, None, cells).unwrap(),
         section: Box::new(shell_kinematics::IsotropicSection::new(material, t).unwrap()),
         strain: &shell_kinematics::StretchCorrected,
@@ -80,6 +80,7 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         loads: Vec::new(),
         threads: 1,
     })
+    .build()
     .unwrap();
     let units = coque::Units {
         length: coque::Length::Metre,

@@ -272,7 +272,7 @@ fn bare(cloud: Cloud, thickness: f64) -> Shell {
     let held = (0..cloud.len() as u32).filter(|&a| cloud.positions[a as usize].x.abs() < 1e-9).collect();
     let section = IsotropicSection::new(Isotropic::new(1e6, 0.3).unwrap(), thickness).unwrap();
     let pressure = Box::new(Pressure { value: 1.0, follower: false });
-    Shell::new(Parts {
+    Shell::builder(Parts {
         cloud,
         section: Box::new(section),
         strain: &StretchCorrected,
@@ -283,6 +283,7 @@ fn bare(cloud: Cloud, thickness: f64) -> Shell {
         loads: vec![AppliedLoad { load: pressure, amplitude: Amplitude::Constant }],
         threads: 1,
     })
+    .build()
     .unwrap()
 }
 

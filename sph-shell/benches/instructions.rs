@@ -89,7 +89,7 @@ fn march(formulation: Formulation, springs: Springs, steps: u64) {
     let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
         .expect("a sound lattice");
     let material = Isotropic::new(1e6, 0.3).expect("a sound material");
-    let mut shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(material, 0.01).expect("a sound section")),
         strain: &StretchCorrected,
@@ -99,9 +99,8 @@ fn march(formulation: Formulation, springs: Springs, steps: u64) {
         supports: Vec::new(),
         loads: Vec::new(),
         threads: 1,
-    })
-    .expect("a sound shell");
-    shell.spring(springs).expect("sound springs");
+    });
+    let mut shell = shell.springs(springs).build().unwrap();
     for a in 0..shell.len() {
         let x = shell.position(a);
         shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());

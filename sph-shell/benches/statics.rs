@@ -56,7 +56,7 @@ fn shell(
     load: Box<dyn Load>,
 ) -> StaticShell {
     let section = IsotropicSection::new(Isotropic::new(young, 0.3).expect("moduli"), thickness);
-    let shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         cloud,
         section: Box::new(section.expect("a section")),
         strain: &StretchCorrected,
@@ -66,7 +66,8 @@ fn shell(
         supports,
         loads: vec![AppliedLoad { load, amplitude: Amplitude::Constant }],
         threads: 1,
-    });
+    })
+    .build();
     StaticShell::new(shell.expect("a shell"))
 }
 

@@ -13,7 +13,7 @@ fn plate(side: usize, formulation: Formulation, threads: usize) -> Shell {
     let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [side, side], EndWeights::Trapezoid)
         .expect("a sound lattice");
     let material = Isotropic::new(1e6, 0.3).expect("a sound material");
-    let mut shell = Shell::new(Parts {
+    let mut shell = Shell::builder(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(material, 0.01).expect("a sound section")),
         strain: &StretchCorrected,
@@ -24,6 +24,7 @@ fn plate(side: usize, formulation: Formulation, threads: usize) -> Shell {
         loads: Vec::new(),
         threads,
     })
+    .build()
     .expect("a sound shell");
     for a in 0..shell.len() {
         let x = shell.position(a);

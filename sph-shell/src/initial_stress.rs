@@ -6,19 +6,18 @@
 //! N₀ = t σ_m        M₀ = t²/6 σ_b + e N₀          e the height of the section over the particles
 //! ```
 //!
-//! of the unstrained point: `N = N₀ + A e_m + B κ` ([`StressedPack`]). They need not be in balance. A balance is what statics finds
+//! of the unstrained point: `N = N₀ + A e_m + B κ` ([`shell_kinematics::StressedPack`]). They need not be in balance. A balance is what statics finds
 //! first, as it does of a preload ([`LoadCase::Preload`]); a march sets out from the unstrained shell.
 
-use shell_kinematics::{LANES, SectionPack, StressedPack};
 use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::case::LoadCase;
 use crate::conditions::spread::check_cells;
 use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
 use crate::points::results::PointResult;
-use crate::points::scheme::Sections;
+use crate::reference::Reference;
+use crate::regions::PointSection;
 use crate::statics::static_shell::StaticShell;
 
 /// A direction closer to the normal than this has none in the surface.
@@ -48,51 +47,48 @@ impl InitialStress {
     }
 }
 
-impl Shell {
-    /// Puts stresses on the unstrained shell; those of one cell add up.
-    ///
-    /// # Errors
-    /// [`ShellError`] for empty sets, cells beyond the cloud, an axis that stands on the surface somewhere, and where strains are not
-    /// sampled in cells.
-    pub fn stress(&mut self, stresses: &[InitialStress]) -> Result<(), ShellError> {
-        if stresses.is_empty() {
-            return Ok(());
-        }
-        if !matches!(self.formulation, Formulation::StressPoint(Reach::Cell)) {
-            return Err(ShellError::StressOfWideStencils);
-        }
-        let mut sums = vec![[0.0; 6]; self.reference.cloud.cells.len()];
-        for (number, stress) in stresses.iter().enumerate() {
-            check_cells("an initial stress", &stress.cells, &self.reference.cloud)?;
-            for &cell in &stress.cells {
-                let along = match stress.axis {
-                    Some(axis) => self.seen(cell, &axis).ok_or(ShellError::StressAxis { number, cell })?,
-                    None => [1.0, 0.0],
-                };
-                let section = self.section_at(cell as usize);
-                let [mean, faces] =
-                    [stress.membrane, stress.bending].map(|s| InitialStress::turned(s, along));
-                let sum = &mut sums[cell as usize];
-                for i in 0..3 {
-                    let force = section.thickness * mean[i];
-                    sum[i] += force;
-                    sum[3 + i] += section.thickness.powi(2) / 6.0 * faces[i] + section.height * force;
-                }
+/// Resultants of each unstrained cell under stresses; those of one cell add up. `section` is what is read of the section of a cell.
+///
+/// # Errors
+/// [`ShellError`] for empty sets, cells beyond the cloud, and an axis that stands on the surface somewhere.
+pub(crate) fn resultants_of(
+    stresses: &[InitialStress],
+    reference: &Reference,
+    section: impl Fn(usize) -> PointSection,
+) -> Result<Vec<[f64; 6]>, ShellError> {
+    let mut sums = vec![[0.0; 6]; reference.cloud.cells.len()];
+    for (number, stress) in stresses.iter().enumerate() {
+        check_cells("an initial stress", &stress.cells, &reference.cloud)?;
+        for &cell in &stress.cells {
+            let along = match stress.axis {
+                Some(axis) => seen(reference, cell, &axis).ok_or(ShellError::StressAxis { number, cell })?,
+                None => [1.0, 0.0],
+            };
+            let section = section(cell as usize);
+            let [mean, faces] = [stress.membrane, stress.bending].map(|s| InitialStress::turned(s, along));
+            let sum = &mut sums[cell as usize];
+            for i in 0..3 {
+                let force = section.thickness * mean[i];
+                sum[i] += force;
+                sum[3 + i] += section.thickness.powi(2) / 6.0 * faces[i] + section.height * force;
             }
         }
-        let order = &self.points.packs.order;
-        let sections = self.regions.packs(&*self.section, order);
-        let under = |(points, section): (&[u32; LANES], SectionPack)| {
-            StressedPack::new(section, points.map(|p| sums[p as usize]))
-        };
-        self.points.sections = Sections::Stressed(order.iter().zip(sections).map(under).collect());
-        self.stresses = sums;
-        Ok(())
     }
+    Ok(sums)
+}
 
+/// Where the projection of a direction on a cell at rest lies in the frame of its point, a unit vector.
+fn seen(reference: &Reference, cell: u32, axis: &Vec3) -> Option<[f64; 2]> {
+    let frame = &reference.operator.points[cell as usize].frame;
+    let [a, b] = [axis.dot(&frame.t1), axis.dot(&frame.t2)];
+    let size = libm::hypot(a, b);
+    (size > ACROSS * axis.norm()).then(|| [a / size, b / size])
+}
+
+impl Shell {
     /// Whether some cells are under stress before they are strained.
     pub fn is_stressed(&self) -> bool {
-        !self.stresses.is_empty()
+        !self.material.stresses.is_empty()
     }
 
     /// Tension of the present state, of all directions \[F/L\], and bending stiffness \[F L\], means over the area at rest; none where it is
@@ -104,42 +100,22 @@ impl Shell {
         let mut sums = [0.0; 3];
         for (p, PointResult { force, .. }) in results.iter().enumerate() {
             let weight = points[p].weight;
-            let bending = self.regions.bending(&*self.section, p);
-            let more = [1.0, 0.5 * (force[0] + force[1]), bending];
+            let more = [1.0, 0.5 * (force[0] + force[1]), self.material.bending(p)];
             sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += weight * more);
         }
         let [area, tension, bending] = sums;
         (tension > 0.0).then(|| [tension / area, bending / area])
     }
 
-    /// Where the projection of a direction on a cell at rest lies in the frame of its point, a unit vector.
-    fn seen(&self, cell: u32, axis: &Vec3) -> Option<[f64; 2]> {
-        let frame = &self.reference.operator.points[cell as usize].frame;
-        let [a, b] = [axis.dot(&frame.t1), axis.dot(&frame.t2)];
-        let size = libm::hypot(a, b);
-        (size > ACROSS * axis.norm()).then(|| [a / size, b / size])
-    }
-
-    /// Lets the level of the analysis bring the initial stress up, as it does loads, instead of a preload; without time.
-    pub fn count_stress_by_level(&mut self) {
-        self.stress_case = LoadCase::Loading;
-    }
-
     /// Leaves so much of the initial stress as belongs to a level of the case that is under way.
     pub(crate) fn put_stress(&mut self, level: f64) {
-        self.set_stress_share(self.stress_case.factor(self.case, level));
-    }
-
-    fn set_stress_share(&mut self, share: f64) {
-        if let Sections::Stressed(packs) = &mut self.points.sections {
-            packs.iter_mut().for_each(|pack| pack.set_share(share));
-        }
+        self.points.set_stress_share(self.material.stress_case.factor(self.loading.case, level));
     }
 
     /// Internal forces of all of the initial stress by itself in the present state, by rows; no state is changed.
     pub(crate) fn forces_of_stress(&mut self, level: f64) -> Vec<[f64; 6]> {
         let [none, all] = [0.0, 1.0].map(|share| {
-            self.set_stress_share(share);
+            self.points.set_stress_share(share);
             self.evaluate_internal(false);
             (0..self.len()).map(|a| self.internal_force(a)).collect::<Vec<_>>()
         });
@@ -154,7 +130,7 @@ impl Shell {
     fn exerted(&self, arc: f64) -> f64 {
         let operator = &self.reference.operator;
         let mut sums = vec![0.0; self.len()];
-        for (p, resultants) in self.stresses.iter().enumerate() {
+        for (p, resultants) in self.material.stresses.iter().enumerate() {
             let (stencil, weight) = (operator.stencil(p), operator.points[p].weight);
             let size = |of: &[f64]| of.iter().map(|value| value * value).sum::<f64>().sqrt();
             let force = weight * libm::hypot(size(&resultants[..3]), size(&resultants[3..]) / arc);
@@ -169,7 +145,7 @@ impl Shell {
 impl<S: std::ops::DerefMut<Target = Shell>> StaticShell<S> {
     /// Whether the level of the analysis brings the initial stress up.
     pub fn stress_counted_by_level(&self) -> bool {
-        self.shell.stress_case == LoadCase::Loading
+        self.shell.material.stress_case == LoadCase::Loading
     }
 
     /// Part of the forces of the initial stress that nothing in the unstrained shell balances \[–\]; zero without stress.

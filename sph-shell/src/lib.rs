@@ -7,13 +7,14 @@
 //!
 //! | where is | look in |
 //! |---|---|
+//! | what a shell is made of, and in which order | `builder.rs`; its groups: `material.rs`, `points/scheme.rs`, `conditions/constraints.rs`, `dependents.rs`, `loading.rs`, `motion.rs`, `time/evaluation.rs` |
 //! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
 //! | points in packs of four; equal constants kept once | `packs.rs`; `shared.rs` |
 //! | where the forces on a particle lie, the transpose of the stencils | `gather.rs` |
 //! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
-//! | stresses of the unstrained shell | `initial_stress.rs`, [`Shell::stress`] |
+//! | stresses of the unstrained shell | `initial_stress.rs`, [`ShellBuilder::stresses`] |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
@@ -21,8 +22,8 @@
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
-//! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`Shell::tie`] |
-//! | points that a fluid wets, and the way of its forces | `wetted/`, [`Shell::wet`] |
+//! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
+//! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
@@ -36,7 +37,7 @@
 //! let cloud = lattice(&Plate { lengths: [2.0, 1.0] }, [9, 5], EndWeights::Trapezoid)?;
 //! let places = cloud.positions.clone();
 //! let edge = cloud.lattice.map_or(Vec::new(), |lattice| lattice.column(0));
-//! let mut shell = Shell::new(Parts {
+//! let mut shell = Shell::builder(Parts {
 //!     cloud,
 //!     section: Box::new(IsotropicSection::new(Isotropic::new(young, 0.0)?, thickness)?),
 //!     strain: &StretchCorrected,
@@ -46,7 +47,8 @@
 //!     supports: Vec::new(),
 //!     loads: Vec::new(),
 //!     threads: 1,
-//! })?;
+//! })
+//! .build()?;
 //! for (a, x) in places.iter().enumerate() {
 //!     shell.set_state(a, Vec3::new(1.1 * x.x, x.y, x.z), Vec3::z());
 //! }
@@ -171,14 +173,14 @@
 //!
 //! # Several sections
 //!
-//! [`Shell::with_regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
+//! [`ShellBuilder::regions`] gives cells a section of their own, at a height e over the particles: its middle meets the membrane strain
 //! `e_m + e κ`, and its membrane force has the arm e (`shell_kinematics::SectionPack`). Masses, rotary inertias and the control of
 //! zero-energy modes go by cell. The page of `regions.rs` has the formulas.
 //!
-//! A region may have a strain measure of its own ([`Region::strain`]). [`Shell::stress`] puts stresses on the unstrained shell ([`InitialStress`]): in
+//! A region may have a strain measure of its own ([`Region::strain`]). [`ShellBuilder::stresses`] puts stresses on the unstrained shell ([`InitialStress`]): in
 //! statics a preload, or counted by the level; in the march there from the start.
 //!
-//! [`Shell::lump`] adds masses to particles, which do not turn with the director.
+//! [`ShellBuilder::masses`] adds masses to particles, which do not turn with the director.
 //!
 //! # Supports and loads
 //!
@@ -203,17 +205,17 @@
 //! potential; couples have one in the plane of bending alone. What is skew is left out of the tangent, never out of the
 //! residual, and [`StaticShell::skew_load_share`] tells how much it is.
 //!
-//! [`Shell::spring`] holds particles elastically along directions, directors and rigid sets against turning, and joins pairs, whatever the
+//! [`ShellBuilder::springs`] holds particles elastically along directions, directors and rigid sets against turning, and joins pairs, whatever the
 //! level ([`Springs`]).
 //!
-//! [`Shell::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
+//! [`ShellBuilder::rigid`] makes sets move as rigid bodies, with a reference point, mass and inertia of their own ([`RigidSet`]).
 //!
 //! [`Preloaded`] loads and motions are applied first and held while the level counts the others: [`LoadCase`],
 //! [`StaticShell::set_case`].
 //!
 //! # In a fluid
 //!
-//! [`Shell::wet`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
+//! [`ShellBuilder::wetted`] lays columns of points over the middle surface, as far apart as the particles of the fluid and not as those
 //! of the shell, with rows at heights z below each wet face ([`Wetting`]). For `explicit_dynamics::TwoClocks` a shell is then
 //! `Wetted`:
 //!
@@ -270,8 +272,11 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod builder;
 mod conditions;
 mod control;
+mod decay;
+mod dependents;
 mod dispatch;
 mod error;
 mod even_bed;
@@ -279,7 +284,9 @@ mod formulation;
 mod gather;
 mod initial_stress;
 mod junction;
-mod lumped;
+mod loading;
+mod material;
+mod motion;
 mod packs;
 mod points;
 mod reference;
@@ -288,33 +295,28 @@ mod registers;
 mod second_moments;
 mod shared;
 mod shell;
-mod state;
 mod statics;
 mod ties;
 mod time;
 mod turning;
 mod wetted;
 
-use explicit_dynamics::Work;
-use shell_kinematics::{Section, StrainMeasure};
-
-use conditions::supports::Constraint;
-use junction::group::Junctions;
-use packs::Row;
+use conditions::constraints::Constraints;
+use dependents::Dependents;
+use loading::Loading;
+use material::Material;
+use motion::Moving;
 use points::scheme::Points;
-use regions::Regions;
-use ties::list::Ties;
-use time::fused::Fused;
-use wetted::surface::Surface;
+use time::evaluation::Evaluation;
 
+pub use builder::{Parts, ShellBuilder};
 pub use conditions::case::LoadCase;
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
 pub use conditions::preload::Preloaded;
 pub use conditions::prescribed::{Motion, Rotation};
 pub use conditions::pressure::{Pressure, PressurePatch};
-pub use conditions::resultants::Resultant;
-pub use conditions::shares::LoadShare;
+pub use conditions::resultants::{LoadShare, Resultant};
 pub use conditions::spread::spread;
 pub use conditions::springs::{BodySpring, Spring, SpringBetween, Springs, TurnSpring};
 pub use conditions::supports::{
@@ -331,7 +333,6 @@ pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::PointResult;
 pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
-pub use shell::Parts;
 pub use statics::static_shell::StaticShell;
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
@@ -341,48 +342,16 @@ pub use wetted::wetting::{Sides, Wetting};
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {
     reference: Reference,
-    /// The section, of several that of the cells in no region.
-    section: Box<dyn Section>,
-    regions: Regions,
-    strain: &'static dyn StrainMeasure,
-    formulation: Formulation,
+    material: Material,
+    /// Where strains are sampled.
     points: Points,
-    chord_loss: ChordLoss,
-    /// Number of each particle's entry in `constraints`, one up; zero for a free particle.
-    constraint_of: Vec<u32>,
-    constraints: Vec<Constraint>,
-    /// Sheets that meet along lines.
-    junctions: Junctions,
-    /// Particles that hang on cells of other sheets; empty without ties.
-    ties: Ties,
-    loads: Vec<AppliedLoad>,
-    /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
-    stresses: Vec<[f64; 6]>,
-    /// The load case to which the initial stress belongs.
-    stress_case: LoadCase,
-    springs: Springs,
-    /// Forces of the springs on each particle; empty without springs on particles.
-    spring_forces: Vec<Row>,
-    /// The load case that is under way.
-    case: LoadCase,
-    /// Positions and directors.
-    state: Vec<Row>,
-    /// Positions and directors at the end of a step, before they take the place of the old ones.
-    next: Vec<Row>,
-    /// Their rates.
-    rates: Vec<Row>,
-    /// Internal forces of the sampling points, one row a (point, particle) pair.
-    slots: Vec<Row>,
-    /// External forces; empty without loads.
-    external: Vec<Row>,
-    /// What a fluid wets.
-    wetted: Option<Box<Surface>>,
-    /// Energy of each pack, filled on request.
-    pack_energies: Vec<f64>,
-    /// Work of each chunk of particles in the last kick.
-    chunk_work: Vec<Work>,
-    internal_energy: f64,
-    /// The plan of a step in one sweep; cells only.
-    fused: Option<Fused>,
-    threads: usize,
+    /// What supports hold.
+    constraints: Constraints,
+    /// What ties particles to each other.
+    dependents: Dependents,
+    /// What acts from outside.
+    loading: Loading,
+    motion: Moving,
+    /// What the last evaluation found.
+    evaluation: Evaluation,
 }

@@ -84,6 +84,30 @@ impl Reference {
         })
     }
 
+    /// Adds masses \[M\] to particles of a shell of some thickness \[L\]; what turns with a director is the shell alone.
+    ///
+    /// # Errors
+    /// [`ShellError`] for a particle beyond the cloud, and for a mass that is not positive and finite.
+    pub(crate) fn lump(&mut self, masses: &[(u32, f64)], thickness: f64) -> Result<(), ShellError> {
+        let count = self.cloud.len();
+        for &(particle, mass) in masses {
+            if particle as usize >= count {
+                return Err(ShellError::NoSuchParticle { what: "a mass", particle, count });
+            }
+            if !(mass > 0.0 && mass.is_finite()) {
+                return Err(ShellError::Mass { particle, mass });
+            }
+        }
+        if self.rotary.is_empty() && !masses.is_empty() {
+            let turning = thickness.powi(2) / 12.0;
+            self.rotary = self.masses.iter().map(|mass| mass * turning).collect();
+        }
+        for &(particle, mass) in masses {
+            self.masses[particle as usize] += mass;
+        }
+        Ok(())
+    }
+
     /// A place from zero, of one from the origin \[L\].
     pub fn from_zero(&self, place: Vec3) -> Vec3 {
         // Adding zero would turn −0 into 0.

@@ -16,7 +16,6 @@ use sph_core::Vec3;
 
 use crate::conditions::spread::{check_cells, spread};
 use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
 use crate::reference::Reference;
 
 /// Cells with a section of their own.
@@ -76,14 +75,7 @@ impl Regions {
     ///
     /// # Errors
     /// [`ShellError`] for sets without cells, cells in two regions, densities out of bounds.
-    pub fn new(
-        regions: Vec<Region>,
-        reference: &Reference,
-        formulation: &Formulation,
-    ) -> Result<Self, ShellError> {
-        if !(regions.is_empty() || matches!(formulation, Formulation::StressPoint(Reach::Cell))) {
-            return Err(ShellError::RegionsWithoutCells);
-        }
+    pub fn new(regions: Vec<Region>, reference: &Reference) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
         let mut of_cell = vec![0; if regions.is_empty() { 0 } else { cloud.cells.len() }];
         for (number, region) in (1..).zip(&regions) {

@@ -19,6 +19,7 @@ use sph_core::{Cell, Cloud, Vec3};
 use std::ops::DerefMut;
 
 use crate::Shell;
+use crate::material::Material;
 use crate::reference::Reference;
 use crate::statics::static_shell::StaticShell;
 
@@ -194,7 +195,7 @@ pub(crate) fn moved_masses(
 ///
 /// `curvature` holds k₁₁, k₂₂, k₁₂ + k₂₁ along the tangents of the frame: between its corners a curved cell rises by
 /// `½ k:(⟨ξξ⟩ of the corners − ⟨ξξ⟩ of the cell)` above them, in the mean.
-fn missing_moment(
+fn missing(
     cell: &Cell,
     cloud: &Cloud,
     pole: &Vec3,
@@ -226,62 +227,54 @@ fn missing_moment(
     less + arm * shift.transpose() + shift * arm.transpose()
 }
 
-impl Shell {
-    /// Mass of a cell \[M\].
-    pub(crate) fn cell_mass(&self, cell: usize) -> f64 {
-        let cloud = &self.reference.cloud;
-        let density = self.regions.density(cell).unwrap_or(self.reference.density);
-        density * self.section_at(cell).thickness * cloud.cells[cell].geometry(&cloud.positions).area
+/// What lumped masses lack of the inertia about a pole of the cells all of whose corners are among some particles, ascending; and for each
+/// particle the part of its area in other cells.
+pub(crate) fn of_rigid_cells(
+    reference: &Reference,
+    material: &Material,
+    particles: &[u32],
+    pole: &Vec3,
+) -> (Matrix3<f64>, Vec<f64>) {
+    let cloud = &reference.cloud;
+    let mut areas = vec![[0.0; 2]; particles.len()];
+    let mut moment = Matrix3::zeros();
+    for (c, cell) in cloud.cells.iter().enumerate() {
+        let places = || cell.particles().iter().map(|b| particles.binary_search(b));
+        let within = places().all(|place| place.is_ok());
+        let share = cell.geometry(&cloud.positions).area / f64::from(cell.count);
+        places().flatten().for_each(|place| areas[place][usize::from(within)] += share);
+        if within {
+            moment += missing_moment(reference, c, pole) * material.cell_mass(reference, c);
+        }
     }
+    let outside = areas.iter().map(|[out, within]| out / (out + within)).collect();
+    (Matrix3::identity() * moment.trace() - moment, outside)
+}
 
+/// `∫x xᵀ dm` of a cell less that of its corners, about a pole, a unit of mass \[L²\].
+pub(crate) fn missing_moment(reference: &Reference, cell: usize, pole: &Vec3) -> Matrix3<f64> {
+    let Reference { cloud, operator, .. } = reference;
+    let (point, stencil) = (&operator.points[cell], operator.stencil(cell));
+    let tangents = [point.frame.t1, point.frame.t2];
+    let mut curvature = [0.0; 3];
+    for (k, &b) in stencil.particles.iter().enumerate() {
+        let along = tangents.map(|t| t.dot(&cloud.frames[b as usize].n));
+        curvature[0] += stencil.g1[k] * along[0];
+        curvature[1] += stencil.g2[k] * along[1];
+        curvature[2] += stencil.g1[k] * along[1] + stencil.g2[k] * along[0];
+    }
+    missing(&cloud.cells[cell], cloud, pole, tangents, curvature)
+}
+
+impl Shell {
     /// What moves with each particle in modes beside [`Shell::moving_masses`] \[M\].
     pub(crate) fn moved_masses(&self) -> Vec<f64> {
-        let within = |c: usize| self.body_around(&self.reference.cloud.cells[c]).is_some();
-        let mass = |c: usize| if within(c) { 0.0 } else { self.cell_mass(c) };
-        let mut moved = moved_masses(&self.reference, mass, |a| self.body_of(a as usize).is_none());
-        self.ties.hang(&mut moved);
+        let junctions = &self.dependents.junctions;
+        let within = |c: usize| junctions.body_around(&self.reference.cloud.cells[c]).is_some();
+        let mass = |c: usize| if within(c) { 0.0 } else { self.material.cell_mass(&self.reference, c) };
+        let mut moved = moved_masses(&self.reference, mass, |a| junctions.body_of(a as usize).is_none());
+        self.dependents.ties.hang(&mut moved);
         moved
-    }
-
-    /// What lumped masses lack of the inertia about a pole of the cells all of whose corners are among some particles, ascending; and for each
-    /// particle the part of its area in other cells.
-    pub(crate) fn of_rigid_cells(&self, particles: &[u32], pole: &Vec3) -> (Matrix3<f64>, Vec<f64>) {
-        let cloud = &self.reference.cloud;
-        let mut areas = vec![[0.0; 2]; particles.len()];
-        let mut moment = Matrix3::zeros();
-        for (c, cell) in cloud.cells.iter().enumerate() {
-            let places = || cell.particles().iter().map(|b| particles.binary_search(b));
-            let within = places().all(|place| place.is_ok());
-            let share = cell.geometry(&cloud.positions).area / f64::from(cell.count);
-            places().flatten().for_each(|place| areas[place][usize::from(within)] += share);
-            if within {
-                moment += self.missing_moment(c, pole) * self.cell_mass(c);
-            }
-        }
-        let outside = areas.iter().map(|[out, within]| out / (out + within)).collect();
-        (Matrix3::identity() * moment.trace() - moment, outside)
-    }
-
-    /// `∫x xᵀ dm` of a cell less that of its corners, about a pole, a unit of mass \[L²\].
-    pub(crate) fn missing_moment(&self, cell: usize, pole: &Vec3) -> Matrix3<f64> {
-        let Reference { cloud, operator, .. } = &self.reference;
-        let (point, stencil) = (&operator.points[cell], operator.stencil(cell));
-        let tangents = [point.frame.t1, point.frame.t2];
-        let mut curvature = [0.0; 3];
-        for (k, &b) in stencil.particles.iter().enumerate() {
-            let along = tangents.map(|t| t.dot(&cloud.frames[b as usize].n));
-            curvature[0] += stencil.g1[k] * along[0];
-            curvature[1] += stencil.g2[k] * along[1];
-            curvature[2] += stencil.g1[k] * along[1] + stencil.g2[k] * along[0];
-        }
-        missing_moment(&cloud.cells[cell], cloud, pole, tangents, curvature)
-    }
-
-    /// The rigid body to which all corners of a cell belong.
-    pub(crate) fn body_around(&self, cell: &Cell) -> Option<usize> {
-        let number = |b: u32| self.body_of(b as usize).and(self.junctions.number(b as usize));
-        let first = number(cell.corners[0])?;
-        cell.particles().iter().all(|&b| number(b) == Some(first)).then_some(first)
     }
 }
 
@@ -291,7 +284,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let moved = self.shell.moved_masses();
         for (unknown, mass) in masses.iter_mut().enumerate() {
             let (particle, _, moves) = self.dofs.find(unknown);
-            *mass += match self.shell.junctions.of(particle) {
+            *mass += match self.shell.dependents.junctions.of(particle) {
                 None if moves => moved[particle],
                 None => 0.0,
                 Some(group) if moves => group.particles.iter().map(|&a| moved[a as usize]).sum(),

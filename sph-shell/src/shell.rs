@@ -1,153 +1,25 @@
-//! The shell: how it is put together, its forces, and what can be read from it.
+//! The shell: its motion, its forces, and what can be read from it.
 
-use explicit_dynamics::{Instant, Work};
-use shell_kinematics::{Section, StrainMeasure};
-use sph_core::{Cloud, Vec3};
+use explicit_dynamics::Instant;
+use shell_kinematics::StrainMeasure;
+use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::case::LoadCase;
-use crate::conditions::loads::AppliedLoad;
-use crate::conditions::springs::Springs;
-use crate::conditions::supports::{Constraint, Supported, constraints};
+use crate::conditions::loads::Block;
+use crate::conditions::supports::Constraint;
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;
-use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
-use crate::gather::Places;
-use crate::junction::group::Junctions;
-use crate::packs::{PARTICLE_CHUNK, Row};
-use crate::points::point::PointLaw;
-use crate::points::scheme::{Points, Scheme, Sections};
+use crate::formulation::Formulation;
+use crate::junction::springs::BodySprings;
+use crate::packs::Row;
+use crate::points::scheme::{Points, Scheme};
 use crate::points::strong_form::Sampling;
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
-use crate::regions::{PointSection, Region, Regions};
-use crate::ties::list::Ties;
-use crate::time::fused::Fused;
-
-/// What a shell is made of.
-pub struct Parts {
-    /// Particles, frames, areas, cells.
-    pub cloud: Cloud,
-    /// Material and thickness.
-    pub section: Box<dyn Section>,
-    /// Strain measure.
-    pub strain: &'static dyn StrainMeasure,
-    /// Direction whose projection on the surface is the section's first axis; without, the axes of the sampling points are
-    /// arbitrary, and the section must not care.
-    pub material_axis: Option<Vec3>,
-    /// Mass density \[M/L³\].
-    pub density: f64,
-    /// Where strains are sampled.
-    pub formulation: Formulation,
-    /// Supports.
-    pub supports: Vec<Supported>,
-    /// Loads.
-    pub loads: Vec<AppliedLoad>,
-    /// Threads to use; more than one needs a rayon pool around the run.
-    pub threads: usize,
-}
+use crate::regions::PointSection;
+use crate::time::evaluation::Evaluation;
 
 impl Shell {
-    /// Builds stencils, masses, reference strains and constraints.
-    ///
-    /// # Errors
-    /// [`ShellError`]: invalid clouds, stencils too small for their order, empty or unknown sets,
-    /// supports that contradict each other.
-    pub fn new(parts: Parts) -> Result<Self, ShellError> {
-        Self::with_regions(parts, Vec::new())
-    }
-
-    /// The same with sections of their own on some cells; the section of the parts is that of all others.
-    ///
-    /// # Errors
-    /// As [`Shell::new`], for cells in two regions, and for regions where strains are not sampled in cells.
-    pub fn with_regions(parts: Parts, regions: Vec<Region>) -> Result<Self, ShellError> {
-        Self::about(parts, regions, Vec3::zeros())
-    }
-
-    /// The same, with all places kept from an origin: displacements of a shell far from zero keep the digits that its places would take. Places
-    /// that are given and read ([`Shell::position`], [`crate::RigidSet`], axes of turns) are from zero all the same; only
-    /// those of [`Reference::cloud`] and of [`Shell::motion`] are from the origin. Not together with a fluid.
-    ///
-    /// # Errors
-    /// As [`Shell::with_regions`].
-    pub fn about(mut parts: Parts, regions: Vec<Region>, origin: Vec3) -> Result<Self, ShellError> {
-        let mut given = Vec::new();
-        if origin != Vec3::zeros() {
-            given.clone_from(&parts.cloud.positions);
-            parts.cloud.positions.iter_mut().for_each(|x| *x -= origin);
-        }
-        let cells = matches!(parts.formulation, Formulation::StressPoint(Reach::Cell));
-        if !cells && !parts.cloud.joined.is_empty() {
-            return Err(ShellError::JunctionOfWideStencils);
-        }
-        let base = &*parts.section;
-        let own_axes = !regions.is_empty();
-        let mut reference = Reference::new(
-            parts.cloud,
-            &parts.formulation,
-            &base.scales(),
-            parts.density,
-            parts.material_axis.as_ref().filter(|_| !own_axes),
-        )?;
-        (reference.origin, reference.given) = (origin, given);
-        let regions = Regions::new(regions, &reference, &parts.formulation)?;
-        if own_axes {
-            regions.align(parts.material_axis, &mut reference)?;
-            regions.weigh(base, parts.density, &mut reference);
-        }
-        for load in &parts.loads {
-            load.load.check(&reference)?;
-        }
-        let (constraint_of, constraints) = constraints(&reference, &parts.supports)?;
-        let junctions = Junctions::new(&reference, [&reference.masses, &reference.inertias], |_| true)?;
-        let scales = regions.scales(base);
-        let (mut points, chord_loss) = Points::new(&reference, &parts.formulation, &scales, parts.density)?;
-        if regions.any() {
-            points.sections = Sections::Own(regions.packs(base, &points.packs.order));
-            points.strains = regions.strains(parts.strain, &points.packs.order);
-        }
-        let (count, threads) = (reference.cloud.len(), parts.threads.max(1));
-        let fused = match points.scheme {
-            Scheme::Cells { .. } => {
-                let places = Places::new(&points.packs, &reference.operator);
-                Some(Fused::plan(&points.packs, &places, count, threads))
-            }
-            Scheme::Wide { .. } | Scheme::StrongForm { .. } => None,
-        };
-        Ok(Self {
-            slots: points.slots(),
-            external: vec![[0.0; 6]; if parts.loads.is_empty() { 0 } else { count }],
-            pack_energies: vec![0.0; if fused.is_some() { 0 } else { points.packs.points.len() }],
-            chunk_work: vec![Work::default(); count.div_ceil(PARTICLE_CHUNK)],
-            state: reference.rest(),
-            next: vec![[0.0; 6]; count],
-            rates: vec![[0.0; 6]; count],
-            points,
-            chord_loss,
-            constraint_of,
-            constraints,
-            junctions,
-            ties: Ties::default(),
-            loads: parts.loads,
-            case: LoadCase::Loading,
-            stresses: Vec::new(),
-            stress_case: LoadCase::Preload,
-            springs: Springs::default(),
-            spring_forces: Vec::new(),
-            wetted: None,
-            internal_energy: 0.0,
-            fused,
-            threads,
-            reference,
-            regions,
-            section: parts.section,
-            strain: parts.strain,
-            formulation: parts.formulation,
-        })
-    }
-
     /// The reference configuration.
     pub fn reference(&self) -> &Reference {
         &self.reference
@@ -155,86 +27,185 @@ impl Shell {
 
     /// The formulation in use.
     pub fn formulation(&self) -> &Formulation {
-        &self.formulation
+        &self.points.formulation
     }
 
     /// The strain measure in use.
     pub fn strain_measure(&self) -> &'static dyn StrainMeasure {
-        self.strain
+        self.material.strain
     }
 
     /// Whether stresses run linearly through the thickness everywhere, so that those at the faces follow from the resultants.
     pub fn homogeneous(&self) -> bool {
-        self.regions.homogeneous(&*self.section)
+        self.material.homogeneous()
     }
 
     /// Thickness, of several sections the mean over the area \[L\].
     pub fn thickness(&self) -> f64 {
-        let mean = self.regions.mean_thickness(&*self.section, &self.reference);
-        mean.unwrap_or_else(|| self.section.scales().thickness)
+        self.material.thickness(&self.reference)
     }
 
     /// Whether some cells have sections of their own.
     pub fn has_regions(&self) -> bool {
-        self.regions.any()
+        self.material.regions.any()
     }
 
     /// What is read of the section at a sampling point.
     pub fn section_at(&self, point: usize) -> PointSection {
-        let initial = self.stresses.get(point).copied().unwrap_or_default();
-        PointSection { initial, ..self.regions.read(&*self.section, point) }
+        self.material.at(point)
     }
 
     /// What chords of uneven curved cells do to the membrane; nothing on lattices of developable surfaces.
     pub fn chord_loss(&self) -> ChordLoss {
-        self.chord_loss
+        self.points.chord_loss
     }
 
     /// Number of particles.
     pub fn len(&self) -> usize {
-        self.state.len()
+        self.motion.state.len()
     }
 
     /// Whether there is no particle.
     pub fn is_empty(&self) -> bool {
-        self.state.is_empty()
+        self.motion.state.is_empty()
     }
 
     /// Degrees of freedom that no support holds: three translations and two rotations a particle, three and three a group of tied
     /// ones, less what is held.
     pub fn dof(&self) -> usize {
-        let alone = (0..self.len()).filter(|&a| self.junctions.first(a) == a);
+        let alone = (0..self.len()).filter(|&a| self.dependents.junctions.first(a) == a);
         let held: usize =
             alone.filter_map(|a| self.constraint(a)).map(Constraint::held_degrees_of_freedom).sum();
         let (particles, groups) = self.tied();
         5 * (self.len() - particles) + 6 * groups - held
     }
 
-    /// Internal energy found by the last evaluation that was asked for it \[F L\].
-    pub fn stored_energy(&self) -> f64 {
-        self.internal_energy
+    /// Particles that junctions and rigid bodies tie, and the groups they form; both zero without.
+    pub fn tied(&self) -> (usize, usize) {
+        let groups = &self.dependents.junctions.groups;
+        (groups.iter().map(|group| group.particles.len()).sum(), groups.len())
+    }
+
+    /// Number of rigid bodies, and of the particles in them.
+    pub fn rigid_bodies(&self) -> [usize; 2] {
+        let bodies = || self.dependents.junctions.groups.iter().filter(|group| group.body.is_some());
+        [bodies().count(), bodies().map(|group| group.particles.len()).sum()]
+    }
+
+    /// Masses and rotary inertias of marching that move with each particle \[M, M L²\]: with what hangs on it by ties, whose own stand
+    /// still.
+    pub fn moving_masses(&self) -> [&[f64]; 2] {
+        self.dependents.ties.moving_masses(&self.reference)
+    }
+
+    /// Whether a support holds any degree of freedom of a particle.
+    pub fn is_held(&self, particle: usize) -> bool {
+        self.constraint(particle).is_some_and(Constraint::holds)
     }
 
     pub(crate) fn constraint(&self, particle: usize) -> Option<&Constraint> {
-        let number = self.constraint_of[particle] as usize;
-        number.checked_sub(1).map(|i| &self.constraints[i])
+        self.constraints.of(particle)
+    }
+
+    /// Present position of a particle \[L\].
+    pub fn position(&self, particle: usize) -> Vec3 {
+        self.reference.from_zero(self.motion.place(particle))
+    }
+
+    /// Position of a particle at rest \[L\].
+    pub fn rest_position(&self, particle: usize) -> Vec3 {
+        self.rest_positions()[particle]
+    }
+
+    /// Positions of all particles at rest \[L\].
+    pub fn rest_positions(&self) -> &[Vec3] {
+        if self.reference.given.is_empty() { &self.reference.cloud.positions } else { &self.reference.given }
+    }
+
+    /// Displacement of a particle \[L\].
+    pub fn displacement(&self, particle: usize) -> Vec3 {
+        self.motion.place(particle) - self.reference.cloud.positions[particle]
+    }
+
+    /// Present director of a particle (unit vector).
+    pub fn director(&self, particle: usize) -> Vec3 {
+        self.motion.director(particle)
+    }
+
+    /// Velocity of a particle, half a step behind its position \[L/T\].
+    pub fn velocity(&self, particle: usize) -> Vec3 {
+        let row = self.rate(particle);
+        Vec3::new(row[0], row[1], row[2])
+    }
+
+    /// Rate of a particle's director, in step with [`Shell::velocity`] \[1/T\].
+    pub fn director_rate(&self, particle: usize) -> Vec3 {
+        let row = self.rate(particle);
+        Vec3::new(row[3], row[4], row[5])
+    }
+
+    fn rate(&self, particle: usize) -> Row {
+        self.dependents.ties.rate(&self.motion.state, &self.motion.rates, particle)
+    }
+
+    /// Sets the velocity of a particle and the rate of its director; held parts are taken out. Tied particles share the velocity
+    /// last set, and turn as their directors' rates say; a rigid body takes the motion of its particles, which must be rigid.
+    pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
+        let d = self.director(particle);
+        let tangent = director_rate - d * d.dot(&director_rate);
+        let (mut v, mut w) = (velocity.into(), tangent.into());
+        let group = self.dependents.junctions.of(particle);
+        let rigid = group.is_some_and(|group| group.body.is_some());
+        if let Some(constraint) = self.constraint(particle).filter(|_| !rigid) {
+            (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
+        }
+        self.motion.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
+        for &a in group.iter().filter(|_| !rigid).flat_map(|group| &group.particles) {
+            self.motion.rates[a as usize][..3].copy_from_slice(&v);
+        }
+    }
+
+    /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
+    pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
+        let (d, position) = (director.normalize(), position - self.reference.origin);
+        self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
+    }
+
+    /// All that changes while the shell moves, a row a particle: `[x, d]` \[L, –\] and its rates \[L/T, 1/T\].
+    pub fn motion(&self) -> [&[[f64; 6]]; 2] {
+        [&self.motion.state, &self.motion.rates]
+    }
+
+    /// Takes up a motion that [`Shell::motion`] gave, to the same bits; false, and nothing changed, if it is that of
+    /// another number of particles.
+    pub fn take_up(&mut self, [state, rates]: [&[[f64; 6]]; 2]) -> bool {
+        let fits = state.len() == self.len() && rates.len() == self.len();
+        if fits {
+            self.motion.state.copy_from_slice(state);
+            self.motion.rates.copy_from_slice(rates);
+        }
+        fits
+    }
+
+    /// Internal energy found by the last evaluation that was asked for it \[F L\].
+    pub fn stored_energy(&self) -> f64 {
+        self.evaluation.internal_energy
     }
 
     /// `[∂U/∂x, ∂U/∂d]` of a particle for the last forces evaluated \[F, F L\].
     pub fn internal_force(&self, particle: usize) -> [f64; 6] {
-        let mut sum = self.points.direct()[particle];
-        for slot in self.points.lists().into_iter().flat_map(|lists| lists.of(particle)) {
-            let row = &self.slots[slot as usize];
-            for i in 0..6 {
-                sum[i] += row[i];
-            }
-        }
-        sum
+        self.evaluation.internal_force(&self.points, particle)
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
     pub fn external_force(&self, particle: usize) -> [f64; 6] {
-        self.external.get(particle).copied().unwrap_or([0.0; 6])
+        self.loading.external_force(particle)
+    }
+
+    /// A row `[f, n]` as the force on the unknowns of a particle: its own, or force and torque of the group it stands for, which
+    /// leaves the others of the group nothing.
+    pub(crate) fn gathered(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
+        self.dependents.junctions.gathered(&self.motion.state, a, row)
     }
 
     /// What the supports and springs of a particle bear: `∂U/∂x` less the load on it \[F\], for the last forces evaluated. The first
@@ -242,25 +213,30 @@ impl Shell {
     pub fn reaction(&self, particle: usize) -> Vec3 {
         let f = self.gathered(particle, |a| self.internal_force(a));
         let e = self.gathered(particle, |a| self.external_force(a));
-        let s = self.gathered(particle, |a| self.spring_forces(a));
-        let (b, of_body) = (self.body_load(particle), self.spring_row_of_body(particle));
+        let s = self.gathered(particle, |a| self.loading.spring_force(a));
+        let b = self.dependents.junctions.body_load(particle);
+        let of_body = self.body_springs().row(particle);
         Vec3::from_fn(|k, _| f[k] - e[k] + s[k] - b[k] + of_body[k])
     }
 
     /// The moment that the supports and springs of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
     /// last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let [f, e, s] =
-            [self.internal_force(particle), self.external_force(particle), self.spring_forces(particle)];
-        if let Some(group) = self.junctions.of(particle) {
+        let [f, e, s] = [
+            self.internal_force(particle),
+            self.external_force(particle),
+            self.loading.spring_force(particle),
+        ];
+        if let Some(group) = self.dependents.junctions.of(particle) {
             if group.first() != particle {
                 return Vec3::zeros();
             }
-            return self.about_first(group, &self.gathered(particle, |a| self.internal_force(a)))
-                - self.about_first(group, &self.gathered(particle, |a| self.external_force(a)))
-                + self.about_first(group, &self.gathered(particle, |a| self.spring_forces(a)))
-                - self.about_first(group, &self.body_load(particle))
-                + self.about_first(group, &self.spring_row_of_body(particle));
+            let about_first = |row: &Row| group.about_first(&self.motion.state, row);
+            return about_first(&self.gathered(particle, |a| self.internal_force(a)))
+                - about_first(&self.gathered(particle, |a| self.external_force(a)))
+                + about_first(&self.gathered(particle, |a| self.loading.spring_force(a)))
+                - about_first(&self.dependents.junctions.body_load(particle))
+                + about_first(&self.body_springs().row(particle));
         }
         self.director(particle).cross(&Vec3::from_fn(|k, _| f[3 + k] - e[3 + k] + s[3 + k]))
     }
@@ -269,95 +245,69 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        if let Some(mut fused) = self.fused.take() {
-            self.put_hanging();
-            let mut forces = std::mem::take(self.points.direct_mut());
-            self.internal_energy = fused.forces(&self.sweep(energy), &mut forces);
-            self.condense_internal(&mut forces);
-            *self.points.direct_mut() = forces;
-            self.fused = Some(fused);
+        let Self { reference, material, points, dependents, motion, evaluation, .. } = self;
+        let Evaluation { plan, slots, pack_energies, internal_energy, threads, .. } = evaluation;
+        if let Some(plan) = plan {
+            dependents.ties.put(&mut motion.state);
+            let mut forces = std::mem::take(points.direct_mut());
+            let sweep = Sweep { points, law: material.law(), state: &motion.state, energy };
+            *internal_energy = plan.forces(&sweep, &mut forces);
+            dependents.ties.condense_internal(&motion.state, &mut forces);
+            *points.direct_mut() = forces;
             return;
         }
-        let Points { packs, shear, scheme, .. } = &mut self.points;
-        if let Scheme::StrongForm { equations, forces } = scheme {
-            let law = PointLaw { strain: self.strain, section: &*self.section };
-            self.internal_energy = equations.evaluate(
-                &self.reference,
-                Sampling { packs, shear, law },
-                [&self.state, &self.rates],
-                energy,
-                forces,
-                self.threads > 1,
-            );
+        let split = *threads > 1;
+        if let Points { packs, shear, scheme: Scheme::StrongForm { equations, forces }, .. } = points {
+            let sampling = Sampling { packs, shear, law: material.law() };
+            let rows = [&motion.state[..], &motion.rates];
+            *internal_energy = equations.evaluate(reference, sampling, rows, energy, forces, split);
             return;
         }
-        let mut slots = std::mem::take(&mut self.slots);
-        let mut energies = std::mem::take(&mut self.pack_energies);
-        let count = self.points.packs.slot_count();
-        self.sweep(energy).run(0, &mut slots[..count], &mut energies, self.threads > 1);
-        (self.slots, self.pack_energies) = (slots, energies);
-        let mut total = if energy { self.pack_energies.iter().sum() } else { 0.0 };
-        if let Scheme::Wide { control, forces, .. } = &mut self.points.scheme {
-            control.evaluate(&self.state, forces, self.threads > 1);
+        let count = points.packs.slot_count();
+        let sweep = Sweep { points, law: material.law(), state: &motion.state, energy };
+        sweep.run(0, &mut slots[..count], pack_energies, split);
+        let mut total = if energy { pack_energies.iter().sum() } else { 0.0 };
+        if let Scheme::Wide { control, forces, .. } = &mut points.scheme {
+            control.evaluate(&motion.state, forces, split);
             if energy {
-                total += PairControl::energy(&self.state, forces);
+                total += PairControl::energy(&motion.state, forces);
             }
         }
-        self.internal_energy = total;
-    }
-
-    /// The sweep over the points of the present state.
-    pub(crate) fn sweep(&self, energy: bool) -> Sweep<'_> {
-        let law = PointLaw { strain: self.strain, section: &*self.section };
-        Sweep { points: &self.points, law, state: &self.state, energy }
+        *internal_energy = total;
     }
 
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
-        let under_way = self.case;
-        self.evaluate_loads(true, |applied| applied.scale(at, under_way));
+        let Self { reference, dependents, motion, loading, .. } = self;
+        loading.evaluate(at, reference, dependents, motion);
     }
 
     /// Evaluates what a unit of level adds to the loads of the case that is under way.
     pub(crate) fn evaluate_load_rate(&mut self) {
-        let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
-        self.evaluate_loads(false, |applied| {
-            if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
-        });
+        let Self { reference, dependents, motion, loading, .. } = self;
+        loading.evaluate_rate(reference, dependents, motion);
     }
 
-    fn evaluate_loads(&mut self, springs: bool, scale: impl Fn(&AppliedLoad) -> f64) {
-        if self.external.is_empty() {
-            return;
-        }
-        self.put_hanging();
-        self.evaluate_bodies(springs, &scale);
-        let mut rows = std::mem::take(&mut self.external);
-        rows.fill([0.0; 6]);
-        let body = self.as_loaded();
-        for applied in &self.loads {
-            applied.load.add(scale(applied), &body, &mut rows);
-        }
-        self.external = rows;
-        if let Some(surface) = &self.wetted {
-            surface.add(&self.rates, &mut self.external);
-        }
-        if springs && !self.spring_forces.is_empty() {
-            self.evaluate_springs();
-        }
-        self.condense_external();
+    /// The derivatives of all loads at a level and of the springs, block by block.
+    pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
+        let body = self.dependents.loaded(&self.reference, &self.motion.state);
+        self.loading.stiffness(level, &body, put);
+    }
+
+    /// The springs of rigid bodies in the present state.
+    pub(crate) fn body_springs(&self) -> BodySprings<'_> {
+        self.loading.of_bodies(&self.reference, &self.dependents.junctions, &self.motion.state)
     }
 
     /// Bytes held per particle by everything that the step touches.
     pub fn bytes_per_particle(&self) -> f64 {
-        let motion = self.state.len() + self.next.len() + self.rates.len();
-        let rows = self.slots.len() + motion + self.external.len() + self.spring_forces.len();
-        let numbers = self.reference.masses.len() + self.reference.inertias.len() + self.pack_energies.len();
+        let motion = self.motion.state.len() + self.motion.next.len() + self.motion.rates.len();
+        let numbers = self.reference.masses.len() + self.reference.inertias.len();
         let bytes = self.points.bytes()
-            + self.fused.as_ref().map_or(0, Fused::bytes)
-            + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
-            + size_of::<Row>() * rows
+            + self.evaluation.bytes()
+            + self.loading.bytes()
+            + size_of::<Row>() * motion
             + size_of::<f64>() * numbers
-            + size_of::<u32>() * self.constraint_of.len();
+            + size_of::<u32>() * self.constraints.of_particle.len();
         bytes as f64 / self.len() as f64
     }
 }

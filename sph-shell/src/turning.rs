@@ -7,6 +7,7 @@ use crate::Shell;
 use crate::conditions::supports::DirectorHold;
 use crate::formulation::Formulation;
 use crate::junction::rotation::{across, of_arm};
+use crate::second_moments::missing_moment;
 
 /// Eigenvalues below this part of the largest count as zero: far above rounding, far below what holds one spacing away from an axis.
 const FREE: f64 = 1e-10;
@@ -48,12 +49,12 @@ impl Shell {
     ///
     /// Cells of n a side give a plate `1 + 2/n²` by their corners and `1/n²` more by its directors, however thin it is.
     pub fn turning_inertia(&self) -> Option<TurningInertia> {
-        if !matches!(self.formulation, Formulation::StressPoint(_)) {
+        if !matches!(self.points.formulation, Formulation::StressPoint(_)) {
             return None;
         }
         let cloud = &self.reference.cloud;
         let [masses, inertias] = self.moving_masses();
-        let alone = |a: &usize| self.ties.of(*a).is_none();
+        let alone = |a: &usize| self.dependents.ties.of(*a).is_none();
         let all = || (0..self.len()).filter(alone);
         let mass = all().map(|a| masses[a]).sum::<f64>();
         let centre = all().map(|a| cloud.positions[a] * masses[a]).sum::<Vec3>() / mass;
@@ -64,14 +65,14 @@ impl Shell {
         let lumped = all().map(|a| of_arm(&(cloud.positions[a] - centre)) * masses[a]).sum::<Matrix3<f64>>();
         let (mut scaled, mut exact) = (lumped, lumped);
         for (c, cell) in cloud.cells.iter().enumerate() {
-            let cell_mass = self.cell_mass(c);
-            let moment = self.missing_moment(c, &centre) * cell_mass;
+            let cell_mass = self.material.cell_mass(&self.reference, c);
+            let moment = missing_moment(&self.reference, c, &centre) * cell_mass;
             let missing = Matrix3::identity() * moment.trace() - moment;
-            let section = self.section_at(c);
+            let section = self.material.at(c);
             let own = section.thickness.powi(2) / 12.0 + section.height.powi(2);
             let turning = across(&cell.geometry(&cloud.positions).normal) * (cell_mass * own);
             exact += missing + turning;
-            if self.body_around(cell).is_some() {
+            if self.dependents.junctions.body_around(cell).is_some() {
                 scaled += missing + turning;
                 continue;
             }
@@ -83,7 +84,7 @@ impl Shell {
         }
         let rest = self.reference.rest();
         let (mut mass, mut moment) = (mass, Vec3::zeros());
-        for group in &self.junctions.groups {
+        for group in &self.dependents.junctions.groups {
             let Some(body) = &group.body else { continue };
             // The mass at its reference point; inertia of its own is in neither.
             let arm = group.pole(&rest) + body.arm(&group.triad(&rest)) - centre;
@@ -110,9 +111,11 @@ impl Shell {
             held += row * row.transpose();
         };
         let rest = self.reference.rest();
-        for a in (0..self.len()).filter(|&a| self.ties.of(a).is_none() && self.junctions.first(a) == a) {
+        for a in (0..self.len())
+            .filter(|&a| self.dependents.ties.of(a).is_none() && self.dependents.junctions.first(a) == a)
+        {
             let Some(constraint) = self.constraint(a) else { continue };
-            let group = self.junctions.of(a);
+            let group = self.dependents.junctions.of(a);
             let at = group.and_then(|group| {
                 let body = group.body.as_ref()?;
                 Some(group.pole(&rest) + body.arm(&group.triad(&rest)))

@@ -26,10 +26,9 @@ fn elastic(cells: usize, k: f64, force: Vec3) -> Shell {
     let (root, tip) = (sides.edge(Side::U0).to_vec(), sides.edge(Side::U1).to_vec());
     let load: Box<dyn Load> = Box::new(Force { shares: shared(&tip, 1.0), total: force });
     let hinge = supported(root.clone(), Hinged);
-    let mut shell = Shell::new(beam_parts(cloud, THICK, vec![hinge], vec![load])).unwrap();
+    let shell = Shell::builder(beam_parts(cloud, THICK, vec![hinge], vec![load]));
     let turning = vec![TurnSpring { stiffness: shared(&root, k), axis: Y * 2.0 }];
-    shell.spring(Springs { turning, ..Springs::default() }).unwrap();
-    shell
+    shell.springs(Springs { turning, ..Springs::default() }).build().unwrap()
 }
 
 fn solved(shell: Shell) -> StaticShell {
@@ -108,10 +107,10 @@ fn two_strips_joined_by_springs_share_a_force() {
         let (low, high) = (tip(0.0), tip(0.4));
         let clamp = supported(at(&cloud, |x| x.x < 1e-6), Clamped);
         let load: Box<dyn Load> = Box::new(Force { shares: shared(&low, 1.0), total: Z * force });
-        let mut shell = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![load])).unwrap();
+        let shell = Shell::builder(beam_parts(cloud, THICK, vec![clamp], vec![load]));
         let pairs = shared(&low, k).into_iter().zip(&high).map(|((a, k), &b)| ([a, b], k)).collect();
         let between = vec![SpringBetween { stiffness: pairs, direction: Z }];
-        shell.spring(Springs { between, ..Springs::default() }).unwrap();
+        let shell = shell.springs(Springs { between, ..Springs::default() }).build().unwrap();
         let system = solved(shell);
         let shell = system.shell();
         let way = |on: &[u32]| shell.displacement(on[1] as usize).z;

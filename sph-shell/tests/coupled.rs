@@ -99,7 +99,7 @@ fn strip(along: usize, threads: usize) -> Shell {
         Supported { particles: all.iter().copied().filter(ends).collect(), support: Box::new(Clamped) };
     let between = Supported { particles: all, support: Box::new(SymmetryPlane { normal: Vec3::z() }) };
     let material = Isotropic::new(455e6, 0.3).unwrap();
-    let mut shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(material, THICKNESS).unwrap()),
         strain: &StretchCorrected,
@@ -109,12 +109,10 @@ fn strip(along: usize, threads: usize) -> Shell {
         supports: vec![held, between],
         loads: Vec::new(),
         threads,
-    })
-    .unwrap();
+    });
     let wetting =
         Wetting { spacing: 0.025, rows: 1, sides: Sides::Back, plane: true, free_edges: Vec::new() };
-    shell.wet(&wetting).unwrap();
-    shell
+    shell.wetted(wetting).build().unwrap()
 }
 
 type Coupled = TwoClocks<Waves, Shell>;

@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, Matrix3, Matrix6, SymmetricEigen, Vector6};
 use sph_core::{Cloud, Side, Vec3};
 use sph_shell::{
     AppliedLoad, Clamped, DirectorHold, Formulation, Gravity, Holds, Parts, Reach, RigidSet, Shell, Spring,
-    StaticShell,
+    Springs, StaticShell,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -34,12 +34,11 @@ fn whole(held: &[Vec3], director: DirectorHold) -> RigidSet {
     }
 }
 
-fn body(set: &RigidSet, gravity: Vec3) -> Shell {
+fn body(set: &RigidSet, gravity: Vec3, springs: Springs) -> Shell {
     let load =
         AppliedLoad { load: Box::new(Gravity { acceleration: gravity }), amplitude: Amplitude::Constant };
-    let mut shell = Shell::new(Parts { loads: vec![load], ..parts(plate(), CELL, THICK) }).unwrap();
-    shell.rigid(std::slice::from_ref(set)).unwrap();
-    shell
+    let shell = Shell::builder(Parts { loads: vec![load], ..parts(plate(), CELL, THICK) });
+    shell.rigid(vec![set.clone()]).springs(springs).build().unwrap()
 }
 
 /// Mass, centre and inertia about the centre of a plate `a × b × t` with what the set has of its own, whatever its cells.
@@ -121,10 +120,8 @@ fn a_body_on_springs_swings_about_what_holds_it() {
     ] {
         let set = whole(&held, director);
         let made = || {
-            let mut shell = body(&set, Vec3::zeros());
             let (springs, matrix) = springs(&bulk(&set).1);
-            shell.spring(springs).unwrap();
-            (shell, matrix)
+            (body(&set, Vec3::zeros(), springs.into()), matrix)
         };
         let (shell, matrix) = made();
         let wanted = exact(&set, bulk(&set), &matrix);
@@ -166,10 +163,9 @@ fn a_strip_whose_heavy_end_is_hinged_beside_its_mass_vibrates_as_the_beam() {
         let sides = cloud.sides.clone().unwrap();
         let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
         let end = sides.edge(Side::U1).to_vec();
-        let mut shell = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![])).unwrap();
-        shell
-            .lump(&end.iter().zip([0.25, 0.5, 0.25]).map(|(&a, s)| (a, s * mass)).collect::<Vec<_>>())
-            .unwrap();
+        let shell = Shell::builder(beam_parts(cloud, THICK, vec![clamp], vec![]));
+        let shell =
+            shell.masses(end.iter().zip([0.25, 0.5, 0.25]).map(|(&a, s)| (a, s * mass)).collect::<Vec<_>>());
         let set = RigidSet {
             particles: end,
             at: Vec3::new(length + beyond, 0.5, 0.0),
@@ -177,7 +173,7 @@ fn a_strip_whose_heavy_end_is_hinged_beside_its_mass_vibrates_as_the_beam() {
             holds: vec![Holds { translations: vec![Y, Z], ..Holds::default() }],
             ..RigidSet::default()
         };
-        shell.rigid(&[set]).unwrap();
+        let shell = shell.rigid(vec![set]).build().unwrap();
         let mut system = StaticShell::new(shell);
         let found = natural_modes(&mut system, 0.0, 14, 0.0, &mut unwatched).unwrap().modes;
         let nearest = |x: &f64| {
@@ -273,7 +269,8 @@ fn a_pendulum_swings_as_long_as_the_elliptic_integral_says() {
         let mut errors = Vec::new();
         for count in [400, 800, 1600] {
             let dt = half / f64::from(count);
-            let mut swing = Swing::new(body(&whole(&held, DirectorHold::InPlane(Y)), down * g), dt);
+            let mut swing =
+                Swing::new(body(&whole(&held, DirectorHold::InPlane(Y)), down * g, Springs::default()), dt);
             // The spin comes back to zero: between which two steps.
             let (mut before, mut found) = (0.0, 0.0);
             for number in 0..2 * count {
@@ -303,7 +300,7 @@ fn a_sliding_top_keeps_its_point_its_energy_and_its_momentum() {
         let mut drifts = Vec::new();
         let mut kept = [0.0_f64; 3];
         for dt in [4e-3, 2e-3, 1e-3] {
-            let mut shell = body(&set, gravity);
+            let mut shell = body(&set, gravity, Springs::default());
             let (mass, centre, tensor) = bulk(&set);
             let rest = rotation(&shell);
             let throw = Vec3::new(0.8, -1.1, 2.0);

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{disordered_flat, flat, free_shell, scattered_flat};
+use common::{disordered_flat, flat, free_shell, parts, scattered_flat};
 use explicit_dynamics::Transient;
 use implicit_statics::{natural_modes, unwatched};
 use sph_core::{Cloud, Vec3};
@@ -22,9 +22,8 @@ fn lowest(body: Shell, count: usize, shift: f64) -> Vec<f64> {
 /// A free plate on springs along all axes at its corners, far softer than itself: it rolls about either axis by `k L²/(m (L² + t²)/12)` and
 /// spins about its normal by `12 k/m`. Errors of the three frequencies.
 fn rolls(cloud: Cloud, lengths: [f64; 2], thickness: f64) -> [f64; 3] {
-    let mut body = free_shell(cloud, CELL, thickness);
     let corner = |x: f64, y: f64| {
-        let at = &body.reference().cloud.positions;
+        let at = &cloud.positions;
         let off = |a: &usize| (at[*a] - Vec3::new(x * lengths[0], y * lengths[1], 0.0)).norm();
         let nearest = (0..at.len()).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
         assert!(off(&nearest) < 1e-9);
@@ -33,7 +32,8 @@ fn rolls(cloud: Cloud, lengths: [f64; 2], thickness: f64) -> [f64; 3] {
     let k = 1e-9;
     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| (corner(x, y), k));
     let hold = |direction| Spring { stiffness: corners.to_vec(), direction };
-    body.spring(vec![hold(Vec3::z()), hold(Vec3::x()), hold(Vec3::y())]).unwrap();
+    let springs = vec![hold(Vec3::z()), hold(Vec3::x()), hold(Vec3::y())];
+    let body = Shell::builder(parts(cloud, CELL, thickness)).springs(springs).build().unwrap();
     let mass = common::DENSITY * thickness * lengths[0] * lengths[1];
     let mut found = lowest(body, 6, 0.0);
     found.sort_by(f64::total_cmp);
@@ -91,10 +91,15 @@ fn rigid(cloud: Cloud, thickness: f64, couple: Vec3) -> Shell {
     let loads: Vec<Box<dyn sph_shell::Load>> =
         vec![Box::new(RigidLoad { set: 0, force: Vec3::zeros(), couple })];
     let particles = (0..cloud.len() as u32).collect();
-    let mut body =
-        common::shell(cloud, CELL, thickness, &shell_kinematics::StretchCorrected, Vec::new(), loads);
-    body.rigid(&[RigidSet { particles, at: middle, ..RigidSet::default() }]).unwrap();
-    body
+    let body = Shell::builder(common::shell_parts(
+        cloud,
+        CELL,
+        thickness,
+        &shell_kinematics::StretchCorrected,
+        Vec::new(),
+        loads,
+    ));
+    body.rigid(vec![RigidSet { particles, at: middle, ..RigidSet::default() }]).build().unwrap()
 }
 
 /// From rest under a steady couple about an axis the spin is `C T/J`; the directors too turn with the thickness alone. By cells of ten

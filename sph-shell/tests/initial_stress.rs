@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use common::{
     AXIS, DENSITY, POISSON, X, Y, YOUNG, Z, beam_parts, curved, derivatives_agree, disordered_curved, energy,
-    energy_error, flat, free_shell, parts, scattered_curved, scattered_flat, shake, supported, unsymmetric,
+    energy_error, flat, parts, scattered_curved, scattered_flat, shake, supported, unsymmetric,
 };
 use explicit_dynamics::Clock;
 use implicit_statics::{Control, End, Equilibrium, NewtonOptions, PathOptions, Start, follow};
@@ -49,9 +49,8 @@ fn mixed(cloud: Cloud, parts: impl Fn(Cloud) -> Parts) -> Shell {
         membrane: [-70.0, -70.0, 0.0],
         bending: [0.0; 3],
     };
-    let mut shell = Shell::with_regions(parts(cloud), vec![laminate]).unwrap();
-    shell.stress(&[one, corner]).unwrap();
-    shell
+    let shell = Shell::builder(parts(cloud)).regions(vec![laminate]);
+    shell.stresses(vec![one, corner]).build().unwrap()
 }
 
 /// Follows the preload to its end and makes the other case the one that is under way.
@@ -130,10 +129,10 @@ fn a_rigid_motion_stores_nothing_and_turns_the_forces() {
 #[test]
 fn it_is_read_as_it_was_given_whatever_the_axes_of_the_cells() {
     let thickness = 0.2;
-    let mut body = free_shell(scattered_flat(0.3, [2.0, 1.5]), CELL, thickness);
+    let cloud = scattered_flat(0.3, [2.0, 1.5]);
     let (membrane, bending) = ([40.0, -10.0, 15.0], [-30.0, 5.0, 8.0]);
-    let stress = everywhere(&body.reference().cloud.clone(), membrane, bending);
-    body.stress(std::slice::from_ref(&stress)).unwrap();
+    let stress = everywhere(&cloud, membrane, bending);
+    let body = Shell::builder(parts(cloud, CELL, thickness)).stresses(vec![stress.clone()]).build().unwrap();
     let e1 = (AXIS - Z * AXIS.z).normalize();
     let axes = [e1, Z.cross(&e1)];
     for (point, found) in body.reference().operator.points.iter().zip(results(&body)) {
@@ -160,8 +159,8 @@ fn a_constant_stress_is_in_balance_where_the_edges_are_held() {
         let share = |particles: &[u32], held: bool| {
             let supports = if held { vec![supported(particles.to_vec(), Clamped)] } else { Vec::new() };
             let stress = everywhere(&cloud, [3.0, -1.0, 2.0], [1.0, 2.0, -0.5]);
-            let mut shell = Shell::new(Parts { supports, ..parts(cloud.clone(), CELL, 0.1) }).unwrap();
-            shell.stress(&[stress]).unwrap();
+            let shell = Shell::builder(Parts { supports, ..parts(cloud.clone(), CELL, 0.1) });
+            let shell = shell.stresses(vec![stress]).build().unwrap();
             StaticShell::new(shell).unbalanced_stress()
         };
         let (held, free) = (share(&rim, true), share(&rim, false));
@@ -185,9 +184,8 @@ fn determinate(cloud: &Cloud) -> Vec<sph_shell::Supported> {
 fn a_free_plate_gives_way_until_no_force_is_left() {
     let cloud = flat([9, 6], [2.0, 1.5]);
     let stress = everywhere(&cloud, [80.0, -30.0, 25.0], [0.0; 3]);
-    let mut shell =
-        Shell::new(Parts { supports: determinate(&cloud), ..parts(cloud.clone(), CELL, 0.1) }).unwrap();
-    shell.stress(&[stress]).unwrap();
+    let shell = Shell::builder(Parts { supports: determinate(&cloud), ..parts(cloud.clone(), CELL, 0.1) });
+    let shell = shell.stresses(vec![stress]).build().unwrap();
     let mut system = StaticShell::new(shell);
     relieve(&mut system, 0.5);
     let body = system.shell();
@@ -222,8 +220,8 @@ fn a_strip_rolls_up_by_the_stress_across_its_thickness() {
     let face = -6.0 / thickness.powi(2) * bending * curvature;
     let stress = InitialStress { axis: Some(X), ..everywhere(&cloud, [0.0; 3], [face, 0.0, 0.0]) };
     let end = cloud.sides.as_ref().unwrap().edge(Side::U1)[1] as usize;
-    let mut shell = Shell::new(beam_parts(cloud, thickness, vec![clamp], Vec::new())).unwrap();
-    shell.stress(&[stress]).unwrap();
+    let shell = Shell::builder(beam_parts(cloud, thickness, vec![clamp], Vec::new()));
+    let shell = shell.stresses(vec![stress]).build().unwrap();
     let mut system = StaticShell::new(shell);
     relieve(&mut system, 0.25);
     let place = system.shell().position(end);
@@ -249,9 +247,8 @@ fn a_free_plate_bends_along_and_across() {
     let cloud = flat([13, 9], [2.0, 1.5]);
     let stress = InitialStress { axis: Some(X), ..everywhere(&cloud, [0.0; 3], [-1e-4, 0.0, 0.0]) };
     let moment = -1e-4 * thickness.powi(2) / 6.0;
-    let mut shell =
-        Shell::new(Parts { supports: determinate(&cloud), ..parts(cloud, CELL, thickness) }).unwrap();
-    shell.stress(&[stress]).unwrap();
+    let shell = Shell::builder(Parts { supports: determinate(&cloud), ..parts(cloud, CELL, thickness) });
+    let shell = shell.stresses(vec![stress]).build().unwrap();
     let mut system = StaticShell::new(shell);
     relieve(&mut system, 1.0);
     let exact = -moment / (YOUNG * thickness.powi(3) / 12.0);
@@ -273,8 +270,8 @@ fn marched(threads: usize) -> Vec<u64> {
         let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
         let stress = everywhere(&cloud, [4.0, 1.0, 2.0], [3.0, -1.0, 1.0]);
         let parts = Parts { supports: vec![clamp], threads, ..parts(cloud, CELL, 0.05) };
-        let mut shell = Shell::new(parts).unwrap();
-        shell.stress(&[stress]).unwrap();
+        let shell = Shell::builder(parts);
+        let mut shell = shell.stresses(vec![stress]).build().unwrap();
         let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
         for _ in 0..40 {
             clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
@@ -297,15 +294,15 @@ fn threads_change_no_bit_under_stress() {
 fn a_shell_that_springs_from_its_stress_keeps_energy() {
     let sprung = || {
         let cloud = disordered_curved([9, 8]);
-        let mut body = Shell::new(Parts {
+        let body = Shell::builder(Parts {
             section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, POISSON).unwrap(), 0.2).unwrap()),
             ..parts(cloud.clone(), CELL, 0.2)
-        })
-        .unwrap();
+        });
+        let stress = everywhere(&cloud, [20.0, -5.0, 5.0], [10.0, 0.0, -5.0]);
+        let mut body = body.stresses(vec![stress]).build().unwrap();
         for a in 0..body.len() {
             body.set_rate(a, Vec3::new(0.0, 0.0, 1.0), Vec3::zeros());
         }
-        body.stress(&[everywhere(&cloud, [20.0, -5.0, 5.0], [10.0, 0.0, -5.0])]).unwrap();
         body
     };
     let errors = [0.8, 0.4, 0.2].map(|safety| energy_error(sprung(), safety));
@@ -318,7 +315,9 @@ fn a_shell_that_springs_from_its_stress_keeps_energy() {
 fn what_makes_no_sense_is_refused() {
     let cloud = || flat([5, 4], [1.0, 1.0]);
     let stress = |cells: Vec<u32>, axis| InitialStress { cells, axis, membrane: [1.0; 3], bending: [0.0; 3] };
-    let with = |formulation, stress| free_shell(cloud(), formulation, 0.1).stress(&[stress]);
+    let with = |formulation, stress| {
+        Shell::builder(parts(cloud(), formulation, 0.1)).stresses(vec![stress]).build().map(drop)
+    };
     assert!(matches!(with(CELL, stress(vec![], None)), Err(ShellError::EmptySet(_))));
     assert!(matches!(with(CELL, stress(vec![12], None)), Err(ShellError::NoSuchCell { cell: 12, .. })));
     let across = with(CELL, stress(vec![3], Some(Z)));

@@ -15,17 +15,23 @@ use implicit_statics::{
 use nalgebra::Matrix3;
 use sph_core::{Cloud, Side, Vec3};
 use sph_shell::{
-    AppliedLoad, Clamped, Force, Formulation, Holds, Load, Parts, Reach, RigidSet, Shell, StaticShell,
-    Supported, Tie,
+    AppliedLoad, Clamped, Force, Formulation, Holds, Load, Parts, Reach, RigidSet, Shell, ShellBuilder,
+    StaticShell, Supported, Tie,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
-fn loaded(cloud: Cloud, formulation: Formulation, thickness: f64, clamped: Vec<u32>, load: Force) -> Shell {
+fn loaded(
+    cloud: Cloud,
+    formulation: Formulation,
+    thickness: f64,
+    clamped: Vec<u32>,
+    load: Force,
+) -> ShellBuilder {
     let clamp = (!clamped.is_empty()).then(|| supported(clamped, Clamped));
     let supports: Vec<Supported> = clamp.into_iter().collect();
     let loads = vec![AppliedLoad { load: Box::new(load) as Box<dyn Load>, amplitude: Amplitude::Constant }];
-    Shell::new(Parts { supports, loads, ..parts(cloud, formulation, thickness) }).unwrap()
+    Shell::builder(Parts { supports, loads, ..parts(cloud, formulation, thickness) })
 }
 
 /// A sheet clamped along one edge, under a force on the opposite one.
@@ -34,7 +40,7 @@ fn cantilever(cloud: Cloud, formulation: Formulation, thickness: f64) -> Shell {
     let (clamped, end) = (edge(Side::U0), edge(Side::U1));
     let force =
         Force { shares: end.into_iter().map(|a| (a, 1.0)).collect(), total: Vec3::new(0.3, 0.2, 1.0) };
-    loaded(cloud, formulation, thickness, clamped, force)
+    loaded(cloud, formulation, thickness, clamped, force).build().unwrap()
 }
 
 /// Distance of the answer from the direct one over the largest unknown of that.
@@ -49,15 +55,17 @@ fn compared(body: Shell) -> (Iterated, f64) {
 
 #[test]
 fn rigid_motions_meet_no_stiffness() {
-    let mut far = free_shell(tee(6, 0.4, 3), CELL, 0.05);
-    far.rigid(&[RigidSet {
-        particles: at(&tee(6, 0.4, 3), |x| x.z > 1.0 - 1e-9),
-        at: Vec3::new(0.1, 0.2, 1.3),
-        mass: 1.0,
-        inertia: Matrix3::identity() * 0.1,
-        holds: Vec::new(),
-    }])
-    .unwrap();
+    let far = Shell::builder(parts(tee(6, 0.4, 3), CELL, 0.05));
+    let far = far
+        .rigid(vec![RigidSet {
+            particles: at(&tee(6, 0.4, 3), |x| x.z > 1.0 - 1e-9),
+            at: Vec3::new(0.1, 0.2, 1.3),
+            mass: 1.0,
+            inertia: Matrix3::identity() * 0.1,
+            holds: Vec::new(),
+        }])
+        .build()
+        .unwrap();
     for body in [free_shell(curved([7, 6]), CELL, 0.1), free_shell(tee(6, 0.4, 3), CELL, 0.05), far] {
         let mut system = StaticShell::new(body);
         let pattern = system.pattern();
@@ -99,11 +107,12 @@ fn it_finds_the_direct_answer_whatever_the_shell_is_made_of() {
         let (clamped, end) = (edge(Side::U0), edge(Side::U1));
         let middle = at(&cloud, |x| (x.x - 1.0).abs() < 0.2 && (x.y - 0.5).abs() < 0.2);
         let force = Force { shares: end.into_iter().map(|a| (a, 1.0)).collect(), total: Z };
-        let mut body = loaded(cloud, CELL, 0.02, clamped, force);
+        let body = loaded(cloud, CELL, 0.02, clamped, force);
         let (at, holds) = (Vec3::new(1.0, 0.5, 0.3), Holds::default());
         let inertia = Matrix3::identity();
-        body.rigid(&[RigidSet { particles: middle, at, mass: 1.0, inertia, holds: vec![holds] }]).unwrap();
-        body
+        body.rigid(vec![RigidSet { particles: middle, at, mass: 1.0, inertia, holds: vec![holds] }])
+            .build()
+            .unwrap()
     };
     let tied = {
         let cloud = common::Sheets::default()
@@ -113,16 +122,15 @@ fn it_finds_the_direct_answer_whatever_the_shell_is_made_of() {
         let (ends, tip) = (at(&cloud, |x| x.x.abs() > 1.0 - 1e-9), at(&cloud, |x| x.z > 1.0 - 1e-9));
         let edge = at(&cloud, |x| x.x.abs() < 1e-9 && x.z < 1e-9);
         let force = Force { shares: line(&cloud, &tip), total: X };
-        let mut body = loaded(cloud, CELL, 0.02, ends, force);
-        body.tie(&[Tie { edge, host: (0..100).collect() }]).unwrap();
-        body
+        let body = loaded(cloud, CELL, 0.02, ends, force);
+        body.ties(vec![Tie { edge, host: (0..100).collect() }]).build().unwrap()
     };
     let all = [
         ("curved", cantilever(curved([17, 13]), CELL, 0.05)),
         ("disordered", cantilever(disordered_flat([17, 13], [1.0, 1.0]), CELL, 0.05)),
         ("wide", cantilever(flat([15, 11], [1.0, 1.0]), wide, 0.1)),
         ("nodal", cantilever(curved([15, 11]), nodal, 0.1)),
-        ("tee", stem()),
+        ("tee", stem().build().unwrap()),
         ("rigid set", body),
         ("tied", tied),
     ];
@@ -190,7 +198,7 @@ fn threads_change_no_bit() {
 fn a_body_without_supports_and_too_few_iterations_are_refused() {
     let cloud = curved([17, 13]);
     let force = Force { shares: vec![(0, 1.0), (200, -1.0)], total: Z };
-    let mut free = StaticShell::new(loaded(cloud, CELL, 0.05, Vec::new(), force));
+    let mut free = StaticShell::new(loaded(cloud, CELL, 0.05, Vec::new(), force).build().unwrap());
     let refused = conjugate_response(&mut free, 0.0, &ConjugateOptions::default()).unwrap_err();
     assert!(
         matches!(refused, EquilibriumError::Indefinite { .. } | EquilibriumError::Singular { .. }),

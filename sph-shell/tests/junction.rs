@@ -136,10 +136,10 @@ fn a_flat_fold_has_the_modes_of_a_plate() {
 #[test]
 fn particles_that_cannot_be_tied_are_refused() {
     let parallel = Sheets::default().add(Vec3::zeros(), [X, Y], [2, 2]).add(X, [X, Y], [2, 2]).cloud();
-    let refused = Shell::new(parts(parallel, CELL, 0.1)).err().unwrap();
+    let refused = Shell::builder(parts(parallel, CELL, 0.1)).build().err().unwrap();
     assert!(matches!(refused, ShellError::ParallelDirectors { .. }), "{refused}");
     let wide = common::energy_formulations()[2].1;
-    let refused = Shell::new(parts(folded(1.0, 2, 1.0, 2), wide, 0.1)).err().unwrap();
+    let refused = Shell::builder(parts(folded(1.0, 2, 1.0, 2), wide, 0.1)).build().err().unwrap();
     assert!(matches!(refused, ShellError::JunctionOfWideStencils), "{refused}");
 }
 

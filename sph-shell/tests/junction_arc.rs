@@ -51,28 +51,27 @@ fn frame(n: usize, joint: Joint) -> Shell {
     ];
     let pressed = at(&cloud, |x| (x.x - 0.2).abs() < 1e-9).into_iter().map(|a| (a, 1.0)).collect();
     let force = Force { shares: pressed, total: -Z * (20.0 * EI) };
-    let mut body = Shell::new(beam_parts(cloud, THICK, supports, vec![Box::new(force)])).unwrap();
-    match joint {
-        Joint::Shared => {}
+    let body = Shell::builder(beam_parts(cloud, THICK, supports, vec![Box::new(force)]));
+    let body = match joint {
+        Joint::Shared => body,
         Joint::Rigid => {
             let holds =
                 Holds { translations: vec![Y], director: DirectorHold::InPlane(Y), ..Holds::default() };
             let at = Z + Y * (0.5 * WIDE);
-            body.rigid(&[RigidSet {
+            body.rigid(vec![RigidSet {
                 particles: corner,
                 at,
                 mass: 0.0,
                 inertia: Matrix3::zeros(),
                 holds: vec![holds],
             }])
-            .unwrap();
         }
         Joint::Tied => {
             let edge = corner.iter().copied().filter(|a| !head.contains(a)).collect();
-            body.tie(&[Tie { edge, host: (0..2 * n as u32).collect() }]).unwrap();
+            body.ties(vec![Tie { edge, host: (0..2 * n as u32).collect() }])
         }
-    }
-    body
+    };
+    body.build().unwrap()
 }
 
 /// Largest level down to .8 of it on the other side, in units of EI/L², and points of the path.

@@ -35,7 +35,8 @@ fn error_of_fold(fold: f64, n: usize, thickness: f64) -> f64 {
     let across = -X * libm::sin(fold) + Z * libm::cos(fold);
     let force = Force { shares: line(&cloud, &end), total: across };
     let clamp = supported(at(&cloud, |x| libm::hypot(x.x, x.z) < 1e-9), Clamped);
-    let body = Shell::new(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(force)])).unwrap();
+    let body =
+        Shell::builder(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(force)])).build().unwrap();
     linear_energy(body) / beam_energy_of_fold(fold, thickness, wide) - 1.0
 }
 
@@ -71,7 +72,8 @@ fn a_stem_on_a_bar_sways_as_beams_say() {
         let tip = at(&cloud, |x| x.z > 1.0 - 1e-9);
         let force = Force { shares: line(&cloud, &tip), total: X };
         let clamp = supported(at(&cloud, |x| x.x.abs() > 1.0 - 1e-9), Clamped);
-        let body = Shell::new(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(force)])).unwrap();
+        let body =
+            Shell::builder(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(force)])).build().unwrap();
         let error = linear_energy(body) / exact - 1.0;
         println!("{n} cells a leg: {:.4} %", 100.0 * error);
         assert!(error.abs() < bound, "{n}: {error:.2e}");
@@ -87,7 +89,8 @@ fn rolled(cloud: Cloud, end: Vec<u32>, probe: [Vec3; 2], turn: f64) -> [Vec3; 2]
     let edge = line(&cloud, &end);
     let couple = EdgeCouple { edge, moment, axis: CoupleAxis::Fixed(Y) };
     let clamp = supported(at(&cloud, |x| libm::hypot(x.x, x.z) < 1e-9), Clamped);
-    let body = Shell::new(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(couple)])).unwrap();
+    let body =
+        Shell::builder(beam_parts(cloud, thickness, vec![clamp], vec![Box::new(couple)])).build().unwrap();
     let mut system = StaticShell::new(body);
     let options = NewtonOptions { tolerance: 1e-10, line_search: false, ..NewtonOptions::default() };
     let mut newton = Newton::new(&system, &options).unwrap();
@@ -159,7 +162,7 @@ fn an_end_turned_by_its_support_carries_the_joint_and_needs_the_couple_of_a_beam
         supported(joint.clone(), Rotated { axis: Y, by: angle, amplitude: Amplitude::Constant }),
     ];
     let thickness: f64 = 0.02;
-    let body = Shell::new(beam_parts(cloud, thickness, supports, Vec::new())).unwrap();
+    let body = Shell::builder(beam_parts(cloud, thickness, supports, Vec::new())).build().unwrap();
     let mut system = StaticShell::new(body);
     let mut newton = Newton::new(&system, &NewtonOptions::default()).unwrap();
     for step in 1..=16 {
@@ -207,7 +210,8 @@ fn a_column_held_by_a_beam_buckles_as_slope_deflection_says() {
             supported(all, Held { displacement: vec![Y], director: Some(Y) }),
         ];
         let force = Force { shares, total: -Z * exact };
-        let body = Shell::new(beam_parts(cloud, thickness, supports, vec![Box::new(force)])).unwrap();
+        let body =
+            Shell::builder(beam_parts(cloud, thickness, supports, vec![Box::new(force)])).build().unwrap();
         let mut system = StaticShell::new(body);
         let found = linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap();
         let level = found.modes[0].level;

@@ -69,7 +69,8 @@ fn turned_joint(cloud: Cloud, legs: usize) -> f64 {
     let ei = YOUNG * thickness.powi(3) * WIDE / 12.0;
     let phi = 12.0 * ei / (5.0 / 12.0 * YOUNG * thickness * WIDE);
     let stiffness = legs as f64 * ei * (4.0 + phi) / (1.0 + phi);
-    let body = Shell::new(beam_parts(cloud, thickness, supports, vec![Box::new(couple)])).unwrap();
+    let body =
+        Shell::builder(beam_parts(cloud, thickness, supports, vec![Box::new(couple)])).build().unwrap();
     2.0 * linear_energy(body) * stiffness
 }
 
@@ -142,7 +143,8 @@ fn a_star_turned_far_keeps_its_angles_and_newton_its_pace() {
     let tip = at(&cloud, |x| libm::hypot(x.x + 1.0, x.z) < 0.2 && libm::hypot(x.x, x.z) > 1.0 - 1e-9);
     let force = Force { shares: line(&cloud, &tip), total: Z * 2.5e-4 + Y * 0.5e-4 };
     let clamp = supported(at(&cloud, |x| (x.x - 1.0).abs() < 1e-9 && x.z.abs() < 1e-9), Clamped);
-    let body = Shell::new(beam_parts(cloud.clone(), 0.02, vec![clamp], vec![Box::new(force)])).unwrap();
+    let body =
+        Shell::builder(beam_parts(cloud.clone(), 0.02, vec![clamp], vec![Box::new(force)])).build().unwrap();
     let mut system = StaticShell::new(body);
     let options = NewtonOptions { tolerance: 1e-10, line_search: false, keep: 0.0, ..Default::default() };
     let mut newton = Newton::new(&system, &options).unwrap();

@@ -108,12 +108,13 @@ fn one_step_and_two_halves_give_the_same_bits() {
         let tip = at(&cloud, |x| x.z > 0.99).into_iter().map(|a| (a, 1.0)).collect();
         let force = Force { shares: tip, total: Vec3::new(1.0, 0.4, -0.3) };
         let applied = AppliedLoad { load: Box::new(force), amplitude: Amplitude::Constant };
-        let mut body = Shell::new(Parts {
+        let mut body = Shell::builder(Parts {
             supports: vec![clamp],
             loads: vec![applied],
             threads,
             ..parts(cloud, CELL, 0.1)
         })
+        .build()
         .unwrap();
         let dt = 0.5 * body.stable_step(1.0).unwrap().dt;
         let mut bits = Vec::new();

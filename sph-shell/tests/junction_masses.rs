@@ -31,15 +31,13 @@ fn frame(cells: usize, mass: f64, leg: usize, clamped: bool, gravity: Option<Vec
         amplitude: Amplitude::Constant,
     };
     let held: Vec<Supported> = clamped.then(|| supported(root, Clamped)).into_iter().collect();
-    let mut shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), THICK).unwrap()),
         supports: held,
         loads: gravity.map(applied).into_iter().collect(),
         ..parts(cloud, CELL, THICK)
-    })
-    .unwrap();
-    shell.lump(&masses).unwrap();
-    shell
+    });
+    shell.masses(masses).build().unwrap()
 }
 
 /// Weight and inertia of a joint are those of its particles and of what is lumped there: a free frame falls as one body. Without the

@@ -67,7 +67,7 @@ fn body(
     let loads = vec![AppliedLoad { load, amplitude: Amplitude::Constant }];
     let parts =
         Parts { section: Box::new(section), supports, loads, ..common::parts(cloud, CELL, thickness) };
-    StaticShell::new(Shell::new(parts).unwrap())
+    StaticShell::new(Shell::builder(parts).build().unwrap())
 }
 
 /// Iterations, factorisations and solves of so many equal levels, and the internal energy at the end.

@@ -62,7 +62,8 @@ fn isotropic_shells_do_not_see_the_axes() {
         for &(name, formulation) in &formulations {
             let built = |axis| {
                 let mut shell =
-                    Shell::new(Parts { material_axis: axis, ..parts(cloud.clone(), formulation, 0.2) })
+                    Shell::builder(Parts { material_axis: axis, ..parts(cloud.clone(), formulation, 0.2) })
+                        .build()
                         .unwrap();
                 shake(&mut shell, 0.1, 4);
                 let mut dice = RandomNumbers(6);
@@ -166,7 +167,9 @@ fn plies_count_from_the_axis() {
         let section = Box::new(unsymmetric(turn));
         let cloud = disordered_flat([6, 5], [2.0, 1.5]);
         let mut shell =
-            Shell::new(Parts { section, material_axis: Some(axis), ..parts(cloud, CELL, 0.2) }).unwrap();
+            Shell::builder(Parts { section, material_axis: Some(axis), ..parts(cloud, CELL, 0.2) })
+                .build()
+                .unwrap();
         shake(&mut shell, 0.1, 5);
         forces(&mut shell)
     };
@@ -209,7 +212,7 @@ fn the_stable_step_is_that_of_the_fastest_wave() {
         let section = Box::new(LayeredSection::new(&plies).unwrap());
         let material_axis = Some(Vec3::new(cos, sin, 0.0));
         let made = parts(flat([11, 11], [1.0, 1.0]), CELL, 0.01);
-        let mut body = Shell::new(Parts { section, material_axis, ..made }).unwrap();
+        let mut body = Shell::builder(Parts { section, material_axis, ..made }).build().unwrap();
         let spectrum = largest_eigenvalue(&mut body, 40);
         let scaled = 2.0 / spectrum.bound().sqrt() * body.reference().sound_speed / 0.1;
         println!("{degrees}°: {scaled:.3}");
@@ -222,6 +225,6 @@ fn an_axis_that_stands_on_the_shell_is_refused() {
     let section = Box::new(unsymmetric(0.0));
     let parts =
         Parts { section, material_axis: Some(Vec3::z()), ..parts(flat([5, 5], [1.0, 1.0]), CELL, 0.2) };
-    let error = Shell::new(parts).err().unwrap();
+    let error = Shell::builder(parts).build().err().unwrap();
     assert!(matches!(error, ShellError::Space(SpaceError::AxisNormal { .. })), "{error}");
 }

@@ -5,7 +5,8 @@
 mod common;
 
 use common::{
-    DENSITY, RandomNumbers, Sheets, X, Y, Z, at, curved, flat, free_shell, shell, spectrum, supported,
+    DENSITY, RandomNumbers, Sheets, X, Y, Z, at, curved, flat, free_shell, parts, shell_parts, spectrum,
+    supported,
 };
 use explicit_dynamics::{Clock, Dynamics, largest_eigenvalue};
 use implicit_statics::Equilibrium;
@@ -61,25 +62,27 @@ fn forces_and_tangent_are_derivatives_of_the_energy() {
     let ends = [[12_u32, 15], [36, 39]];
     let places = [Vec3::new(0.3, 1.9, 1.4), Vec3::new(-0.2, 0.6, 2.2)];
     let clamp = supported(cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec(), Clamped);
-    let mut body = shell(cloud.clone(), CELL, 0.2, &StretchCorrected, vec![clamp], vec![]);
+    let body = Shell::builder(shell_parts(cloud.clone(), CELL, 0.2, &StretchCorrected, vec![clamp], vec![]));
     let particles = |[a, b]: [u32; 2]| vec![a, a + 1, b - 1, b];
     let rigid = [set(particles(ends[0]), places[0], vec![]), set(particles(ends[1]), places[1], vec![slid])];
-    body.rigid(&rigid).unwrap();
+    let body = body.rigid(rigid.to_vec());
     let k = 30.0;
-    body.spring(Springs {
-        turning: vec![
-            TurnSpring { stiffness: vec![(20, k), (21, 2.0 * k)], axis: axes[0] * 3.0 },
-            TurnSpring { stiffness: vec![(14, k), (21, k)], axis: axes[1] },
-        ],
-        between: vec![SpringBetween { stiffness: vec![([20, 44], 5.0 * k), ([37, 9], k)], direction: n }],
-        of_bodies: vec![
-            BodySpring::Turning { body: 0, stiffness: k, axis: axes[0] },
-            BodySpring::Turning { body: 1, stiffness: 2.0 * k, axis: axes[1] },
-            BodySpring::Between { bodies: [1, 0], stiffness: 3.0 * k, direction: m },
-        ],
-        ..Springs::default()
-    })
-    .unwrap();
+    let body = body
+        .springs(Springs {
+            turning: vec![
+                TurnSpring { stiffness: vec![(20, k), (21, 2.0 * k)], axis: axes[0] * 3.0 },
+                TurnSpring { stiffness: vec![(14, k), (21, k)], axis: axes[1] },
+            ],
+            between: vec![SpringBetween { stiffness: vec![([20, 44], 5.0 * k), ([37, 9], k)], direction: n }],
+            of_bodies: vec![
+                BodySpring::Turning { body: 0, stiffness: k, axis: axes[0] },
+                BodySpring::Turning { body: 1, stiffness: 2.0 * k, axis: axes[1] },
+                BodySpring::Between { bodies: [1, 0], stiffness: 3.0 * k, direction: m },
+            ],
+            ..Springs::default()
+        })
+        .build()
+        .unwrap();
     let stored = |shell: &Shell| {
         let rest = |a: usize| shell.reference().cloud.frames[a].n;
         let of = |a: usize, axis: &Vec3| 0.5 * k * turned(axis, &rest(a), &shell.director(a)).powi(2);
@@ -168,10 +171,9 @@ fn springs_between_sheets_know_no_common_motion() {
             edge(1.0, 0).into_iter().zip(edge(1.0 + gap, 30)).map(|(a, b)| ([a, b], 8.0)).collect();
         assert_eq!(pairs.len(), 5);
         let made = || {
-            let mut body = free_shell(cloud.clone(), CELL, 0.1);
+            let body = Shell::builder(parts(cloud.clone(), CELL, 0.1));
             let all = [X, Y, Z].map(|direction| SpringBetween { stiffness: pairs.clone(), direction });
-            body.spring(Springs { between: all.into(), ..Springs::default() }).unwrap();
-            body
+            body.springs(Springs { between: all.into(), ..Springs::default() }).build().unwrap()
         };
         let mut body = made();
         let turn = match gap == 0.0 {
@@ -223,7 +225,8 @@ fn stiff_springs_have_their_frequencies() {
     let before = stiff.stable_step(1.0).unwrap().dt;
     let (k, inertia) = (1e6, stiff.reference().inertias[7]);
     let turning = vec![TurnSpring { stiffness: vec![(7, k)], axis: X }];
-    stiff.spring(Springs { turning, ..Springs::default() }).unwrap();
+    let stiff = Shell::builder(parts(flat([6, 5], [1.0, 0.8]), CELL, 0.1));
+    let mut stiff = stiff.springs(Springs { turning, ..Springs::default() }).build().unwrap();
     let after = stiff.stable_step(1.0).unwrap().dt;
     let exact = 2.0 / (k / inertia).sqrt();
     println!("stable step {before:.3e} {after:.3e} {exact:.3e}");
@@ -231,16 +234,15 @@ fn stiff_springs_have_their_frequencies() {
 
     let axis = Vec3::new(0.0, 0.6, 0.8);
     let hinged = || {
-        let mut body = free_shell(flat([5, 4], [1.0, 0.8]), CELL, THICK);
+        let body = Shell::builder(parts(flat([5, 4], [1.0, 0.8]), CELL, THICK));
         let hold =
             Holds { translations: vec![X, Y, Z], director: DirectorHold::InPlane(axis), ..Holds::default() };
         let inertia = Matrix3::identity() * 2.0;
         let at = Vec3::new(0.9, 0.1, 0.3);
         let set = RigidSet { particles: (0..20).collect(), at, mass: 0.5, inertia, holds: vec![hold] };
-        body.rigid(&[set]).unwrap();
+        let body = body.rigid(vec![set]);
         let of_bodies = vec![BodySpring::Turning { body: 0, stiffness: 7.0, axis: axis * 2.0 }];
-        body.spring(Springs { of_bodies, ..Springs::default() }).unwrap();
-        body
+        body.springs(Springs { of_bodies, ..Springs::default() }).build().unwrap()
     };
     // A plate a × b × t about its middle, moved to the hinge.
     let (a, b) = (1.0, 0.8);
@@ -256,16 +258,15 @@ fn stiff_springs_have_their_frequencies() {
 
     let pair = || {
         let sheets = Sheets::default().add(Vec3::zeros(), [X, Y], [3, 3]).add(X * 3.0, [X, Y * 2.0], [3, 3]);
-        let mut body = free_shell(sheets.apart(), CELL, THICK);
+        let body = Shell::builder(parts(sheets.apart(), CELL, THICK));
         let set = |first: u32, at: Vec3| RigidSet {
             particles: (first..first + 16).collect(),
             at,
             ..RigidSet::default()
         };
-        body.rigid(&[set(0, Vec3::new(0.5, 0.5, 0.0)), set(16, Vec3::new(3.5, 1.0, 0.0))]).unwrap();
+        let body = body.rigid(vec![set(0, Vec3::new(0.5, 0.5, 0.0)), set(16, Vec3::new(3.5, 1.0, 0.0))]);
         let of_bodies = vec![BodySpring::Between { bodies: [0, 1], stiffness: 5.0, direction: Z }];
-        body.spring(Springs { of_bodies, ..Springs::default() }).unwrap();
-        body
+        body.springs(Springs { of_bodies, ..Springs::default() }).build().unwrap()
     };
     let exact = 5.0 * (1.0 / (DENSITY * THICK) + 1.0 / (2.0 * DENSITY * THICK));
     let found = spectrum(pair());
@@ -278,8 +279,9 @@ fn stiff_springs_have_their_frequencies() {
 
 #[test]
 fn springs_that_are_none_are_refused() {
-    let refused =
-        |springs: Springs| free_shell(flat([4, 3], [1.0, 0.8]), CELL, 0.1).spring(springs).unwrap_err();
+    let refused = |springs: Springs| {
+        Shell::builder(parts(flat([4, 3], [1.0, 0.8]), CELL, 0.1)).springs(springs).build().err().unwrap()
+    };
     let turning =
         |stiffness, axis| Springs { turning: vec![TurnSpring { stiffness, axis }], ..Springs::default() };
     let between = |stiffness| Springs {

@@ -69,11 +69,8 @@ fn loaded(
     let applied = |load| AppliedLoad { load: Box::new(load), amplitude: Amplitude::Constant };
     let loads = load.into_iter().map(applied).collect();
     let parts = Parts { section: Box::new(section), supports, loads, ..parts(cloud, CELL, thick) };
-    let mut shell = Shell::new(parts).unwrap();
-    if let Some(set) = body {
-        shell.rigid(&[RigidSet { particles: patch, holds: asked.to_vec(), ..set }]).unwrap();
-    }
-    shell
+    let rigid = body.map(|set| RigidSet { particles: patch, holds: asked.to_vec(), ..set });
+    Shell::builder(parts).rigid(rigid.into_iter().collect()).build().unwrap()
 }
 
 fn patch() -> Vec<u32> {
@@ -341,7 +338,7 @@ fn supports_of_a_body_that_oppose_each_other_are_refused() {
     let course = Amplitude::Constant;
     let refused = |asked: &[Holds]| {
         let set = RigidSet { particles: patch(), holds: asked.to_vec(), ..RigidSet::default() };
-        Shell::new(parts(flat([11, 7], [1.5, 1.0]), CELL, 0.05)).unwrap().rigid(&[set]).unwrap_err()
+        Shell::builder(parts(flat([11, 7], [1.5, 1.0]), CELL, 0.05)).rigid(vec![set]).build().err().unwrap()
     };
     let ramp = Amplitude::Ramp(PI);
     for (asked, says) in [

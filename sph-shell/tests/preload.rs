@@ -164,7 +164,7 @@ fn strip(cells: usize, first: f64, then: f64) -> StaticShell {
         loads,
         ..parts(cloud, CELL, THICK)
     };
-    StaticShell::new(Shell::new(parts).unwrap())
+    StaticShell::new(Shell::builder(parts).build().unwrap())
 }
 
 /// With the stretch λ of the force N, `½ (λ² − 1) λ = N/EA`, the strip has the stiffness `N k²/λ + EI k⁴/λ²` against the

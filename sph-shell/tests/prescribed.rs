@@ -84,12 +84,13 @@ fn strip(particles: usize, supports: impl Fn(&sph_core::Sides) -> Vec<Supported>
     let shares = edge.iter().enumerate().map(|(i, &a)| (a, if i == 1 { 2.0 } else { 1.0 })).collect();
     let force = Force { shares, total: Vec3::x() * -end_force };
     let load = AppliedLoad { load: Box::new(force), amplitude: Amplitude::Constant };
-    Shell::new(Parts {
+    Shell::builder(Parts {
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), THICK).unwrap()),
         supports: supports(&sides),
         loads: if end_force == 0.0 { Vec::new() } else { vec![load] },
         ..parts(cloud, CELL, THICK)
     })
+    .build()
     .unwrap()
 }
 
@@ -268,7 +269,7 @@ fn contradictions_name_both_supports() {
             Supported { particles: edge.clone(), support: other },
             Supported { particles: edge, support: Box::new(rotated(Vec3::y(), 0.5)) },
         ];
-        Shell::new(Parts { supports, ..parts(cloud, CELL, 0.2) })
+        Shell::builder(Parts { supports, ..parts(cloud, CELL, 0.2) }).build()
     };
     let refused: [Box<dyn Support>; 3] =
         [Box::new(Clamped), Box::new(SymmetryPlane { normal: Vec3::x() }), Box::new(rotated(Vec3::y(), 0.5))];

@@ -31,8 +31,9 @@ fn hinged(cloud: &Cloud, [a, b]: [f64; 2]) -> Vec<Supported> {
 /// Squares of the lowest frequencies of a plate 10 × 8 with hinged edges under a stress resultant.
 fn squares(cloud: &Cloud, thickness: f64, [n11, n22]: [f64; 2], count: usize) -> Vec<f64> {
     let supports = hinged(cloud, [10.0, 8.0]);
-    let mut shell = Shell::new(Parts { supports, ..parts(cloud.clone(), CELL, thickness) }).unwrap();
-    shell.stress(&[everywhere(cloud, [n11 / thickness, n22 / thickness, 0.0])]).unwrap();
+    let shell = Shell::builder(Parts { supports, ..parts(cloud.clone(), CELL, thickness) });
+    let shell =
+        shell.stresses(vec![everywhere(cloud, [n11 / thickness, n22 / thickness, 0.0])]).build().unwrap();
     let mut system = StaticShell::new(shell);
     assert!(system.unbalanced_stress() < 1e-14);
     let modes = natural_modes(&mut system, 0.0, count, 0.0, &mut unwatched).unwrap().modes;
@@ -107,9 +108,9 @@ fn a_plate_buckles_where_its_stress_reaches_the_critical_one() {
     // On both sides of it: stable, and one direction that is not.
     let negative = |part: f64| {
         let supports = hinged(&cloud, [10.0, 8.0]);
-        let mut shell = Shell::new(Parts { supports, ..parts(cloud.clone(), CELL, thickness) }).unwrap();
+        let shell = Shell::builder(Parts { supports, ..parts(cloud.clone(), CELL, thickness) });
         let stress = -part * reached * critical / thickness;
-        shell.stress(&[everywhere(&cloud, [stress, stress, 0.0])]).unwrap();
+        let shell = shell.stresses(vec![everywhere(&cloud, [stress, stress, 0.0])]).build().unwrap();
         let found =
             linear_buckling(&mut StaticShell::new(shell), 0.0, &BucklingOptions::new(1), &mut unwatched);
         match found {
@@ -150,8 +151,9 @@ fn tension_across_delays_buckling() {
         let shares =
             edge.iter().enumerate().map(|(i, &a)| (a, if i == 0 || i == last { 0.5 } else { 1.0 })).collect();
         let load: Box<dyn Load> = Box::new(Force { shares, total: -8.0 * X });
-        let mut shell = Shell::new(beam_parts(cloud.clone(), thickness, supports, vec![load])).unwrap();
-        shell.stress(&[everywhere(&cloud, [0.0, tension / thickness, 0.0])]).unwrap();
+        let shell = Shell::builder(beam_parts(cloud.clone(), thickness, supports, vec![load]));
+        let shell =
+            shell.stresses(vec![everywhere(&cloud, [0.0, tension / thickness, 0.0])]).build().unwrap();
         let mut system = StaticShell::new(shell);
         assert!(system.unbalanced_stress() < 1e-14);
         linear_buckling(&mut system, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap().modes[0].level

@@ -49,16 +49,16 @@ fn mixed(cloud: Cloud) -> Shell {
         strain: Some(&GreenLagrange),
     };
     let thick = plain(right, isotropic(3.0 * YOUNG, 0.1, 0.3), -0.05);
-    Shell::with_regions(parts(cloud, CELLS, 0.2), vec![laminate, thick]).unwrap()
+    Shell::builder(parts(cloud, CELLS, 0.2)).regions(vec![laminate, thick]).build().unwrap()
 }
 
 #[test]
 fn a_region_of_the_same_section_changes_nothing() {
     for cloud in [curved([7, 6]), disordered_curved([7, 6]), scattered_curved(0.45)] {
         let all = cells(&cloud, |_| true);
-        let mut one = Shell::new(parts(cloud.clone(), CELLS, 0.2)).unwrap();
+        let mut one = Shell::builder(parts(cloud.clone(), CELLS, 0.2)).build().unwrap();
         let same = plain(all, isotropic(YOUNG, POISSON, 0.2), 0.0);
-        let mut other = Shell::with_regions(parts(cloud, CELLS, 0.5), vec![same]).unwrap();
+        let mut other = Shell::builder(parts(cloud, CELLS, 0.5)).regions(vec![same]).build().unwrap();
         for body in [&mut one, &mut other] {
             shake(body, 0.05, 5);
             body.evaluate_internal(true);
@@ -119,7 +119,7 @@ impl Strip {
             loads: vec![AppliedLoad { load, amplitude: Amplitude::Constant }],
             ..parts(self.cloud.clone(), CELLS, 1.0)
         };
-        let mut system = StaticShell::new(Shell::with_regions(parts, regions).unwrap());
+        let mut system = StaticShell::new(Shell::builder(parts).regions(regions).build().unwrap());
         let response = linear_response(&mut system, 0.0).unwrap();
         system.update(&response.iter().map(|u| 1e-6 * u).collect::<Vec<_>>());
         let moved = |&(a, share): &(u32, f64)| system.shell().displacement(a as usize) * share;
@@ -223,7 +223,7 @@ fn marched(threads: usize) -> Vec<u64> {
             threads,
             ..parts(cloud, CELLS, 0.05)
         };
-        let mut shell = Shell::with_regions(parts, regions).unwrap();
+        let mut shell = Shell::builder(parts).regions(regions).build().unwrap();
         let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
         for _ in 0..40 {
             clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
@@ -245,8 +245,9 @@ fn threads_change_no_bit_of_several_sections() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     let cloud = || flat([5, 4], [1.0, 1.0]);
-    let with =
-        |formulation, regions| Shell::with_regions(parts(cloud(), formulation, 0.1), regions).map(drop);
+    let with = |formulation, regions| {
+        Shell::builder(parts(cloud(), formulation, 0.1)).regions(regions).build().map(drop)
+    };
     let region = |cells| plain(cells, isotropic(1.0, 0.0, 0.1), 0.0);
     assert!(matches!(
         with(CELLS, vec![region(vec![0, 1]), region(vec![1])]),
@@ -268,24 +269,25 @@ fn a_mass_at_the_end_lowers_the_frequency() {
     let strip = Strip::new([41, 3]);
     let t = 0.1_f64;
     let clamp = strip.cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
-    let parts = Parts {
-        section: isotropic(YOUNG, 0.0, t),
-        supports: vec![Supported { particles: clamp, support: Box::new(Clamped) }],
-        ..parts(strip.cloud.clone(), CELLS, t)
+    let strip_with = |masses: Vec<(u32, f64)>| {
+        let parts = Parts {
+            section: isotropic(YOUNG, 0.0, t),
+            supports: vec![Supported { particles: clamp.clone(), support: Box::new(Clamped) }],
+            ..parts(strip.cloud.clone(), CELLS, t)
+        };
+        Shell::builder(parts).masses(masses).build()
     };
-    let mut shell = Shell::new(parts).unwrap();
-    let whole: f64 = shell.reference().masses.iter().sum();
+    let whole: f64 = strip_with(Vec::new()).unwrap().reference().masses.iter().sum();
     // As much as the strip itself, shared by the end as its width is.
-    let masses: Vec<(u32, f64)> = strip.end.iter().map(|&(a, share)| (a, 0.5 * whole * share)).collect();
-    shell.lump(&masses).unwrap();
-    let mut system = StaticShell::new(shell);
+    let masses = strip.end.iter().map(|&(a, share)| (a, 0.5 * whole * share)).collect();
+    let mut system = StaticShell::new(strip_with(masses).unwrap());
     let found =
         natural_modes(&mut system, 0.0, 1, 0.0, &mut unwatched).unwrap().modes[0].circular_frequency();
     // 1 + cos x cosh x + x (cos x sinh x − sin x cosh x) = 0 at x = 1.247917.
     let exact = 1.247_917_f64.powi(2) * (YOUNG * t * t / 12.0 / DENSITY / 1e4).sqrt();
     assert!((found / exact - 1.0).abs() < 3e-3, "{found} {exact}");
-    assert!(matches!(system.shell_mut().lump(&[(7, -1.0)]), Err(ShellError::Mass { particle: 7, .. })));
-    assert!(matches!(system.shell_mut().lump(&[(700, 1.0)]), Err(ShellError::NoSuchParticle { .. })));
+    assert!(matches!(strip_with(vec![(7, -1.0)]), Err(ShellError::Mass { particle: 7, .. })));
+    assert!(matches!(strip_with(vec![(700, 1.0)]), Err(ShellError::NoSuchParticle { .. })));
 }
 
 /// The left half of a strip measures curvature as Green and Lagrange have it, the right half free of stretch: under an end couple C they turn by
@@ -307,7 +309,7 @@ fn two_measures_in_one_strip_turn_as_each_says() {
         ..parts(cloud, CELLS, thickness)
     };
     let own = Region { strain: Some(&GreenLagrange), ..plain(left, isotropic(YOUNG, 0.0, thickness), 0.0) };
-    let mut system = StaticShell::new(Shell::with_regions(parts, vec![own]).unwrap());
+    let mut system = StaticShell::new(Shell::builder(parts).regions(vec![own]).build().unwrap());
     let options = PathOptions::new(Control::Load { step: 0.1, until: 1.0 });
     let path = follow(&mut system, &Start::default(), &options, |_, _| ControlFlow::Continue(()));
     assert_eq!(path.end, Ok(End::Reached));

@@ -7,8 +7,7 @@ mod common;
 use std::f64::consts::PI;
 
 use common::{
-    RandomNumbers, X, Y, YOUNG, Z, at, beam_parts, curved, flat, free_shell, parts, shell, spectrum,
-    supported, tee,
+    RandomNumbers, X, Y, YOUNG, Z, at, beam_parts, curved, flat, parts, shell_parts, spectrum, supported, tee,
 };
 use implicit_statics::{
     BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
@@ -17,7 +16,7 @@ use nalgebra::Matrix3;
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, CoupleAxis, DirectorHold, EdgeCouple, Formulation, Hinged, Holds, Load, Reach, RigidLoad,
+    Clamped, CoupleAxis, DirectorHold, EdgeCouple, Formulation, Hinged, Holds, Load, Parts, Reach, RigidLoad,
     RigidSet, Shell, ShellError, StaticShell,
 };
 
@@ -39,15 +38,17 @@ fn patched(holds: Vec<Holds>, force: Vec3, couple: Vec3) -> StaticShell {
     let particles: Vec<u32> = [2, 3, 4].into_iter().flat_map(|i| [1, 2, 3].map(|j| 6 * i + j)).collect();
     let at = cloud.positions[particles[4] as usize] + Vec3::new(0.1, -0.2, 0.4);
     let push = vec![load(force, couple)];
-    let mut body = shell(cloud, CELL, 0.2, &StretchCorrected, vec![clamp], push);
-    body.rigid(&[RigidSet {
-        particles,
-        at,
-        mass: 2.0,
-        inertia: Matrix3::from_diagonal(&Vec3::new(0.1, 0.3, 0.2)),
-        holds,
-    }])
-    .unwrap();
+    let body = Shell::builder(shell_parts(cloud, CELL, 0.2, &StretchCorrected, vec![clamp], push));
+    let body = body
+        .rigid(vec![RigidSet {
+            particles,
+            at,
+            mass: 2.0,
+            inertia: Matrix3::from_diagonal(&Vec3::new(0.1, 0.3, 0.2)),
+            holds,
+        }])
+        .build()
+        .unwrap();
     StaticShell::new(body)
 }
 
@@ -126,9 +127,8 @@ fn heavy(particles: Vec<u32>, at: Vec3) -> RigidSet {
 /// Free sheets of which a patch, an edge or parts of both sheets of a tee are rigid.
 fn free_bodies() -> Vec<(&'static str, Shell)> {
     let made = |cloud, set| {
-        let mut body = free_shell(cloud, CELL, 0.1);
-        body.rigid(&[set]).unwrap();
-        body
+        let body = Shell::builder(parts(cloud, CELL, 0.1));
+        body.rigid(vec![set]).build().unwrap()
     };
     let stem = tee(3, 1.0, 3);
     let joint = at(&stem, |x| x.x.abs() < 0.4 && x.z < 0.4);
@@ -182,7 +182,7 @@ fn cantilever(cells: usize, beyond: f64, mass: f64, inertia: f64, loads: Vec<Box
     let cloud = flat([cells + 1, 3], [LENGTH, 1.0]);
     let sides = cloud.sides.clone().unwrap();
     let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
-    let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], loads)).unwrap();
+    let body = Shell::builder(beam_parts(cloud, THICK, vec![clamp], loads));
     let set = RigidSet {
         particles: sides.edge(Side::U1).to_vec(),
         at: Vec3::new(LENGTH + beyond, 0.5, 0.0),
@@ -190,8 +190,7 @@ fn cantilever(cells: usize, beyond: f64, mass: f64, inertia: f64, loads: Vec<Box
         inertia: Matrix3::identity() * inertia,
         ..RigidSet::default()
     };
-    body.rigid(&[set]).unwrap();
-    body
+    body.rigid(vec![set]).build().unwrap()
 }
 
 /// What is out of balance of a clamped beam with a body at its end, its centre a distance beyond, `x = βL`:
@@ -280,7 +279,7 @@ fn an_end_couple_through_a_body_is_one_spread_over_the_edge() {
     let spread = EdgeCouple { edge, moment: -moment, axis: CoupleAxis::Fixed(Y) };
     let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
     let (other, _) =
-        solve(Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![Box::new(spread)])).unwrap());
+        solve(Shell::builder(beam_parts(cloud, THICK, vec![clamp], vec![Box::new(spread)])).build().unwrap());
     let apart = (bent.shell().position(end) - other.shell().position(end)).norm() / LENGTH;
     let circle = Vec3::new(0.0, 0.5, 2.0 * LENGTH / PI);
     let off = (bent.shell().position(end) - circle).norm() / LENGTH;
@@ -324,7 +323,7 @@ fn a_column_below_a_guided_cap_buckles_as_one_with_a_held_edge() {
         let sides = cloud.sides.clone().unwrap();
         let clamp = supported(sides.edge(Side::U0).to_vec(), Clamped);
         let push = load(-X * EI / LENGTH.powi(2), Vec3::zeros());
-        let mut body = Shell::new(beam_parts(cloud, THICK, vec![clamp], vec![push])).unwrap();
+        let body = Shell::builder(beam_parts(cloud, THICK, vec![clamp], vec![push]));
         let holds = Holds { translations: vec![Y, Z], director: DirectorHold::Fixed, ..Holds::default() };
         let set = RigidSet {
             particles: sides.edge(Side::U1).to_vec(),
@@ -332,7 +331,7 @@ fn a_column_below_a_guided_cap_buckles_as_one_with_a_held_edge() {
             holds: vec![holds],
             ..RigidSet::default()
         };
-        body.rigid(&[set]).unwrap();
+        let body = body.rigid(vec![set]).build().unwrap();
         let mut system = StaticShell::new(body);
         let options = BucklingOptions::new(1);
         linear_buckling(&mut system, 0.0, &options, &mut unwatched).unwrap().modes[0].level
@@ -346,30 +345,33 @@ fn a_column_below_a_guided_cap_buckles_as_one_with_a_held_edge() {
 #[test]
 fn sets_that_cannot_be_rigid_are_refused() {
     let cloud = || flat([6, 5], [1.0, 0.8]);
-    let clamped =
-        |on: Vec<u32>| shell(cloud(), CELL, 0.1, &StretchCorrected, vec![supported(on, Hinged)], vec![]);
+    let clamped = |on: Vec<u32>| Parts { supports: vec![supported(on, Hinged)], ..parts(cloud(), CELL, 0.1) };
     let set = |particles: Vec<u32>| RigidSet { particles, ..RigidSet::default() };
-    let refused = |mut body: Shell, sets: &[RigidSet]| body.rigid(sets).unwrap_err();
-    let free = || free_shell(cloud(), CELL, 0.1);
-    assert!(matches!(refused(clamped(vec![3]), &[set(vec![2, 3])]), ShellError::RigidHeld { particle: 3 }));
+    let refused =
+        |parts: Parts, sets: Vec<RigidSet>| Shell::builder(parts).rigid(sets).build().err().unwrap();
+    let free = || parts(cloud(), CELL, 0.1);
     assert!(matches!(
-        refused(free(), &[set(vec![2, 3]), set(vec![3, 4])]),
+        refused(clamped(vec![3]), vec![set(vec![2, 3])]),
+        ShellError::RigidHeld { particle: 3 }
+    ));
+    assert!(matches!(
+        refused(free(), vec![set(vec![2, 3]), set(vec![3, 4])]),
         ShellError::RigidTwice { particle: 3 }
     ));
-    assert!(matches!(refused(free(), &[set(vec![2])]), ShellError::RigidOnALine { set: 0 }));
-    assert!(matches!(refused(free(), &[set(vec![])]), ShellError::EmptySet(_)));
+    assert!(matches!(refused(free(), vec![set(vec![2])]), ShellError::RigidOnALine { set: 0 }));
+    assert!(matches!(refused(free(), vec![set(vec![])]), ShellError::EmptySet(_)));
     let mass = RigidSet { mass: -1.0, ..set(vec![2, 3]) };
-    assert!(matches!(refused(free(), &[mass]), ShellError::RigidInertia { set: 0, .. }));
-    let stem = free_shell(tee(3, 1.0, 3), CELL, 0.1);
-    let group = stem.reference().cloud.joined[0].clone();
+    assert!(matches!(refused(free(), vec![mass]), ShellError::RigidInertia { set: 0, .. }));
+    let stem = parts(tee(3, 1.0, 3), CELL, 0.1);
+    let group = stem.cloud.joined[0].clone();
     let half = RigidSet { particles: vec![group[0], group[0] + 1], ..RigidSet::default() };
     assert!(matches!(
-        refused(stem, &[half]),
+        refused(stem, vec![half]),
         ShellError::RigidInPart { .. } | ShellError::RigidOnALine { .. }
     ));
     let wide = Formulation::StressPoint(Reach::Kernel(&sph_core::CubicSpline, 1.4));
     assert!(matches!(
-        refused(Shell::new(parts(cloud(), wide, 0.1)).unwrap(), &[set(vec![2, 3])]),
+        refused(parts(cloud(), wide, 0.1), vec![set(vec![2, 3])]),
         ShellError::RigidOfWideStencils
     ));
 }

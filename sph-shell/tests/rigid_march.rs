@@ -31,8 +31,8 @@ fn set_on(cloud: &sph_core::Cloud) -> RigidSet {
 /// A free shell with that body that spins, drifts and shakes; its set.
 fn thrown(cloud: sph_core::Cloud) -> (Shell, RigidSet) {
     let set = set_on(&cloud);
-    let mut body = free_shell(cloud, CELL, THICK);
-    body.rigid(std::slice::from_ref(&set)).unwrap();
+    let body = Shell::builder(parts(cloud, CELL, THICK));
+    let mut body = body.rigid(vec![set.clone()]).build().unwrap();
     let (spin, drift) = (Vec3::new(0.9, -0.6, 1.5), Vec3::new(1.0, 0.5, -0.2));
     for a in 0..body.len() {
         let (x, d) = (body.position(a), body.director(a));
@@ -141,8 +141,8 @@ fn a_rigid_set_shortens_no_step() {
         for mass in [0.0, 1.0] {
             let cloud = flat([8, 7], [1.0, 0.8]);
             let set = RigidSet { mass, inertia: Matrix3::identity() * mass, ..set_on(&cloud) };
-            let mut body = free_shell(cloud, CELL, thickness);
-            body.rigid(&[set]).unwrap();
+            let body = Shell::builder(parts(cloud, CELL, thickness));
+            let body = body.rigid(vec![set]).build().unwrap();
             let rigid = omega(body);
             println!("t = {thickness}, M = {mass}: free {free:.6e}, rigid {rigid:.6e}");
             assert!(rigid <= free * (1.0 + 1e-6), "{rigid} {free}");
@@ -165,10 +165,8 @@ fn cantilever(threads: usize) -> Shell {
         Box::new(Gravity { acceleration: Vec3::new(0.0, 0.0, -0.03) }),
     ];
     let loads = loads.into_iter().map(|load| AppliedLoad { load, amplitude: Amplitude::Constant }).collect();
-    let mut body =
-        Shell::new(Parts { supports: vec![clamp], loads, threads, ..parts(cloud, CELL, 0.1) }).unwrap();
-    body.rigid(&[set]).unwrap();
-    body
+    let body = Shell::builder(Parts { supports: vec![clamp], loads, threads, ..parts(cloud, CELL, 0.1) });
+    body.rigid(vec![set]).build().unwrap()
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn linear(
     let applied = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
     let loads = loads.into_iter().map(applied).collect();
     let body = Parts { section: Box::new(section), supports, loads, ..parts(cloud, CELL, thickness) };
-    let mut system = StaticShell::new(Shell::new(body).unwrap());
+    let mut system = StaticShell::new(Shell::builder(body).build().unwrap());
     let mut load = vec![0.0; system.unknowns()];
     system.load_rate(0.0, &mut load);
     let u = linear_response(&mut system, 0.0).unwrap();

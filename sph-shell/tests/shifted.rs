@@ -44,15 +44,15 @@ fn sheet(by: Vec3, origin: impl Fn(&Cloud) -> Vec3, turned: bool) -> StaticShell
         loads.push(AppliedLoad { load, amplitude: Amplitude::Constant });
     }
     let parts = Parts { supports, loads, ..parts(cloud, CELL, THICK) };
-    let mut body = Shell::about(parts, Vec::new(), origin).unwrap();
-    body.rigid(&[RigidSet {
+    let body = Shell::builder(parts).origin(origin);
+    let body = body.rigid(vec![RigidSet {
         particles: patch,
         at: middle + by + Vec3::z(),
         mass: 1.0,
         ..RigidSet::default()
-    }])
-    .unwrap();
-    body.spring(vec![Spring { stiffness: vec![(12, 0.01)], direction: Vec3::z() }]).unwrap();
+    }]);
+    let body =
+        body.springs(vec![Spring { stiffness: vec![(12, 0.01)], direction: Vec3::z() }]).build().unwrap();
     StaticShell::new(body)
 }
 

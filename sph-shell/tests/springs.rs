@@ -4,7 +4,9 @@
 
 mod common;
 
-use common::{YOUNG, curved, disordered_flat, energy_formulations, flat, free_shell, parts, shake, shell};
+use common::{
+    YOUNG, curved, disordered_flat, energy_formulations, flat, free_shell, parts, shake, shell_parts,
+};
 use explicit_dynamics::{Clock, Dynamics, LinearisedDynamics};
 use implicit_statics::{
     BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
@@ -29,7 +31,7 @@ fn equal(particles: impl IntoIterator<Item = u32>, each: f64, direction: Vec3) -
 #[test]
 fn a_plate_on_springs_swings_as_one_mass() {
     let cloud = disordered_flat([6, 5], [1.0, 0.8]);
-    let mut body = free_shell(cloud.clone(), CELL, 0.3);
+    let body = Shell::builder(parts(cloud.clone(), CELL, 0.3));
     let (k, axis) = (1e-4, Vec3::new(0.3, -1.0, 0.5));
     // Those of modes: three translations and two turns a particle.
     let of_modes = StaticShell::new(free_shell(cloud, CELL, 0.3)).vibrating_masses();
@@ -40,7 +42,7 @@ fn a_plate_on_springs_swings_as_one_mass() {
         let size = k * (1 + i) as f64 / whole;
         Spring { stiffness: (0..).zip(&masses).map(|(a, m)| (a, size * m)).collect(), direction }
     });
-    body.spring(springs.collect::<Vec<_>>()).unwrap();
+    let body = body.springs(springs.collect::<Vec<_>>()).build().unwrap();
     let mut system = StaticShell::new(body);
     let found = natural_modes(&mut system, 0.0, 6, 0.0, &mut unwatched).unwrap().modes;
     for i in 0..3 {
@@ -60,17 +62,14 @@ fn cantilever(cells: usize, k: f64, force: Vec3) -> Shell {
     let part = |size: f64| tip.iter().zip([0.25, 0.5, 0.25]).map(|(&a, s)| (a, s * size)).collect::<Vec<_>>();
     let load: Box<dyn Load> = Box::new(Force { shares: part(1.0), total: force });
     let loads = vec![sph_shell::AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Constant }];
-    let mut shell = Shell::new(Parts {
+    let springs = (k > 0.0).then(|| Spring { stiffness: part(k), direction: Vec3::z() * 3.0 });
+    let shell = Shell::builder(Parts {
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.0).unwrap(), THICK).unwrap()),
         supports: vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }],
         loads,
         ..parts(cloud, CELL, THICK)
-    })
-    .unwrap();
-    if k > 0.0 {
-        shell.spring(vec![Spring { stiffness: part(k), direction: Vec3::z() * 3.0 }]).unwrap();
-    }
-    shell
+    });
+    shell.springs(springs.into_iter().collect::<Vec<_>>()).build().unwrap()
 }
 
 /// Beam and spring side by side: `w = F/(3EI/L³ + k)`, of which the spring bears `k w`.
@@ -158,12 +157,15 @@ fn tangents_are_derivatives_and_have_no_skew_part() {
         let cloud = curved([6, 5]);
         let held = cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
         let clamp = Supported { particles: held, support: Box::new(Clamped) };
-        let mut body = shell(cloud, formulation, 0.1, &StretchCorrected, vec![clamp], vec![]);
-        body.spring(vec![
-            equal([7, 8, 20], 300.0, Vec3::new(1.0, -2.0, 0.5)),
-            equal([8, 29], 100.0, Vec3::y()),
-        ])
-        .unwrap();
+        let body =
+            Shell::builder(shell_parts(cloud, formulation, 0.1, &StretchCorrected, vec![clamp], vec![]));
+        let mut body = body
+            .springs(vec![
+                equal([7, 8, 20], 300.0, Vec3::new(1.0, -2.0, 0.5)),
+                equal([8, 29], 100.0, Vec3::y()),
+            ])
+            .build()
+            .unwrap();
         shake(&mut body, 0.02, 3);
         let mut system = StaticShell::new(body);
         assert_eq!(system.skew_load_share(), 0.0);
@@ -197,9 +199,9 @@ fn tangents_are_derivatives_and_have_no_skew_part() {
 /// A free shell on springs: its momentum changes by what the ground exerts, and stiff springs shorten the stable step to `2/√(k/m)`.
 #[test]
 fn a_march_on_springs_keeps_its_balances() {
-    let mut body = free_shell(flat([6, 5], [1.0, 0.8]), CELL, 0.1);
+    let body = Shell::builder(parts(flat([6, 5], [1.0, 0.8]), CELL, 0.1));
     let k = 40.0;
-    body.spring(vec![equal([0, 7, 13], k, Vec3::new(0.0, 1.0, 2.0))]).unwrap();
+    let mut body = body.springs(vec![equal([0, 7, 13], k, Vec3::new(0.0, 1.0, 2.0))]).build().unwrap();
     for a in 0..body.len() {
         body.set_rate(a, Vec3::new(0.1, -0.3, 0.4), Vec3::zeros());
     }
@@ -225,7 +227,8 @@ fn a_march_on_springs_keeps_its_balances() {
     let mut stiff = free_shell(flat([6, 5], [1.0, 0.8]), CELL, 0.1);
     let before = stiff.stable_step(1.0).unwrap().dt;
     let (k, mass) = (1e7, stiff.reference().masses[7]);
-    stiff.spring(vec![equal([7], k, Vec3::x())]).unwrap();
+    let stiff = Shell::builder(parts(flat([6, 5], [1.0, 0.8]), CELL, 0.1));
+    let mut stiff = stiff.springs(vec![equal([7], k, Vec3::x())]).build().unwrap();
     let after = stiff.stable_step(1.0).unwrap().dt;
     let exact = 2.0 / (k / mass).sqrt();
     println!("stable step {before:.3e} {after:.3e} {exact:.3e}");
@@ -235,8 +238,9 @@ fn a_march_on_springs_keeps_its_balances() {
 
 #[test]
 fn springs_that_are_none_are_refused() {
-    let mut body = free_shell(flat([4, 3], [1.0, 0.8]), CELL, 0.1);
-    let mut refused = |particles: Vec<u32>, k| body.spring(vec![equal(particles, k, Vec3::x())]);
+    let body = || Shell::builder(parts(flat([4, 3], [1.0, 0.8]), CELL, 0.1));
+    let refused =
+        |particles: Vec<u32>, k| body().springs(vec![equal(particles, k, Vec3::x())]).build().map(drop);
     assert!(matches!(refused(vec![], 1.0), Err(ShellError::EmptySet(_))));
     assert!(matches!(refused(vec![12], 1.0), Err(ShellError::NoSuchParticle { particle: 12, .. })));
     assert!(matches!(refused(vec![1], -1.0), Err(ShellError::Spring { particle: 1, .. })));

@@ -160,7 +160,7 @@ fn answers_do_not_depend_on_the_unit_of_length() {
             vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }];
         let material = Isotropic::new(common::YOUNG / (unit * unit), common::POISSON).unwrap();
         let parts = common::parts(cloud, energy_formulations()[0].1, 0.2 * unit);
-        let body = Shell::new(Parts {
+        let body = Shell::builder(Parts {
             section: Box::new(IsotropicSection::new(material, 0.2 * unit).unwrap()),
             supports,
             loads: loads
@@ -169,6 +169,7 @@ fn answers_do_not_depend_on_the_unit_of_length() {
                 .collect(),
             ..parts
         })
+        .build()
         .unwrap();
         let mut system = StaticShell::new(body);
         Newton::new(&system, &NewtonOptions::default()).unwrap().at_level(&mut system, 1.0).unwrap();

@@ -87,7 +87,8 @@ fn a_clamped_strip_turns_by_the_couple_over_its_stiffness() {
         let moment = 1e-3;
         let couple = EdgeCouple { edge: common::line(&cloud, &end), moment, axis: CoupleAxis::Fixed(-Y) };
         let parts = beam_parts(cloud, 0.4, vec![supported(clamped, Clamped)], vec![Box::new(couple)]);
-        let mut body = Shell::new(Parts { formulation: difference(smoothing, 0.0), ..parts }).unwrap();
+        let mut body =
+            Shell::builder(Parts { formulation: difference(smoothing, 0.0), ..parts }).build().unwrap();
         body.evaluate(Instant { time: 0.0, level: 1.0 });
         let load: Vec<[f64; 6]> = (0..body.len()).map(|a| body.external_force(a)).collect();
         let matrix = operator(&mut body);

@@ -36,7 +36,7 @@ fn body(formulation: Formulation, threads: usize) -> Shell {
         applied(Box::new(Gravity { acceleration: Vec3::new(0.0, 0.003, -0.01) })),
     ];
     let supports = vec![Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) }];
-    Shell::new(Parts {
+    Shell::builder(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(Isotropic::new(1200.0, 0.3).unwrap(), 0.05).unwrap()),
         strain: &StretchCorrected,
@@ -47,6 +47,7 @@ fn body(formulation: Formulation, threads: usize) -> Shell {
         loads,
         threads,
     })
+    .build()
     .unwrap()
 }
 
@@ -157,7 +158,7 @@ fn a_step_allocates_nothing() {
         // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
         let cells = Formulation::StressPoint(Reach::Cell);
         let sheets = Parts { threads, ..common::parts(common::tee(5, 1.0, 5), cells, 0.1) };
-        for shell in [body(cells, threads), Shell::new(sheets).unwrap()] {
+        for shell in [body(cells, threads), Shell::builder(sheets).build().unwrap()] {
             let counted = allocations(threads, shell);
             assert!(counted < 20, "{counted} allocations in 200 steps on {threads} threads");
         }

@@ -19,18 +19,18 @@ fn ribbed(n: usize, along: usize, deep: usize, depth: f64) -> Cloud {
 }
 
 /// Ties particles of the other sheets on the plate z = 0 to its cells.
-fn tied(body: Shell) -> Shell {
-    let cloud = body.reference().cloud.clone();
+fn tied(parts: Parts) -> Shell {
+    let cloud = &parts.cloud;
     let on_plate = |a: &u32| cloud.positions[*a as usize].z.abs() < 1e-9;
     let whole = |c: &u32| cloud.cells[*c as usize].particles().iter().all(on_plate);
     let host = (0..cloud.cells.len() as u32).filter(whole).collect();
     let edge = (0..cloud.len() as u32).filter(on_plate).collect();
-    with_ties(body, vec![Tie { edge, host }])
+    let ties = vec![Tie { edge, host }];
+    with_ties(parts, ties)
 }
 
-fn with_ties(mut body: Shell, ties: Vec<Tie>) -> Shell {
-    body.tie(&ties).unwrap();
-    body
+fn with_ties(parts: Parts, ties: Vec<Tie>) -> Shell {
+    Shell::builder(parts).ties(ties).build().unwrap()
 }
 
 fn elastic(young: f64, poisson: f64, thickness: f64) -> Box<IsotropicSection> {
@@ -61,7 +61,7 @@ fn bracket() -> Shell {
         Tie { edge: on(&bracket, true), host: cells(&|c| c < 9) },
         Tie { edge: on(&bracket, false), host: cells(&rib) },
     ];
-    with_ties(Shell::new(parts(cloud, CELL, 0.1)).unwrap(), ties)
+    with_ties(parts(cloud, CELL, 0.1), ties)
 }
 
 /// A curved plate folded along an edge, whose fold is a junction, under a slanted rib that crosses the fold's first cells.
@@ -74,12 +74,12 @@ fn over_a_fold() -> Shell {
     cloud.positions.iter_mut().take(8).for_each(|x| x.z += 0.05 * x.y * x.y);
     let cloud = Cloud::from_sheets(cloud.positions, None, cloud.cells, cloud.joined).unwrap();
     let edge = at(&cloud, |x| (x.z - 0.02).abs() < 1e-9);
-    with_ties(Shell::new(parts(cloud, CELL, 0.1)).unwrap(), vec![Tie { edge, host: (0..9).collect() }])
+    with_ties(parts(cloud, CELL, 0.1), vec![Tie { edge, host: (0..9).collect() }])
 }
 
 #[test]
 fn forces_and_tangent_are_derivatives_of_the_energy() {
-    let ribbed = || tied(Shell::new(parts(ribbed(3, 4, 2, 0.3), CELL, 0.1)).unwrap());
+    let ribbed = || tied(parts(ribbed(3, 4, 2, 0.3), CELL, 0.1));
     for (name, body) in [("rib", ribbed()), ("bracket", bracket()), ("fold", over_a_fold())] {
         let mut system = StaticShell::new(body);
         let n = system.unknowns();
@@ -119,7 +119,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy() {
 
 #[test]
 fn free_sheets_that_are_tied_have_six_zero_modes() {
-    let ribbed = |thickness| tied(Shell::new(parts(ribbed(5, 7, 2, 0.3), CELL, thickness)).unwrap());
+    let ribbed = |thickness| tied(parts(ribbed(5, 7, 2, 0.3), CELL, thickness));
     for (name, body) in
         [("rib", ribbed(0.1)), ("thin rib", ribbed(0.01)), ("bracket", bracket()), ("fold", over_a_fold())]
     {
@@ -133,7 +133,7 @@ fn free_sheets_that_are_tied_have_six_zero_modes() {
 fn patch(field: impl Fn(&Vec3) -> (Vec3, Vec3)) -> f64 {
     let cloud = ribbed(9, 12, 3, 0.3);
     let section = elastic(1200.0, 0.0, 0.05);
-    let body = tied(Shell::new(Parts { section, ..parts(cloud.clone(), CELL, 0.05) }).unwrap());
+    let body = tied(Parts { section, ..parts(cloud.clone(), CELL, 0.05) });
     let mut system = StaticShell::new(body);
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
@@ -200,9 +200,8 @@ fn stiffened(n: usize, along: usize, deep: usize) -> f64 {
     let shares = (0..).zip(shares).filter(|share| share.1 > 0.0).collect();
     let force: Box<dyn Load> = Box::new(Force { shares, total: -Z * 1e4 });
     let loads = vec![AppliedLoad { load: force, amplitude: Amplitude::Constant }];
-    let body =
-        Shell::new(Parts { section: elastic(2e11, 0.3, 0.01), supports, loads, ..parts(cloud, CELL, 0.01) });
-    2.0 * linear_energy(if n % 2 == 1 { tied(body.unwrap()) } else { body.unwrap() })
+    let parts = Parts { section: elastic(2e11, 0.3, 0.01), supports, loads, ..parts(cloud, CELL, 0.01) };
+    2.0 * linear_energy(if n % 2 == 1 { tied(parts) } else { Shell::builder(parts).build().unwrap() })
 }
 
 #[test]

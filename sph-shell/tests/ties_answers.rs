@@ -31,9 +31,8 @@ fn body(
 ) -> Shell {
     let applied = |load| AppliedLoad { load, amplitude: Amplitude::Constant };
     let loads = loads.into_iter().map(applied).collect();
-    let mut body = Shell::new(Parts { section, supports, loads, ..parts(cloud, CELL, 0.1) }).unwrap();
-    body.tie(ties).unwrap();
-    body
+    let body = Shell::builder(Parts { section, supports, loads, ..parts(cloud, CELL, 0.1) });
+    body.ties(ties.to_vec()).build().unwrap()
 }
 
 /// Work of the load on the linear answer.
@@ -323,8 +322,8 @@ fn what_cannot_be_tied_is_refused_and_says_why() {
         let edge = at(&cloud, |x| (x.z - rib.z).abs() < 1e-9 && (x.y - 0.5 - rib.y).abs() < 1e-9);
         let particles = edge.clone();
         let supports = support.map(|support| Supported { particles, support }).into_iter().collect();
-        let mut body = Shell::new(Parts { supports, ..parts(cloud, CELL, 0.04) }).unwrap();
-        body.tie(&[Tie { edge, host: (0..9).collect() }]).err()
+        let body = Shell::builder(Parts { supports, ..parts(cloud, CELL, 0.04) });
+        body.ties(vec![Tie { edge, host: (0..9).collect() }]).build().err()
     };
     assert!(refused(Vec3::zeros(), [4, 2], None).is_none());
     // Half of both thicknesses, or a tenth of the cell of a third.
@@ -341,8 +340,8 @@ fn what_cannot_be_tied_is_refused_and_says_why() {
     let held = refused(Vec3::zeros(), [4, 2], Some(Box::new(Clamped))).unwrap();
     assert!(matches!(held, ShellError::TieHeld { .. }), "{held}");
     let cloud = Sheets::default().add(Vec3::zeros(), [X, Y], [3, 3]).cloud();
-    let mut body = Shell::new(parts(cloud, CELL, 0.1)).unwrap();
-    let own = body.tie(&[Tie { edge: vec![0, 1], host: vec![0] }]).unwrap_err();
+    let body = Shell::builder(parts(cloud, CELL, 0.1));
+    let own = body.ties(vec![Tie { edge: vec![0, 1], host: vec![0] }]).build().err().unwrap();
     assert!(matches!(own, ShellError::TieWithoutEdge { .. }), "{own}");
 }
 

@@ -88,9 +88,8 @@ impl Tied {
         let load: Box<dyn Load> = Box::new(Force { shares: pulled, total: pull });
         let loads = vec![AppliedLoad { load, amplitude: Amplitude::Constant }];
         let supports = vec![supported(foot, Clamped)];
-        let mut body = Shell::new(Parts { supports, loads, ..parts(cloud, CELL, 0.03) }).unwrap();
-        body.tie(&[Tie { edge, host }]).unwrap();
-        body
+        let body = Shell::builder(Parts { supports, loads, ..parts(cloud, CELL, 0.03) });
+        body.ties(vec![Tie { edge, host }]).build().unwrap()
     }
 
     /// The same elsewhere: turned or mirrored, then shifted; its particles and cells in another order.

@@ -58,11 +58,12 @@ fn strip(length: f64, cells: [usize; 2], by: f64, amplitude: Amplitude) -> Shell
     let cloud = flat([cells[0] + 1, cells[1] + 1], [length, 1.0]);
     let sides = cloud.sides.clone().unwrap();
     let axis = turned(Vec3::x(), Vec3::new(0.0, 0.5, 0.0), by, amplitude);
-    Shell::new(Parts {
+    Shell::builder(Parts {
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.3).unwrap(), THICK).unwrap()),
         supports: vec![on(sides.edge(Side::U0), Clamped), on(sides.edge(Side::U1), axis)],
         ..parts(cloud, CELL, THICK)
     })
+    .build()
     .unwrap()
 }
 
@@ -146,7 +147,7 @@ fn rates_along_the_level_are_derivatives_and_what_opposes_a_turn_is_refused() {
         let cloud = flat([4, 3], [1.0, 1.0]);
         let turn = turned(Vec3::x(), Vec3::zeros(), 0.3, Amplitude::Constant);
         let supports = vec![on(&[9, 10, 11], turn), Supported { particles: vec![10], support: other }];
-        Shell::new(Parts { supports, ..parts(cloud, CELL, THICK) }).map(drop)
+        Shell::builder(Parts { supports, ..parts(cloud, CELL, THICK) }).build().map(drop)
     };
     let hold = |direction| Box::new(Held { displacement: vec![direction], director: None });
     assert!(built(hold(Vec3::x())).is_ok(), "along its axis nothing turns");

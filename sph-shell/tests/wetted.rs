@@ -6,7 +6,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::{RandomNumbers, curved, energy_formulations, flat, free_shell, scattered_curved, shake};
+use common::{RandomNumbers, curved, energy_formulations, flat, free_shell, parts, scattered_curved, shake};
 use explicit_dynamics::{BoundaryLoad, BoundaryState, Dynamics, Face, Instant, Wetted};
 use sph_core::{Cell, Cloud, Side, Vec3};
 use sph_shell::{Formulation, Reach, Shell, ShellError, Sides, Wetting};
@@ -42,9 +42,8 @@ fn tube(around: usize, radius: f64, height: f64) -> Cloud {
 }
 
 fn wet(cloud: Cloud, wetting: &Wetting) -> Shell {
-    let mut shell = free_shell(cloud, CELLS, THICKNESS);
-    shell.wet(wetting).unwrap();
-    shell
+    let shell = Shell::builder(parts(cloud, CELLS, THICKNESS));
+    shell.wetted(wetting.clone()).build().unwrap()
 }
 
 fn boundary(shell: &Shell) -> BoundaryState {
@@ -78,8 +77,8 @@ fn shaken() -> Vec<(&'static str, Shell)> {
     let nodal = energy_formulations()[4].1;
     let mut no_cells = flat([6, 5], [1.0, 0.8]);
     (no_cells.cells, no_cells.lattice) = (Vec::new(), None);
-    let mut without_cells = free_shell(no_cells, nodal, THICKNESS);
-    without_cells.wet(&wetting(0.3)).unwrap();
+    let without_cells = Shell::builder(parts(no_cells, nodal, THICKNESS));
+    let without_cells = without_cells.wetted(wetting(0.3)).build().unwrap();
     let mut all = vec![
         ("strip in a plane", wet(strips, &plane)),
         ("tube in a plane", wet(tube(40, 1.0, 0.1), &plane)),
@@ -321,8 +320,9 @@ fn what_moves_against_the_fluid_is_resisted_on_loaded_faces() {
 
 #[test]
 fn what_cannot_be_wetted_is_refused() {
-    let refused =
-        |cloud: Cloud, wetting: Wetting| free_shell(cloud, CELLS, THICKNESS).wet(&wetting).unwrap_err();
+    let refused = |cloud: Cloud, wetting: Wetting| {
+        Shell::builder(parts(cloud, CELLS, THICKNESS)).wetted(wetting).build().err().unwrap()
+    };
     let plane = || Wetting { plane: true, ..wetting(0.1) };
     for spacing in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(refused(flat([3, 3], [1.0, 1.0]), wetting(spacing)), ShellError::WetSpacing(_)));

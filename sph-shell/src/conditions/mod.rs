@@ -1,15 +1,14 @@
 //! Supports, prescribed motions and loads.
 
 pub(crate) mod case;
+pub(crate) mod constraints;
 pub(crate) mod couple;
-mod implied;
 pub(crate) mod loads;
 pub(crate) mod preload;
 pub(crate) mod prescribed;
 pub(crate) mod prescribed_at;
 pub(crate) mod pressure;
 pub(crate) mod resultants;
-pub(crate) mod shares;
 pub(crate) mod spread;
 pub(crate) mod springs;
 pub(crate) mod supports;

@@ -6,10 +6,6 @@ use sph_core::Vec3;
 use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation};
 use crate::error::ShellError;
-use crate::reference::Reference;
-
-/// A director held in a plane may stand out of it by this much: rounding of positions and rotations, and no more.
-const OUT_OF_PLANE: f64 = 1e-6;
 
 /// What a support asks of a particle.
 #[derive(Clone, Debug, Default)]
@@ -172,58 +168,6 @@ fn axes() -> Vec<Vec3> {
     vec![Vec3::x(), Vec3::y(), Vec3::z()]
 }
 
-/// Joins all supports of each particle: the number of its entry, one up and zero for a free one, and the entries.
-pub(crate) fn constraints(
-    reference: &Reference,
-    supports: &[Supported],
-) -> Result<(Vec<u32>, Vec<Constraint>), ShellError> {
-    let cloud = &reference.cloud;
-    let count = cloud.len();
-    let mut asked: Vec<Vec<(usize, Holds)>> = vec![Vec::new(); count];
-    for (support, supported) in supports.iter().enumerate() {
-        if supported.particles.is_empty() {
-            return Err(ShellError::EmptySet("a support"));
-        }
-        for &particle in &supported.particles {
-            let list = asked.get_mut(particle as usize).ok_or(ShellError::NoSuchParticle {
-                what: "a support",
-                particle,
-                count,
-            })?;
-            let holds = supported.support.holds().about(&reference.origin);
-            if let DirectorHold::InPlane(normal) = holds.director {
-                // The turn that is left free runs along ν × d.
-                let along = normal.dot(&cloud.frames[particle as usize].n);
-                if along.abs() > OUT_OF_PLANE {
-                    return Err(ShellError::OutOfPlane { support, particle, along });
-                }
-            }
-            list.push((support, holds));
-        }
-    }
-    let mut tied = vec![false; if cloud.joined.is_empty() { 0 } else { count }];
-    for group in &cloud.joined {
-        // What one particle of a group is asked all are, each support once.
-        let mut all: Vec<_> = group.iter().flat_map(|&a| std::mem::take(&mut asked[a as usize])).collect();
-        all.sort_by_key(|(support, _)| *support);
-        all.dedup_by_key(|(support, _)| *support);
-        for &a in group {
-            asked[a as usize].clone_from(&all);
-            tied[a as usize] = true;
-        }
-    }
-    let tied = |particle: usize| tied.get(particle).copied().unwrap_or_default();
-    let mut number = vec![0; count];
-    let mut constraints = Vec::new();
-    for (particle, list) in asked.iter().enumerate().filter(|(a, list)| !list.is_empty() || tied(*a)) {
-        let rest = (cloud.positions[particle], cloud.frames[particle].n);
-        let joined = Constraint::join(particle as u32, rest, list)?;
-        constraints.push(Constraint { tied: tied(particle), ..joined });
-        number[particle] = constraints.len() as u32;
-    }
-    Ok((number, constraints))
-}
-
 /// All that the supports of one particle ask of it, ready for the step.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
@@ -240,6 +184,23 @@ pub(crate) struct Constraint {
 }
 
 impl Constraint {
+    /// Nothing moves: of a particle that hangs on others and is put where they are.
+    pub(crate) fn still(rest: (Vec3, Vec3)) -> Self {
+        let held = [Vec3::x(), Vec3::y(), Vec3::z()];
+        let director = DirectorHold::Fixed;
+        Self { held, count: 3, director, motion: None, rotation: None, rest, tied: false }
+    }
+
+    /// Whether what is asked of another particle is asked of this one as well.
+    pub(crate) fn implies(&self, other: &Self) -> bool {
+        let held = |n: &Vec3| Vec3::from(self.free_translation((*n).into())).norm() < 1e-9;
+        let director = other.director == DirectorHold::Free
+            || self.director == DirectorHold::Fixed
+            || join_directors(self.director, other.director) == self.director;
+        let moved = other.count == 0 || self.motion == other.motion;
+        other.held[..other.count].iter().all(held) && director && moved && self.rotation == other.rotation
+    }
+
     /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
     pub(crate) fn join(
         particle: u32,
@@ -345,7 +306,7 @@ fn rotation(particle: u32, asked: &[(usize, Holds)]) -> Result<Option<Rotation>,
     Ok(Some(rotation))
 }
 
-pub(super) fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
+fn join_directors(a: DirectorHold, b: DirectorHold) -> DirectorHold {
     match (a, b) {
         (DirectorHold::Free, other) | (other, DirectorHold::Free) => other,
         (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) if m.cross(&n).norm() < 1e-9 => {

@@ -1,9 +1,8 @@
 //! Groups of particles that move as one, on one place or as a rigid body: their triad, and how fast it turns.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
-use sph_core::Vec3;
+use sph_core::{Cell, Vec3};
 
-use crate::Shell;
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::error::ShellError;
 use crate::junction::body::RigidBody;
@@ -87,6 +86,40 @@ impl Junctions {
     /// The particle that bears the unknowns of a particle: the first of its group, or itself.
     pub fn first(&self, particle: usize) -> usize {
         self.of(particle).map_or(particle, Group::first)
+    }
+
+    /// The group of a rigid body, if the particle belongs to one.
+    pub fn body_of(&self, particle: usize) -> Option<&Group> {
+        self.of(particle).filter(|group| group.body.is_some())
+    }
+
+    /// The group of a rigid set by its number.
+    pub fn body_numbered(&self, number: usize) -> Option<&Group> {
+        let is = |group: &&Group| group.body.as_ref().is_some_and(|body| body.number == number);
+        self.groups.iter().find(is)
+    }
+
+    /// The rigid body to which all corners of a cell belong.
+    pub fn body_around(&self, cell: &Cell) -> Option<usize> {
+        let number = |b: u32| self.body_of(b as usize).and(self.number(b as usize));
+        let first = number(cell.corners[0])?;
+        cell.particles().iter().all(|&b| number(b) == Some(first)).then_some(first)
+    }
+
+    /// A row `[f, n]` as the force on the unknowns of a particle: its own, or force and torque of the group it stands for, which
+    /// leaves the others of the group nothing.
+    pub fn gathered(&self, state: &[Row], a: usize, row: impl Fn(usize) -> Row) -> Row {
+        match self.of(a) {
+            None => row(a),
+            Some(group) if group.first() == a => group.gather(state, row),
+            Some(_) => [0.0; 6],
+        }
+    }
+
+    /// Force and torque of the loads and springs on the rigid body that a particle stands for.
+    pub fn body_load(&self, particle: usize) -> Row {
+        let group = self.of(particle).filter(|group| group.first() == particle);
+        group.and_then(|group| group.body.as_ref()).map_or([0.0; 6], |body| body.external)
     }
 }
 
@@ -196,6 +229,15 @@ impl Group {
         sum
     }
 
+    /// Moment of what the supports of the group bear about the place of its first particle: a body bears it at its pole.
+    pub fn about_first(&self, state: &[Row], row: &Row) -> Vec3 {
+        let moment = director(row);
+        if self.body.is_none() {
+            return moment;
+        }
+        moment + (self.pole(state) - place(&state[self.first()])).cross(&place(row))
+    }
+
     /// Velocity and spin `[v, ω]` from the rates of the particles.
     ///
     /// With `c = d₁ × d₂` the components along d₁, d₂, c follow from `w_k = ω × d_k`:
@@ -263,24 +305,6 @@ impl Constraint {
     /// Whether anything is held or prescribed.
     pub(crate) fn holds(&self) -> bool {
         !self.tied || self.held_degrees_of_freedom() > 0
-    }
-}
-
-impl Shell {
-    /// Particles that junctions and rigid bodies tie, and the groups they form; both zero without.
-    pub fn tied(&self) -> (usize, usize) {
-        let groups = &self.junctions.groups;
-        (groups.iter().map(|group| group.particles.len()).sum(), groups.len())
-    }
-
-    /// A row `[f, n]` as the force on the unknowns of a particle: its own, or force and torque of the group it stands for, which
-    /// leaves the others of the group nothing.
-    pub(crate) fn gathered(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
-        match self.junctions.of(a) {
-            None => row(a),
-            Some(group) if group.first() == a => group.gather(&self.state, row),
-            Some(_) => [0.0; 6],
-        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! A body whose reference point is held along some directions, beside its centre of mass.
+//! A body whose reference point is held or moved along some directions, beside its centre of mass.
 //!
 //! Centre c, reference point `p = c + r`, `r = Q R`; N projects on the held directions. The unknowns of a body are u, the displacement of the
 //! centre along the free directions and of the reference point along the held ones, and a rotation:
@@ -13,9 +13,13 @@
 //! Without supports N = 0 and the body goes by its centre; where all is held N = 1 and it turns about its reference point. In modes this tensor
 //! of inertia gives the axes of the unknowns; it changes with the triad, and marches use the centre and a constraint instead (`march.rs`).
 
+use explicit_dynamics::Instant;
 use nalgebra::{Matrix3, SymmetricEigen};
 use sph_core::Vec3;
 
+use crate::conditions::case::LoadCase;
+use crate::conditions::prescribed_at::Prescribed;
+use crate::conditions::supports::Constraint;
 use crate::junction::group::{Group, director, place};
 use crate::junction::rotation::turned;
 use crate::packs::Row;
@@ -86,6 +90,50 @@ impl Group {
         let inner = axes.tr_mul(&(tensor * axes));
         let found = SymmetricEigen::new((inner + inner.transpose()) * 0.5).eigenvectors;
         axes * nearest_order(&found)
+    }
+
+    /// Puts a body where its supports have it at a level: the reference point at `p₀ + c(λ)` along the directions in which it is held, the
+    /// triad at `R(λ) Q₀` where a rotation is prescribed, `R = exp(λ φ e)`. All particles are put from these two, so that the body keeps
+    /// its shape at any level.
+    pub fn put(&self, constraint: &Constraint, level: f64, case: LoadCase, state: &mut [Row]) {
+        let Some(body) = &self.body else { return };
+        let at = Instant { time: 0.0, level };
+        let turned = [0, 1, 2].map(|i| constraint.turned(&body.rest.column(i).into(), at, case));
+        let triad = match turned {
+            [Some(d), Some(e), Some(c)] => Matrix3::from_columns(&[d, e, c]),
+            _ => self.triad(state),
+        };
+        let pole = self.pole(state);
+        let target = constraint.reference_at(at, case);
+        let pole = pole + body.held * (target - pole - body.arm(&triad));
+        self.placed(&pole, &triad).for_each(|(a, row)| state[a as usize] = row);
+    }
+
+    /// Square of the force that brings about what is prescribed to a body, turns counted as arcs \[F²\].
+    pub fn driving_force(
+        &self,
+        prescribed: &Prescribed<'_>,
+        state: &[Row],
+        internal: impl Fn(usize) -> Row,
+        arc: f64,
+    ) -> f64 {
+        let row = self.along_unknowns(state, self.gather(state, internal));
+        let turn = prescribed.rotation.map_or(0.0, |rotation| rotation.axis.dot(&director(&row)) / arc);
+        libm::hypot(prescribed.pull(&place(&row)), turn).powi(2)
+    }
+
+    /// Rates of all particles of a body, per unit of level at fixed unknowns.
+    pub fn prescribed_rates(
+        &self,
+        prescribed: &Prescribed<'_>,
+        level: f64,
+        case: LoadCase,
+        state: &[Row],
+        rates: &mut [Row],
+    ) {
+        let [u, spin] = prescribed.motion_rate(level, case);
+        let motion = self.of_pole(state, [u.x, u.y, u.z, spin.x, spin.y, spin.z]);
+        self.set_rates(state, rates, &motion);
     }
 }
 

@@ -17,12 +17,12 @@ use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::supports::{Constraint, DirectorHold};
+use crate::decay::Decay;
 use crate::junction::body::{Power, RigidBody};
 use crate::junction::group::{director, place};
 use crate::junction::march::Kick;
 use crate::junction::rotation::turned;
 use crate::packs::Row;
-use crate::time::particle::Decay;
 
 /// Rounds for the impulse: each gains two digits and more.
 const ROUNDS: usize = 10;

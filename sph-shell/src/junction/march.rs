@@ -6,46 +6,54 @@
 use explicit_dynamics::{Step, Work};
 use sph_core::Vec3;
 
-use crate::Shell;
+use crate::conditions::constraints::Constraints;
 use crate::conditions::supports::{Constraint, DirectorHold};
-use crate::junction::group::{Group, director};
+use crate::decay::Decay;
+use crate::junction::group::{Group, Junctions, director};
+use crate::motion::Moving;
 use crate::packs::Row;
-use crate::time::particle::Decay;
 
-impl Shell {
-    /// Kicks all groups with the forces last evaluated and takes their rates out of the sweep; their work. Where a drift follows at
-    /// once, the motion is the one that it would find in the rates: the same bits as in two parts.
-    pub(crate) fn kick_groups(&mut self, step: &Step, drifts: bool) -> Work {
-        let mut junctions = std::mem::take(&mut self.junctions);
+impl Junctions {
+    /// Kicks all groups with the forces last evaluated, internal and external by particle, and takes their rates out of the sweep; their
+    /// work. Where a drift follows at once, the motion is the one that it would find in the rates: the same bits as in two parts.
+    pub fn kick(
+        &mut self,
+        moving: &mut Moving,
+        constraints: &Constraints,
+        internal: impl Fn(usize) -> Row,
+        external: impl Fn(usize) -> Row,
+        step: &Step,
+        drifts: bool,
+    ) -> Work {
+        let Moving { state, rates, .. } = moving;
         let mut work = Work::default();
-        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
-            let old = group.motion(&self.state, &self.rates);
-            let internal = group.gather(&self.state, |a| self.internal_force(a));
-            let mut external = group.gather(&self.state, |a| self.external_force(a));
+        for (group, motion) in self.groups.iter().zip(&mut self.motions) {
+            let old = group.motion(state, rates);
+            let internal = group.gather(state, &internal);
+            let mut external = group.gather(state, &external);
             if let Some(body) = &group.body {
                 external.iter_mut().zip(body.external).for_each(|(sum, load)| *sum += load);
             }
             let f = std::array::from_fn(|k| external[k] - internal[k]);
-            let kick = Kick { group, state: &self.state, f, external, old, step };
-            *motion = kick.new_motion(self.constraint(group.first()), &mut work);
+            let kick = Kick { group, state, f, external, old, step };
+            *motion = kick.new_motion(constraints.of(group.first()), &mut work);
             if drifts {
-                group.set_rates(&self.state, &mut self.rates, motion);
-                *motion = group.motion(&self.state, &self.rates);
+                group.set_rates(state, rates, motion);
+                *motion = group.motion(state, rates);
             }
-            group.particles.iter().for_each(|&a| self.rates[a as usize] = [0.0; 6]);
+            group.particles.iter().for_each(|&a| rates[a as usize] = [0.0; 6]);
         }
-        self.junctions = junctions;
         work
     }
 
     /// Gives the particles of groups the rates that the kick found, after a way of `dt` along them \[T\].
-    pub(crate) fn drift_groups(&mut self, dt: f64) {
-        let Self { junctions, state, rates, constraints, constraint_of, .. } = self;
-        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
+    pub fn drift(&mut self, moving: &mut Moving, constraints: &Constraints, dt: f64) {
+        let Moving { state, rates, .. } = moving;
+        for (group, motion) in self.groups.iter().zip(&mut self.motions) {
             if dt != 0.0 {
                 let u = Vec3::new(motion[0], motion[1], motion[2]) * dt;
-                let spins = constraint_of[group.first()].checked_sub(1).map(|i| &constraints[i as usize]);
-                let free = spins.is_none_or(|held| held.director == DirectorHold::Free);
+                let free =
+                    constraints.of(group.first()).is_none_or(|held| held.director == DirectorHold::Free);
                 let mut theta = director(motion) * dt;
                 if let Some(body) = group.body.as_ref().filter(|_| free) {
                     let spin;
@@ -59,9 +67,9 @@ impl Shell {
     }
 
     /// Takes the rates of groups out of a drift over the particles.
-    pub(crate) fn set_groups_aside(&mut self) {
-        let Self { junctions, state, rates, .. } = self;
-        for (group, motion) in junctions.groups.iter().zip(&mut junctions.motions) {
+    pub fn set_aside(&mut self, moving: &mut Moving) {
+        let Moving { state, rates, .. } = moving;
+        for (group, motion) in self.groups.iter().zip(&mut self.motions) {
             *motion = group.motion(state, rates);
             group.particles.iter().for_each(|&a| rates[a as usize] = [0.0; 6]);
         }

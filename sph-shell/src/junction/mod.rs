@@ -15,16 +15,15 @@
 //! momentum to round-off; tying is a constraint and lowers no period, so the stable step is at least that of the sheets.
 //!
 //! A rigid body is a group whose particles stand apart: `δx_k = δx + θ × a_k` with arms a_k, and the terms of arms and forces are those of
-//! directors and couples. Its inertia is a tensor (`body.rs`), and supports hold or move its reference point (`guide.rs`, `prescribed.rs`).
+//! directors and couples. Its inertia is a tensor (`body.rs`), and supports hold or move its reference point (`guide.rs`).
 
 pub(crate) mod body;
 pub(crate) mod group;
 mod guide;
 mod kick;
 mod march;
-mod prescribed;
 pub(crate) mod rigid;
 pub(crate) mod rotation;
-mod spectrum;
-mod springs;
+pub(crate) mod spectrum;
+pub(crate) mod springs;
 mod statics;

@@ -1,18 +1,19 @@
-//! Sets that are rigid: which groups they become, what is refused, loads on the body.
+//! Sets that are rigid: which groups they become, and what is refused.
 
-use explicit_dynamics::Instant;
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::Shell;
-use crate::conditions::loads::{AppliedLoad, Block, Body, Load, check_set};
+use crate::conditions::constraints::Constraints;
+use crate::conditions::loads::{Block, Body, Load, check_set};
 use crate::conditions::supports::{Constraint, Holds};
 use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
 use crate::junction::body::{Inertia, RigidBody};
-use crate::junction::group::{Group, Junctions, director};
+use crate::junction::group::{Group, Junctions};
 use crate::junction::rotation::{across, of_arm, triad as triad_of};
+use crate::material::Material;
 use crate::reference::Reference;
+use crate::second_moments::of_rigid_cells;
+use crate::ties::list::Ties;
 
 /// Least distance, in units of the spacing, of a particle of a rigid set from the normal at its first one.
 const APART: f64 = 1e-3;
@@ -70,30 +71,38 @@ impl Load for RigidLoad {
     }
 }
 
-impl Shell {
-    /// Makes sets rigid, after ties and lumped masses.
+/// What rigid bodies are made from: the shell, with masses and ties.
+pub(crate) struct Bodies<'a> {
+    pub reference: &'a Reference,
+    pub material: &'a Material,
+    pub ties: &'a Ties,
+}
+
+impl Bodies<'_> {
+    /// The groups of a shell with those of its rigid sets, and what holds these.
     ///
     /// # Errors
     /// [`ShellError`] for sets that are empty, meet each other, stand on one line along a normal, hold a particle that is supported, tied to
-    /// a cell, or of a junction only in part; for masses and inertias that are none; where strains are not sampled in cells.
-    pub fn rigid(&mut self, sets: &[RigidSet]) -> Result<(), ShellError> {
+    /// a cell, or of a junction only in part; for masses and inertias that are none.
+    pub fn join(
+        &self,
+        mut junctions: Junctions,
+        sets: &[RigidSet],
+        constraints: &mut Constraints,
+    ) -> Result<Junctions, ShellError> {
         if sets.is_empty() {
-            return Ok(());
+            return Ok(junctions);
         }
-        if !matches!(self.formulation, Formulation::StressPoint(Reach::Cell)) {
-            return Err(ShellError::RigidOfWideStencils);
-        }
-        let origin = self.reference.origin;
+        let (origin, count) = (self.reference.origin, self.reference.cloud.len());
         let from_origin = |set: &RigidSet| {
             let holds = set.holds.iter().cloned().map(|holds| holds.about(&origin)).collect();
             RigidSet { at: set.at - origin, holds, ..set.clone() }
         };
         let sets: Vec<RigidSet> = sets.iter().map(from_origin).collect();
-        let mut owner = vec![0_usize; self.len()];
-        for (set, number) in sets.iter().zip(1..) {
-            self.check_rigid(number - 1, set, &mut owner)?;
+        let mut owner = vec![0_usize; count];
+        for (number, set) in sets.iter().enumerate() {
+            self.check(number, set, constraints, &mut owner)?;
         }
-        let mut junctions = std::mem::take(&mut self.junctions);
         let in_body = |group: &Group| group.particles.iter().any(|&a| owner[a as usize] > 0);
         for group in junctions.groups.iter().filter(|group| in_body(group)) {
             let number = owner[group.first()];
@@ -110,16 +119,19 @@ impl Shell {
             let mut constraint = joined.map_err(|fault| opposed(number, fault))?;
             constraint.tied = true;
             junctions.groups.push(self.body(number, set, &constraint)?);
-            self.constraints.push(constraint);
-            let entry = self.constraints.len() as u32;
-            set.particles.iter().for_each(|&a| self.constraint_of[a as usize] = entry);
+            constraints.hold(&set.particles, constraint);
         }
-        self.junctions = Junctions::of_groups(junctions.groups, self.len());
-        Ok(())
+        Ok(Junctions::of_groups(junctions.groups, count))
     }
 
-    fn check_rigid(&self, number: usize, set: &RigidSet, owner: &mut [usize]) -> Result<(), ShellError> {
-        check_set("a rigid set", set.particles.iter().copied(), &self.reference)?;
+    fn check(
+        &self,
+        number: usize,
+        set: &RigidSet,
+        constraints: &Constraints,
+        owner: &mut [usize],
+    ) -> Result<(), ShellError> {
+        check_set("a rigid set", set.particles.iter().copied(), self.reference)?;
         let inertia = set.inertia.symmetric_eigenvalues();
         let sound = set.mass >= 0.0 && set.mass.is_finite() && inertia.min() >= -1e-9 * inertia.max();
         if !sound || inertia.iter().any(|moment| !moment.is_finite()) {
@@ -133,7 +145,7 @@ impl Shell {
             if self.ties.of(a).is_some() {
                 return Err(ShellError::RigidHangs { particle });
             }
-            if self.constraint(a).is_some_and(Constraint::holds) {
+            if constraints.of(a).is_some_and(Constraint::holds) {
                 return Err(ShellError::RigidHeld { particle });
             }
         }
@@ -161,11 +173,11 @@ impl Shell {
         if narrow(upright, far) {
             return Err(ShellError::RigidOnALine { set: number });
         }
-        let [masses, inertias] = self.moving_masses();
+        let [masses, inertias] = self.ties.moving_masses(self.reference);
         let mass = particles.iter().map(|&a| masses[a as usize]).sum::<f64>() + set.mass;
         let moment: Vec3 = particles.iter().map(|&a| cloud.positions[a as usize] * masses[a as usize]).sum();
         let pole = (moment + set.at * set.mass) / mass;
-        let section = self.thickness().powi(2) / 12.0;
+        let section = self.material.thickness(self.reference).powi(2) / 12.0;
         let turning = |a: usize| {
             let own = self.reference.rotary.get(a).copied();
             own.unwrap_or(self.reference.masses[a] * section)
@@ -173,7 +185,7 @@ impl Shell {
         };
         let own = set.inertia + of_arm(&(set.at - pole)) * set.mass;
         // Cells that are rigid turn by their own extents, and their directors by the thickness: no step in time hangs on those.
-        let (missing, scaled) = self.of_rigid_cells(&particles, &pole);
+        let (missing, scaled) = of_rigid_cells(self.reference, self.material, &particles, &pole);
         let tensor = |inertia: &dyn Fn(usize) -> f64| -> Matrix3<f64> {
             let part = |&a: &u32| {
                 let a = a as usize;
@@ -208,75 +220,5 @@ impl Shell {
             external: [0.0; 6],
         };
         Ok(Group::of_body(particles, mass, body))
-    }
-
-    /// Number of rigid bodies, and of the particles in them.
-    pub fn rigid_bodies(&self) -> [usize; 2] {
-        let bodies = || self.junctions.groups.iter().filter(|group| group.body.is_some());
-        [bodies().count(), bodies().map(|group| group.particles.len()).sum()]
-    }
-
-    /// Evaluates the loads on rigid bodies, each load times a factor, with what springs exert on them where that is wanted.
-    pub(crate) fn evaluate_bodies(&mut self, springs: bool, scale: impl Fn(&AppliedLoad) -> f64) {
-        for number in 0..self.junctions.groups.len() {
-            let group = &self.junctions.groups[number];
-            let Some(body) = &group.body else { continue };
-            let triad = group.triad(&self.state);
-            let mut sum = if springs { self.springs_on_body(body.number) } else { [Vec3::zeros(); 2] };
-            for applied in &self.loads {
-                let Some(own) = applied.load.on_body(body.number, body.mass) else { continue };
-                let factor = scale(applied);
-                sum.iter_mut().zip(own).for_each(|(sum, part)| *sum += part * factor);
-            }
-            if let Some(body) = &mut self.junctions.groups[number].body {
-                body.take(&triad, sum);
-            }
-        }
-    }
-
-    /// What a load exerts on all rigid bodies: force and couple, and where the force acts.
-    pub(crate) fn on_bodies<'a>(
-        &'a self,
-        load: &'a dyn Load,
-    ) -> impl Iterator<Item = ([Vec3; 2], Vec3)> + 'a {
-        self.junctions.groups.iter().filter_map(move |group| {
-            let body = group.body.as_ref()?;
-            let at = group.pole(&self.state) + body.arm(&group.triad(&self.state));
-            Some((load.on_body(body.number, body.mass)?, at))
-        })
-    }
-
-    /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].
-    pub(crate) fn couples_on_bodies(&self) -> Vec<(u32, Vec3)> {
-        let at = Instant { time: 0.0, level: 1.0 };
-        let couple = |group: &Group| {
-            let body = group.body.as_ref()?;
-            let own = |applied: &AppliedLoad| {
-                Some(applied.load.on_body(body.number, body.mass)?[1] * applied.scale(at, self.case))
-            };
-            Some((group.first() as u32, self.loads.iter().filter_map(own).sum::<Vec3>()))
-        };
-        self.junctions
-            .groups
-            .iter()
-            .filter_map(couple)
-            .filter(|(_, couple)| *couple != Vec3::zeros())
-            .collect()
-    }
-
-    /// Force and torque of the loads and springs on the rigid body that a particle stands for.
-    pub(crate) fn body_load(&self, particle: usize) -> [f64; 6] {
-        let group = self.junctions.of(particle).filter(|group| group.first() == particle);
-        group.and_then(|group| group.body.as_ref()).map_or([0.0; 6], |body| body.external)
-    }
-
-    /// What the supports of a group bear about the place of its first particle: a body bears it at its pole.
-    pub(crate) fn about_first(&self, group: &Group, row: &[f64; 6]) -> Vec3 {
-        let moment = director(row);
-        if group.body.is_none() {
-            return moment;
-        }
-        moment
-            + (group.pole(&self.state) - self.place(group.first())).cross(&Vec3::new(row[0], row[1], row[2]))
     }
 }

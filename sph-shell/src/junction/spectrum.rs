@@ -3,70 +3,79 @@
 use nalgebra::Vector6;
 use sph_core::Vec3;
 
-use crate::Shell;
-use crate::conditions::supports::DirectorHold;
+use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::junction::body::Power;
-use crate::junction::group::{Group, director};
+use crate::junction::group::{Group, director, place};
 use crate::packs::Row;
 
 /// What is left of a held motion beside others, in units of its size, below which it is one of them.
 const DEPENDENT: f64 = 1e-9;
 
-impl Shell {
-    /// The row `[u, θ × d]` of a particle of a group for mass-scaled components v.
-    pub(crate) fn unscaled_tied(&self, group: &Group, a: usize, v: &[f64]) -> Row {
-        let first = group.first();
-        let free = self.without_held(group, std::array::from_fn(|k| v[6 * first + k]));
-        let [u, theta] = halves(&self.mass_scaled(group, free));
+/// A group in mass-scaled coordinates, with what holds it.
+pub(crate) struct Scaled<'a> {
+    pub group: &'a Group,
+    pub state: &'a [Row],
+    pub constraint: Option<&'a Constraint>,
+}
+
+impl Scaled<'_> {
+    /// The row `[u, θ × d]` of a particle of the group for mass-scaled components v.
+    pub fn unscaled(&self, a: usize, v: &[f64]) -> Row {
+        let first = self.group.first();
+        let free = self.without_held(std::array::from_fn(|k| v[6 * first + k]));
+        let [u, theta] = halves(&self.mass_scaled(free));
         let w = theta.cross(&director(&self.state[a]));
-        let arm = group.far_pole(&self.state).map(|pole| self.place(a) - pole);
+        let arm = self.group.far_pole(self.state).map(|pole| place(&self.state[a]) - pole);
         let u = arm.map_or(u, |arm| u + theta.cross(&arm));
         [u.x, u.y, u.z, w.x, w.y, w.z]
     }
 
-    /// Force and torque of a group, mass-scaled and without what supports hold, from rows `[f, n]` of particles.
-    pub(crate) fn free_part_tied(&self, group: &Group, a: usize, row: impl Fn(usize) -> Row) -> Row {
-        if group.first() != a {
+    /// Force and torque of the group, mass-scaled and without what supports hold, from rows `[f, n]` of particles.
+    pub fn free_part(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
+        if self.group.first() != a {
             return [0.0; 6];
         }
-        self.free_row_of_group(group, group.gather(&self.state, row))
+        self.free_row(self.group.gather(self.state, row))
     }
 
     /// The same of force and torque about the pole.
-    pub(crate) fn free_row_of_group(&self, group: &Group, row: Row) -> Row {
-        self.without_held(group, self.mass_scaled(group, row))
+    pub fn free_row(&self, row: Row) -> Row {
+        self.without_held(self.mass_scaled(row))
     }
 
-    /// What is out of balance of a group, in the same way.
-    pub(crate) fn free_lack_tied(&self, group: &Group, a: usize, lack: impl Fn(usize) -> Row) -> Row {
+    /// What is out of balance of the group, in the same way.
+    pub fn free_lack(&self, a: usize, lack: impl Fn(usize) -> Row) -> Row {
+        if self.group.first() != a {
+            return [0.0; 6];
+        }
+        let sum = self.group.gather(self.state, lack);
+        let load = self.group.body.as_ref().map_or([0.0; 6], |body| body.external);
+        self.free_row(std::array::from_fn(|k| sum[k] + load[k]))
+    }
+
+    /// `[√m v, √I ω]` of the group.
+    pub fn scaled_rates(&self, rates: &[Row], a: usize) -> Row {
+        let group = self.group;
         if group.first() != a {
             return [0.0; 6];
         }
-        let (sum, load) = (group.gather(&self.state, lack), self.body_load(a));
-        self.free_row_of_group(group, std::array::from_fn(|k| sum[k] + load[k]))
-    }
-
-    /// `[√m v, √I ω]` of a group.
-    pub(crate) fn scaled_rates_tied(&self, group: &Group, a: usize) -> Row {
-        if group.first() != a {
-            return [0.0; 6];
-        }
-        let motion = group.motion(&self.state, &self.rates);
+        let motion = group.motion(self.state, rates);
         if let Some(body) = &group.body {
             let [v, w] = halves(&motion);
             let v = v * group.mass.sqrt();
-            let w = body.marching.power(&group.triad(&self.state), Power::Root, &w);
+            let w = body.marching.power(&group.triad(self.state), Power::Root, &w);
             return [v.x, v.y, v.z, w.x, w.y, w.z];
         }
         std::array::from_fn(|k| motion[k] * if k < 3 { group.mass } else { group.inertia }.sqrt())
     }
 
     /// `M^{-½}` times a row.
-    fn mass_scaled(&self, group: &Group, row: Row) -> Row {
+    fn mass_scaled(&self, row: Row) -> Row {
+        let group = self.group;
         let [v, w] = halves(&row);
         let v = v / group.mass.sqrt();
         let w = match &group.body {
-            Some(body) => body.marching.power(&group.triad(&self.state), Power::InverseRoot, &w),
+            Some(body) => body.marching.power(&group.triad(self.state), Power::InverseRoot, &w),
             None => w / group.inertia.sqrt(),
         };
         [v.x, v.y, v.z, w.x, w.y, w.z]
@@ -74,14 +83,15 @@ impl Shell {
 
     /// A mass-scaled motion without what supports hold. Of a body the motions that are held, `[n, r × n]` of the reference point and
     /// `[0, e]` of rotations, are not square to the others before they are scaled.
-    fn without_held(&self, group: &Group, row: Row) -> Row {
-        let Some(constraint) = self.constraint(group.first()) else { return row };
+    fn without_held(&self, row: Row) -> Row {
+        let group = self.group;
+        let Some(constraint) = self.constraint else { return row };
         let Some(body) = &group.body else {
             let [v, w] = halves(&row);
             let (v, w) = (constraint.free_translation(v.into()), constraint.free_spin(w));
             return [v[0], v[1], v[2], w.x, w.y, w.z];
         };
-        let arm = body.arm(&group.triad(&self.state));
+        let arm = body.arm(&group.triad(self.state));
         let [x, y, z] = [Vec3::x(), Vec3::y(), Vec3::z()];
         let turns = match constraint.director {
             DirectorHold::Free => [None; 3],
@@ -95,8 +105,7 @@ impl Shell {
         let all = places.chain(turns.into_iter().flatten().map(|e| (Vec3::zeros(), e)));
         let (mut basis, mut count) = ([Vector6::zeros(); 6], 0);
         for (n, moment) in all {
-            let mut held =
-                Vector6::from(self.mass_scaled(group, [n.x, n.y, n.z, moment.x, moment.y, moment.z]));
+            let mut held = Vector6::from(self.mass_scaled([n.x, n.y, n.z, moment.x, moment.y, moment.z]));
             let size = held.norm();
             basis[..count].iter().for_each(|known| held -= known * known.dot(&held));
             if held.norm() > DEPENDENT * size {

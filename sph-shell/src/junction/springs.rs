@@ -13,12 +13,12 @@
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector6};
 use sph_core::Vec3;
 
-use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::conditions::springs::BodySpring;
 use crate::error::ShellError;
-use crate::junction::group::Group;
+use crate::junction::group::{Group, Junctions};
 use crate::packs::Row;
+use crate::reference::Reference;
 use crate::statics::blocks::BlockPattern;
 
 /// The twist of a body about an axis.
@@ -47,9 +47,20 @@ impl Twist {
     }
 }
 
-impl Shell {
+/// Springs of rigid sets, and the state in which they are looked at.
+pub(crate) struct BodySprings<'a> {
+    pub springs: &'a [BodySpring],
+    pub junctions: &'a Junctions,
+    pub reference: &'a Reference,
+    pub state: &'a [Row],
+}
+
+impl Junctions {
     /// Refuses springs on bodies that are none, and stiffnesses that are none.
-    pub(crate) fn check_of_bodies(&self, springs: &[BodySpring]) -> Result<(), ShellError> {
+    ///
+    /// # Errors
+    /// [`ShellError::SpringOfBody`] for the first of them.
+    pub fn check_springs(&self, springs: &[BodySpring]) -> Result<(), ShellError> {
         for spring in springs {
             let missing = spring.bodies().into_iter().find(|number| self.body_numbered(*number).is_none());
             let alike = matches!(spring, BodySpring::Between { bodies: [a, b], .. } if a == b);
@@ -60,39 +71,37 @@ impl Shell {
         }
         Ok(())
     }
+}
 
-    /// The group of a rigid set by its number.
-    fn body_numbered(&self, number: usize) -> Option<&Group> {
-        let is = |group: &&Group| group.body.as_ref().is_some_and(|body| body.number == number);
-        self.junctions.groups.iter().find(is)
-    }
-
+impl BodySprings<'_> {
     /// Rotation of a body from rest.
     fn rotation_of(&self, group: &Group) -> Matrix3<f64> {
         let rest = group.body.as_ref().map_or_else(Matrix3::identity, |body| body.rest);
-        group.triad(&self.state) * rest.transpose()
+        group.triad(self.state) * rest.transpose()
     }
 
     /// Displacement of the reference point of a body \[L\].
     fn way_of_reference(&self, group: &Group) -> Vec3 {
         let Some(body) = &group.body else { return Vec3::zeros() };
         let rest: Vec3 = self.reference.cloud.positions[group.first()] - body.rest * body.places[0][0];
-        group.pole(&self.state) + body.arm(&group.triad(&self.state)) - rest - body.rest * body.reference
+        group.pole(self.state) + body.arm(&group.triad(self.state)) - rest - body.rest * body.reference
     }
 
     /// What springs exert on a body by its number: force at the reference point and couple \[F, F L\].
-    pub(crate) fn springs_on_body(&self, number: usize) -> [Vec3; 2] {
+    pub fn on_body(&self, number: usize) -> [Vec3; 2] {
         let mut sum = [Vec3::zeros(); 2];
-        for spring in &self.springs.of_bodies {
+        for spring in self.springs {
             match spring {
                 BodySpring::Turning { body, stiffness, axis } if *body == number => {
-                    let Some(group) = self.body_numbered(*body) else { continue };
+                    let Some(group) = self.junctions.body_numbered(*body) else { continue };
                     let twist = Twist::of(&self.rotation_of(group), axis);
                     sum[1] -= twist.gradient * (stiffness * twist.angle);
                 }
                 BodySpring::Between { bodies, stiffness, direction } if bodies.contains(&number) => {
                     let ways = bodies.map(|b| {
-                        self.body_numbered(b).map_or(Vec3::zeros(), |group| self.way_of_reference(group))
+                        self.junctions
+                            .body_numbered(b)
+                            .map_or(Vec3::zeros(), |group| self.way_of_reference(group))
                     });
                     let pull = stiffness * direction.dot(&(ways[1] - ways[0]));
                     sum[0] += direction * if bodies[0] == number { pull } else { -pull };
@@ -104,38 +113,38 @@ impl Shell {
     }
 
     /// The same as a row about the pole of the body that a particle stands for, in the present state.
-    pub(crate) fn spring_row_of_body(&self, particle: usize) -> Row {
-        let Some(group) = self.body_of(particle).filter(|group| group.first() == particle) else {
+    pub fn row(&self, particle: usize) -> Row {
+        let Some(group) = self.junctions.body_of(particle).filter(|group| group.first() == particle) else {
             return [0.0; 6];
         };
-        let Some(body) = group.body.as_ref().filter(|_| !self.springs.of_bodies.is_empty()) else {
+        let Some(body) = group.body.as_ref().filter(|_| !self.springs.is_empty()) else {
             return [0.0; 6];
         };
-        let [force, couple] = self.springs_on_body(body.number);
-        let moment = body.arm(&group.triad(&self.state)).cross(&force) + couple;
+        let [force, couple] = self.on_body(body.number);
+        let moment = body.arm(&group.triad(self.state)).cross(&force) + couple;
         [force.x, force.y, force.z, moment.x, moment.y, moment.z]
     }
 
     /// Pairs of first particles that share a block.
-    pub(crate) fn pairs_of_body_springs(&self) -> Vec<[u32; 2]> {
-        let first = |number: usize| self.body_numbered(number).map(|group| group.first() as u32);
+    pub fn pairs(&self) -> Vec<[u32; 2]> {
+        let first = |number: usize| self.junctions.body_numbered(number).map(|group| group.first() as u32);
         let pair = |spring: &BodySpring| match spring {
             BodySpring::Between { bodies: [a, b], .. } => Some([first(*a)?, first(*b)?]),
             BodySpring::Turning { .. } => None,
         };
-        self.springs.of_bodies.iter().filter_map(pair).collect()
+        self.springs.iter().filter_map(pair).collect()
     }
 
     /// Adds the stiffness of these springs to the blocks of first particles, over the unknowns of bodies.
-    pub(crate) fn add_body_spring_blocks(&self, pattern: &BlockPattern, blocks: &mut [Block]) {
+    pub fn add_blocks(&self, pattern: &BlockPattern, blocks: &mut [Block]) {
         let mut add = |a: u32, b: u32, value: &dyn Fn(usize, usize) -> f64| {
             let Some(number) = pattern.find(a, b) else { return };
             (0..6).for_each(|i| (0..6).for_each(|j| blocks[number][i][j] += value(i, j)));
         };
-        for spring in &self.springs.of_bodies {
+        for spring in self.springs {
             match spring {
                 BodySpring::Turning { body, stiffness, axis } => {
-                    let Some(group) = self.body_numbered(*body) else { continue };
+                    let Some(group) = self.junctions.body_numbered(*body) else { continue };
                     let Twist { angle, gradient, change } = Twist::of(&self.rotation_of(group), axis);
                     let mixed = gradient * change.transpose();
                     let over = (gradient * gradient.transpose()
@@ -146,11 +155,11 @@ impl Shell {
                 }
                 BodySpring::Between { bodies, stiffness, direction } => {
                     let row = |number: usize, sign: f64| {
-                        let group = self.body_numbered(number)?;
-                        let arm = group.body.as_ref()?.arm(&group.triad(&self.state));
+                        let group = self.junctions.body_numbered(number)?;
+                        let arm = group.body.as_ref()?.arm(&group.triad(self.state));
                         let n = direction * sign;
                         let moment = arm.cross(&n)
-                            - group.lever(&self.state).map_or(Vec3::zeros(), |lever| lever.torque(&n));
+                            - group.lever(self.state).map_or(Vec3::zeros(), |lever| lever.torque(&n));
                         let row = Vector6::from_iterator(n.iter().chain(moment.iter()).copied());
                         Some((group.first() as u32, row))
                     };

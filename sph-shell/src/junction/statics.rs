@@ -7,7 +7,7 @@ use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::loads::Block;
-use crate::conditions::supports::DirectorHold;
+use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;
 use crate::statics::blocks::BlockPattern;
@@ -139,12 +139,22 @@ impl Group {
     }
 }
 
-impl Shell {
-    /// Directions of the unknowns of a particle that a junction ties: the first has up to three translations and three rotations,
+impl Junctions {
+    /// Moves a group as its first particle's unknowns say; the others of a group go with it.
+    pub fn move_first(&self, state: &mut [Row], particle: usize, u: &Vec3, theta: &Vec3) {
+        if let Some(group) = self.of(particle).filter(|group| group.first() == particle) {
+            let way = group.way_of_pole(state, u, theta);
+            group.turn(state, &way, theta);
+        }
+    }
+}
+
+impl Group {
+    /// Directions of the unknowns of a particle of the group: the first has up to three translations and three rotations,
     /// the others have none.
-    pub(crate) fn tied_basis(&self, group: &Group, particle: usize, arc: f64) -> Basis {
+    pub fn basis(&self, state: &[Row], constraint: Option<&Constraint>, particle: usize, arc: f64) -> Basis {
         let mut basis = Basis::empty(arc);
-        let Some(constraint) = self.constraint(particle).filter(|_| group.first() == particle) else {
+        let Some(constraint) = constraint.filter(|_| self.first() == particle) else {
             return basis;
         };
         for direction in constraint.free_directions() {
@@ -153,7 +163,7 @@ impl Shell {
         basis.move_first(basis.count);
         match constraint.director {
             DirectorHold::Free => {
-                let axes = group.turning_axes(&self.state);
+                let axes = self.turning_axes(state);
                 (0..3).for_each(|i| basis.push(axes.column(i).into()));
             }
             DirectorHold::InPlane(normal) => basis.push(normal),
@@ -161,42 +171,15 @@ impl Shell {
         }
         basis
     }
-
-    /// Moves a group as its first particle's unknowns say; the others of a group go with it.
-    pub(crate) fn move_tied(&mut self, particle: usize, u: &Vec3, theta: &Vec3) {
-        let Self { junctions, state, .. } = self;
-        if let Some(group) = junctions.of(particle).filter(|group| group.first() == particle) {
-            let way = group.way_of_pole(state, u, theta);
-            group.turn(state, &way, theta);
-        }
-    }
-
-    /// Rotary inertia of modes over t²/12, of a group about an axis; the mass of a particle of one section \[M\].
-    pub(crate) fn turning_mass(&self, particle: usize, axis: impl Fn() -> Vec3) -> f64 {
-        let (reference, section) = (&self.reference, 12.0 / self.thickness().powi(2));
-        let hung = |a: usize| self.ties.turning.get(a).map_or(0.0, |turning| turning * section);
-        let own = |a: usize| {
-            reference.rotary.get(a).map_or(reference.masses[a], |rotary| rotary * section) + hung(a)
-        };
-        let Some(group) = self.junctions.of(particle) else { return own(particle) };
-        match group.modal_about(&self.state, &axis()) {
-            None => group.mass_about(&axis(), &self.state, own),
-            Some(inertia) => inertia * section,
-        }
-    }
-
-    /// Mass of a particle or of the group it stands for \[M\].
-    pub(crate) fn moving_mass(&self, particle: usize) -> f64 {
-        self.junctions.of(particle).map_or(self.moving_masses()[0][particle], |group| group.mass)
-    }
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Adds the loads on rigid bodies, as last evaluated, along the unknowns.
     pub(crate) fn add_body_loads(&self, out: &mut [f64]) {
-        for group in self.shell.junctions.groups.iter().filter(|group| group.body.is_some()) {
+        for group in self.shell.dependents.junctions.groups.iter().filter(|group| group.body.is_some()) {
             let a = group.first();
-            let load = group.along_unknowns(&self.shell.state, self.shell.body_load(a));
+            let load =
+                group.along_unknowns(&self.shell.motion.state, self.shell.dependents.junctions.body_load(a));
             let present = self.basis(a);
             let basis = self.carried.get(a).unwrap_or(&present);
             let mut own = [0.0; 6];

@@ -2,9 +2,11 @@
 
 use shell_kinematics::LANES;
 
-use crate::Shell;
 use crate::formulation::{Formulation, Reach};
+use crate::packs::Row;
 use crate::points::point::Point;
+use crate::points::scheme::Points;
+use crate::reference::Reference;
 
 /// Least and greatest principal stretch of the mid-surface.
 ///
@@ -25,15 +27,19 @@ pub(crate) struct BoundViolation {
     pub bound: &'static str,
 }
 
-impl Shell {
+impl Points {
     /// The first sampling point beyond the range of the model.
     ///
     /// `J = (x,1 × x,2)·d` is the area over that of the reference where the director is normal; not positive, the surface
     /// is folded through itself or its director lies in it.
-    pub(crate) fn first_bound_violation(&self) -> Option<BoundViolation> {
-        let packs = &self.points.packs;
+    pub(crate) fn first_bound_violation(
+        &self,
+        reference: &Reference,
+        state: &[Row],
+    ) -> Option<BoundViolation> {
+        let packs = &self.packs;
         for (index, points) in packs.order.iter().enumerate() {
-            let (p, _) = Point::new(packs, index).interpolate::<false>(&self.state);
+            let (p, _) = Point::new(packs, index).interpolate::<false>(state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());
             for lane in 0..LANES {
@@ -58,7 +64,7 @@ impl Shell {
                     ("the greatest stretch", most.sqrt(), "below 10")
                 };
                 return Some(BoundViolation {
-                    place: self.name_point(points[lane] as usize),
+                    place: self.name_point(reference, points[lane] as usize),
                     what,
                     value,
                     bound,
@@ -69,13 +75,13 @@ impl Shell {
     }
 
     /// A sampling point by number and place, for messages.
-    fn name_point(&self, point: usize) -> String {
+    fn name_point(&self, reference: &Reference, point: usize) -> String {
         let kind = match self.formulation {
             Formulation::StressPoint(Reach::Cell) => "cell",
             Formulation::StressPoint(Reach::Kernel(..)) => "the point of cell",
             _ => "particle",
         };
-        let x = self.reference.from_zero(self.reference.operator.points[point].position);
+        let x = reference.from_zero(reference.operator.points[point].position);
         format!("{kind} {point} at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z)
     }
 }

@@ -4,7 +4,6 @@ use shell_kinematics::{LANES, Pack, Section};
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::supports::Constraint;
 use crate::points::point::{Point, PointState};
 
 /// Strains and resultants of one sampling point.
@@ -31,14 +30,9 @@ pub struct PointResult {
 }
 
 impl Shell {
-    /// Whether a support holds any degree of freedom of a particle.
-    pub fn is_held(&self, particle: usize) -> bool {
-        self.constraint(particle).is_some_and(Constraint::holds)
-    }
-
     /// The section of four points.
     pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
-        point.section.unwrap_or(&*self.section)
+        point.section.unwrap_or(&*self.material.section)
     }
 
     /// Evaluates strains and resultants of the present state, one entry of `out` a sampling point, in the order of
@@ -48,7 +42,7 @@ impl Shell {
         for (index, points) in self.points.packs.order.iter().enumerate() {
             let point = self.points.point(index);
             let PointState { placement: p, strains, .. } =
-                point.strained::<true, _>(point.strain.unwrap_or(self.strain), &self.state);
+                point.strained::<true, _>(point.strain.unwrap_or(self.material.strain), &self.motion.state);
             let stress = self.section_of(&point).resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

@@ -19,6 +19,7 @@ use crate::shared::Shared;
 /// All sampling points.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {
+    pub formulation: Formulation,
     pub packs: Packs,
     /// Shear on uneven stencils; empty on lattices of developable surfaces.
     pub shear: Vec<ShearPack>,
@@ -26,6 +27,7 @@ pub(crate) struct Points {
     pub sections: Sections,
     /// Strain measures of each pack; empty if all points have the same.
     pub strains: Vec<StrainPack>,
+    pub chord_loss: ChordLoss,
 }
 
 /// Sections of each pack.
@@ -77,7 +79,7 @@ pub(crate) enum Scheme {
 }
 
 impl Points {
-    /// Lays out the points and takes their measures at rest as the reference; returns also what chords lose.
+    /// Lays out the points and takes their measures at rest as the reference.
     ///
     /// # Errors
     /// [`ShellError::Space`] for pairs whose gradients cannot be found.
@@ -86,7 +88,7 @@ impl Points {
         formulation: &Formulation,
         section: &Scales,
         density: f64,
-    ) -> Result<(Self, ChordLoss), ShellError> {
+    ) -> Result<Self, ShellError> {
         let (operator, positions) = (&reference.operator, &reference.cloud.positions);
         let mut packs = Packs::new(operator);
         let second = operator.second_moments(positions);
@@ -137,11 +139,12 @@ impl Points {
         if let Scheme::Cells { control, .. } = &mut scheme {
             *control = Shared::new(cells, CellPack::numbers);
         }
-        let mut loss = ChordLoss::default();
+        let mut chord_loss = ChordLoss::default();
         if let Scheme::Cells { arcs, .. } = &mut scheme {
-            (*arcs, loss) = ArcPack::all(operator, &packs, &second, &third, section);
+            (*arcs, chord_loss) = ArcPack::all(operator, &packs, &second, &third, section);
         }
-        Ok((Self { packs, shear, scheme, sections: Sections::One, strains: Vec::new() }, loss))
+        let (formulation, sections, strains) = (*formulation, Sections::One, Vec::new());
+        Ok(Self { formulation, packs, shear, scheme, sections, strains, chord_loss })
     }
 
     /// The points of a pack, with what corrects their strains.
@@ -158,6 +161,13 @@ impl Points {
             section: self.sections.get(index),
             strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
+        }
+    }
+
+    /// Leaves a share of the initial stress.
+    pub fn set_stress_share(&mut self, share: f64) {
+        if let Sections::Stressed(packs) = &mut self.sections {
+            packs.iter_mut().for_each(|pack| pack.set_share(share));
         }
     }
 

@@ -308,7 +308,7 @@ mod tests {
         let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
         let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
         let scales = Scales { uniform: scales, own: Vec::new() };
-        let (points, _) = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
+        let points = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
         let mut state = reference.rest();
         for (i, row) in state.iter_mut().enumerate() {
             for (k, value) in row.iter_mut().enumerate() {

@@ -52,7 +52,7 @@ impl BlockPattern {
             }
         }
         shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
-        for [a, b] in shell.pairs_of_body_springs() {
+        for [a, b] in shell.body_springs().pairs() {
             rows[a.max(b) as usize].push(a.min(b));
         }
         if let Scheme::Wide { control, .. } = &shell.points.scheme {
@@ -60,8 +60,8 @@ impl BlockPattern {
                 row.extend(control.blocks_of(a).map(|(b, _)| b).filter(|&b| (b as usize) < a));
             }
         }
-        let of_hanging = shell.ties.add_pairs(&mut rows);
-        shell.junctions.add_pairs(&mut rows);
+        let of_hanging = shell.dependents.ties.add_pairs(&mut rows);
+        shell.dependents.junctions.add_pairs(&mut rows);
         let mut pattern = Self {
             offsets: vec![0],
             columns: Vec::new(),

@@ -107,8 +107,8 @@ impl Basis {
 impl Shell {
     /// Directions of a particle's unknowns at the present state, turns counted as arcs of a radius.
     pub(crate) fn basis(&self, particle: usize, arc: f64) -> Basis {
-        if let Some(group) = self.junctions.of(particle) {
-            return self.tied_basis(group, particle, arc);
+        if let Some(group) = self.dependents.junctions.of(particle) {
+            return group.basis(&self.motion.state, self.constraint(particle), particle, arc);
         }
         let d = self.director(particle);
         let frame = Frame::from_normal(d);
@@ -139,11 +139,12 @@ impl Shell {
 
     /// Displaces a particle and turns its director; gives the turn, carried along.
     pub(crate) fn move_particle(&mut self, a: usize, u: Vec3, v: Vec3) -> Vec3 {
-        if self.junctions.of(a).is_some() {
-            self.move_tied(a, &u, &v);
+        let (junctions, state) = (&self.dependents.junctions, &mut self.motion.state);
+        if junctions.of(a).is_some() {
+            junctions.move_first(state, a, &u, &v);
             return v; // a rotation leaves its own axis
         }
-        let row = &mut self.state[a];
+        let row = &mut state[a];
         let (d, w) = parallel_transport([row[3], row[4], row[5]], v.into(), 1.0);
         *row = [row[0] + u.x, row[1] + u.y, row[2] + u.z, d[0], d[1], d[2]];
         w.into()

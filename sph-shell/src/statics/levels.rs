@@ -12,14 +12,14 @@ use crate::statics::static_shell::StaticShell;
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Makes a load case the one that is under way: levels count its loads and motions from here on.
     pub fn set_case(&mut self, case: LoadCase) {
-        self.shell.case = case;
+        self.shell.loading.case = case;
     }
 
     /// Whether anything belongs to the preload.
     pub fn has_preload(&self) -> bool {
         let shell = &*self.shell;
         let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
-        shell.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
+        shell.loading.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
             || self.moved.iter().any(moves)
     }
 
@@ -28,14 +28,17 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let shell = &mut *self.shell;
         shell.put_stress(level);
         for &a in &self.moved {
-            let number = shell.constraint_of[a as usize] as usize - 1;
-            if shell.body_of(a as usize).is_some() {
-                shell.put_body(a as usize, level);
-            } else if let Some(prescribed) = shell.constraints[number].prescribed() {
-                prescribed.put(level, shell.case, &mut shell.state[a as usize]);
+            let a = a as usize;
+            let Shell { dependents, constraints, loading, motion, .. } = &mut *shell;
+            if let Some(constraint) = constraints.of(a) {
+                match (dependents.junctions.body_of(a), constraint.prescribed()) {
+                    (Some(group), _) => group.put(constraint, level, loading.case, &mut motion.state),
+                    (None, Some(prescribed)) => prescribed.put(level, loading.case, &mut motion.state[a]),
+                    (None, None) => {}
+                }
             }
-            if let Some(basis) = self.carried.get_mut(a as usize) {
-                *basis = shell.basis(a as usize, self.dofs.arc);
+            if let Some(basis) = self.carried.get_mut(a) {
+                *basis = shell.basis(a, self.dofs.arc);
             }
         }
     }
@@ -43,14 +46,20 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Rates of `[x, d]` of all particles per unit of level at fixed unknowns, at a level.
     pub(super) fn prescribed_rates(&self, level: f64) -> Vec<Row> {
         let mut rates = vec![[0.0; 6]; self.shell.len()];
+        let Shell { dependents, constraints, loading, motion, .. } = &*self.shell;
         for &a in &self.moved {
-            if self.shell.body_of(a as usize).is_some() {
-                self.shell.rates_of_body(a as usize, level, &mut rates);
-            } else if let Some(prescribed) = self.shell.constraint(a as usize).and_then(|c| c.prescribed()) {
-                rates[a as usize] = prescribed.rate(level, &self.shell.director(a as usize), self.shell.case);
+            let a = a as usize;
+            let Some(prescribed) = constraints.of(a).and_then(|constraint| constraint.prescribed()) else {
+                continue;
+            };
+            match dependents.junctions.body_of(a) {
+                Some(group) => {
+                    group.prescribed_rates(&prescribed, level, loading.case, &motion.state, &mut rates);
+                }
+                None => rates[a] = prescribed.rate(level, &motion.director(a), loading.case),
             }
         }
-        self.shell.ties.follow(&self.shell.state, &mut rates);
+        dependents.ties.follow(&motion.state, &mut rates);
         rates
     }
 
@@ -66,9 +75,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         });
         let shell = &*self.shell;
-        shell.ties.condense(&shell.state, &mut rows, |_, _| ());
+        shell.dependents.ties.condense(&shell.motion.state, &mut rows, |_, _| ());
         shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
+        shell.dependents.ties.reduce(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
         for a in 0..rows.len() {
             for number in self.pattern.of_row(a) {
                 let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
@@ -85,7 +94,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// Takes what a unit of level adds to the forces of the initial stress along the unknowns.
     pub(super) fn subtract_stress_rate(&mut self, level: f64, out: &mut [f64]) {
-        if self.shell.case != self.shell.stress_case || !self.shell.is_stressed() {
+        if self.shell.loading.case != self.shell.material.stress_case || !self.shell.is_stressed() {
             return;
         }
         let rows = self.shell.forces_of_stress(level);

@@ -6,8 +6,6 @@
 
 use std::ops::DerefMut;
 
-use explicit_dynamics::Instant;
-
 use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::statics::blocks::BlockPattern;
@@ -16,23 +14,16 @@ use crate::statics::static_shell::StaticShell;
 /// The largest entry of the skew part that counts as rounding, in units of the largest derivative.
 const ROUNDING: f64 = 1e-9;
 
-impl Shell {
-    /// The derivatives of all loads at a level and of the springs, block by block.
-    pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
-        let body = self.as_loaded();
-        for applied in &self.loads {
-            let scale = applied.scale(Instant { time: 0.0, level }, self.case);
-            applied.load.stiffness(scale, &body, put);
-        }
-        self.spring_stiffness(put);
-    }
-
-    /// Takes the symmetric part of the loads' derivatives from the lower triangle of the tangent.
-    pub(crate) fn subtract_load_stiffness(&self, level: f64, pattern: &BlockPattern, blocks: &mut [Block]) {
-        self.load_stiffness(level, &mut |a, b, block| {
-            add_halves((a, b, block), [-0.5, -0.5], pattern, blocks);
-        });
-    }
+/// Takes the symmetric part of the loads' derivatives from the lower triangle of the tangent.
+pub(crate) fn subtract_load_stiffness(
+    shell: &Shell,
+    level: f64,
+    pattern: &BlockPattern,
+    blocks: &mut [Block],
+) {
+    shell.load_stiffness(level, &mut |a, b, block| {
+        add_halves((a, b, block), [-0.5, -0.5], pattern, blocks);
+    });
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
@@ -48,7 +39,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 largest = sizes.fold(largest, f64::max);
             }
         });
-        let couples = self.shell.couples_on_bodies();
+        let couples = self.shell.loading.couples_on_bodies(&self.shell.dependents.junctions);
         largest = couples.iter().fold(largest, |most, (_, couple)| most.max(couple.amax() * turn * turn));
         if largest == 0.0 {
             return 0.0;
@@ -57,8 +48,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
             add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
         });
-        self.shell.ties.reduce(&self.shell.state, &self.pattern, &mut skew, -1.0, |_| None);
-        self.shell.junctions.tie(&self.shell.state, &self.pattern, &mut skew, -1.0);
+        self.shell.dependents.ties.reduce(&self.shell.motion.state, &self.pattern, &mut skew, -1.0, |_| None);
+        self.shell.dependents.junctions.tie(&self.shell.motion.state, &self.pattern, &mut skew, -1.0);
         for (first, couple) in couples {
             let Some(number) = self.pattern.find(first, first) else { continue };
             // Of a couple C about a fixed axis in the rotations of a body: ½ C × θ.

@@ -11,6 +11,7 @@ use crate::packs::Row;
 use crate::points::bounds::BoundViolation;
 use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::{Basis, DofMap, great_circle};
+use crate::statics::load_stiffness::subtract_load_stiffness;
 use crate::statics::projection::{Projection, entries};
 
 /// A shell with what Newton's method needs: numbered degrees of freedom and the blocks of its tangent.
@@ -34,7 +35,7 @@ impl StaticShell {
     /// Numbers the free degrees of freedom of a shell. What its supports move goes with the level.
     pub fn new(shell: Shell) -> Self {
         // The first particle of a rigid body stands for all of it.
-        let own = |a: usize| shell.body_of(a).is_none_or(|group| group.first() == a);
+        let own = |a: usize| shell.dependents.junctions.body_of(a).is_none_or(|group| group.first() == a);
         let prescribed = |a: usize| shell.constraint(a).is_some_and(|c| c.prescribed().is_some());
         let moved = (0..shell.len()).filter(|&a| prescribed(a) && own(a));
         let moved = moved.map(|a| a as u32).collect();
@@ -76,7 +77,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let share = direction.normalize() / particles.len() as f64;
         let mut rows = vec![[0.0; 6]; self.shell.len()];
         particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += share[k]));
-        self.shell.ties.condense(&self.shell.state, &mut rows, |_, _| ());
+        self.shell.dependents.ties.condense(&self.shell.motion.state, &mut rows, |_, _| ());
         let mut weights = vec![0.0; self.dofs.count()];
         self.project(|a| rows[a], &mut weights);
         weights
@@ -95,8 +96,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
             let (mut row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
-            if let Some(group) = self.shell.body_of(a).filter(|group| group.first() == a) {
-                row = group.along_unknowns(&self.shell.state, row);
+            if let Some(group) = self.shell.dependents.junctions.body_of(a).filter(|group| group.first() == a)
+            {
+                row = group.along_unknowns(&self.shell.motion.state, row);
             }
             match self.carried.get(a) {
                 Some(basis) => basis.project(&row, out),
@@ -122,7 +124,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             &self.carried
         };
         let projection = Projection { bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
-        projection.run(0..self.shell.len(), values, self.shell.threads.next_power_of_two());
+        projection.run(0..self.shell.len(), values, self.shell.evaluation.threads.next_power_of_two());
     }
 }
 
@@ -152,9 +154,9 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn rigid_motions(&self) -> Option<Vec<[f64; 6]>> {
-        let state = &self.shell.state;
+        let state = &self.shell.motion.state;
         let of = |a: usize| {
-            let (basis, group) = (self.basis(a), self.shell.junctions.of(a));
+            let (basis, group) = (self.basis(a), self.shell.dependents.junctions.of(a));
             let [x, d] = [0, 3].map(|first| Vec3::from_fn(|k, _| state[a][first + k]));
             let x = group.and_then(|group| group.far_pole(state)).unwrap_or(x);
             (0..basis.count).map(move |i| {
@@ -207,10 +209,16 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn driving_force(&self) -> f64 {
         let prescribed = |&a: &u32| {
             let a = a as usize;
-            if self.shell.body_of(a).is_some() {
-                return Some(self.shell.force_on_body(a, self.dofs.arc));
-            }
             let prescribed = self.shell.constraint(a)?.prescribed()?;
+            let internal = |a| self.shell.internal_force(a);
+            if let Some(group) = self.shell.dependents.junctions.body_of(a) {
+                return Some(group.driving_force(
+                    &prescribed,
+                    &self.shell.motion.state,
+                    internal,
+                    self.dofs.arc,
+                ));
+            }
             Some(prescribed.force(&self.shell.internal_force(a), &self.shell.director(a), self.dofs.arc))
         };
         self.moved.iter().filter_map(prescribed).sum::<f64>().sqrt()
@@ -226,12 +234,12 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.update(motion);
         self.put(level);
         self.shell.evaluate_internal(false);
-        let stressed = self.shell.state.to_vec();
+        let stressed = self.shell.motion.state.to_vec();
         let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
         self.restore(&rest);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
-        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        subtract_load_stiffness(&self.shell, level, &self.pattern, &mut self.blocks);
         // Without stress here, the force along the director is that of the stresses alone up to their square.
         self.assemble(Some(&internal), values);
         true
@@ -266,7 +274,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             let (u, v) = self.basis(a).expand(&increment[self.dofs.of(a)]);
             self.shell.move_particle(a, u, v);
         }
-        self.shell.put_hanging();
+        let Shell { dependents, motion, .. } = &mut *self.shell;
+        dependents.ties.put(&mut motion.state);
     }
 
     fn carry(&mut self, motion: &mut [f64]) {
@@ -280,22 +289,22 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             self.carried[a] = self.basis(a);
             self.carried[a].turns(&turn, own);
         }
-        self.shell.put_hanging();
+        let Shell { dependents, motion, .. } = &mut *self.shell;
+        dependents.ties.put(&mut motion.state);
     }
 
     fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
         let (rows, _) = saved.as_chunks::<6>();
         for (a, row) in rows.iter().enumerate() {
-            let here = &self.shell.state[a];
-            let turn = match self.shell.junctions.of(a) {
-                Some(group) => group.rotation_to(&self.shell.state, rows),
+            let here = &self.shell.motion.state[a];
+            let turn = match self.shell.dependents.junctions.of(a) {
+                Some(group) => group.rotation_to(&self.shell.motion.state, rows),
                 None => great_circle(here, row),
             };
-            let pole = self
-                .shell
-                .junctions
-                .of(a)
-                .and_then(|group| Some(group.far_pole(rows)? - group.far_pole(&self.shell.state)?));
+            let pole =
+                self.shell.dependents.junctions.of(a).and_then(|group| {
+                    Some(group.far_pole(rows)? - group.far_pole(&self.shell.motion.state)?)
+                });
             let moved = pole.unwrap_or_else(|| Vec3::from_fn(|k, _| row[k] - here[k]));
             let basis = self.basis(a);
             let own = &mut out[self.dofs.of(a)];
@@ -308,33 +317,36 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn save(&self) -> Vec<f64> {
-        self.shell.state.iter().flatten().copied().collect()
+        self.shell.motion.state.iter().flatten().copied().collect()
     }
 
     fn restore(&mut self, saved: &[f64]) {
         self.carried.clear();
-        for (row, from) in self.shell.state.iter_mut().zip(saved.chunks_exact(6)) {
+        for (row, from) in self.shell.motion.state.iter_mut().zip(saved.chunks_exact(6)) {
             row.copy_from_slice(from);
         }
     }
 
     fn energy(&mut self) -> f64 {
         self.shell.evaluate_internal(true);
-        self.shell.internal_energy
+        self.shell.stored_energy()
     }
 
     /// Turning directors carry the rotary inertia `ρ t A_a t²/12` of the shell itself: the one scaled up in
     /// [`crate::Reference`] serves the stable step, which nothing here has. It would take up to 1.2 % off the lowest
     /// six frequencies of thin square plates of 21×21 particles, by an amount that is the lattice's, not the plate's.
     fn masses(&self) -> Vec<f64> {
-        let turning = self.shell.thickness().powi(2) / 12.0 / self.dofs.arc.powi(2);
+        let thickness = self.shell.thickness();
+        let turning = thickness.powi(2) / 12.0 / self.dofs.arc.powi(2);
         (0..self.unknowns())
             .map(|unknown| {
                 let (particle, place, moves) = self.dofs.find(unknown);
                 if moves {
-                    return self.shell.moving_mass(particle);
+                    return self.shell.dependents.moving_mass(&self.shell.reference, particle);
                 }
-                self.shell.turning_mass(particle, || self.basis(particle).directions[place]) * turning
+                let Shell { dependents, reference, motion, .. } = &*self.shell;
+                let axis = || self.basis(particle).directions[place];
+                dependents.turning_mass(reference, thickness, &motion.state, particle, axis) * turning
             })
             .collect()
     }
@@ -347,7 +359,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let (particle, place, moves) = self.dofs.find(unknown);
         let direction = self.basis(particle).directions[place];
         let x = self.shell.rest_position(particle);
-        let what = match (moves, self.shell.junctions.of(particle)) {
+        let what = match (moves, self.shell.dependents.junctions.of(particle)) {
             (true, _) => "moving",
             (false, None) => "its director turning",
             (false, Some(group)) if group.body.is_some() => "its rigid body turning",
@@ -361,7 +373,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
         let found = |BoundViolation { place, what, value, bound }| OutOfBounds { place, what, value, bound };
-        self.shell.first_bound_violation().map_or(Ok(()), |violation| Err(found(violation)))
+        self.shell
+            .points
+            .first_bound_violation(&self.shell.reference, &self.shell.motion.state)
+            .map_or(Ok(()), |violation| Err(found(violation)))
     }
 }
 
@@ -371,7 +386,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.evaluate_internal(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        self.shell.subtract_load_stiffness(level, &self.pattern, &mut self.blocks);
+        subtract_load_stiffness(&self.shell, level, &self.pattern, &mut self.blocks);
         self.assemble(None, values);
     }
 
@@ -383,15 +398,20 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 (internal.map_or_else(|| shell.internal_force(a), |rows| rows[a]), shell.external_force(a));
             std::array::from_fn(|k| f[k] - e[k])
         };
-        let on_hanging = |i: usize| Some(shell.ties.lack(i));
-        shell.ties.reduce(&shell.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
-        shell.junctions.tie(&shell.state, &self.pattern, &mut self.blocks, 1.0);
-        shell.junctions.add_rotation_blocks(&shell.state, &self.pattern, &mut self.blocks, lack);
-        shell.add_body_spring_blocks(&self.pattern, &mut self.blocks);
+        let on_hanging = |i: usize| Some(shell.dependents.ties.lack(i));
+        shell.dependents.ties.reduce(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
+        shell.dependents.junctions.tie(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0);
+        shell.dependents.junctions.add_rotation_blocks(
+            &shell.motion.state,
+            &self.pattern,
+            &mut self.blocks,
+            lack,
+        );
+        shell.body_springs().add_blocks(&self.pattern, &mut self.blocks);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.
-        let radial = |a: usize| match shell.junctions.of(a) {
+        let radial = |a: usize| match shell.dependents.junctions.of(a) {
             Some(_) => 0.0,
-            None => lack(a).iter().zip(&shell.state[a]).skip(3).map(|(lack, d)| lack * d).sum(),
+            None => lack(a).iter().zip(&shell.motion.state[a]).skip(3).map(|(lack, d)| lack * d).sum(),
         };
         self.project_blocks(&self.blocks, radial, values);
     }

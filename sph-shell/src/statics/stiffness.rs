@@ -40,7 +40,7 @@ impl Shell {
         blocks: &mut [Block],
     ) {
         let assembly = Assembly { shell: self, pattern, stressed };
-        assembly.run(0..self.len(), blocks, self.threads.next_power_of_two());
+        assembly.run(0..self.len(), blocks, self.evaluation.threads.next_power_of_two());
     }
 }
 
@@ -117,7 +117,7 @@ impl Assembly<'_> {
     ) -> PointTangent {
         let pack = point.pack;
         let PointState { placement: p, measures: now, strains, mut control } =
-            point.strained::<true, M>(law.strain, &self.shell.state);
+            point.strained::<true, M>(law.strain, &self.shell.motion.state);
         let mut stress = law.section.resultants(&strains);
         if let Some(state) = self.stressed {
             let there = point.strained::<true, M>(law.strain, state);
@@ -175,7 +175,7 @@ impl Work for Leaf<'_, '_> {
     #[inline(always)]
     fn run<R: Registers>(self, _: R) {
         let Self { assembly, rows, blocks } = self;
-        let law = PointLaw { strain: assembly.shell.strain, section: &*assembly.shell.section };
+        let law = assembly.shell.material.law();
         match law.default_pair() {
             Some(law) => assembly.packs(law, &rows, blocks),
             None => assembly.packs(law, &rows, blocks),

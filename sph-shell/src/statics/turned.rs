@@ -36,10 +36,14 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         for (a, basis) in bases.iter().enumerate() {
             let (u, v) = basis.expand(&motion[self.dofs.of(a)]);
             let row = [u.x, u.y, u.z, v.x, v.y, v.z];
-            match shell.junctions.of(a) {
+            match shell.dependents.junctions.of(a) {
                 None => rates[a] = row,
                 Some(group) if group.first() == a => {
-                    group.set_rates(&shell.state, &mut rates, &group.of_pole(&shell.state, row));
+                    group.set_rates(
+                        &shell.motion.state,
+                        &mut rates,
+                        &group.of_pole(&shell.motion.state, row),
+                    );
                     whole[a] = Some(v);
                 }
                 Some(_) => {}
@@ -48,7 +52,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         for &a in &self.moved {
             let prescribed = shell.constraint(a as usize).and_then(|constraint| constraint.prescribed());
             if let (Some(prescribed), Some(turn)) = (prescribed, &mut whole[a as usize]) {
-                let [_, spin] = prescribed.motion_rate(from, shell.case);
+                let [_, spin] = prescribed.motion_rate(from, shell.loading.case);
                 *turn += spin * (to - from);
             }
         }
@@ -57,8 +61,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 row.iter_mut().zip(prescribed).for_each(|(sum, rate)| *sum += rate * (to - from));
             }
         }
-        shell.ties.follow(&shell.state, &mut rates);
-        let positions: Vec<Vec3> = (0..rates.len()).map(|a| shell.place(a)).collect();
+        shell.dependents.ties.follow(&shell.motion.state, &mut rates);
+        let positions: Vec<Vec3> = (0..rates.len()).map(|a| shell.motion.place(a)).collect();
         let velocities: Vec<Vec3> = rates.iter().map(|row| Vec3::from_column_slice(&row[..3])).collect();
         let of =
             |a: usize| self.pattern.of_row(a).map(move |number| (a, self.pattern.columns[number] as usize));

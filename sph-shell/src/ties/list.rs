@@ -2,14 +2,13 @@
 
 use sph_core::Cloud;
 
-use crate::Shell;
-use crate::conditions::loads::Body;
+use crate::conditions::constraints::Constraints;
 use crate::conditions::spread::check_cells;
 use crate::conditions::supports::Constraint;
 use crate::error::ShellError;
-use crate::formulation::{Formulation, Reach};
-use crate::junction::group::Junctions;
+use crate::material::Material;
 use crate::packs::Row;
+use crate::reference::Reference;
 use crate::ties::hanging::Hanging;
 use crate::ties::host::{Place, hang, nearest};
 use crate::ties::lines::lines;
@@ -62,8 +61,15 @@ impl Ties {
         number.checked_sub(1).map(|i| &self.hanging[i])
     }
 
-    fn new(shell: &Shell, ties: &[Tie]) -> Result<Self, ShellError> {
-        let cloud = &shell.reference.cloud;
+    /// Finds what hangs, and where; masses are lumped by [`Ties::weigh`].
+    ///
+    /// # Errors
+    /// [`ShellError`] for an edge too far from its host or on too few of its cells, one without particles of its own, and ties in a circle.
+    pub fn new(reference: &Reference, material: &Material, ties: &[Tie]) -> Result<Self, ShellError> {
+        if ties.is_empty() {
+            return Ok(Self::default());
+        }
+        let cloud = &reference.cloud;
         let mates =
             |a: u32| cloud.joined.iter().find(|group| group.contains(&a)).map_or(&[][..], |group| group);
         let mut number = vec![0_u32; cloud.len()];
@@ -90,7 +96,7 @@ impl Ties {
                 if number[a as usize] > 0 {
                     continue; // it hangs on the host of an earlier tie
                 }
-                let places = places(shell, tie, host, a)?;
+                let places = places(reference, material, tie, host, a)?;
                 for place in &places {
                     let on = &mut on_cell[place.cell as usize];
                     // The next cell along the line bears the other half.
@@ -106,7 +112,7 @@ impl Ties {
                 // Those of a junction hang together.
                 let alone = [a];
                 let together = if mates(a).is_empty() { &alone[..] } else { mates(a) };
-                for hanging in hang(&shell.reference, &places, together, &lines[a as usize]) {
+                for hanging in hang(reference, &places, together, &lines[a as usize]) {
                     let b = hanging.particle;
                     found.push(hanging);
                     number[b as usize] = found.len() as u32;
@@ -119,25 +125,37 @@ impl Ties {
         let hanging = ordered(found, cloud)?;
         (1..).zip(&hanging).for_each(|(i, own)| number[own.particle as usize] = i);
         let rows = vec![[0.0; 6]; hanging.len()];
-        let none = Vec::new;
-        let mut ties = Self {
-            internal: rows.clone(),
-            external: rows,
-            hanging,
-            number,
-            masses: none(),
-            inertias: none(),
-            turning: none(),
-            weighing: none(),
-        };
-        ties.weigh(shell);
-        Ok(ties)
+        Ok(Self { internal: rows.clone(), external: rows, hanging, number, ..Self::default() })
     }
 
-    /// Lumps what hangs at the corners it hangs on.
-    fn weigh(&mut self, shell: &Shell) {
-        let reference = &shell.reference;
-        let section = shell.thickness().powi(2) / 12.0;
+    /// Holds what hangs, and refuses supports of it that its corners do not have: it goes where they go.
+    ///
+    /// # Errors
+    /// [`ShellError::TieHeld`] for such a support.
+    pub fn hold(&self, reference: &Reference, constraints: &mut Constraints) -> Result<(), ShellError> {
+        for hanging in &self.hanging {
+            let particle = hanging.particle;
+            if let Some(asked) = constraints.of(particle as usize).filter(|asked| asked.holds()) {
+                let parts = hanging.corners.iter().zip(&hanging.shares);
+                let mut bearing = parts.filter(|(_, share)| share.x[0].abs() > NO_PART).map(|(&b, _)| b);
+                let held = |b: u32| constraints.of(b as usize).is_some_and(|held| held.implies(asked));
+                if !bearing.all(held) {
+                    return Err(ShellError::TieHeld { particle });
+                }
+            }
+            let cloud = &reference.cloud;
+            let rest = (cloud.positions[particle as usize], cloud.frames[particle as usize].n);
+            constraints.hold(&[particle], Constraint::still(rest));
+        }
+        Ok(())
+    }
+
+    /// Lumps what hangs at the corners it hangs on, on a shell of some thickness \[L\].
+    pub fn weigh(&mut self, reference: &Reference, thickness: f64) {
+        if self.is_empty() {
+            return;
+        }
+        let section = thickness.powi(2) / 12.0;
         let own = |a: usize| reference.rotary.get(a).copied().unwrap_or(reference.masses[a] * section);
         self.masses.clone_from(&reference.masses);
         self.inertias.clone_from(&reference.inertias);
@@ -155,6 +173,20 @@ impl Ties {
         }
         self.weighing.clone_from(&self.masses);
         self.hanging.iter().for_each(|hanging| self.weighing[hanging.particle as usize] = 0.0);
+    }
+
+    /// Masses and rotary inertias of marching that move with each particle \[M, M L²\]: with what hangs on it, whose own stand still.
+    pub fn moving_masses<'a>(&'a self, reference: &'a Reference) -> [&'a [f64]; 2] {
+        if self.is_empty() {
+            [&reference.masses, &reference.inertias]
+        } else {
+            [&self.masses, &self.inertias]
+        }
+    }
+
+    /// Masses on which gravity acts: those of [`Ties::moving_masses`] without what hangs \[M\].
+    pub fn weighing_masses<'a>(&'a self, reference: &'a Reference) -> &'a [f64] {
+        if self.is_empty() { &reference.masses } else { &self.weighing }
     }
 
     /// Takes numbers of what hangs to the corners it hangs on, in shares of the place.
@@ -185,6 +217,31 @@ impl Ties {
         }
     }
 
+    /// Takes internal forces on what hangs to its hosts.
+    pub fn condense_internal(&mut self, state: &[Row], forces: &mut [Row]) {
+        let mut kept = std::mem::take(&mut self.internal);
+        self.condense(state, forces, |i, row| kept[i] = row);
+        self.internal = kept;
+    }
+
+    /// The same of the loads.
+    pub fn condense_external(&mut self, state: &[Row], forces: &mut [Row]) {
+        let mut kept = std::mem::take(&mut self.external);
+        self.condense(state, forces, |i, row| kept[i] = row);
+        self.external = kept;
+    }
+
+    /// Rates of a particle: of one that hangs those that its hosts give it.
+    pub fn rate(&self, state: &[Row], rates: &[Row], particle: usize) -> Row {
+        let Some(hanging) = self.of(particle) else { return rates[particle] };
+        if hanging.corners.iter().all(|&b| self.of(b as usize).is_none()) {
+            return hanging.rate(&hanging.vectors(state), rates);
+        }
+        let mut rates = rates.to_vec();
+        self.follow(state, &mut rates);
+        rates[particle]
+    }
+
     /// Gives what hangs the rates of its hosts.
     pub fn follow(&self, state: &[Row], rates: &mut [Row]) {
         for hanging in self.hanging.iter().rev() {
@@ -194,11 +251,16 @@ impl Ties {
 }
 
 /// Where a particle stands over the host, no farther away than the sheets are thick or the host is bent.
-fn places(shell: &Shell, tie: usize, host: &[u32], particle: u32) -> Result<Vec<Place>, ShellError> {
-    let reference = &shell.reference;
+fn places(
+    reference: &Reference,
+    material: &Material,
+    tie: usize,
+    host: &[u32],
+    particle: u32,
+) -> Result<Vec<Place>, ShellError> {
     let cells = &reference.cloud.cells;
     let own = cells.iter().position(|cell| cell.particles().contains(&particle));
-    let thickness = |cell: usize| shell.section_at(cell).thickness;
+    let thickness = |cell: usize| material.at(cell).thickness;
     let places = nearest(reference, host, particle as usize);
     let distance = places.iter().map(|place| place.distance).fold(f64::INFINITY, f64::min);
     let allowed = |place: &Place| {
@@ -227,75 +289,4 @@ fn ordered(mut found: Vec<Hanging>, cloud: &Cloud) -> Result<Vec<Hanging>, Shell
         found = rest;
     }
     Ok(ordered)
-}
-
-impl Shell {
-    /// Ties edges to cells of other sheets, whose particles may stand elsewhere.
-    ///
-    /// What hangs has no unknowns of its own; supports on it must be those of its host. Before masses are lumped;
-    /// not together with a fluid, which would not see what hangs move.
-    ///
-    /// # Errors
-    /// [`ShellError`] for an edge too far from its host or on too few of its cells, one without particles of its own, supports that
-    /// the host does not have, ties in a circle, and strains that are not sampled in cells.
-    pub fn tie(&mut self, ties: &[Tie]) -> Result<(), ShellError> {
-        if ties.is_empty() {
-            return Ok(());
-        }
-        if !matches!(self.formulation, Formulation::StressPoint(Reach::Cell)) {
-            return Err(ShellError::TieOfWideStencils);
-        }
-        self.ties = Ties::new(self, ties)?;
-        for i in 0..self.ties.hanging.len() {
-            let particle = self.ties.hanging[i].particle;
-            self.check_supports(&self.ties.hanging[i])?;
-            let x = self.reference.cloud.positions[particle as usize];
-            let rest = (x, self.reference.cloud.frames[particle as usize].n);
-            self.constraints.push(Constraint::still(rest));
-            self.constraint_of[particle as usize] = self.constraints.len() as u32;
-        }
-        self.weigh_ties()
-    }
-
-    /// Finds masses anew after those of particles changed.
-    pub(crate) fn weigh_ties(&mut self) -> Result<(), ShellError> {
-        let mut ties = std::mem::take(&mut self.ties);
-        if !ties.is_empty() {
-            ties.weigh(self);
-        }
-        self.ties = ties;
-        self.junctions =
-            Junctions::new(&self.reference, self.moving_masses(), |a| self.ties.of(a).is_none())?;
-        Ok(())
-    }
-
-    /// Masses and rotary inertias of marching that move with each particle \[M, M L²\]: with what hangs on it by ties, whose own stand
-    /// still.
-    pub fn moving_masses(&self) -> [&[f64]; 2] {
-        if self.ties.is_empty() {
-            [&self.reference.masses, &self.reference.inertias]
-        } else {
-            [&self.ties.masses, &self.ties.inertias]
-        }
-    }
-
-    /// Masses on which gravity acts: those of [`Shell::moving_masses`] without what hangs \[M\].
-    pub(crate) fn weighing_masses(&self) -> &[f64] {
-        if self.ties.is_empty() { &self.reference.masses } else { &self.ties.weighing }
-    }
-
-    /// What loads see of it.
-    pub(crate) fn as_loaded(&self) -> Body<'_> {
-        Body { reference: &self.reference, state: &self.state, masses: self.weighing_masses() }
-    }
-
-    /// Refuses supports of what hangs that its corners do not have: it goes where they go.
-    fn check_supports(&self, hanging: &Hanging) -> Result<(), ShellError> {
-        let particle = hanging.particle;
-        let Some(asked) = self.constraint(particle as usize) else { return Ok(()) };
-        let parts = hanging.corners.iter().zip(&hanging.shares);
-        let mut bearing = parts.filter(|(_, share)| share.x[0].abs() > NO_PART).map(|(&b, _)| b);
-        let borne = bearing.all(|b| self.constraint(b as usize).is_some_and(|held| held.implies(asked)));
-        if borne || !asked.holds() { Ok(()) } else { Err(ShellError::TieHeld { particle }) }
-    }
 }

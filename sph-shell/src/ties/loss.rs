@@ -21,14 +21,14 @@ impl Shell {
     /// A couple c by length at the part s of a cell of length h across the edge makes the moment `M₀ + c` on one side and `M₀` on the other.
     /// The cell's one point sees their mean, and `∫ M²/2D` loses the variance `c² s (1 − s) h/2D` by length of the edge.
     pub fn tie_loss(&self) -> Option<TieLoss> {
-        let scales = self.regions.scales(&*self.section);
+        let scales = self.material.scales();
         let lost = |(hanging, row): (&Hanging, &[f64; 6])| {
             let on = |&(cell, weight): &(u32, f64)| {
                 weight * self.lost_in(cell as usize, hanging, row) / scales.at(cell as usize).bending
             };
             (hanging.cells.iter().map(on).sum(), hanging.particle)
         };
-        let all = self.ties.hanging.iter().zip(&self.ties.internal).map(lost);
+        let all = self.dependents.ties.hanging.iter().zip(&self.dependents.ties.internal).map(lost);
         let (most, sum) = all
             .fold(((0.0, 0), 0.0), |(most, sum), one| (if one.0 > most.0 { one } else { most }, sum + one.0));
         let share = sum / self.stored_energy();
@@ -50,9 +50,9 @@ impl Shell {
         let (low, high) =
             ends.fold((f64::INFINITY, -f64::INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let before = ((along_edge(t) - low) / (high - low)).clamp(0.0, 1.0);
-        let vectors = hanging.vectors(&self.state);
+        let vectors = hanging.vectors(&self.motion.state);
         let (force, on_director) = (Vec3::new(row[0], row[1], row[2]), Vec3::new(row[3], row[4], row[5]));
-        let lever = vectors[0] + vectors[3] * hanging.rise(&vectors) - hanging.foot(&self.state);
+        let lever = vectors[0] + vectors[3] * hanging.rise(&vectors) - hanging.foot(&self.motion.state);
         let torque = self.director(t).cross(&on_director) + lever.cross(&force);
         let couple = torque.dot(&direction(&vectors));
         couple * couple * before * (1.0 - before) * (high - low) / (2.0 * width)

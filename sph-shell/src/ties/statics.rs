@@ -1,44 +1,9 @@
-//! Ties in a shell: before and after each evaluation, and in the blocks of the tangent.
+//! Ties in the blocks of the tangent.
 
-use crate::Shell;
 use crate::conditions::loads::Block;
 use crate::packs::Row;
 use crate::statics::blocks::BlockPattern;
 use crate::ties::list::Ties;
-
-impl Shell {
-    /// Puts what hangs where its hosts are.
-    pub(crate) fn put_hanging(&mut self) {
-        let Self { ties, state, .. } = self;
-        ties.put(state);
-    }
-
-    /// Takes internal forces on what hangs to its hosts.
-    pub(crate) fn condense_internal(&mut self, forces: &mut [Row]) {
-        let mut kept = std::mem::take(&mut self.ties.internal);
-        self.ties.condense(&self.state, forces, |i, row| kept[i] = row);
-        self.ties.internal = kept;
-    }
-
-    /// The same of the loads.
-    pub(crate) fn condense_external(&mut self) {
-        let (mut kept, mut rows) =
-            (std::mem::take(&mut self.ties.external), std::mem::take(&mut self.external));
-        self.ties.condense(&self.state, &mut rows, |i, row| kept[i] = row);
-        (self.ties.external, self.external) = (kept, rows);
-    }
-
-    /// Rates of a particle: of one that hangs those that its hosts give it.
-    pub(crate) fn rate(&self, particle: usize) -> Row {
-        let Some(hanging) = self.ties.of(particle) else { return self.rates[particle] };
-        if hanging.corners.iter().all(|&b| self.ties.of(b as usize).is_none()) {
-            return hanging.rate(&hanging.vectors(&self.state), &self.rates);
-        }
-        let mut rates = self.rates.clone();
-        self.ties.follow(&self.state, &mut rates);
-        rates[particle]
-    }
-}
 
 impl Ties {
     /// Adds the pairs of particles that come to share a block as what hangs goes out, row by row; for each that hangs those it

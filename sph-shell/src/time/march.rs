@@ -7,11 +7,18 @@ use explicit_dynamics::{
 use rayon::prelude::*;
 
 use crate::Shell;
+use crate::conditions::constraints::Constraints;
+use crate::decay::Decay;
+use crate::dependents::Dependents;
 use crate::dispatch::{Work as Sweeping, widest};
+use crate::loading::Loading;
+use crate::motion::Moving;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::points::bounds::BoundViolation;
+use crate::points::sweep::Sweep;
 use crate::registers::Registers;
-use crate::time::particle::{Decay, Rows, Slots, Update, drifted};
+use crate::time::evaluation::Evaluation;
+use crate::time::particle::{Rows, Slots, Update, drifted};
 
 /// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved.
 struct Chunk<'a, 'b, const DRIFT: bool> {
@@ -37,35 +44,43 @@ impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
     }
 }
 
-impl Shell {
-    /// What the update of particles reads: parts of the shell borrowed one by one, so that others may change meanwhile.
-    fn update_parts<'a>(&'a self, step: &'a Step, direct: &'a [Row]) -> Update<'a> {
-        let [masses, inertias] = self.moving_masses();
-        Update {
-            direct,
-            external: &self.external,
-            masses,
-            inertias,
-            constraint_of: &self.constraint_of,
-            constraints: &self.constraints,
-            step,
-            decay: Decay::of(step),
-        }
+/// What the update of particles reads of the groups of a shell.
+fn update_of<'a>(
+    [masses, inertias]: [&'a [f64]; 2],
+    constraints: &'a Constraints,
+    loading: &'a Loading,
+    direct: &'a [Row],
+    step: &'a Step,
+) -> Update<'a> {
+    Update {
+        direct,
+        external: &loading.external,
+        masses,
+        inertias,
+        constraint_of: &constraints.of_particle,
+        constraints: &constraints.all,
+        step,
+        decay: Decay::of(step),
     }
+}
 
+impl Shell {
     /// Kicks all particles, and moves them with `DRIFT`, from the slots that the sweep over all points filled.
     fn update<const DRIFT: bool>(&mut self, step: &Step) -> Work {
-        let of_groups = self.kick_groups(step, DRIFT);
-        let mut next = std::mem::take(&mut self.next);
-        let mut rates = std::mem::take(&mut self.rates);
-        let mut chunk_work = std::mem::take(&mut self.chunk_work);
-        let update = self.update_parts(step, self.points.direct());
-        let slots = self.points.lists().map(|lists| Slots { rows: &self.slots, lists, first: 0 });
+        let Self { reference, points, constraints, dependents, loading, motion, evaluation, .. } = self;
+        let internal = |a| evaluation.internal_force(points, a);
+        let external = |a| loading.external_force(a);
+        let of_groups = dependents.junctions.kick(motion, constraints, internal, external, step, DRIFT);
+        let Dependents { junctions, ties } = dependents;
+        let update = update_of(ties.moving_masses(reference), constraints, loading, points.direct(), step);
+        let Evaluation { slots, chunk_work, threads, .. } = evaluation;
+        let slots = points.lists().map(|lists| Slots { rows: slots, lists, first: 0 });
+        let Moving { state, next, rates } = &mut *motion;
         let chunk = |(number, ((next, rates), work)): (usize, ChunkRows<'_>)| {
-            let (first, rows) = (number * PARTICLE_CHUNK, Rows { state: &self.state, next, rates });
+            let (first, rows) = (number * PARTICLE_CHUNK, Rows { state, next, rates });
             widest(Chunk::<DRIFT> { update: &update, slots, first, rows, work });
         };
-        if self.threads > 1 {
+        if *threads > 1 {
             next.par_chunks_mut(PARTICLE_CHUNK)
                 .zip(rates.par_chunks_mut(PARTICLE_CHUNK))
                 .zip(chunk_work.par_iter_mut())
@@ -78,28 +93,29 @@ impl Shell {
                 .enumerate()
                 .for_each(chunk);
         }
-        (self.next, self.rates, self.chunk_work) = (next, rates, chunk_work);
         if DRIFT {
-            std::mem::swap(&mut self.state, &mut self.next);
+            std::mem::swap(state, next);
         }
-        self.drift_groups(if DRIFT { step.drift() } else { 0.0 });
-        self.put_hanging();
-        self.total_work(step, of_groups)
+        junctions.drift(motion, constraints, if DRIFT { step.drift() } else { 0.0 });
+        ties.put(&mut motion.state);
+        evaluation.total_work(step, of_groups)
     }
 
     /// A step by the plan; external forces are already evaluated.
     fn fused_step(&mut self, step: &Step) -> Work {
-        let Some(mut fused) = self.fused.take() else { return Work::default() };
-        let mut next = std::mem::take(&mut self.next);
-        let mut rates = std::mem::take(&mut self.rates);
-        let mut work = std::mem::take(&mut self.chunk_work);
-        let rows = Rows { state: &self.state, next: &mut next, rates: &mut rates };
-        fused.advance(&self.sweep(false), &self.update_parts(step, &[]), rows, &mut work);
-        (self.next, self.rates, self.chunk_work, self.fused) = (next, rates, work, Some(fused));
-        std::mem::swap(&mut self.state, &mut self.next);
-        self.total_work(step, Work::default())
+        let Self { reference, material, points, constraints, dependents, loading, motion, evaluation } = self;
+        let Evaluation { plan: Some(plan), chunk_work, .. } = evaluation else { return Work::default() };
+        let Moving { state, next, rates } = motion;
+        let sweep = Sweep { points, law: material.law(), state, energy: false };
+        let moving = dependents.ties.moving_masses(reference);
+        let update = update_of(moving, constraints, loading, &[], step);
+        plan.advance(&sweep, &update, Rows { state, next, rates }, chunk_work);
+        std::mem::swap(state, next);
+        evaluation.total_work(step, Work::default())
     }
+}
 
+impl Evaluation {
     /// Adds the work of all chunks, in their order whatever the threads, to what is there already.
     fn total_work(&self, step: &Step, first: Work) -> Work {
         let sum = self.chunk_work.iter().fold(first, |sum, part| Work {
@@ -117,7 +133,7 @@ impl Dynamics for Shell {
     fn evaluate(&mut self, at: Instant) -> f64 {
         self.evaluate_internal(true);
         self.evaluate_external(at);
-        self.internal_energy
+        self.stored_energy()
     }
 
     fn kick(&mut self, step: &Step) -> Work {
@@ -125,17 +141,18 @@ impl Dynamics for Shell {
     }
 
     fn drift(&mut self, step: &Step) {
-        self.set_groups_aside();
-        for (row, rate) in self.state.iter_mut().zip(&mut self.rates) {
+        let Self { dependents: Dependents { junctions, ties }, constraints, motion, .. } = self;
+        junctions.set_aside(motion);
+        for (row, rate) in motion.state.iter_mut().zip(&mut motion.rates) {
             (*row, *rate) = drifted(row, rate, step.drift());
         }
-        self.drift_groups(step.drift());
-        self.put_hanging();
+        junctions.drift(motion, constraints, step.drift());
+        ties.put(&mut motion.state);
     }
 
     fn advance(&mut self, step: &Step) -> Work {
         // Groups and ties gather forces that the fused step does not keep.
-        if self.fused.is_some() && self.junctions.is_empty() && self.ties.is_empty() {
+        if self.evaluation.plan.is_some() && self.dependents.is_empty() {
             self.evaluate_external(step.from);
             return self.fused_step(step);
         }
@@ -145,7 +162,7 @@ impl Dynamics for Shell {
     }
 
     fn stop(&mut self) {
-        self.rates.fill([0.0; 6]);
+        self.motion.rates.fill([0.0; 6]);
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
@@ -156,7 +173,8 @@ impl Dynamics for Shell {
         if bounds == Bounds::Configuration {
             let found =
                 |BoundViolation { place, what, value, bound }| OutOfRange { place, what, value, bound };
-            return self.first_bound_violation().map_or(Ok(()), |violation| Err(found(violation).into()));
+            let violation = self.points.first_bound_violation(&self.reference, &self.motion.state);
+            return violation.map_or(Ok(()), |violation| Err(found(violation).into()));
         }
         let (particle, speed) = self.fastest();
         let bound = self.reference.sound_speed;
@@ -178,6 +196,7 @@ impl Shell {
             (a, if energy.is_nan() { f64::INFINITY } else { energy })
         };
         let (particle, square) = self
+            .motion
             .rates
             .iter()
             .enumerate()
@@ -265,7 +284,7 @@ mod tests {
         };
         let held = cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
         let size = 0.05 * cloud.spacing();
-        let mut shell = Shell::new(Parts {
+        let mut shell = Shell::builder(Parts {
             cloud,
             section: Box::new(IsotropicSection::new(Isotropic::new(1200.0, 0.3).unwrap(), 0.05).unwrap()),
             strain: &StretchCorrected,
@@ -276,6 +295,7 @@ mod tests {
             loads: if loaded { vec![load] } else { Vec::new() },
             threads: 1,
         })
+        .build()
         .unwrap();
         let mut rough = || {
             let mut one = || size * (dice.roll(0, 2000) as f64 / 1000.0 - 1.0);
@@ -323,7 +343,7 @@ mod tests {
             });
             for threads in [1, 2, 3, 4] {
                 let places = Places::new(&shell.points.packs, &shell.reference.operator);
-                shell.fused = Some(Fused::plan(&shell.points.packs, &places, shell.len(), threads));
+                shell.evaluation.plan = Some(Fused::plan(&shell.points.packs, &places, shell.len(), threads));
                 let found = marched(&mut shell, &from, Shell::advance);
                 assert!(found == expected, "layout {number} of {} particles, {threads} threads", shell.len());
             }

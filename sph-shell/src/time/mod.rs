@@ -1,5 +1,6 @@
 //! Dynamics: the step of a particle, the whole step in one sweep, the march, the mass-scaled tangent.
 
+pub(crate) mod evaluation;
 pub(crate) mod fused;
 pub(crate) mod march;
 pub(crate) mod particle;

@@ -7,6 +7,7 @@ use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::prescribed_at::Prescribed;
 use crate::conditions::supports::Constraint;
+use crate::decay::Decay;
 use crate::gather::Gather;
 use crate::packs::{PARTICLE_CHUNK, Row};
 use crate::registers::{Baseline, Registers, columns, four_of};
@@ -58,25 +59,6 @@ struct Four<'a> {
 
 /// Four particles that no load touches.
 const ZEROS: [Row; LANES] = [[0.0; 6]; LANES];
-
-/// What damping leaves of a velocity: `1 − ½cκ` before the kick, `1/(1 + ½cκ)` after it.
-#[derive(Clone, Copy)]
-pub(crate) struct Decay {
-    before: f64,
-    after: f64,
-}
-
-impl Decay {
-    pub fn of(step: &Step) -> Self {
-        let half = 0.5 * step.damping * step.kick;
-        Self { before: 1.0 - half, after: 1.0 / (1.0 + half) }
-    }
-
-    /// A velocity after the kick `push = κ f/m`.
-    pub fn kicked(self, old: f64, push: f64) -> f64 {
-        (old * self.before + push) * self.after
-    }
-}
 
 impl Update<'_> {
     /// Kicks the particles of `range`, which `rates` holds, by their forces, and with `DRIFT` moves them from their rows

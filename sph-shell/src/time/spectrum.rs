@@ -4,6 +4,8 @@
 use explicit_dynamics::{LinearisedDynamics, MassScaled};
 
 use crate::Shell;
+use crate::junction::group::Group;
+use crate::junction::spectrum::Scaled;
 use crate::packs::Row;
 
 /// Greatest perturbation, in spacings for positions and in radians for directors: central differences of
@@ -28,11 +30,11 @@ impl LinearisedDynamics for Shell {
             return;
         }
         let eps = PERTURBATION / greatest;
-        let home = self.state.clone();
+        let home = self.motion.state.clone();
         let mut forces = [vec![[0.0; 6]; home.len()], vec![[0.0; 6]; home.len()]];
         let mut of_bodies = Vec::new();
         for (sign, force) in [1.0, -1.0].into_iter().zip(&mut forces) {
-            for (row, (old, u)) in self.state.iter_mut().zip(home.iter().zip(&direction)) {
+            for (row, (old, u)) in self.motion.state.iter_mut().zip(home.iter().zip(&direction)) {
                 for k in 0..6 {
                     row[k] = old[k] + sign * eps * u[k];
                 }
@@ -42,27 +44,28 @@ impl LinearisedDynamics for Shell {
                 }
             }
             self.evaluate_internal(false);
-            if !self.spring_forces.is_empty() {
-                self.spring_rows(force);
-                self.ties.condense(&self.state, force, |_, _| ());
+            if !self.loading.spring_forces.is_empty() {
+                let body = self.dependents.loaded(&self.reference, &self.motion.state);
+                self.loading.springs.forces(&body, force);
+                self.dependents.ties.condense(&self.motion.state, force, |_, _| ());
             }
             for (a, row) in force.iter_mut().enumerate() {
                 let internal = self.internal_force(a);
                 *row = std::array::from_fn(|k| internal[k] - row[k]);
             }
-            let groups = self.junctions.groups.iter();
-            of_bodies.push(groups.map(|group| self.spring_row_of_body(group.first())).collect::<Vec<_>>());
+            let (groups, springs) = (self.dependents.junctions.groups.iter(), self.body_springs());
+            of_bodies.push(groups.map(|group| springs.row(group.first())).collect::<Vec<_>>());
         }
-        self.state = home;
+        self.motion.state = home;
         let [plus, minus] = forces;
         let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
         for (a, out) in out.chunks_exact_mut(6).enumerate() {
             out.copy_from_slice(&self.free_part(a, change));
         }
-        for (number, group) in self.junctions.groups.iter().enumerate() {
+        for (number, group) in self.dependents.junctions.groups.iter().enumerate() {
             let change =
                 std::array::from_fn(|k| (of_bodies[1][number][k] - of_bodies[0][number][k]) / (2.0 * eps));
-            let free = self.free_row_of_group(group, change);
+            let free = self.scaled(group).free_row(change);
             let own = &mut out[6 * group.first()..][..6];
             own.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
         }
@@ -76,8 +79,8 @@ impl MassScaled for Shell {
                 let (internal, external) = (self.internal_force(a), self.external_force(a));
                 std::array::from_fn(|k| external[k] - internal[k])
             };
-            let row = match self.junctions.of(a) {
-                Some(group) => self.free_lack_tied(group, a, lack),
+            let row = match self.dependents.junctions.of(a) {
+                Some(group) => self.scaled(group).free_lack(a, lack),
                 None => self.free_part(a, lack),
             };
             out.copy_from_slice(&row);
@@ -85,9 +88,9 @@ impl MassScaled for Shell {
     }
 
     fn rates(&self, out: &mut [f64]) {
-        for (a, (rate, out)) in self.rates.iter().zip(out.chunks_exact_mut(6)).enumerate() {
-            if let Some(group) = self.junctions.of(a) {
-                out.copy_from_slice(&self.scaled_rates_tied(group, a));
+        for (a, (rate, out)) in self.motion.rates.iter().zip(out.chunks_exact_mut(6)).enumerate() {
+            if let Some(group) = self.dependents.junctions.of(a) {
+                out.copy_from_slice(&self.scaled(group).scaled_rates(&self.motion.rates, a));
                 continue;
             }
             let [x, d] = self.mass_scale(a);
@@ -108,25 +111,29 @@ impl MassScaled for Shell {
 }
 
 impl Shell {
+    fn scaled<'a>(&'a self, group: &'a Group) -> Scaled<'a> {
+        Scaled { group, state: &self.motion.state, constraint: self.constraint(group.first()) }
+    }
+
     fn mass_scale(&self, a: usize) -> [f64; 2] {
         self.moving_masses().map(|of| 1.0 / of[a].sqrt())
     }
 
     /// `M^{-½} v` of particle `a`, without what supports and the unit length of the director forbid.
     fn unscaled(&self, a: usize, v: &[f64]) -> Row {
-        if let Some(group) = self.junctions.of(a) {
-            return self.unscaled_tied(group, a, v);
+        if let Some(group) = self.dependents.junctions.of(a) {
+            return self.scaled(group).unscaled(a, v);
         }
         self.free_part(a, |a| std::array::from_fn(|k| v[6 * a + k]))
     }
 
     /// `M^{-½}` times the row of particle `a` among rows of particles, without what is held.
     fn free_part(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
-        if let Some(group) = self.junctions.of(a) {
-            return self.free_part_tied(group, a, row);
+        if let Some(group) = self.dependents.junctions.of(a) {
+            return self.scaled(group).free_part(a, row);
         }
         let mut f = row(a);
-        let row = &self.state[a];
+        let row = &self.motion.state[a];
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         for k in 3..6 {
             f[k] -= along * row[k];

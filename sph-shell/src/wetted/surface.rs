@@ -13,10 +13,11 @@
 //! n of the start, beyond what the fluid saw: `f = −ρ₀c₀A [(v − v_seen)·n] n`, A its area on the faces that bear the load.
 
 use explicit_dynamics::{BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout};
-use sph_core::Cloud;
+use sph_core::Vec3;
 
 use crate::error::ShellError;
 use crate::packs::Row;
+use crate::reference::Reference;
 use crate::wetted::places::Places;
 use crate::wetted::sheet::over_sheet;
 use crate::wetted::strip::along_strip;
@@ -57,8 +58,13 @@ impl Surface {
     /// Lays out the points.
     ///
     /// # Errors
-    /// [`ShellError`] for a wetting that makes no sense on this shell.
-    pub fn new(cloud: &Cloud, thickness: f64, wetting: &Wetting) -> Result<Self, ShellError> {
+    /// [`ShellError`] for a shell about an origin, a spacing or rows out of bounds, for edges that are none, and in a plane problem for a
+    /// shell that is no strip across the plane.
+    pub fn new(reference: &Reference, thickness: f64, wetting: &Wetting) -> Result<Self, ShellError> {
+        if reference.origin != Vec3::zeros() {
+            return Err(ShellError::WetFromAfar);
+        }
+        let cloud = &reference.cloud;
         wetting.check(cloud.len())?;
         let (middle, areas, width) = if wetting.plane {
             let strip = along_strip(cloud, wetting)?;

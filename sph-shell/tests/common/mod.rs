@@ -77,8 +77,21 @@ pub fn shell(
     supports: Vec<Supported>,
     loads: Vec<Box<dyn Load>>,
 ) -> Shell {
+    let parts = shell_parts(cloud, formulation, thickness, strain, supports, loads);
+    Shell::builder(parts).build().unwrap()
+}
+
+/// The same before it is built.
+pub fn shell_parts(
+    cloud: Cloud,
+    formulation: Formulation,
+    thickness: f64,
+    strain: &'static dyn StrainMeasure,
+    supports: Vec<Supported>,
+    loads: Vec<Box<dyn Load>>,
+) -> Parts {
     let loads = loads.into_iter().map(|load| AppliedLoad { load, amplitude: Amplitude::Constant }).collect();
-    Shell::new(Parts { strain, supports, loads, ..parts(cloud, formulation, thickness) }).unwrap()
+    Parts { strain, supports, loads, ..parts(cloud, formulation, thickness) }
 }
 
 /// A free isotropic shell before it is built.
@@ -110,7 +123,9 @@ pub fn unsymmetric(turn: f64) -> LayeredSection {
 /// A free shell with that section.
 pub fn laminated(cloud: Cloud, formulation: Formulation, axis: Vec3) -> Shell {
     let section = Box::new(unsymmetric(0.0));
-    Shell::new(Parts { section, material_axis: Some(axis), ..parts(cloud, formulation, 0.2) }).unwrap()
+    Shell::builder(Parts { section, material_axis: Some(axis), ..parts(cloud, formulation, 0.2) })
+        .build()
+        .unwrap()
 }
 
 /// Numbers in (−1, 1), the same on every machine.

@@ -7,7 +7,9 @@ use explicit_dynamics::{Amplitude, BoundaryState, Observer, Record, Transient, T
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Structure, Wall};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Vec3};
-use sph_shell::{AppliedLoad, Gravity, Reach, Shell, Sides, Support, Supported, SymmetryPlane, Wetting};
+use sph_shell::{
+    AppliedLoad, Gravity, Reach, Shell, ShellBuilder, Sides, Support, Supported, SymmetryPlane, Wetting,
+};
 
 /// A fluid and structures of one kind.
 pub type Coupled<S> = TwoClocks<Fluid, S>;
@@ -49,11 +51,11 @@ impl Strip {
         libm::hypot(b[0] - a[0], b[1] - a[1])
     }
 
-    /// The shell, dry.
+    /// The shell before it is built, dry.
     ///
     /// # Errors
     /// Of a line or a material that make no sense.
-    pub fn shell(self) -> Result<Shell, Box<dyn Error>> {
+    pub fn builder(self) -> Result<ShellBuilder, Box<dyn Error>> {
         let (count, half) = (self.line.len(), 0.5 * self.width());
         let place = |[x, y]: [f64; 2]| [-half, half].map(|z| Vec3::new(x, y, z));
         let positions: Vec<Vec3> = self.line.iter().flat_map(|&station| place(station)).collect();
@@ -76,7 +78,7 @@ impl Strip {
             load: Box::new(Gravity { acceleration: -Vec3::y() * self.gravity }),
             amplitude: Amplitude::Constant,
         };
-        Ok(Shell::new(sph_shell::Parts {
+        Ok(Shell::builder(sph_shell::Parts {
             cloud,
             section: Box::new(IsotropicSection::new(
                 Isotropic::new(self.young, self.poisson)?,
@@ -89,7 +91,7 @@ impl Strip {
             supports,
             loads: if self.gravity == 0.0 { Vec::new() } else { vec![weight] },
             threads: 1,
-        })?)
+        }))
     }
 }
 

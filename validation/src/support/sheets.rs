@@ -112,7 +112,7 @@ pub fn shell_of(
         loads: loads.into_iter().map(constant).collect(),
         threads: 1,
     };
-    Shell::new(parts).map_err(|error| error.to_string())
+    Shell::builder(parts).build().map_err(|error| error.to_string())
 }
 
 /// Part of the load at which the linear answer is read: directors turn along arcs.

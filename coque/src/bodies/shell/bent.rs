@@ -12,7 +12,7 @@ impl Builder<'_> {
     /// lengths stay, which bending leaves alone in the first order.
     pub(crate) fn bent(&self, mut cloud: Cloud, threads: usize) -> Result<Cloud, SceneError> {
         let Some(imperfection) = self.scene.shell().imperfection else { return Ok(cloud) };
-        let mut system = StaticShell::new(self.scene.of_modes().assemble(threads)?.shell);
+        let mut system = StaticShell::new(self.scene.of_modes().assemble(threads, None)?.shell);
         let read = |system: &StaticShell| {
             let shell = system.shell();
             let all = 0..shell.rest_positions().len();

@@ -36,13 +36,8 @@ impl Scene {
         threads: usize,
         wetting: Option<Wetting>,
     ) -> Result<BuiltBody<Shell>, SceneError> {
-        let ShellParts { mut shell, probes, driven, surface, turn, memory, free_edges, said } =
-            self.assemble(threads)?;
-        if let Some(wetting) = wetting {
-            let wetting = Wetting { free_edges, ..wetting };
-            let builder = Builder { scene: self, turn };
-            shell.wet(&wetting).map_err(|error| builder.refusal(&error))?;
-        }
+        let ShellParts { mut shell, probes, driven, surface, turn, memory, said } =
+            self.assemble(threads, wetting)?;
         let description = describe(self, &shell, surface.as_ref(), said);
         let mut warnings = warnings_of(self, turn, &shell);
         let poor = surface.iter().filter_map(|surface| surface.poor.clone());
@@ -68,10 +63,14 @@ impl Scene {
         if self.as_shell().is_none() {
             return Err(self.not_a("shell"));
         }
-        self.assemble(threads).map(|built| built.shell)
+        self.assemble(threads, None).map(|built| built.shell)
     }
 
-    pub(super) fn assemble(&self, threads: usize) -> Result<ShellParts, SceneError> {
+    pub(super) fn assemble(
+        &self,
+        threads: usize,
+        wetting: Option<Wetting>,
+    ) -> Result<ShellParts, SceneError> {
         let builder = Builder { scene: self, turn: self.turn() };
         let weights = self.end_weights();
         let asked = self.particles_asked().map(|particles| self.check_memory(particles)).transpose()?;
@@ -110,7 +109,9 @@ impl Scene {
             let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
             free_motions(&cloud, &held.collect::<Vec<_>>(), &ties, &rigid, &springs)
         })?;
-        let free_edges = if self.source.is_part() { free_edges(&cloud, &supports) } else { Vec::new() };
+        let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
+        let masses = builder.masses(&sets)?;
+        let stresses = builder.stresses(&cells)?;
         let parts = Parts {
             cloud,
             section: sections.base,
@@ -125,19 +126,28 @@ impl Scene {
         // Files may stand anywhere, and a part of several bodies shares its places with the others.
         let far = imported.is_some() && !self.source.is_part();
         let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
-        let shell = Shell::about(parts, sections.regions, origin);
-        let mut shell = shell.map_err(|e| builder.refusal(&e))?;
-        shell.tie(&ties).map_err(|e| builder.refusal(&e))?;
-        shell.lump(&builder.masses(&sets)?).map_err(|e| builder.refusal(&e))?;
-        shell.rigid(&rigid).map_err(|e| builder.refusal(&e))?;
-        shell.spring(springs).map_err(|e| builder.refusal(&e))?;
-        builder.stress(&cells, &mut shell)?;
+        let mut shell = Shell::builder(parts)
+            .regions(sections.regions)
+            .origin(origin)
+            .ties(ties)
+            .masses(masses)
+            .rigid(rigid)
+            .springs(springs)
+            .stresses(stresses);
+        if self.stress_drives() {
+            shell = shell.stress_by_level();
+        }
+        if let Some(wetting) = wetting {
+            shell = shell.wetted(wetting);
+        }
+        let mut shell = shell.build().map_err(|e| builder.refusal(&e))?;
+        builder.refuse_stress_alone(&mut shell)?;
         let probes = builder.probes(&sets, &cells, &shell)?;
         builder.set_out(&sets, &mut shell)?;
         self.refuse_dof(shell.dof())?;
         let surface = imported.map(|imported| imported.provenance());
         let (turn, said) = (builder.turn, sections.said);
-        Ok(ShellParts { shell, probes, driven, surface, turn, memory, free_edges, said })
+        Ok(ShellParts { shell, probes, driven, surface, turn, memory, said })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -159,8 +169,6 @@ pub(super) struct ShellParts {
     surface: Option<Provenance>,
     turn: Rotation3<f64>,
     memory: Memory,
-    /// Particles of the edges that no support holds.
-    free_edges: Vec<u32>,
     /// Its parts, a line each.
     said: Vec<String>,
 }

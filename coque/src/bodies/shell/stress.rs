@@ -18,11 +18,11 @@ pub(super) fn unbalanced<S: std::ops::DerefMut<Target = Shell>>(system: &mut Sta
 }
 
 impl Builder<'_> {
-    /// Puts the initial stresses of the scene on a shell.
+    /// The initial stresses of the scene.
     ///
     /// # Errors
-    /// [`SceneError`] for sets without cells, an axis across the surface, and a path along which nothing would happen.
-    pub(super) fn stress(&self, cells: &CellSets<'_>, shell: &mut Shell) -> Result<(), SceneError> {
+    /// [`SceneError`] for sets without cells.
+    pub(super) fn stresses(&self, cells: &CellSets<'_>) -> Result<Vec<sph_shell::InitialStress>, SceneError> {
         let all = &self.scene.shell().initial_stress;
         let stress = |(i, stress): (usize, &InitialStress)| {
             let path = self.scene.body_scope().path(&format!("initial_stress[{i}].on"));
@@ -33,12 +33,17 @@ impl Builder<'_> {
                 bending: stress.bending.unwrap_or_default(),
             })
         };
-        let all = all.iter().enumerate().map(stress).collect::<Result<Vec<_>, SceneError>>()?;
-        shell.stress(&all).map_err(|error| self.refusal(&error))?;
+        all.iter().enumerate().map(stress).collect()
+    }
+
+    /// Refuses a path along which an initial stress alone is brought up and nothing would happen.
+    ///
+    /// # Errors
+    /// [`SceneError::Choice`] for such a path.
+    pub(super) fn refuse_stress_alone(&self, shell: &mut Shell) -> Result<(), SceneError> {
         if !self.scene.stress_drives() {
             return Ok(());
         }
-        shell.count_stress_by_level();
         let path = matches!(self.scene.analysis, Analysis::Static(_) | Analysis::ArcLength(_));
         if path && !unbalanced(&mut StaticShell::lent(shell)) {
             let bound = "something that drives the analysis: the stress is in balance where the shell stands, and nothing would move";

@@ -14,10 +14,10 @@ mod turning;
 
 use sph_core::Vec3;
 
-use crate::Shell;
-use crate::conditions::loads::{Block, check_set, place_block};
+use crate::conditions::loads::{Block, Body, check_set, place_block};
 use crate::error::ShellError;
 use crate::packs::Row;
+use crate::reference::Reference;
 
 pub use of_bodies::BodySpring;
 pub use turning::TurnSpring;
@@ -72,32 +72,29 @@ impl Springs {
             && self.of_bodies.is_empty()
     }
 
-    /// Whether there is none on particles.
-    fn none_on_particles(&self) -> bool {
-        self.ground.is_empty() && self.turning.is_empty() && self.between.is_empty()
+    /// Whether there are any on particles.
+    pub(crate) fn any_on_particles(&self) -> bool {
+        !(self.ground.is_empty() && self.turning.is_empty() && self.between.is_empty())
     }
-}
 
-impl Shell {
-    /// Adds springs, after rigid sets.
+    /// The same with directions and axes of length one; whether rigid sets have the bodies that they name is not looked at.
     ///
     /// # Errors
-    /// [`ShellError`] for an empty set, a particle or body that is none, a stiffness that is not finite, or not positive to the ground, a pair
+    /// [`ShellError`] for an empty set, a particle that is none, a stiffness that is not finite, or not positive to the ground, a pair
     /// of one particle, an axis along a director.
-    pub fn spring(&mut self, springs: impl Into<Springs>) -> Result<(), ShellError> {
-        let mut springs = springs.into();
-        let ground = springs.ground.iter().flat_map(|spring| &spring.stiffness).copied();
-        let turning = springs.turning.iter().flat_map(|spring| &spring.stiffness).copied();
-        let between = springs.between.iter().flat_map(|spring| &spring.stiffness);
+    pub(crate) fn checked(mut self, reference: &Reference) -> Result<Self, ShellError> {
+        let ground = self.ground.iter().flat_map(|spring| &spring.stiffness).copied();
+        let turning = self.turning.iter().flat_map(|spring| &spring.stiffness).copied();
+        let between = self.between.iter().flat_map(|spring| &spring.stiffness);
         let ends = between.clone().flat_map(|&([a, b], k)| [(a, k), (b, k)]);
-        let sets = [springs.ground.len(), springs.turning.len(), springs.between.len()];
+        let sets = [self.ground.len(), self.turning.len(), self.between.len()];
         for ((count, all), to_ground) in sets
             .into_iter()
             .zip([ground.collect::<Vec<_>>(), turning.collect::<Vec<_>>(), ends.collect::<Vec<_>>()])
             .zip([true, true, false])
         {
             if count > 0 {
-                check_set("a spring", all.iter().map(|s| s.0), &self.reference)?;
+                check_set("a spring", all.iter().map(|s| s.0), reference)?;
             }
             let none = |k: f64| !k.is_finite() || k == 0.0 || (to_ground && k < 0.0);
             if let Some(&(particle, stiffness)) = all.iter().find(|(_, k)| none(*k)) {
@@ -107,67 +104,49 @@ impl Shell {
         if let Some(([particle, _], _)) = between.clone().find(|([a, b], _)| a == b) {
             return Err(ShellError::SpringOnItself { particle: *particle });
         }
-        self.check_turning(&springs.turning)?;
-        self.check_of_bodies(&springs.of_bodies)?;
-        let Springs { ground, turning, between, of_bodies } = &mut springs;
+        turning::check(&self.turning, reference)?;
+        let Self { ground, turning, between, of_bodies } = &mut self;
         let directions = ground.iter_mut().map(|spring| &mut spring.direction);
         let directions = directions.chain(between.iter_mut().map(|spring| &mut spring.direction));
         for direction in directions.chain(turning.iter_mut().map(|spring| &mut spring.axis)) {
             *direction = direction.normalize();
         }
         of_bodies.iter_mut().for_each(BodySpring::normalize);
-        if !springs.is_empty() {
-            self.external.resize(self.len(), [0.0; 6]);
-        }
-        if !springs.none_on_particles() {
-            self.spring_forces.resize(self.len(), [0.0; 6]);
-        }
-        let own = &mut self.springs;
-        own.ground.append(&mut springs.ground);
-        own.turning.append(&mut springs.turning);
-        own.between.append(&mut springs.between);
-        own.of_bodies.append(&mut springs.of_bodies);
-        Ok(())
+        Ok(self)
     }
 
-    /// Forces of all springs on particles in the present state, a row each particle; nothing without springs.
-    pub(crate) fn spring_rows(&self, rows: &mut [Row]) {
+    /// Forces of all springs on particles in a state, a row each particle.
+    pub(crate) fn forces(&self, body: &Body<'_>, rows: &mut [Row]) {
         rows.fill([0.0; 6]);
+        let way = |a: u32| {
+            let row = &body.state[a as usize];
+            Vec3::new(row[0], row[1], row[2]) - body.reference.cloud.positions[a as usize]
+        };
         let mut put = |a: u32, force: Vec3| (0..3).for_each(|k| rows[a as usize][k] += force[k]);
-        for Spring { stiffness, direction } in &self.springs.ground {
+        for Spring { stiffness, direction } in &self.ground {
             for &(a, k) in stiffness {
-                put(a, direction * (-k * direction.dot(&self.displacement(a as usize))));
+                put(a, direction * (-k * direction.dot(&way(a))));
             }
         }
-        for SpringBetween { stiffness, direction } in &self.springs.between {
+        for SpringBetween { stiffness, direction } in &self.between {
             for &([a, b], k) in stiffness {
-                let apart = self.displacement(b as usize) - self.displacement(a as usize);
+                let apart = way(b) - way(a);
                 let pull = direction * (k * direction.dot(&apart));
                 put(a, pull);
                 put(b, -pull);
             }
         }
-        self.add_turning(rows);
-    }
-
-    /// Evaluates the springs and adds their forces to the external ones.
-    pub(crate) fn evaluate_springs(&mut self) {
-        let mut rows = std::mem::take(&mut self.spring_forces);
-        self.spring_rows(&mut rows);
-        for (sum, row) in self.external.iter_mut().zip(&rows) {
-            (0..6).for_each(|k| sum[k] += row[k]);
-        }
-        self.spring_forces = rows;
+        turning::add(&self.turning, body, rows);
     }
 
     /// Hands the derivatives of the forces of all springs on particles to `put`, as loads do theirs.
-    pub(crate) fn spring_stiffness(&self, put: &mut dyn FnMut(u32, u32, &Block)) {
-        for Spring { stiffness, direction } in &self.springs.ground {
+    pub(crate) fn stiffness(&self, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+        for Spring { stiffness, direction } in &self.ground {
             for &(a, k) in stiffness {
                 put(a, a, &place_block(0, 0, &(direction * direction.transpose() * -k)));
             }
         }
-        for SpringBetween { stiffness, direction } in &self.springs.between {
+        for SpringBetween { stiffness, direction } in &self.between {
             for &([a, b], k) in stiffness {
                 let own = place_block(0, 0, &(direction * direction.transpose() * -k));
                 let other = place_block(0, 0, &(direction * direction.transpose() * k));
@@ -176,11 +155,6 @@ impl Shell {
                     .for_each(|(a, b, block)| put(a, b, block));
             }
         }
-        self.turning_stiffness(put);
-    }
-
-    /// What its springs exert on a particle \[F, F L\], for the last forces evaluated.
-    pub(crate) fn spring_forces(&self, particle: usize) -> Row {
-        self.spring_forces.get(particle).copied().unwrap_or_default()
+        turning::stiffness(&self.turning, body, put);
     }
 }

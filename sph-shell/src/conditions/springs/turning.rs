@@ -13,10 +13,10 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::Shell;
-use crate::conditions::loads::{Block, place_block};
+use crate::conditions::loads::{Block, Body, place_block};
 use crate::error::ShellError;
 use crate::packs::Row;
+use crate::reference::Reference;
 
 /// Least sine of the angle between an axis and a director at rest: about its own axis a director does not turn.
 const LEAST_SINE: f64 = 0.1;
@@ -38,45 +38,46 @@ fn angle(axis: &Vec3, rest: &Vec3, d: &Vec3) -> (f64, Vec3, f64) {
     (angle, axis.cross(d) / square, square)
 }
 
-impl Shell {
-    pub(super) fn check_turning(&self, springs: &[TurnSpring]) -> Result<(), ShellError> {
-        for TurnSpring { stiffness, axis } in springs {
-            for &(particle, _) in stiffness {
-                let sine = self.reference.cloud.frames[particle as usize].n.cross(&axis.normalize()).norm();
-                if sine < LEAST_SINE {
-                    return Err(ShellError::SpringAlongDirector { particle, sine, bound: LEAST_SINE });
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Hands every particle with a spring, the stiffness, axis and director at rest to `visit`.
-    fn each_turning(&self, mut visit: impl FnMut(u32, f64, &Vec3, &Vec3)) {
-        for TurnSpring { stiffness, axis } in &self.springs.turning {
-            for &(a, k) in stiffness {
-                visit(a, k, axis, &self.reference.cloud.frames[a as usize].n);
+/// Refuses axes along a director at rest.
+pub(super) fn check(springs: &[TurnSpring], reference: &Reference) -> Result<(), ShellError> {
+    for TurnSpring { stiffness, axis } in springs {
+        for &(particle, _) in stiffness {
+            let sine = reference.cloud.frames[particle as usize].n.cross(&axis.normalize()).norm();
+            if sine < LEAST_SINE {
+                return Err(ShellError::SpringAlongDirector { particle, sine, bound: LEAST_SINE });
             }
         }
     }
+    Ok(())
+}
 
-    /// Adds the couples on directors to the rows of particles.
-    pub(super) fn add_turning(&self, rows: &mut [Row]) {
-        self.each_turning(|a, k, axis, rest| {
-            let (angle, gradient, _) = angle(axis, rest, &self.director(a as usize));
-            (0..3).for_each(|i| rows[a as usize][3 + i] -= k * angle * gradient[i]);
-        });
+/// Hands every particle with a spring, the stiffness, the axis, and the director at rest and in the present to `visit`.
+fn each(springs: &[TurnSpring], body: &Body<'_>, mut visit: impl FnMut(u32, f64, &Vec3, [&Vec3; 2])) {
+    for TurnSpring { stiffness, axis } in springs {
+        for &(a, k) in stiffness {
+            let row = &body.state[a as usize];
+            let d = Vec3::new(row[3], row[4], row[5]);
+            visit(a, k, axis, [&body.reference.cloud.frames[a as usize].n, &d]);
+        }
     }
+}
 
-    pub(super) fn turning_stiffness(&self, put: &mut dyn FnMut(u32, u32, &Block)) {
-        self.each_turning(|a, k, axis, rest| {
-            let d = self.director(a as usize);
-            let (angle, gradient, square) = angle(axis, rest, &d);
-            let across = d - axis * axis.dot(&d);
-            let second: Matrix3<f64> =
-                axis.cross_matrix() / square - gradient * across.transpose() * (2.0 / square);
-            let change = (gradient * gradient.transpose() + second * angle) * -k;
-            put(a, a, &place_block(3, 3, &change));
-        });
-    }
+/// Adds the couples on directors to the rows of particles.
+pub(super) fn add(springs: &[TurnSpring], body: &Body<'_>, rows: &mut [Row]) {
+    each(springs, body, |a, k, axis, [rest, d]| {
+        let (angle, gradient, _) = angle(axis, rest, d);
+        (0..3).for_each(|i| rows[a as usize][3 + i] -= k * angle * gradient[i]);
+    });
+}
+
+/// Hands their derivatives to `put`.
+pub(super) fn stiffness(springs: &[TurnSpring], body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+    each(springs, body, |a, k, axis, [rest, d]| {
+        let (angle, gradient, square) = angle(axis, rest, d);
+        let across = d - axis * axis.dot(d);
+        let second: Matrix3<f64> =
+            axis.cross_matrix() / square - gradient * across.transpose() * (2.0 / square);
+        let change = (gradient * gradient.transpose() + second * angle) * -k;
+        put(a, a, &place_block(3, 3, &change));
+    });
 }

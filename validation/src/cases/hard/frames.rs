@@ -158,7 +158,7 @@ fn body(
         force(corner(Side::U1, Side::V0), Vec3::x() * 100.0),
         force(corner(Side::U1, Side::V1), -Vec3::y() * 100.0),
     ];
-    Shell::new(Parts {
+    Shell::builder(Parts {
         section: Box::new(section),
         strain: &StretchCorrected,
         material_axis,
@@ -169,6 +169,7 @@ fn body(
         threads: 1,
         cloud,
     })
+    .build()
     .map_err(|error| error.to_string())
 }
 

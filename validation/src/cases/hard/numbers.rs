@@ -84,7 +84,7 @@ fn strip(formulation: Formulation, shift: &Vec3, force: f64) -> Result<Shell, St
     let material = Isotropic::new(1200.0, 0.0).map_err(|e| e.to_string())?;
     let section = IsotropicSection::new(material, 0.1).map_err(|e| e.to_string())?;
     let shares = edge(Side::U1).into_iter().map(|a| (a, near.edge_lengths[a as usize])).collect();
-    Shell::new(Parts {
+    Shell::builder(Parts {
         cloud,
         section: Box::new(section),
         strain: &StretchCorrected,
@@ -98,6 +98,7 @@ fn strip(formulation: Formulation, shift: &Vec3, force: f64) -> Result<Shell, St
         }],
         threads: 1,
     })
+    .build()
     .map_err(|e| e.to_string())
 }
 

@@ -113,7 +113,7 @@ pub fn shell_without_scene(side: usize) -> Result<Shell, String> {
         .transformed(&Rotation3::identity(), &Vec3::zeros());
     let material = Isotropic::new(1e6, 0.3).map_err(words)?;
     let section = IsotropicSection::new(material, 0.01).map_err(words)?;
-    Shell::new(Parts {
+    Shell::builder(Parts {
         cloud,
         section: Box::new(section),
         strain: &StretchCorrected,
@@ -124,6 +124,7 @@ pub fn shell_without_scene(side: usize) -> Result<Shell, String> {
         loads: Vec::new(),
         threads: 1,
     })
+    .build()
     .map_err(words)
 }
 

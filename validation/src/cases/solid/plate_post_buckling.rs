@@ -181,7 +181,7 @@ fn shell(counts: [usize; 2]) -> Result<Outcome, String> {
         held(Side::V1, &[Vec3::y(), Vec3::z()]),
     ];
     let material = Isotropic::new(YOUNG, POISSON).map_err(|e| e.to_string())?;
-    let shell = Shell::new(Parts {
+    let shell = Shell::builder(Parts {
         cloud,
         section: Box::new(IsotropicSection::new(material, THICKNESS).map_err(|e| e.to_string())?),
         strain: &StretchCorrected,
@@ -192,6 +192,7 @@ fn shell(counts: [usize; 2]) -> Result<Outcome, String> {
         loads: Vec::new(),
         threads: 1,
     })
+    .build()
     .map_err(|e| e.to_string())?;
     let started = Instant::now();
     let (particles, spacing) = (shell.len(), shell.reference().cloud.spacing());

@@ -92,8 +92,7 @@ pub fn sag(column: &Column) -> Result<Sag, Box<dyn Error>> {
                 held: vec![(vec![0, cells], Box::new(Clamped))],
             };
             let width = strip.width();
-            let mut shell = strip.shell()?;
-            shell.wet(&wetting(dx, Sides::Front, &[]))?;
+            let shell = strip.builder()?.wetted(wetting(dx, Sides::Front, &[])).build()?;
             // The middle lies between two stations where their number is even.
             let middle = [cells / 2, cells.div_ceil(2)];
             let way =

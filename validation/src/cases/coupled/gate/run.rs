@@ -116,8 +116,7 @@ fn strip(gate: &Gate) -> Result<(Shell, f64), Box<dyn Error>> {
         held: vec![(vec![0], Box::new(Clamped))],
     };
     let width = strip.width();
-    let mut shell = strip.shell()?;
-    shell.wet(&wetting(gate.spacing, Sides::Both, &[CELLS]))?;
+    let shell = strip.builder()?.wetted(wetting(gate.spacing, Sides::Both, &[CELLS])).build()?;
     Ok((shell, width))
 }
 

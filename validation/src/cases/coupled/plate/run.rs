@@ -57,8 +57,7 @@ pub fn tip(layers: usize, duration: f64) -> Result<Tip, Box<dyn Error>> {
         held: vec![(vec![CELLS], Box::new(Clamped))],
     };
     let width = strip.width();
-    let mut shell = strip.shell()?;
-    shell.wet(&wetting(dx, Sides::Both, &[0]))?;
+    let shell = strip.builder()?.wetted(wetting(dx, Sides::Both, &[0])).build()?;
     let mut system = coupled(parts, vec![shell])?;
     let mut found = Tip { particles: system.fluid().len(), ..Tip::default() };
     let rows = &mut found.rows;

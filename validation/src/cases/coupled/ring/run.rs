@@ -67,7 +67,7 @@ impl Oval {
     }
 }
 
-fn shell(layers: usize) -> Result<(Shell, f64), Box<dyn Error>> {
+fn shell(layers: usize, wet: bool) -> Result<(Shell, f64), Box<dyn Error>> {
     let spacing = THICKNESS / layers as f64;
     // A multiple of four: stations stand at 0° and 90°.
     let count = 4 * (0.25 * TAU * RADIUS / spacing).round() as usize;
@@ -86,7 +86,11 @@ fn shell(layers: usize) -> Result<(Shell, f64), Box<dyn Error>> {
         held: Vec::new(),
     };
     let width = strip.width();
-    let mut shell = strip.shell()?;
+    let mut shell = strip.builder()?;
+    if wet {
+        shell = shell.wetted(wetting(spacing, Sides::Front, &[]));
+    }
+    let mut shell = shell.build()?;
     for a in 0..shell.len() {
         let angle = TAU * (a / 2) as f64 / count as f64;
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
@@ -152,13 +156,12 @@ fn way(shell: &Shell) -> f64 {
 pub fn swing(ring: &Ring) -> Result<Oval, Box<dyn Error>> {
     let started = std::time::Instant::now();
     let spacing = THICKNESS / ring.layers as f64;
-    let (mut shell, width) = shell(ring.layers)?;
+    let (mut shell, width) = shell(ring.layers, ring.density.is_some())?;
     let mut found = Oval::default();
     let rows = &mut found.rows;
     // The first way back comes after half a period.
     let times = [(PERIODS + 0.6) * ring.period, ring.period / 200.0];
     if let Some(density) = ring.density {
-        shell.wet(&wetting(spacing, Sides::Front, &[]))?;
         let mut system = coupled(annulus(density, spacing), vec![shell])?;
         found.particles = system.fluid().len();
         found.steps = march(&mut system, times, 0.0, |system, record| {

@@ -6,7 +6,9 @@ use fluid_sph::Parts;
 use implicit_statics::linear_response;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, EndWeights, Plate, Vec3, basin_rows, lattice};
-use sph_shell::{AppliedLoad, Clamped, Force, Load, Reach, Shell, Sides, StaticShell, Supported, Wetting};
+use sph_shell::{
+    AppliedLoad, Clamped, Force, Load, Reach, Shell, ShellBuilder, Sides, StaticShell, Supported, Wetting,
+};
 
 use crate::support::coupled::{GRAVITY, ROWS, WATER, coupled, march, water};
 
@@ -31,14 +33,14 @@ pub struct Sag {
     pub seconds: f64,
 }
 
-fn plate(cells: usize, loads: Vec<Box<dyn Load>>) -> Result<Shell, Box<dyn Error>> {
+fn plate(cells: usize, loads: Vec<Box<dyn Load>>) -> Result<ShellBuilder, Box<dyn Error>> {
     let flat = lattice(&Plate { lengths: [SIZE, SIZE] }, [cells + 1, cells + 1], EndWeights::Trapezoid)?;
     let lower = |x: &Vec3| Vec3::new(x.x, x.y, -0.5 * THICKNESS);
     let cloud = Cloud::from_cells(flat.positions.iter().map(lower).collect(), None, flat.cells)?;
     let on_edge = |x: &Vec3| [x.x, x.y].iter().any(|c| *c < 1e-9 || *c > SIZE - 1e-9);
     let edge = (0..cloud.len() as u32).filter(|&a| on_edge(&cloud.positions[a as usize])).collect();
     let applied = |load| AppliedLoad { load, amplitude: explicit_dynamics::Amplitude::Constant };
-    Ok(Shell::new(sph_shell::Parts {
+    Ok(Shell::builder(sph_shell::Parts {
         cloud,
         section: Box::new(IsotropicSection::new(Isotropic::new(YOUNG, 0.3)?, THICKNESS)?),
         strain: &StretchCorrected,
@@ -48,7 +50,7 @@ fn plate(cells: usize, loads: Vec<Box<dyn Load>>) -> Result<Shell, Box<dyn Error
         supports: vec![Supported { particles: edge, support: Box::new(Clamped) }],
         loads: loads.into_iter().map(applied).collect(),
         threads: 1,
-    })?)
+    }))
 }
 
 /// Runs the plate with so many particles of the fluid, and cells of the shell, along a side.
@@ -66,20 +68,20 @@ pub fn sag(cells: usize, duration: f64) -> Result<Sag, Box<dyn Error>> {
         let all: Vec<f64> = (0..shell.len()).filter(near).map(|a| shell.displacement(a).z).collect();
         -1e3 * all.iter().sum::<f64>() / all.len() as f64
     };
-    let masses = plate(cells, Vec::new())?.reference().masses.clone();
+    let masses = plate(cells, Vec::new())?.build()?.reference().masses.clone();
     let weight = |pressure: f64| -> Vec<Box<dyn Load>> {
         let shares = masses.iter().enumerate().map(|(a, &mass)| (a as u32, mass)).collect();
         vec![Box::new(Force { shares, total: -Vec3::z() * (pressure * SIZE * SIZE) })]
     };
     let own = DENSITY * GRAVITY * THICKNESS;
-    let mut alone = StaticShell::new(plate(cells, weight(WATER * GRAVITY * SIZE + own))?);
+    let mut alone = StaticShell::new(plate(cells, weight(WATER * GRAVITY * SIZE + own))?.build()?);
     let motion = linear_response(&mut alone, 0.0)?;
     implicit_statics::Equilibrium::update(&mut alone, &motion);
     let mut found = Sag { still: middle(alone.shell()), ..Sag::default() };
 
-    let mut shell = plate(cells, weight(own))?;
     let free_edges = Vec::new();
-    shell.wet(&Wetting { spacing: dx, rows: ROWS, sides: Sides::Front, plane: false, free_edges })?;
+    let wetting = Wetting { spacing: dx, rows: ROWS, sides: Sides::Front, plane: false, free_edges };
+    let shell = plate(cells, weight(own))?.wetted(wetting).build()?;
     let behind = ROWS as f64 * dx;
     let (low, high) = (Vec3::new(0.0, 0.0, -behind), Vec3::new(SIZE, SIZE, 1.1 * SIZE));
     let walls = basin_rows(&low, &high, [false, false, false, false, true, true], 3, dx, ROWS)?;

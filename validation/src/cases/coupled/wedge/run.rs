@@ -69,11 +69,12 @@ fn plate(
         gravity: 0.0,
         held: supports,
     }
-    .shell()?;
+    .builder()?
+    .wetted(wetting(spacing, Sides::Front, &[CELLS]))
+    .build()?;
     for a in 0..shell.len() {
         shell.set_rate(a, -Vec3::y() * SPEED, Vec3::zeros());
     }
-    shell.wet(&wetting(spacing, Sides::Front, &[CELLS]))?;
     Ok(shell)
 }
 

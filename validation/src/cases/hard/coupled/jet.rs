@@ -61,8 +61,7 @@ fn hit(young: f64) -> Result<Outcome, Box<dyn Error>> {
         held: Vec::new(),
     };
     let width = strip.width();
-    let mut shell = strip.shell()?;
-    shell.wet(&wetting(dx, Sides::Both, &[0, CELLS]))?;
+    let shell = strip.builder()?.wetted(wetting(dx, Sides::Both, &[0, CELLS])).build()?;
     let positions = fill([-0.1 - 2.0 * dx, 0.08], [-2.0 * dx, 0.12], dx);
     let parts = Parts {
         velocities: vec![Vec3::x() * SPEED; positions.len()],

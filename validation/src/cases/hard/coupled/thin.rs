@@ -49,7 +49,7 @@ fn hold(ratio: f64) -> Result<Outcome, Box<dyn Error>> {
     let (dx, thickness) = (SPACING, ratio * SPACING);
     let (behind, height) = (ROWS as f64 * dx, 0.8);
     let cells = (height / dx).round() as usize;
-    let mut shell = Strip {
+    let shell = Strip {
         line: stations([0.0, height], [0.0, 0.0], cells),
         closed: false,
         young: 1e9,
@@ -59,8 +59,9 @@ fn hold(ratio: f64) -> Result<Outcome, Box<dyn Error>> {
         gravity: 0.0,
         held: vec![(vec![0, cells], Box::new(Clamped))],
     }
-    .shell()?;
-    shell.wet(&wetting(dx, Sides::Both, &[]))?;
+    .builder()?
+    .wetted(wetting(dx, Sides::Both, &[]))
+    .build()?;
     let face = 0.5 * thickness;
     let outer = face + WIDTH;
     let left = fill([-outer, 0.0], [-face, DEPTHS[0]], dx);

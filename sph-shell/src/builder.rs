@@ -1,0 +1,219 @@
+//! From parts to a shell: what it may have beside them, and the one place where all of it is checked and put together in order.
+
+use shell_kinematics::{Section, StrainMeasure};
+use sph_core::{Cloud, Vec3};
+
+use crate::Shell;
+use crate::conditions::case::LoadCase;
+use crate::conditions::constraints::Constraints;
+use crate::conditions::loads::AppliedLoad;
+use crate::conditions::springs::Springs;
+use crate::conditions::supports::Supported;
+use crate::dependents::Dependents;
+use crate::error::ShellError;
+use crate::formulation::{Formulation, Reach};
+use crate::initial_stress::InitialStress;
+use crate::junction::group::Junctions;
+use crate::junction::rigid::{Bodies, RigidSet};
+use crate::loading::Loading;
+use crate::material::Material;
+use crate::motion::Moving;
+use crate::points::scheme::Points;
+use crate::reference::Reference;
+use crate::regions::{Region, Regions};
+use crate::ties::list::{Tie, Ties};
+use crate::time::evaluation::Evaluation;
+use crate::wetted::surface::Surface;
+use crate::wetted::wetting::Wetting;
+
+/// What every shell is made of.
+pub struct Parts {
+    /// Particles, frames, areas, cells.
+    pub cloud: Cloud,
+    /// Material and thickness.
+    pub section: Box<dyn Section>,
+    /// Strain measure.
+    pub strain: &'static dyn StrainMeasure,
+    /// Direction whose projection on the surface is the section's first axis; without, the axes of the sampling points are
+    /// arbitrary, and the section must not care.
+    pub material_axis: Option<Vec3>,
+    /// Mass density \[M/L³\].
+    pub density: f64,
+    /// Where strains are sampled.
+    pub formulation: Formulation,
+    /// Supports.
+    pub supports: Vec<Supported>,
+    /// Loads.
+    pub loads: Vec<AppliedLoad>,
+    /// Threads to use; more than one needs a rayon pool around the run.
+    pub threads: usize,
+}
+
+/// A shell before it is built: its parts, and what else it is to have, in any order.
+#[must_use]
+pub struct ShellBuilder {
+    parts: Parts,
+    regions: Vec<Region>,
+    origin: Vec3,
+    ties: Vec<Tie>,
+    masses: Vec<(u32, f64)>,
+    rigid: Vec<RigidSet>,
+    springs: Springs,
+    stresses: Vec<InitialStress>,
+    stress_case: LoadCase,
+    wetting: Option<Wetting>,
+}
+
+impl Shell {
+    /// A shell of these parts, to be built with [`ShellBuilder::build`].
+    pub fn builder(parts: Parts) -> ShellBuilder {
+        ShellBuilder {
+            parts,
+            regions: Vec::new(),
+            origin: Vec3::zeros(),
+            ties: Vec::new(),
+            masses: Vec::new(),
+            rigid: Vec::new(),
+            springs: Springs::default(),
+            stresses: Vec::new(),
+            stress_case: LoadCase::Preload,
+            wetting: None,
+        }
+    }
+}
+
+impl ShellBuilder {
+    /// Sections of their own on some cells; the section of the parts is that of all others.
+    pub fn regions(self, regions: Vec<Region>) -> Self {
+        Self { regions, ..self }
+    }
+
+    /// Keeps all places from an origin \[L\]: displacements of a shell far from zero keep the digits that its places would take.
+    /// Places that are given and read ([`Shell::position`], [`RigidSet`], axes of turns) are from zero all the same; only
+    /// those of [`Reference::cloud`] and of [`Shell::motion`] are from the origin. Not together with a fluid.
+    pub fn origin(self, origin: Vec3) -> Self {
+        Self { origin, ..self }
+    }
+
+    /// Ties edges to cells of other sheets, whose particles may stand elsewhere.
+    ///
+    /// What hangs has no unknowns of its own; supports on it must be those of its host. Not together with a fluid, which would not
+    /// see what hangs move.
+    pub fn ties(self, ties: Vec<Tie>) -> Self {
+        Self { ties, ..self }
+    }
+
+    /// Masses \[M\] lumped at particles: they add to inertia in the march and in modes, and to weight on all of the shell, and do not
+    /// turn with the director.
+    pub fn masses(self, masses: Vec<(u32, f64)>) -> Self {
+        Self { masses, ..self }
+    }
+
+    /// Sets that move as rigid bodies.
+    pub fn rigid(self, rigid: Vec<RigidSet>) -> Self {
+        Self { rigid, ..self }
+    }
+
+    /// Springs on particles, between them, and on rigid sets.
+    pub fn springs(self, springs: impl Into<Springs>) -> Self {
+        Self { springs: springs.into(), ..self }
+    }
+
+    /// Stresses of the unstrained shell; those of one cell add up. They belong to the preload.
+    pub fn stresses(self, stresses: Vec<InitialStress>) -> Self {
+        Self { stresses, ..self }
+    }
+
+    /// Lets the level of the analysis bring the initial stress up, as it does loads, instead of a preload; without time.
+    pub fn stress_by_level(self) -> Self {
+        Self { stress_case: LoadCase::Loading, ..self }
+    }
+
+    /// Lays points over the wet faces, through which a fluid acts on the shell; it acts on nothing else.
+    pub fn wetted(self, wetting: Wetting) -> Self {
+        Self { wetting: Some(wetting), ..self }
+    }
+
+    /// Builds stencils, masses, reference strains and constraints, and with them all that was asked for.
+    ///
+    /// Masses hang on ties, rigid bodies on masses, springs of bodies on those: the order is this function's.
+    ///
+    /// # Errors
+    /// [`ShellError`]: invalid clouds, stencils too small for their order, empty or unknown sets, supports that contradict each other;
+    /// cells in two regions; edges too far from their hosts, on too few of their cells, without particles of their own, with supports
+    /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
+    /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
+    /// director, or of one particle; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
+    /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets and stresses where strains are not
+    /// sampled in cells.
+    pub fn build(self) -> Result<Shell, ShellError> {
+        let Self { parts, regions, origin, ties, masses, rigid, springs, stresses, stress_case, wetting } =
+            self;
+        let Parts {
+            mut cloud,
+            section,
+            strain,
+            material_axis,
+            density,
+            formulation,
+            supports,
+            loads,
+            threads,
+        } = parts;
+        if !matches!(formulation, Formulation::StressPoint(Reach::Cell)) {
+            let of_cells = [
+                (cloud.joined.is_empty(), ShellError::JunctionOfWideStencils),
+                (regions.is_empty(), ShellError::RegionsWithoutCells),
+                (ties.is_empty(), ShellError::TieOfWideStencils),
+                (rigid.is_empty(), ShellError::RigidOfWideStencils),
+                (stresses.is_empty(), ShellError::StressOfWideStencils),
+            ];
+            of_cells.into_iter().try_for_each(|(none, refusal)| if none { Ok(()) } else { Err(refusal) })?;
+        }
+        let mut given = Vec::new();
+        if origin != Vec3::zeros() {
+            given.clone_from(&cloud.positions);
+            cloud.positions.iter_mut().for_each(|x| *x -= origin);
+        }
+        let one_axis = material_axis.filter(|_| regions.is_empty());
+        let scales = section.scales();
+        let mut reference = Reference::new(cloud, &formulation, &scales, density, one_axis.as_ref())?;
+        (reference.origin, reference.given) = (origin, given);
+        let regions = Regions::new(regions, &reference)?;
+        if regions.any() {
+            regions.align(material_axis, &mut reference)?;
+            regions.weigh(&*section, density, &mut reference);
+        }
+        loads.iter().try_for_each(|applied| applied.load.check(&reference))?;
+        let mut constraints = Constraints::new(&reference, &supports)?;
+        let mut material = Material { section, strain, regions, stresses: Vec::new(), stress_case };
+        let mut points = Points::new(&reference, &formulation, &material.scales(), density)?;
+        material.divide(&mut points);
+
+        let mut ties = Ties::new(&reference, &material, &ties)?;
+        ties.hold(&reference, &mut constraints)?;
+        reference.lump(&masses, material.thickness(&reference))?;
+        ties.weigh(&reference, material.thickness(&reference));
+        let moving = ties.moving_masses(&reference);
+        let junctions = Junctions::new(&reference, moving, |a| ties.of(a).is_none())?;
+        let bodies = Bodies { reference: &reference, material: &material, ties: &ties };
+        let junctions = bodies.join(junctions, &rigid, &mut constraints)?;
+
+        let springs = springs.checked(&reference)?;
+        junctions.check_springs(&springs.of_bodies)?;
+        material.stress(&stresses, &reference, &mut points)?;
+        let surface =
+            wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));
+        let wetted = surface.transpose()?.map(Box::new);
+        Ok(Shell {
+            loading: Loading::new(loads, springs, wetted, reference.cloud.len()),
+            motion: Moving::new(&reference),
+            evaluation: Evaluation::new(&points, &reference, threads),
+            dependents: Dependents { junctions, ties },
+            reference,
+            material,
+            points,
+            constraints,
+        })
+    }
+}

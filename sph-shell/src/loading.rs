@@ -1,0 +1,178 @@
+//! What acts on a shell from outside: loads, springs and a fluid, and the rows in which their forces are summed.
+
+use explicit_dynamics::Instant;
+use sph_core::Vec3;
+
+use crate::conditions::case::LoadCase;
+use crate::conditions::loads::{AppliedLoad, Block, Body};
+use crate::conditions::springs::Springs;
+use crate::dependents::Dependents;
+use crate::junction::group::{Group, Junctions};
+use crate::junction::springs::BodySprings;
+use crate::motion::Moving;
+use crate::packs::Row;
+use crate::reference::Reference;
+use crate::wetted::surface::Surface;
+
+/// Loads, springs and the wet surface, with their forces as last evaluated.
+pub(crate) struct Loading {
+    pub loads: Vec<AppliedLoad>,
+    /// The load case that is under way.
+    pub case: LoadCase,
+    pub springs: Springs,
+    /// What a fluid wets.
+    pub wetted: Option<Box<Surface>>,
+    /// External forces; empty without loads.
+    pub external: Vec<Row>,
+    /// Forces of the springs on each particle; empty without springs on particles.
+    pub spring_forces: Vec<Row>,
+}
+
+impl Loading {
+    /// What acts on so many particles.
+    pub fn new(
+        loads: Vec<AppliedLoad>,
+        springs: Springs,
+        wetted: Option<Box<Surface>>,
+        particles: usize,
+    ) -> Self {
+        let rows = |wanted: bool| vec![[0.0; 6]; if wanted { particles } else { 0 }];
+        Self {
+            external: rows(!loads.is_empty() || !springs.is_empty() || wetted.is_some()),
+            spring_forces: rows(springs.any_on_particles()),
+            case: LoadCase::Loading,
+            loads,
+            springs,
+            wetted,
+        }
+    }
+
+    /// Load on a particle for the last forces evaluated \[F, F L\].
+    pub fn external_force(&self, particle: usize) -> Row {
+        self.external.get(particle).copied().unwrap_or_default()
+    }
+
+    /// What its springs exert on a particle \[F, F L\], for the last forces evaluated.
+    pub fn spring_force(&self, particle: usize) -> Row {
+        self.spring_forces.get(particle).copied().unwrap_or_default()
+    }
+
+    /// The springs of rigid bodies in a state.
+    pub fn of_bodies<'a>(
+        &'a self,
+        reference: &'a Reference,
+        junctions: &'a Junctions,
+        state: &'a [Row],
+    ) -> BodySprings<'a> {
+        BodySprings { springs: &self.springs.of_bodies, junctions, reference, state }
+    }
+
+    /// Evaluates the loads at an instant of the case that is under way, with the springs and what the fluid exerts.
+    pub fn evaluate(
+        &mut self,
+        at: Instant,
+        reference: &Reference,
+        dependents: &mut Dependents,
+        motion: &mut Moving,
+    ) {
+        let under_way = self.case;
+        self.sum(true, |applied| applied.scale(at, under_way), reference, dependents, motion);
+    }
+
+    /// Evaluates what a unit of level adds to the loads of the case that is under way.
+    pub fn evaluate_rate(&mut self, reference: &Reference, dependents: &mut Dependents, motion: &mut Moving) {
+        let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
+        let scale = |applied: &AppliedLoad| {
+            if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
+        };
+        self.sum(false, scale, reference, dependents, motion);
+    }
+
+    fn sum(
+        &mut self,
+        springs: bool,
+        scale: impl Fn(&AppliedLoad) -> f64,
+        reference: &Reference,
+        dependents: &mut Dependents,
+        motion: &mut Moving,
+    ) {
+        if self.external.is_empty() {
+            return;
+        }
+        dependents.ties.put(&mut motion.state);
+        self.evaluate_bodies(springs, &scale, reference, &mut dependents.junctions, &motion.state);
+        let Self { loads, springs: own, wetted, external, spring_forces, .. } = self;
+        let body = dependents.loaded(reference, &motion.state);
+        external.fill([0.0; 6]);
+        for applied in loads.iter() {
+            applied.load.add(scale(applied), &body, external);
+        }
+        if let Some(surface) = wetted {
+            surface.add(&motion.rates, external);
+        }
+        if springs && !spring_forces.is_empty() {
+            own.forces(&body, spring_forces);
+            for (sum, row) in external.iter_mut().zip(&*spring_forces) {
+                (0..6).for_each(|k| sum[k] += row[k]);
+            }
+        }
+        dependents.ties.condense_external(&motion.state, external);
+    }
+
+    /// Evaluates the loads on rigid bodies, each load times a factor, with what springs exert on them where that is wanted.
+    fn evaluate_bodies(
+        &self,
+        springs: bool,
+        scale: impl Fn(&AppliedLoad) -> f64,
+        reference: &Reference,
+        junctions: &mut Junctions,
+        state: &[Row],
+    ) {
+        for number in 0..junctions.groups.len() {
+            let group = &junctions.groups[number];
+            let Some(body) = &group.body else { continue };
+            let triad = group.triad(state);
+            let mut sum = match springs {
+                true => self.of_bodies(reference, junctions, state).on_body(body.number),
+                false => [Vec3::zeros(); 2],
+            };
+            for applied in &self.loads {
+                let Some(own) = applied.load.on_body(body.number, body.mass) else { continue };
+                let factor = scale(applied);
+                sum.iter_mut().zip(own).for_each(|(sum, part)| *sum += part * factor);
+            }
+            if let Some(body) = &mut junctions.groups[number].body {
+                body.take(&triad, sum);
+            }
+        }
+    }
+
+    /// The derivatives of all loads at a level and of the springs on particles, block by block.
+    pub fn stiffness(&self, level: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
+        for applied in &self.loads {
+            let scale = applied.scale(Instant { time: 0.0, level }, self.case);
+            applied.load.stiffness(scale, body, put);
+        }
+        self.springs.stiffness(body, put);
+    }
+
+    /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].
+    pub fn couples_on_bodies(&self, junctions: &Junctions) -> Vec<(u32, Vec3)> {
+        let at = Instant { time: 0.0, level: 1.0 };
+        let couple = |group: &Group| {
+            let body = group.body.as_ref()?;
+            let own = |applied: &AppliedLoad| {
+                Some(applied.load.on_body(body.number, body.mass)?[1] * applied.scale(at, self.case))
+            };
+            Some((group.first() as u32, self.loads.iter().filter_map(own).sum::<Vec3>()))
+        };
+        let couples = junctions.groups.iter().filter_map(couple);
+        couples.filter(|(_, couple)| *couple != Vec3::zeros()).collect()
+    }
+
+    /// Bytes of the rows and of the wet surface.
+    pub fn bytes(&self) -> usize {
+        size_of::<Row>() * (self.external.len() + self.spring_forces.len())
+            + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
+    }
+}

@@ -1,0 +1,98 @@
+//! What a shell is made of: sections and strain measures of its cells, and the stress that is there before anything is strained.
+
+use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StressedPack};
+
+use crate::conditions::case::LoadCase;
+use crate::error::ShellError;
+use crate::initial_stress::{InitialStress, resultants_of};
+use crate::points::point::PointLaw;
+use crate::points::scheme::{Points, Sections};
+use crate::reference::Reference;
+use crate::regions::{PointSection, Regions, Scales};
+
+/// Sections, strain measures and initial stress.
+pub(crate) struct Material {
+    /// The section, of several that of the cells in no region.
+    pub section: Box<dyn Section>,
+    pub strain: &'static dyn StrainMeasure,
+    pub regions: Regions,
+    /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
+    pub stresses: Vec<[f64; 6]>,
+    /// The load case to which the initial stress belongs.
+    pub stress_case: LoadCase,
+}
+
+impl Material {
+    /// Strain measure and section of points that have none of their own.
+    #[inline(always)]
+    pub fn law(&self) -> PointLaw<'_> {
+        PointLaw { strain: self.strain, section: &*self.section }
+    }
+
+    /// Whether stresses run linearly through the thickness everywhere.
+    pub fn homogeneous(&self) -> bool {
+        self.regions.homogeneous(&*self.section)
+    }
+
+    /// Thickness, of several sections the mean over the area \[L\].
+    pub fn thickness(&self, reference: &Reference) -> f64 {
+        let mean = self.regions.mean_thickness(&*self.section, reference);
+        mean.unwrap_or_else(|| self.section.scales().thickness)
+    }
+
+    /// What is read of the section at a sampling point.
+    pub fn at(&self, point: usize) -> PointSection {
+        let initial = self.stresses.get(point).copied().unwrap_or_default();
+        PointSection { initial, ..self.regions.read(&*self.section, point) }
+    }
+
+    /// Stiffness scales of all points.
+    pub fn scales(&self) -> Scales {
+        self.regions.scales(&*self.section)
+    }
+
+    /// Bending stiffness of the section at a point \[F L\].
+    pub fn bending(&self, point: usize) -> f64 {
+        self.regions.bending(&*self.section, point)
+    }
+
+    /// Mass of a cell \[M\].
+    pub fn cell_mass(&self, reference: &Reference, cell: usize) -> f64 {
+        let cloud = &reference.cloud;
+        let density = self.regions.density(cell).unwrap_or(reference.density);
+        density * self.at(cell).thickness * cloud.cells[cell].geometry(&cloud.positions).area
+    }
+
+    /// Gives each pack of points its own sections and strain measures, where there are several.
+    pub fn divide(&self, points: &mut Points) {
+        if self.regions.any() {
+            let order = &points.packs.order;
+            points.strains = self.regions.strains(self.strain, order);
+            points.sections = Sections::Own(self.regions.packs(&*self.section, order));
+        }
+    }
+
+    /// Puts stresses on the unstrained shell; those of one cell add up.
+    ///
+    /// # Errors
+    /// As [`resultants_of`].
+    pub fn stress(
+        &mut self,
+        stresses: &[InitialStress],
+        reference: &Reference,
+        points: &mut Points,
+    ) -> Result<(), ShellError> {
+        if stresses.is_empty() {
+            return Ok(());
+        }
+        let sums = resultants_of(stresses, reference, |cell| self.at(cell))?;
+        let order = &points.packs.order;
+        let sections = self.regions.packs(&*self.section, order);
+        let under = |(points, section): (&[u32; LANES], SectionPack)| {
+            StressedPack::new(section, points.map(|p| sums[p as usize]))
+        };
+        points.sections = Sections::Stressed(order.iter().zip(sections).map(under).collect());
+        self.stresses = sums;
+        Ok(())
+    }
+}
