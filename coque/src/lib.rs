@@ -156,7 +156,7 @@ mod run;
 pub mod scene;
 mod warning;
 
-pub use analyses::{Estimate, RunOptions};
+pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,

@@ -121,6 +121,13 @@ pub(crate) struct Frames<'a> {
     pub(crate) failure: Option<FieldError>,
 }
 
+/// What is asked of the fields of a body as it is now.
+pub(crate) fn present(task: &Task, driven: Option<u32>) -> FieldRequest<'static> {
+    let marched = matches!(task.analysis, Analysis::Explicit(_));
+    let state = if marched { State::Moving } else { State::Balance };
+    FieldRequest { state, units: task.units, stresses: false, driven, forces: None }
+}
+
 /// What orders the frames.
 #[derive(Clone, Copy)]
 enum Along {
