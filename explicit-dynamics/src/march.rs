@@ -33,7 +33,7 @@ pub struct March {
 /// What has happened to a march since it was last advanced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// A step is done. The march stands between two steps, where [`March::state`] says.
+    /// A step is done, or two where one of them shows the period. The march stands between two steps, where [`March::state`] says.
     Step,
     /// A load level has ended; its record comes next.
     Level(LevelReached),

@@ -10,7 +10,7 @@ use super::course::Course;
 use super::preload::preload;
 use super::{RunOptions, true_to_scale};
 use crate::bodies::{Body, Mismatch, Model, Ready, StateArray};
-use crate::fields::{Frame, present};
+use crate::fields::Frame;
 use crate::results::curve::Curve;
 use crate::run::Run;
 use crate::run::checkpoint::{CheckpointError, Stage};
@@ -23,11 +23,11 @@ use crate::run::outcome::{Ended, Failure, Outcome};
 ///
 /// | analysis | an event is |
 /// |---|---|
-/// | `explicit` | a step, and a record of the state before a step |
+/// | `explicit` | a step (two where one of them shows the period), and a record of the state before one |
 /// | `static`, `relaxation` | a level found; the first has the row of the start as well |
 /// | `linear`, `arc-length`, `modal`, `buckling` | all of it at once |
 ///
-/// A preload is an event of its own.
+/// A preload is an event of its own. Wall time is counted from the beginning, with what the caller does in between.
 ///
 /// ```
 /// use coque::{Event, Scene, Simulation};
@@ -82,7 +82,7 @@ pub enum Event {
 }
 
 impl Simulation<'static> {
-    /// From the start, told to nobody. With more than one thread it has a pool of its own.
+    /// From the start, without a report to anyone. With more than one thread it has a pool of its own.
     pub fn new(mut model: Model) -> Self {
         let run = model.nothing_yet(None, None, None);
         Self::begin(model, run, None)
@@ -173,7 +173,7 @@ impl<'a> Simulation<'a> {
         self.model.body.body()
     }
 
-    /// Puts the body into another state, from which the analysis goes on.
+    /// Puts the body into another state, from which the analysis goes on; in time between two steps, behind [`Event::Step`].
     ///
     /// # Errors
     /// [`Mismatch`], and nothing changed, for the state of another body.
@@ -187,10 +187,8 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// [`FieldError`] for a body that writes its fields out of their order; none is known.
     pub fn sheet(&self, stresses: bool) -> Result<Sheet, FieldError> {
-        let Moment { time, level } = self.stands_at();
-        let shown = present(&self.model.task, self.model.driven.map(|driven| driven.particle));
-        let along = if time > 0.0 { time } else { level };
-        Frame { body: self.body(), shown, along, level, time }.sheet(stresses)
+        let driven = self.model.driven.map(|driven| driven.particle);
+        Frame::present(self.body(), &self.model.task, driven, self.stands_at()).sheet(stresses)
     }
 
     /// Time \[T\], zero without time, and the load level: the present one in time, else the last one found.

@@ -37,7 +37,7 @@ pub(crate) struct Run<'a> {
     pub supports: Option<Resultant>,
     /// Where frames of fields go, if anywhere.
     pub frames: Option<Frames<'a>>,
-    /// Who is told how it goes, if anyone is.
+    /// Who receives its progress, if anyone does.
     pub progress: Option<&'a mut dyn Progress>,
     pub checkpoints: Option<&'a mut Checkpoints>,
 }
