@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Nothing is solved: a ramp carries the couple up to each level, damping lets the motion die, and what is left is an
-//! equilibrium. [`QuasiStatic`] does that with any system that offers forces; an [`Observer`] watches. It passes
+//! equilibrium. A [`March`] of a [`QuasiStatic`] plan does that with any system that offers forces, record by record. It passes
 //! limit points by itself, where the equilibrium at the next load lies far away.
 //!
 //! `cargo run --release -p coque --example 3_roll_up` writes `out/3_roll_up/shapes.svg`; before: `2_cantilever`,
@@ -17,10 +17,9 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::fs;
-use std::ops::ControlFlow;
 
 use coque::{Array, Picture, Sheet, picture_svg};
-use explicit_dynamics::{Amplitude, Damping, Observer, QuasiStatic, Record};
+use explicit_dynamics::{Amplitude, Damping, March, QuasiStatic, Record};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{EndWeights, Plate, Side, Vec3, lattice};
 use sph_shell::{
@@ -52,7 +51,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let mut film = Film { tip, settled: 0, worst: 0.0, shapes: Sheet::default() };
     println!("{:>6} {:>9} {:>9} {:>9} {:>9} {:>9}", "M/M₁", "x/L", "exact", "z/L", "exact", "off");
-    let clock = path.march(&mut shell, &mut film)?;
+    let mut march = March::start(path, &mut shell)?;
+    while let Some(record) = march.next_record(&mut shell)? {
+        film.take(&shell, &record);
+    }
+    let clock = march.clock();
     println!("{} steps, the last of {:.4} s", clock.steps, clock.dt);
 
     let title = "A strip rolled into a circle, by eighths of the couple";
@@ -115,8 +118,8 @@ struct Film {
     shapes: Sheet,
 }
 
-impl Observer<Shell> for Film {
-    fn record(&mut self, shell: &mut Shell, record: &Record) -> ControlFlow<()> {
+impl Film {
+    fn take(&mut self, shell: &Shell, record: &Record) {
         let level = record.at.level;
         self.settled += usize::from(record.settled);
         let tip = shell.position(self.tip) / LENGTH;
@@ -134,6 +137,5 @@ impl Observer<Shell> for Film {
         let levels =
             self.shapes.cell_data.entry("level".into()).or_insert(Array { width: 1, ..Array::default() });
         levels.numbers.extend(cells.iter().map(|_| level));
-        ControlFlow::Continue(())
     }
 }

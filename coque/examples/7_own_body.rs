@@ -13,7 +13,7 @@
 //! mode j     ω_j = 2 √(k/m) sin( (2j − 1)π / 2(2n + 1) )
 //! ```
 //!
-//! `cargo run --release -p coque --example 7_own_body`; before: `6_own_kernel`. This is the last; the table
+//! `cargo run --release -p coque --example 7_own_body`; before: `6_own_kernel`, next: `8_steps`. The table
 //! "To add …" of ARCHITECTURE.md tells where each kind of extension goes once it is to stay.
 
 #[path = "../tests/common/chain.rs"]

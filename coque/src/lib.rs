@@ -1,7 +1,7 @@
 //! From a scene file to results: reads and checks scenes, builds bodies, runs them, writes curves.
 //!
 //! Data flow one way: [`Scene`] (plain, validated) → [`Model`] (a body ready to move) → [`Outcome`] (curve, summary,
-//! shapes). The command `coque` is a thin wrapper round these three.
+//! shapes). The command `coque` is a thin wrapper round these three. [`Simulation`] leads a model event by event.
 //!
 //! ```
 //! use coque::{Scene, Silent};
@@ -37,6 +37,7 @@
 //! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
 //! | the run, its figures, what it goes on from | `run/active_run.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
+//! | led event by event | [`Simulation`], `analyses/simulation.rs`; how far an analysis has come: `analyses/course.rs` |
 //! | which lattice reaches an accuracy | [`accuracy`] |
 //! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
@@ -132,6 +133,7 @@
 //! | no damaged scene or mesh panics | `damaged_scenes_never_panic` (tests/no_panic.rs), `damaged_meshes_never_panic` (mesh-io/tests/no_panic.rs) |
 //! | what is refused is refused in these words | `broken_scenes` and its neighbours (tests/refusals.rs) |
 //! | a run killed at any moment and resumed ends in the same bytes | `killed_at_any_moment_it_ends_in_the_same_bytes` (tests/interrupted.rs), `every_formulation_goes_on_to_the_same_bits` (tests/resume.rs) |
+//! | a run that is led event by event, read and put back in between has the bits of one that is not | `every_analysis_is_led_to_its_end_with_the_same_bits`, `what_is_read_and_put_back_changes_no_bit` (tests/steps.rs) |
 //! | frames are whole, and other readers read them | `a_killed_program_leaves_whole_frames_and_a_list_of_them` (tests/fields.rs), `meshio_reads_what_the_run_wrote` (tests/meshio.rs) |
 //! | solids: a bar stretched as Hooke says, a plate that breaks, the same bits for any number of threads | tests/solid.rs |
 //! | what is refused of solids, and warned of | tests/solid_refusals.rs, tests/solid_warnings.rs |
@@ -156,7 +158,7 @@ mod run;
 pub mod scene;
 mod warning;
 
-pub use analyses::{Estimate, RunOptions};
+pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,

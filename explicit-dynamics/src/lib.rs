@@ -6,12 +6,12 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | march freely in time | [`Transient`] |
-//! | find equilibria along a load path | [`QuasiStatic`] |
+//! | march freely in time | [`March`] of a [`Transient`] |
+//! | find equilibria along a load path | [`March`] of a [`QuasiStatic`] |
 //! | know the stable step | [`Dynamics::stable_step`], [`lanczos_step`], [`largest_eigenvalue`] |
-//! | watch, stop | [`Observer`], [`Record`] |
+//! | watch, stop | a loop over [`March::advance`] or [`March::next_record`]; [`Event`], [`Record`] |
 //! | march a fluid with the structures in it | [`TwoClocks`], over [`BoundaryDriven`] and [`Wetted`] |
-//! | keep a march and go on later, to the same bits | [`Observer::between`], [`MarchState`], [`QuasiStatic::go_on`], [`Transient::go_on`] |
+//! | keep a march and go on later, to the same bits | [`March::state`], [`MarchState`], [`March::resume`] |
 //!
 //! # The step
 //!
@@ -149,6 +149,7 @@
 //! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
 //! | the eigenvalue is bounded from both sides | `chain_spectrum_is_bounded_from_both_sides` (src/stable_step.rs) |
 //! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/march_state.rs) |
+//! | a march is a value: any number of them may be led in turns, each to the bits that it has alone | `marches_led_in_turns_do_not_know_of_each_other` |
 //! | a system behind `dyn Dynamics` marches to the same bits; one without a measure of rest is refused | `a_system_without_a_type_marches_to_the_same_bits`, `a_system_that_does_not_say_when_it_rests_is_refused` (tests/any_system.rs) |
 //! | structure first, a spring in a gas never gains energy; fluid first, or without one part of its load, it does | `structure_first_never_gains_energy`, `fluid_first_pumps_energy_into_the_structure`, `loads_that_lag_or_do_not_yield_let_the_energy_grow` (tests/two_clocks) |
 //! | momentum of gas and structure is kept but for the impulse under way | `momentum_is_kept_but_for_what_is_under_way` |
@@ -165,10 +166,11 @@ mod dynamics;
 mod error;
 mod interface;
 mod linearised;
+mod march;
 mod march_state;
-mod observer;
 mod quasi_static;
 mod record;
+mod recorded;
 mod rest;
 mod stable_step;
 mod step;
@@ -182,8 +184,8 @@ pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};
 pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 pub use linearised::{LinearisedDynamics, MassScaled};
+pub use march::{Event, March, Plan};
 pub use march_state::{Dwell, LevelUnderWay, MarchState, Stage};
-pub use observer::Observer;
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};

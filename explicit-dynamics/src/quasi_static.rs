@@ -1,14 +1,11 @@
 //! Equilibria along a load path: a smooth ramp to each level, then a dwell until the motion has died.
 
-use std::ops::ControlFlow;
-
 use crate::amplitude::smooth;
 use crate::clock::Clock;
 use crate::damping::{Damping, KineticDamping};
 use crate::dynamics::Dynamics;
 use crate::error::{MarchError, positive};
 use crate::march_state::{Dwell, LevelUnderWay, MarchState, Stage};
-use crate::observer::Observer;
 use crate::rest::{LevelReached, Missing, Sizes, period_of_motion, period_of_step};
 
 /// Ramp and dwell. Loads are read after a dwell: damping drags the reaction while a ramp runs.
@@ -50,15 +47,11 @@ const QUOTIENT: u64 = 2;
 const MOST_STEPS_A_PERIOD: f64 = 1e8;
 
 impl QuasiStatic {
-    /// Marches through all levels; one record at the start and one at the end of each dwell.
+    /// Where it starts, its first record due.
     ///
     /// # Errors
-    /// [`MarchError`] for options out of bounds, for divergence, and for systems without [`Dynamics::linearised`].
-    pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
+    /// [`MarchError`] for options out of bounds, and for systems without [`Dynamics::linearised`].
+    pub(crate) fn start<S: Dynamics + ?Sized>(&self, system: &mut S) -> Result<MarchState, MarchError> {
         positive("period", self.period.unwrap_or(1.0))?;
         positive("ramp", self.ramp)?;
         positive("dwell", self.dwell)?;
@@ -74,102 +67,98 @@ impl QuasiStatic {
             return Err(MarchError::Option { key: "period", value: period, bound });
         }
         clock.damping = self.damping.coefficient(period);
-        let flow = clock.recorded_step(system, observer, true, f64::INFINITY, |_| 0.0)?;
-        if flow.is_break() || self.levels.is_empty() {
-            return Ok(clock);
-        }
-        let stage = self.begin(0, &clock, Sizes::default(), period);
-        self.go_on(MarchState { clock, stage }, system, observer)
+        let stage = Stage::QuasiStatic(foot(0, &clock, Sizes::default(), period));
+        Ok(MarchState { clock, stage })
     }
 
-    /// Goes on from where a march of the same data stood, with its system in the state it had there.
+    /// One step on the ramp, or one with its check in the dwell; how the level ended, if it did: its record is due then.
     ///
     /// # Errors
     /// [`MarchError`] for divergence and for the place of another march.
-    pub fn go_on<S, O>(
-        &self,
-        mut at: MarchState,
-        system: &mut S,
-        observer: &mut O,
-    ) -> Result<Clock, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
-        loop {
-            let Stage::QuasiStatic(LevelUnderWay { level, .. }) = at.stage else { return Err(at.other()) };
-            let Some(&to) = self.levels.get(level) else { return Err(at.other()) };
-            if self.ramp_up(&mut at, system, observer)?.is_break() {
-                break;
-            }
-            at.clock.now.level = to;
-            let Some((settled, way)) = self.dwell(&mut at, system, observer)? else { break };
-            let flow = at.clock.recorded_step(system, observer, settled, f64::INFINITY, |_| to)?;
-            at.clock.watch(system)?;
-            if flow.is_break() || level + 1 == self.levels.len() {
-                break;
-            }
-            at.clock.estimate_step(system)?;
-            at.stage = self.begin(level + 1, &at.clock, way.sizes, way.period);
-        }
-        Ok(at.clock)
-    }
-
-    /// The place at the foot of the ramp to a level.
-    fn begin(&self, level: usize, clock: &Clock, sizes: Sizes, period: f64) -> Stage {
-        let start = clock.now.time;
-        Stage::QuasiStatic(LevelUnderWay {
-            level,
-            start,
-            first_step: clock.steps,
-            sizes,
-            period,
-            next_check: start,
-            checked: 0,
-            dwell: None,
-        })
-    }
-
-    /// Marches along the ramp, if it is not over; `Break` if the observer ends the march.
-    fn ramp_up<S, O>(
+    pub(crate) fn step<S: Dynamics + ?Sized>(
         &self,
         at: &mut MarchState,
         system: &mut S,
-        observer: &mut O,
-    ) -> Result<ControlFlow<()>, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
-        loop {
-            let Stage::QuasiStatic(mut way) = at.stage else { return Err(at.other()) };
-            if way.dwell.is_some() {
-                return Ok(ControlFlow::Continue(()));
-            }
-            let (ramp, now) = (self.ramp * way.period, at.clock.now.time);
-            let left = way.start + ramp - now;
-            if left <= 0.5 * at.clock.dt {
-                let dwell = Dwell { start: now, settled_checks: 0, peaks: KineticDamping::default() };
-                (way.dwell, way.next_check) = (Some(dwell), now + self.to_next_check(&at.clock, way.period));
-                at.stage = Stage::QuasiStatic(way);
-                return Ok(ControlFlow::Continue(()));
-            }
-            let done = self.done(way.level, 0.5 * (now - way.start) / ramp);
-            if observer.between(system, at, done).is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-            let from = if way.level == 0 { 0.0 } else { self.levels[way.level - 1] };
-            let to = self.levels[way.level];
-            let level = |time: f64| from + (to - from) * smooth((time - way.start) / ramp);
-            at.clock.step(system, left, level)?;
-            // Later ramps go by what their predecessors have found: the way along the path tells less than a motion left to itself.
-            if self.period.is_none() && way.level == 0 && at.clock.now.time >= way.next_check {
-                let found = period_of_motion(system.linearised().ok_or(MarchError::NotLinearised)?);
-                way.checked += QUOTIENT;
-                self.take_over(found, &mut way, &mut at.clock);
-                way.next_check = at.clock.now.time + self.to_next_check(&at.clock, way.period);
-            }
-            at.stage = Stage::QuasiStatic(way);
+    ) -> Result<Option<LevelReached>, MarchError> {
+        let Stage::QuasiStatic(mut way) = at.stage else { return Err(at.other()) };
+        let Some(&to) = self.levels.get(way.level) else { return Err(at.other()) };
+        let reached = match way.dwell {
+            None => self.ramp_up(&mut at.clock, &mut way, system, to).map(|()| None),
+            Some(dwell) => self.dwell(&mut at.clock, (&mut way, dwell), system, to),
+        };
+        at.stage = Stage::QuasiStatic(way);
+        reached
+    }
+
+    /// Goes on behind a recorded step, to the foot of the next ramp; true where the level was the last one.
+    ///
+    /// # Errors
+    /// [`MarchError`] for divergence and for the place of another march.
+    pub(crate) fn recorded<S: Dynamics + ?Sized>(
+        &self,
+        at: &mut MarchState,
+        system: &mut S,
+    ) -> Result<bool, MarchError> {
+        let Stage::QuasiStatic(way) = at.stage else { return Err(at.other()) };
+        // Before the first level there is no dwell.
+        let begun = way.dwell.is_some();
+        let next = if begun { way.level + 1 } else { 0 };
+        if begun {
+            at.clock.watch(system)?;
+        }
+        let Some(&to) = self.levels.get(next) else { return Ok(true) };
+        if begun {
+            at.clock.estimate_step(system)?;
+        }
+        let mut way = foot(next, &at.clock, way.sizes, way.period);
+        self.arrive(&mut at.clock, &mut way, to);
+        at.stage = Stage::QuasiStatic(way);
+        Ok(false)
+    }
+
+    /// Part of the way that is done, from 0 to 1: a guess, as dwells may end early.
+    pub(crate) fn done(&self, at: &MarchState) -> f64 {
+        let Stage::QuasiStatic(way) = at.stage else { return 0.0 };
+        let now = at.clock.now.time;
+        // Most dwells end early: half a level for the ramp, the rest approached.
+        let within = match way.dwell {
+            None => 0.5 * (now - way.start) / (self.ramp * way.period),
+            Some(dwell) => 1.0 - 0.5 / (1.0 + (now - dwell.start) / way.period),
+        };
+        ((way.level as f64 + within) / self.levels.len() as f64).clamp(0.0, 1.0)
+    }
+
+    /// One step on the ramp to a level.
+    fn ramp_up<S: Dynamics + ?Sized>(
+        &self,
+        clock: &mut Clock,
+        way: &mut LevelUnderWay,
+        system: &mut S,
+        to: f64,
+    ) -> Result<(), MarchError> {
+        let (start, ramp) = (way.start, self.ramp * way.period);
+        let left = start + ramp - clock.now.time;
+        let from = if way.level == 0 { 0.0 } else { self.levels[way.level - 1] };
+        let level = |time: f64| from + (to - from) * smooth((time - start) / ramp);
+        clock.step(system, left, level)?;
+        // Later ramps go by what their predecessors have found: the way along the path tells less than a motion left to itself.
+        if self.period.is_none() && way.level == 0 && clock.now.time >= way.next_check {
+            let found = period_of_motion(system.linearised().ok_or(MarchError::NotLinearised)?);
+            way.checked += QUOTIENT;
+            self.take_over(found, way, clock);
+            way.next_check = clock.now.time + self.to_next_check(clock, way.period);
+        }
+        self.arrive(clock, way, to);
+        Ok(())
+    }
+
+    /// Begins the dwell where the ramp is over.
+    fn arrive(&self, clock: &mut Clock, way: &mut LevelUnderWay, to: f64) {
+        let now = clock.now.time;
+        if way.start + self.ramp * way.period - now <= 0.5 * clock.dt {
+            way.dwell = Some(Dwell { start: now, settled_checks: 0, peaks: KineticDamping::default() });
+            way.next_check = now + self.to_next_check(clock, way.period);
+            clock.now.level = to;
         }
     }
 
@@ -190,80 +179,76 @@ impl QuasiStatic {
         (period / CHECKS_PER_PERIOD).max(least)
     }
 
-    /// Marches until the motion has died (true) or the dwell is over (false), with where the level ended;
-    /// nothing if the observer ends the march.
-    fn dwell<S, O>(
+    /// One step in the dwell, and a look whether the motion has died (settled) or the dwell is over, where that is due.
+    fn dwell<S: Dynamics + ?Sized>(
         &self,
-        at: &mut MarchState,
+        clock: &mut Clock,
+        (way, mut dwell): (&mut LevelUnderWay, Dwell),
         system: &mut S,
-        observer: &mut O,
-    ) -> Result<Option<(bool, LevelUnderWay)>, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
-        loop {
-            let Stage::QuasiStatic(mut way) = at.stage else { return Err(at.other()) };
-            let Some(mut dwell) = way.dwell else { return Err(at.other()) };
-            // Most dwells end early: half a level for the ramp, the rest approached.
-            let within = 1.0 - 0.5 / (1.0 + (at.clock.now.time - dwell.start) / way.period);
-            if observer.between(system, at, self.done(way.level, within)).is_break() {
-                return Ok(None);
+        to: f64,
+    ) -> Result<Option<LevelReached>, MarchError> {
+        self.dwelling_step(clock, &mut dwell, system, to)?;
+        let reached = if clock.now.time >= way.next_check {
+            self.check_rest(clock, (way, &mut dwell), system, to)?
+        } else {
+            None
+        };
+        way.dwell = Some(dwell);
+        Ok(reached)
+    }
+
+    /// Looks whether the motion has died or the dwell is over; takes over the period of the motion otherwise.
+    fn check_rest<S: Dynamics + ?Sized>(
+        &self,
+        clock: &mut Clock,
+        (way, dwell): (&mut LevelUnderWay, &mut Dwell),
+        system: &mut S,
+        to: f64,
+    ) -> Result<Option<LevelReached>, MarchError> {
+        clock.evaluate(system);
+        way.checked += 1;
+        // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
+        let kinetic = if self.damping == Damping::Kinetic { dwell.peaks.peak } else { clock.kinetic };
+        let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
+        let slow = ratio < self.tolerance && (self.damping != Damping::Kinetic || dwell.peaks.peak > 0.0);
+        let over = clock.now.time >= dwell.start + self.dwell * way.period;
+        // An overshoot on the way is no answer to measure by: only what a level ends with is kept.
+        let (mut missing, mut sizes) = (Missing::default(), way.sizes);
+        if slow || over {
+            let system = system.linearised().ok_or(MarchError::NotLinearised)?;
+            missing = Missing::find(system, clock.internal, way.period, &mut sizes);
+            way.checked += 2 * QUOTIENT;
+        } else if self.period.is_none() && ratio > FAINT {
+            let mut before = Vec::new();
+            if let Some(system) = system.linearised() {
+                before.resize(system.unknowns(), 0.0);
+                system.out_of_balance(&mut before);
             }
-            let (clock, to) = (&mut at.clock, self.levels[way.level]);
-            if clock.now.time < way.next_check {
-                self.dwelling_step(clock, &mut dwell, system, to)?;
-            }
-            if clock.now.time >= way.next_check {
-                clock.evaluate(system);
-                way.checked += 1;
-                // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
-                let kinetic = if self.damping == Damping::Kinetic { dwell.peaks.peak } else { clock.kinetic };
-                let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
-                let slow =
-                    ratio < self.tolerance && (self.damping != Damping::Kinetic || dwell.peaks.peak > 0.0);
-                let over = clock.now.time >= dwell.start + self.dwell * way.period;
-                // An overshoot on the way is no answer to measure by: only what a level ends with is kept.
-                let (mut missing, mut reached) = (Missing::default(), way.sizes);
-                if slow || over {
-                    let system = system.linearised().ok_or(MarchError::NotLinearised)?;
-                    missing = Missing::find(system, clock.internal, way.period, &mut reached);
-                    way.checked += 2 * QUOTIENT;
-                } else if self.period.is_none() && ratio > FAINT {
-                    let mut before = Vec::new();
-                    if let Some(system) = system.linearised() {
-                        before.resize(system.unknowns(), 0.0);
-                        system.out_of_balance(&mut before);
-                    }
-                    self.dwelling_step(clock, &mut dwell, system, to)?;
-                    clock.evaluate(system);
-                    way.checked += 1;
-                    let system = system.linearised().ok_or(MarchError::NotLinearised)?;
-                    let found = period_of_step(system, &before, clock.dt);
-                    self.take_over(found, &mut way, clock);
-                }
-                let at_rest = slow && missing.within(self.accuracy);
-                dwell.settled_checks = if at_rest { dwell.settled_checks + 1 } else { 0 };
-                let settled = dwell.settled_checks >= SETTLED_CHECKS;
-                if settled || over {
-                    let steps = clock.steps - way.first_step;
-                    observer.level(&LevelReached {
-                        level: to,
-                        settled,
-                        kinetic_over_internal: ratio,
-                        missing,
-                        steps,
-                        evaluations: steps + way.checked,
-                        period: way.period,
-                    });
-                    way.sizes = reached;
-                    return Ok(Some((settled, way)));
-                }
-                way.next_check = clock.now.time + self.to_next_check(clock, way.period);
-            }
-            way.dwell = Some(dwell);
-            at.stage = Stage::QuasiStatic(way);
+            self.dwelling_step(clock, dwell, system, to)?;
+            clock.evaluate(system);
+            way.checked += 1;
+            let system = system.linearised().ok_or(MarchError::NotLinearised)?;
+            let found = period_of_step(system, &before, clock.dt);
+            self.take_over(found, way, clock);
         }
+        let at_rest = slow && missing.within(self.accuracy);
+        dwell.settled_checks = if at_rest { dwell.settled_checks + 1 } else { 0 };
+        let settled = dwell.settled_checks >= SETTLED_CHECKS;
+        if !(settled || over) {
+            way.next_check = clock.now.time + self.to_next_check(clock, way.period);
+            return Ok(None);
+        }
+        way.sizes = sizes;
+        let steps = clock.steps - way.first_step;
+        Ok(Some(LevelReached {
+            level: to,
+            settled,
+            kinetic_over_internal: ratio,
+            missing,
+            steps,
+            evaluations: steps + way.checked,
+            period: way.period,
+        }))
     }
 
     /// A step at a level that stays.
@@ -281,9 +266,19 @@ impl QuasiStatic {
         }
         Ok(())
     }
+}
 
-    /// Part of the way that is done, from the part of a level.
-    fn done(&self, level: usize, within: f64) -> f64 {
-        ((level as f64 + within) / self.levels.len() as f64).clamp(0.0, 1.0)
+/// The place at the foot of the ramp to a level.
+fn foot(level: usize, clock: &Clock, sizes: Sizes, period: f64) -> LevelUnderWay {
+    let start = clock.now.time;
+    LevelUnderWay {
+        level,
+        start,
+        first_step: clock.steps,
+        sizes,
+        period,
+        next_check: start,
+        checked: 0,
+        dwell: None,
     }
 }

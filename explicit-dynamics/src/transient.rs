@@ -4,7 +4,6 @@ use crate::clock::Clock;
 use crate::dynamics::Dynamics;
 use crate::error::{MarchError, positive};
 use crate::march_state::{MarchState, Stage};
-use crate::observer::Observer;
 
 /// Length of a run, in steps and in records, beyond which it is taken for a mistake.
 const MOST_STEPS: f64 = 1e10;
@@ -39,72 +38,76 @@ impl Transient {
         if over && record == self.records() { self.duration } else { regular }
     }
 
-    /// Marches to the end; the first record is the initial state, the last one the final state.
+    /// Where it starts, its first record due.
     ///
     /// # Errors
-    /// [`MarchError`] for options out of bounds and for divergence.
-    pub fn march<S, O>(&self, system: &mut S, observer: &mut O) -> Result<Clock, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
+    /// [`MarchError`] for options out of bounds, [`MarchError::NoStableStep`].
+    pub(crate) fn start<S: Dynamics + ?Sized>(&self, system: &mut S) -> Result<MarchState, MarchError> {
         positive("duration", self.duration)?;
         positive("record_every", self.record_every)?;
-        let mut clock = Clock::start(system, 1.0, self.safety, self.damping)?;
+        let clock = Clock::start(system, 1.0, self.safety, self.damping)?;
         let steps = self.duration.max(self.record_every) / clock.dt;
         if steps > MOST_STEPS || self.duration / self.record_every > MOST_RECORDS {
             let bound = "at most 1e10 stable steps and 1e7 records; check units, duration and record_every";
             return Err(MarchError::Option { key: "duration", value: self.duration, bound });
         }
-        let flow = clock.recorded_step(system, observer, false, self.due(1), |_| 1.0)?;
-        let stage = Stage::Transient { record: 0, next_estimate: clock.holds };
-        if flow.is_break() {
-            return Ok(clock);
-        }
-        self.go_on(MarchState { clock, stage }, system, observer)
+        Ok(MarchState { clock, stage: Stage::Transient { record: 0, next_estimate: 0 } })
     }
 
-    /// Goes on from where a march of the same data stood, with its system in the state it had there.
+    /// One step, unless a record is due: then nothing but how far the record's own step may go \[T\].
     ///
     /// # Errors
     /// [`MarchError`] for divergence and for the place of another march.
-    pub fn go_on<S, O>(
+    pub(crate) fn step<S: Dynamics + ?Sized>(
         &self,
-        mut at: MarchState,
+        at: &mut MarchState,
         system: &mut S,
-        observer: &mut O,
-    ) -> Result<Clock, MarchError>
-    where
-        S: Dynamics + ?Sized,
-        O: Observer<S>,
-    {
-        let records = self.records();
-        loop {
-            let Stage::Transient { record, next_estimate } = at.stage else { return Err(at.other()) };
-            let done = at.clock.now.time / self.duration;
-            if observer.between(system, &at, done.clamp(0.0, 1.0)).is_break() {
-                break;
-            }
-            let clock = &mut at.clock;
-            let left = self.due(record + 1) - clock.now.time;
-            // Half a step of slack: the last step of an interval ends on the record up to round-off.
-            if left > 0.5 * clock.dt.min(self.record_every) {
-                clock.step(system, left, |_| 1.0)?;
-                continue;
-            }
-            let mut next = next_estimate;
-            if clock.holds > 1 && clock.steps >= next {
-                clock.estimate_step(system)?;
-                next = clock.steps + clock.holds;
-            }
-            let left = self.due(record + 2) - clock.now.time;
-            let flow = clock.recorded_step(system, observer, false, left, |_| 1.0)?;
-            at.stage = Stage::Transient { record: record + 1, next_estimate: next };
-            if flow.is_break() || record + 1 >= records {
-                break;
-            }
+    ) -> Result<Option<f64>, MarchError> {
+        let Stage::Transient { record, next_estimate } = at.stage else { return Err(at.other()) };
+        let clock = &mut at.clock;
+        let left = self.due(record + 1) - clock.now.time;
+        // Half a step of slack: the last step of an interval ends on the record up to round-off.
+        if left > 0.5 * clock.dt.min(self.record_every) {
+            clock.step(system, left, |_| 1.0)?;
+            return Ok(None);
         }
-        at.clock.watch(system)?;
-        Ok(at.clock)
+        let mut next = next_estimate;
+        if clock.holds > 1 && clock.steps >= next {
+            clock.estimate_step(system)?;
+            next = clock.steps + clock.holds;
+        }
+        at.stage = Stage::Transient { record: record + 1, next_estimate: next };
+        Ok(Some(self.limit(at)))
+    }
+
+    /// How far the step may go that starts at the present record \[T\].
+    pub(crate) fn limit(&self, at: &MarchState) -> f64 {
+        let Stage::Transient { record, .. } = at.stage else { return f64::INFINITY };
+        self.due(record + 1) - at.clock.now.time
+    }
+
+    /// Goes on behind a recorded step; true where it was the last one.
+    ///
+    /// # Errors
+    /// [`MarchError`] for divergence and for the place of another march.
+    pub(crate) fn recorded<S: Dynamics + ?Sized>(
+        &self,
+        at: &mut MarchState,
+        system: &S,
+    ) -> Result<bool, MarchError> {
+        let Stage::Transient { record, next_estimate } = &mut at.stage else { return Err(at.other()) };
+        if *record == 0 {
+            *next_estimate = at.clock.holds;
+        }
+        let over = *record >= self.records();
+        if over {
+            at.clock.watch(system)?;
+        }
+        Ok(over)
+    }
+
+    /// Part of the duration that is over, from 0 to 1.
+    pub(crate) fn done(&self, at: &MarchState) -> f64 {
+        (at.clock.now.time / self.duration).clamp(0.0, 1.0)
     }
 }

@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use std::ops::ControlFlow;
-
 use explicit_dynamics::{
-    Bounds, Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MassScaled, Observer, OutOfBounds,
-    OutOfRange, QuasiStatic, Record, StableStep, Step, Transient, Work, lanczos_step,
+    Bounds, Clock, Damping, Dynamics, Instant, LinearisedDynamics, March, MarchError, MassScaled,
+    OutOfBounds, OutOfRange, Plan, QuasiStatic, Record, StableStep, Step, Transient, Work, lanczos_step,
 };
 
 /// A unit mass on a spring of stiffness 4 under `level · load`; it may not leave |x| < 100.
@@ -85,15 +83,16 @@ impl MassScaled for Spring {
     }
 }
 
-/// Keeps the records of any system.
-#[derive(Default)]
-struct Records(Vec<Record>);
-
-impl<S: ?Sized> Observer<S> for Records {
-    fn record(&mut self, _: &mut S, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
+/// The records of any system, and the clock at the end.
+fn records<S: Dynamics + ?Sized>(
+    plan: impl Into<Plan>,
+    system: &mut S,
+) -> Result<(Vec<Record>, Clock), MarchError> {
+    let (mut records, mut march) = (Vec::new(), March::start(plan, system)?);
+    while let Some(record) = march.next_record(system)? {
+        records.push(record);
     }
+    Ok((records, march.clock().clone()))
 }
 
 fn quasi_static() -> QuasiStatic {
@@ -116,24 +115,20 @@ fn a_system_without_a_type_marches_to_the_same_bits() {
     let start = Spring { load: 3.0, x: 0.4, rests: true, ..Spring::default() };
     let (mut typed, mut by_reference) = (start.clone(), start.clone());
     let mut boxed: Box<dyn Dynamics> = Box::new(start);
-    let [mut one, mut two, mut three] = [(); 3].map(|()| Records::default());
-    let path = quasi_static();
-    path.march(&mut typed, &mut one).unwrap();
-    path.march(&mut by_reference as &mut dyn Dynamics, &mut two).unwrap();
-    path.march(&mut *boxed, &mut three).unwrap();
-    TRANSIENT.march(&mut typed, &mut one).unwrap();
-    TRANSIENT.march(&mut by_reference as &mut dyn Dynamics, &mut two).unwrap();
-    TRANSIENT.march(&mut *boxed, &mut three).unwrap();
+    for plan in [Plan::from(quasi_static()), TRANSIENT.into()] {
+        let one = records(plan.clone(), &mut typed).unwrap();
+        let two = records(plan.clone(), &mut by_reference as &mut dyn Dynamics).unwrap();
+        let three = records(plan, &mut *boxed).unwrap();
+        assert!([3, 10].contains(&one.0.len()) && one == two && one == three);
+    }
     assert_eq!([typed.x, typed.v].map(f64::to_bits), [by_reference.x, by_reference.v].map(f64::to_bits));
-    assert!(one.0.len() == 3 + 10 && one.0 == two.0 && one.0 == three.0);
 }
 
 #[test]
 fn a_system_that_does_not_say_when_it_rests_is_refused() {
     let mut spring = Spring { load: 3.0, ..Spring::default() };
-    let refused = quasi_static().march(&mut spring, &mut Records::default());
-    assert_eq!(refused, Err(MarchError::NotLinearised));
-    TRANSIENT.march(&mut spring, &mut Records::default()).unwrap();
+    assert_eq!(records(quasi_static(), &mut spring), Err(MarchError::NotLinearised));
+    records(TRANSIENT, &mut spring).unwrap();
 }
 
 #[test]
@@ -141,10 +136,9 @@ fn a_step_is_found_anew_as_often_as_the_system_says() {
     // Eleven records on their times, and ten steps of .1 between two of them.
     for (holds, estimates) in [(1, 102), (50, 3), (1000, 1)] {
         let mut spring = Spring { x: 0.4, holds, ..Spring::default() };
-        let mut records = Records::default();
         let run = Transient { duration: 10.0, ..TRANSIENT };
-        let clock = run.march(&mut spring, &mut records).unwrap();
-        assert_eq!((records.0.len(), clock.steps), (11, 101));
+        let (records, clock) = records(run, &mut spring).unwrap();
+        assert_eq!((records.len(), clock.steps), (11, 101));
         assert_eq!(spring.estimates, estimates, "holds for {holds}");
     }
 }
@@ -152,7 +146,7 @@ fn a_step_is_found_anew_as_often_as_the_system_says() {
 #[test]
 fn a_configuration_out_of_range_ends_the_march() {
     let mut spring = Spring { load: 1e4, ..Spring::default() };
-    match TRANSIENT.march(&mut spring, &mut Records::default()) {
+    match records(TRANSIENT, &mut spring) {
         Err(MarchError::OutOfBounds { found, .. }) => {
             assert!(found.to_string().starts_with("x of the mass is ") && found.value >= 100.0, "{found}");
         }

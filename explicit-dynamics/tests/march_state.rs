@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use std::ops::ControlFlow;
-
 use explicit_dynamics::{
-    Bounds, Damping, Dynamics, Instant, LinearisedDynamics, MarchError, MarchState, MassScaled, Observer,
-    OutOfBounds, QuasiStatic, Record, StableStep, Step, Transient, Work, lanczos_step,
+    Bounds, Damping, Dynamics, Event, Instant, LinearisedDynamics, March, MarchError, MarchState, MassScaled,
+    OutOfBounds, Plan, QuasiStatic, StableStep, Step, Transient, Work, lanczos_step,
 };
 
 /// `m ẍ + k x + c x³ = level · load`: the stable step changes on the way.
@@ -85,28 +83,24 @@ impl MassScaled for Oscillator {
     }
 }
 
-/// Notes every record, and every place with the state beside it; ends the march where it is asked to.
-#[derive(Default)]
-struct Notes {
-    records: Vec<Record>,
-    places: Vec<(usize, MarchState, Oscillator)>,
-    last_done: f64,
-    stop_at: Option<usize>,
-}
+/// Where a march stood: how many events there had been, the place, and the system there.
+type Place = (usize, MarchState, Oscillator);
 
-impl Observer<Oscillator> for Notes {
-    fn record(&mut self, _: &mut Oscillator, record: &Record) -> ControlFlow<()> {
-        self.records.push(*record);
-        ControlFlow::Continue(())
-    }
-    fn between(&mut self, system: &mut Oscillator, at: &MarchState, done: f64) -> ControlFlow<()> {
-        assert!((self.last_done..=1.0).contains(&done), "{done} after {}", self.last_done);
-        self.last_done = done;
-        self.places.push((self.records.len(), at.clone(), system.clone()));
-        if self.stop_at == Some(self.places.len()) {
-            return ControlFlow::Break(());
+/// All events of a march to its end, and every place where it stood.
+fn events(mut march: March, system: &mut Oscillator) -> Result<(Vec<Event>, Vec<Place>), MarchError> {
+    let (mut events, mut places, mut last) = (Vec::new(), Vec::new(), 0.0);
+    loop {
+        events.push(march.advance(system)?);
+        assert_eq!(march.state().is_some(), events.ends_with(&[Event::Step]));
+        if let Some(at) = march.state() {
+            let done = march.done();
+            assert!((last..=1.0).contains(&done), "{done} after {last}");
+            last = done;
+            places.push((events.len(), at.clone(), system.clone()));
         }
-        ControlFlow::Continue(())
+        if events.ends_with(&[Event::End]) {
+            return Ok((events, places));
+        }
     }
 }
 
@@ -124,19 +118,16 @@ fn quasi_static(damping: Damping, period: Option<f64>) -> QuasiStatic {
     }
 }
 
-/// Marches through, then goes on from many a place; all must end in the same bits.
-fn goes_on(
-    march: impl Fn(&mut Oscillator, &mut Notes) -> Result<(), MarchError>,
-    go_on: impl Fn(MarchState, &mut Oscillator, &mut Notes) -> Result<(), MarchError>,
-) {
-    let (mut whole, mut notes) = (Oscillator::new(), Notes::default());
-    march(&mut whole, &mut notes).unwrap();
-    assert!(notes.places.len() > 100);
-    for (seen, place, system) in notes.places.iter().step_by(17) {
+/// Marches through, then goes on from many a place; all must have the same events and end in the same bits.
+fn goes_on(plan: impl Into<Plan>) {
+    let (plan, mut whole) = (plan.into(), Oscillator::new());
+    let march = March::start(plan.clone(), &mut whole).unwrap();
+    let (all, places) = events(march, &mut whole).unwrap();
+    assert!(places.len() > 100);
+    for (seen, place, system) in places.iter().step_by(17) {
         let mut system = system.clone();
-        let mut rest = Notes::default();
-        go_on(place.clone(), &mut system, &mut rest).unwrap();
-        assert_eq!(rest.records, notes.records[*seen..]);
+        let (rest, _) = events(March::resume(plan.clone(), place.clone()), &mut system).unwrap();
+        assert_eq!(rest, all[*seen..]);
         assert_eq!([system.x, system.v].map(f64::to_bits), [whole.x, whole.v].map(f64::to_bits));
     }
 }
@@ -147,45 +138,99 @@ fn quasi_static_marches_go_on_to_the_same_bits() {
     for (damping, period) in
         [Damping::Ratio(0.5), Damping::Kinetic].into_iter().flat_map(|d| given.map(|p| (d, p)))
     {
-        let run = quasi_static(damping, period);
-        goes_on(
-            |system, notes| run.march(system, notes).map(drop),
-            |at, system, notes| run.go_on(at, system, notes).map(drop),
-        );
+        goes_on(quasi_static(damping, period));
     }
 }
+
+/// Long enough for a new estimate of the step, every 5000 steps.
+const TRANSIENT: Transient = Transient { duration: 700.0, record_every: 70.0, damping: 0.01, safety: 0.1 };
 
 #[test]
 fn transient_marches_go_on_to_the_same_bits() {
-    // Long enough for a new estimate of the step, every 5000 steps.
-    let run = Transient { duration: 700.0, record_every: 70.0, damping: 0.01, safety: 0.1 };
-    goes_on(
-        |system, notes| run.march(system, notes).map(drop),
-        |at, system, notes| run.go_on(at, system, notes).map(drop),
-    );
+    goes_on(TRANSIENT);
 }
 
 #[test]
-fn an_observer_ends_a_march_between_steps() {
-    for stop_at in [1, 7, 20] {
-        let mut notes = Notes { stop_at: Some(stop_at), ..Notes::default() };
-        let clock =
-            quasi_static(Damping::Ratio(0.5), Some(3.1)).march(&mut Oscillator::new(), &mut notes).unwrap();
-        assert_eq!(notes.places.len(), stop_at);
-        // One step with the first record, one more between each two places of the first level.
-        assert_eq!(clock.steps as usize, stop_at);
+fn an_event_is_a_step_a_level_or_a_record_of_it() {
+    let mut system = Oscillator::new();
+    let path = quasi_static(Damping::Ratio(0.5), Some(3.1));
+    let march = March::start(path.clone(), &mut system).unwrap();
+    let (events, places) = events(march, &mut system).unwrap();
+    let level = |event: &Event| if let Event::Level(reached) = event { Some(reached.level) } else { None };
+    assert_eq!(events.iter().filter_map(level).collect::<Vec<_>>(), path.levels);
+    let records = events.iter().filter(|event| matches!(event, Event::Record(_))).count();
+    assert_eq!(records, 1 + path.levels.len());
+    // Each level is followed by its record, and each record by the rest of its step.
+    for pair in events.windows(2) {
+        match (pair[0], pair[1]) {
+            (Event::Level(reached), Event::Record(record)) => {
+                assert_eq!((reached.level, reached.settled), (record.at.level, record.settled));
+            }
+            (Event::Level(_), next) => panic!("{next:?} behind a level"),
+            (Event::Record(_), next) => assert!(matches!(next, Event::Step | Event::End)),
+            _ => {}
+        }
     }
+    // Behind every step the march may be kept, but for the one that ended a level: what comes next is its record.
+    let (_, last, _) = places.last().unwrap();
+    assert_eq!(last.clock.steps as usize, places.len() + path.levels.len() - 1);
+    assert_eq!(last.clock.now.level, 1.0);
+}
+
+#[test]
+fn behind_its_end_and_behind_an_error_a_march_stays_over() {
+    let mut system = Oscillator::new();
+    let mut march = March::start(Transient { duration: 7.0, ..TRANSIENT }, &mut system).unwrap();
+    while march.next_record(&mut system).unwrap().is_some() {}
+    let (x, steps) = (system.x.to_bits(), march.clock().steps);
+    assert_eq!(march.advance(&mut system), Ok(Event::End));
+    assert_eq!((system.x.to_bits(), march.clock().steps), (x, steps));
+    let mut march = March::start(Transient { safety: 1.2, ..TRANSIENT }, &mut system).unwrap();
+    while march.next_record(&mut system).is_ok_and(|record| record.is_some()) {}
+    assert_eq!((march.advance(&mut system), march.state()), (Ok(Event::End), None));
+}
+
+/// Two marches of two systems, a step of each in turn, and one of them kept in the middle and taken up by another march.
+#[test]
+fn marches_led_in_turns_do_not_know_of_each_other() {
+    let plans = [Plan::from(quasi_static(Damping::Kinetic, None)), TRANSIENT.into()];
+    let alone = plans.clone().map(|plan| {
+        let mut system = Oscillator::new();
+        let march = March::start(plan, &mut system).unwrap();
+        let clock = march.finish(&mut system).unwrap();
+        ([system.x, system.v].map(f64::to_bits), clock)
+    });
+    let mut systems = [(); 2].map(|()| Oscillator::new());
+    let [mut one, mut two] = [0, 1].map(|i| March::start(plans[i].clone(), &mut systems[i]).unwrap());
+    let (mut ended, mut turns) = ([false; 2], 0);
+    while ended != [true; 2] {
+        ended[0] = one.advance(&mut systems[0]).unwrap() == Event::End;
+        ended[1] = two.advance(&mut systems[1]).unwrap() == Event::End;
+        turns += 1;
+        if turns > 150
+            && turns < 200
+            && let Some(at) = one.state().cloned()
+        {
+            (one, systems[0]) = (March::resume(plans[0].clone(), at), systems[0].clone());
+        }
+    }
+    let together = [(&one, &systems[0]), (&two, &systems[1])]
+        .map(|(march, system)| ([system.x, system.v].map(f64::to_bits), march.clock().clone()));
+    assert!(turns > 200 && together == alone);
 }
 
 #[test]
 fn the_place_of_another_march_is_refused() {
-    let mut notes = Notes { stop_at: Some(5), ..Notes::default() };
+    let mut system = Oscillator::new();
     let run = quasi_static(Damping::Ratio(0.5), Some(3.1));
-    run.march(&mut Oscillator::new(), &mut notes).unwrap();
-    let at = notes.places.pop().unwrap().1;
+    let mut march = March::start(run.clone(), &mut system).unwrap();
+    for _ in 0..5 {
+        march.advance(&mut system).unwrap();
+    }
+    let at = march.state().unwrap().clone();
     let transient = Transient { duration: 7.0, record_every: 1.0, damping: 0.0, safety: 0.1 };
-    let error = transient.go_on(at.clone(), &mut Oscillator::new(), &mut Notes::default()).unwrap_err();
+    let error = March::resume(transient, at.clone()).advance(&mut Oscillator::new()).unwrap_err();
     assert!(error.to_string().contains("level number 0 of a quasi-static march"), "{error}");
     let shorter = QuasiStatic { levels: Vec::new(), ..run };
-    assert!(shorter.go_on(at, &mut Oscillator::new(), &mut Notes::default()).is_err());
+    assert!(March::resume(shorter, at).advance(&mut Oscillator::new()).is_err());
 }

@@ -5,32 +5,29 @@
 mod common;
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use common::Oscillator;
 use explicit_dynamics::{
-    Balance, Clock, Damping, Dynamics, Instant, LevelReached, MarchError, Missing, Observer, QuasiStatic,
-    Record, Sizes, Transient,
+    Balance, Clock, Damping, Dynamics, Event, Instant, LevelReached, March, MarchError, Missing, Plan,
+    QuasiStatic, Record, Sizes, Transient,
 };
 
 #[derive(Default)]
 struct Notes {
     records: Vec<(f64, Record)>,
     levels: Vec<LevelReached>,
-    stop_after: Option<usize>,
 }
 
-impl Observer<Oscillator> for Notes {
-    fn record(&mut self, system: &mut Oscillator, record: &Record) -> ControlFlow<()> {
-        self.records.push((system.x, *record));
-        if Some(self.records.len()) == self.stop_after {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
+/// Marches to the end and notes every record, with where the mass was, and every level.
+fn march(plan: impl Into<Plan>, body: &mut Oscillator, notes: &mut Notes) -> Result<Clock, MarchError> {
+    let mut march = March::start(plan, body)?;
+    loop {
+        match march.advance(body)? {
+            Event::Step => {}
+            Event::Level(reached) => notes.levels.push(reached),
+            Event::Record(record) => notes.records.push((body.x, record)),
+            Event::End => return Ok(march.clock().clone()),
         }
-    }
-    fn level(&mut self, reached: &LevelReached) {
-        self.levels.push(*reached);
     }
 }
 
@@ -42,7 +39,7 @@ fn free_vibration_is_the_cosine_to_second_order() {
     let error = |safety: f64| {
         let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
         let run = Transient { duration: 3.0 * PERIOD, record_every: 0.1 * PERIOD, damping: 0.0, safety };
-        run.march(&mut body, &mut notes).unwrap();
+        march(run, &mut body, &mut notes).unwrap();
         assert_eq!(notes.records.len(), 31);
         notes.records.iter().fold(0.0_f64, |worst, (x, r)| worst.max((x - libm::cos(2.0 * r.at.time)).abs()))
     };
@@ -56,7 +53,7 @@ fn energy_is_counted_to_the_last() {
     // Damped and driven: whatever the loads bring is stored, moving or dissipated.
     let (mut body, mut notes) = (Oscillator::new(0.3, -1.0, 5.0), Notes::default());
     let run = Transient { duration: 4.0 * PERIOD, record_every: 0.25 * PERIOD, damping: 0.3, safety: 0.02 };
-    run.march(&mut body, &mut notes).unwrap();
+    march(run, &mut body, &mut notes).unwrap();
     let last = notes.records.last().unwrap().1;
     assert!(last.energy.dissipated > 1.0 && last.energy.external > 1.0);
     let worst = notes.records.iter().fold(0.0_f64, |w, (_, r)| w.max(r.balance_error.abs()));
@@ -85,7 +82,7 @@ fn ramp_and_dwell_ends_at_the_static_answer() {
             accuracy: 5e-3,
             safety: 0.1,
         };
-        path.march(&mut body, &mut notes).unwrap();
+        march(path, &mut body, &mut notes).unwrap();
         let found: Vec<f64> = notes.records.iter().map(|r| r.0).collect();
         // x = level · load/k; kinetic over internal energy 1e-14 leaves 1e-7 of the amplitude.
         for (x, exact) in found.iter().zip([0.0, 1.0, 2.0, 0.5]) {
@@ -108,7 +105,7 @@ fn a_dwell_that_never_rests_says_so() {
         accuracy: 5e-3,
         safety: 0.1,
     };
-    path.march(&mut body, &mut notes).unwrap();
+    march(path, &mut body, &mut notes).unwrap();
     assert!(!notes.levels[0].settled && notes.levels[0].kinetic_over_internal > 1e-12);
     assert!(!notes.records.last().unwrap().1.settled);
 }
@@ -128,7 +125,7 @@ fn settling(damping: Damping, period: f64, dwell: f64, tolerance: f64) -> (f64, 
         accuracy,
         safety: 0.01,
     };
-    path.march(&mut body, &mut notes).unwrap();
+    march(path, &mut body, &mut notes).unwrap();
     (notes.records.last().unwrap().0 / 2.0 - 1.0, notes.levels[0])
 }
 
@@ -203,7 +200,7 @@ fn a_period_that_is_not_given_is_found() {
                 accuracy: 5e-3,
                 safety,
             };
-            path.march(&mut body, &mut notes).unwrap();
+            march(path, &mut body, &mut notes).unwrap();
             assert!((body.x - 2.0).abs() < 0.01, "{damping:?}: {}", body.x);
             for level in &notes.levels {
                 assert!(
@@ -227,15 +224,14 @@ fn a_ratio_of_critical_damping_is_two_ratio_omega() {
 #[test]
 fn a_stop_is_counted() {
     let mut clock = Clock::start(&mut Oscillator::new(1.0, 0.0, 0.0), 0.0, 0.1, 0.0).unwrap();
-    let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
+    let mut body = Oscillator::new(1.0, 0.0, 0.0);
     for _ in 0..20 {
-        let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
+        clock.recorded_step(&mut body).unwrap();
     }
     let moving = clock.kinetic;
     body.stop();
     clock.book_stop();
-    let _ = clock.recorded_step(&mut body, &mut notes, false, f64::INFINITY, |_| 0.0).unwrap();
-    let energy = notes.records.last().unwrap().1.energy;
+    let energy = clock.recorded_step(&mut body).unwrap().energy;
     assert!(moving > 0.1 && energy.dissipated == moving, "{moving} {energy:?}");
 }
 
@@ -254,7 +250,7 @@ fn a_turning_point_is_not_rest() {
         accuracy: 0.9,
         safety: 0.01,
     };
-    path.march(&mut body, &mut notes).unwrap();
+    march(path, &mut body, &mut notes).unwrap();
     assert!(!notes.levels[0].settled);
 }
 
@@ -262,7 +258,7 @@ fn a_turning_point_is_not_rest() {
 fn beyond_the_limit_it_diverges_with_the_last_good_record() {
     let (mut body, mut notes) = (Oscillator::new(1.0, 0.0, 0.0), Notes::default());
     let run = Transient { duration: 1e4, record_every: 100.0, damping: 0.0, safety: 1.05 };
-    match run.march(&mut body, &mut notes) {
+    match march(run, &mut body, &mut notes) {
         Err(MarchError::Diverged { particle: 0, speed, bound, last_good: Some(good), safety, .. }) => {
             assert!(speed > bound && safety == 1.05 && *good == notes.records.last().unwrap().1);
         }
@@ -274,7 +270,7 @@ fn beyond_the_limit_it_diverges_with_the_last_good_record() {
 fn options_out_of_bounds_are_refused() {
     let run = |duration, record_every, safety| {
         let run = Transient { duration, record_every, damping: 0.0, safety };
-        run.march(&mut Oscillator::new(1.0, 0.0, 0.0), &mut Notes::default()).unwrap_err()
+        March::start(run, &mut Oscillator::new(1.0, 0.0, 0.0)).unwrap_err()
     };
     for (error, name) in [
         (run(-1.0, 1.0, 0.5), "duration"),
@@ -288,23 +284,14 @@ fn options_out_of_bounds_are_refused() {
 }
 
 #[test]
-fn an_observer_can_end_a_run() {
-    let (mut body, mut notes) =
-        (Oscillator::new(1.0, 0.0, 0.0), Notes { stop_after: Some(4), ..Notes::default() });
+fn a_march_may_end_at_any_record() {
+    let mut body = Oscillator::new(1.0, 0.0, 0.0);
     let run = Transient { duration: 100.0, record_every: 1.0, damping: 0.0, safety: 0.5 };
-    let clock = run.march(&mut body, &mut notes).unwrap();
-    assert_eq!(notes.records.len(), 4);
-    assert!(clock.now.time < 4.0);
-}
-
-/// Times of the records.
-#[derive(Default)]
-struct Times(Vec<f64>);
-
-impl Observer<Oscillator> for Times {
-    fn record(&mut self, _: &mut Oscillator, record: &Record) -> ControlFlow<()> {
-        self.0.push(record.at.time);
-        ControlFlow::Continue(())
+    let mut march = March::start(run, &mut body).unwrap();
+    for number in 0..4 {
+        let record = march.next_record(&mut body).unwrap().unwrap();
+        assert_eq!(record.at.time, march.clock().now.time);
+        assert!((record.at.time - f64::from(number)).abs() < 1e-12, "{record:?}");
     }
 }
 
@@ -316,15 +303,12 @@ fn a_run_ends_at_its_duration() {
         (0.3, 0.1, vec![0.0, 0.1, 0.2, 0.3]),
         (0.5, 0.5, vec![0.0, 0.5]),
     ] {
-        let mut times = Times::default();
+        let mut notes = Notes::default();
         let run = Transient { duration, record_every, damping: 0.0, safety: 0.8 };
-        run.march(&mut Oscillator::new(100.0, 0.0, 0.0), &mut times).unwrap();
-        assert_eq!(times.0.len(), expected.len(), "{duration} {record_every}: {:?}", times.0);
-        assert!(
-            times.0.iter().zip(&expected).all(|(found, due)| (found - due).abs() < 1e-12),
-            "{:?}",
-            times.0
-        );
+        march(run, &mut Oscillator::new(100.0, 0.0, 0.0), &mut notes).unwrap();
+        let times: Vec<f64> = notes.records.iter().map(|(_, record)| record.at.time).collect();
+        assert_eq!(times.len(), expected.len(), "{duration} {record_every}: {times:?}");
+        assert!(times.iter().zip(&expected).all(|(found, due)| (found - due).abs() < 1e-12), "{times:?}");
     }
 }
 

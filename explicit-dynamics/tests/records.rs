@@ -2,11 +2,8 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use std::ops::ControlFlow;
-
 use explicit_dynamics::{
-    Bounds, Clock, Dynamics, Instant, MarchError, Observer, OutOfBounds, Record, StableStep, Step, Transient,
-    Work,
+    Bounds, Clock, Dynamics, Instant, March, MarchError, OutOfBounds, StableStep, Step, Transient, Work,
 };
 
 /// A body that stands still, with a stable step of the safety asked for.
@@ -30,19 +27,15 @@ impl Dynamics for Still {
 }
 
 /// Times of the records, at most so many.
-struct Times(Vec<f64>, usize);
-
-impl Observer<Still> for Times {
-    fn record(&mut self, _: &mut Still, record: &Record) -> ControlFlow<()> {
-        self.0.push(record.at.time);
-        if self.0.len() == self.1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
-}
-
 fn run(duration: f64, record_every: f64, safety: f64, most: usize) -> Result<(Vec<f64>, Clock), MarchError> {
-    let mut times = Times(Vec::new(), most);
-    let clock = Transient { duration, record_every, damping: 0.0, safety }.march(&mut Still, &mut times)?;
-    Ok((times.0, clock))
+    let plan = Transient { duration, record_every, damping: 0.0, safety };
+    let (mut times, mut march) = (Vec::new(), March::start(plan, &mut Still)?);
+    while times.len() < most
+        && let Some(record) = march.next_record(&mut Still)?
+    {
+        times.push(record.at.time);
+    }
+    Ok((times, march.clock().clone()))
 }
 
 /// The last record of a run that is not a whole number of intervals is due at the end, of one that is but for rounding of a millionth of an

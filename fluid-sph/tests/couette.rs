@@ -3,9 +3,8 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
-use explicit_dynamics::{Amplitude, Observer, Record, Transient};
+use explicit_dynamics::{Amplitude, March, Transient};
 use fluid_sph::{Fluid, Formulation, Liquid, Motion, Parts, Rotation, Start, Wall};
 use sph_core::Vec3;
 
@@ -25,25 +24,6 @@ fn rings(numbers: std::ops::Range<usize>, spacing: f64) -> Vec<Vec3> {
         })
     };
     numbers.flat_map(ring).collect()
-}
-
-/// Sums of the moments on both walls in the last third of the time, and what the ledger misses over the work of the walls.
-#[derive(Default)]
-struct Watch {
-    moments: [f64; 2],
-    count: f64,
-    missing: f64,
-}
-
-impl Observer<Fluid> for Watch {
-    fn record(&mut self, fluid: &mut Fluid, record: &Record) -> ControlFlow<()> {
-        if record.at.time > 1.0 {
-            self.moments = [0, 1].map(|k| self.moments[k] + fluid.wall_moment(k, Vec3::zeros()).z);
-            self.count += 1.0;
-        }
-        self.missing = record.balance_error / record.energy.external;
-        ControlFlow::Continue(())
-    }
 }
 
 /// Moments on the inner and the outer cylinder over `4πμΩ R₁²R₂²/(R₂² − R₁²)`, means over the last third of the time; rms of
@@ -84,10 +64,16 @@ fn steady(across: usize) -> [f64; 4] {
     let squares = (INNER * INNER, OUTER * OUTER);
     let exact = 4.0 * PI * NU * SPIN * squares.0 * squares.1 / (squares.1 - squares.0);
     let until = 1.5;
-    let mut watch = Watch::default();
     let transient = Transient { duration: until, record_every: 0.01, damping: 0.0, safety: 1.0 };
-    transient.march(&mut fluid, &mut watch).unwrap();
-    let Watch { moments, count, missing } = watch;
+    let mut march = March::start(transient, &mut fluid).unwrap();
+    let (mut moments, mut count, mut missing) = ([0.0; 2], 0.0, 0.0);
+    while let Some(record) = march.next_record(&mut fluid).unwrap() {
+        if record.at.time > 1.0 {
+            moments = [0, 1].map(|k| moments[k] + fluid.wall_moment(k, Vec3::zeros()).z);
+            count += 1.0;
+        }
+        missing = record.balance_error / record.energy.external;
+    }
     let speed = |r: f64| SPIN * squares.0 * (squares.1 / r - r) / (squares.1 - squares.0);
     let error = |(p, v): (&Vec3, &Vec3)| {
         let r = p.norm();

@@ -5,11 +5,10 @@
 mod lattices;
 
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use explicit_dynamics::{
-    BoundaryDriven, BoundaryLoad, BoundaryState, Bounds, Clock, Dynamics, Instant, MarchError, MarchState,
-    Observer, OutOfBounds, Record, StableStep, Step, Transient, TwoClocks, Wetted, Work,
+    BoundaryDriven, BoundaryLoad, BoundaryState, Bounds, Clock, Dynamics, Instant, March, MarchError,
+    OutOfBounds, StableStep, Step, Transient, TwoClocks, Wetted, Work,
 };
 use lattices::{Random, displace, formulation, lattice, parts, plane, poisson};
 use peridynamics::{
@@ -228,39 +227,24 @@ fn threads_do_not_change_a_bit_of_a_wet_solid() {
     }
 }
 
-/// What a checkpoint keeps.
-type Kept = (MarchState, Vec<f64>, [Vec<[f64; 4]>; 2], [Vec<f64>; 3], Vec<[f64; 3]>);
-
-/// Keeps all that changes after some steps.
-struct Keeper(u64, Option<Kept>);
-
-impl Observer<Coupled> for Keeper {
-    fn record(&mut self, _: &mut Coupled, _: &Record) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-    fn between(&mut self, system: &mut Coupled, at: &MarchState, _: f64) -> ControlFlow<()> {
-        if at.clock.steps == self.0 {
-            let motion = body(system).motion().map(<[[f64; 4]]>::to_vec);
-            let velocities = system.fluid().velocities.clone();
-            self.1 = Some((at.clone(), system.state(), motion, body(system).broken(), velocities));
-        }
-        ControlFlow::Continue(())
-    }
-}
-
 #[test]
 fn a_breaking_solid_goes_on_to_the_same_bits() {
     let (mut whole, mut again) = (beam(1), beam(1));
     let dt = whole.fluid().dt;
     let run = Transient { duration: STEPS as f64 * dt, record_every: 40.0 * dt, damping: 0.0, safety: 0.8 };
-    let mut keeper = Keeper(151, None);
-    run.march(&mut whole, &mut keeper).unwrap();
-    let (at, own, [rows, rates], [broken, energy, work], velocities) = keeper.1.unwrap();
+    let mut march = March::start(run, &mut whole).unwrap();
+    while march.state().is_none_or(|at| at.clock.steps < 151) {
+        march.advance(&mut whole).unwrap();
+    }
+    let (at, own) = (march.state().unwrap().clone(), whole.state());
+    let [rows, rates] = body(&whole).motion().map(<[[f64; 4]]>::to_vec);
+    let ([broken, energy, work], velocities) = (body(&whole).broken(), whole.fluid().velocities.clone());
+    march.finish(&mut whole).unwrap();
     assert!(!broken.is_empty() && broken.len() < body(&whole).broken()[0].len());
     let solid = again.structures_mut().next().unwrap();
     assert!(solid.take_up([&rows, &rates], [&broken, &energy, &work]));
     again.fluid_mut().velocities = velocities;
     assert!(again.set_state(&own));
-    run.go_on(at, &mut again, &mut Keeper(0, None)).unwrap();
+    March::resume(run, at).finish(&mut again).unwrap();
     assert!(bits(&whole) == bits(&again));
 }

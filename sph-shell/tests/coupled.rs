@@ -3,12 +3,11 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use std::alloc::System;
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use explicit_dynamics::{
-    BoundaryDriven, BoundaryState, Bounds, Clock, Dynamics, Instant, MarchError, MarchState, Observer,
-    OutOfBounds, Record, StableStep, Step, Transient, TwoClocks, Wetted, Work,
+    BoundaryDriven, BoundaryState, Bounds, Clock, Dynamics, Instant, March, MarchError, OutOfBounds,
+    StableStep, Step, Transient, TwoClocks, Wetted, Work,
 };
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, EndWeights, Plate, Vec3, lattice};
@@ -123,31 +122,6 @@ fn coupled(mut shell: Shell, substeps: f64, impedance: f64) -> Coupled {
     TwoClocks::new(Waves::new(&shell, dt, 200.0, impedance), vec![Box::new(shell)])
 }
 
-/// What a checkpoint keeps.
-type Kept = (MarchState, Vec<f64>, [Vec<[f64; 6]>; 2]);
-
-/// Keeps where a run stands after some steps.
-#[derive(Default)]
-struct Keeper {
-    at: Option<u64>,
-    kept: Option<Kept>,
-    last: Option<Record>,
-}
-
-impl Observer<Coupled> for Keeper {
-    fn record(&mut self, _: &mut Coupled, record: &Record) -> ControlFlow<()> {
-        self.last = Some(*record);
-        ControlFlow::Continue(())
-    }
-    fn between(&mut self, system: &mut Coupled, at: &MarchState, _: f64) -> ControlFlow<()> {
-        if self.at == Some(at.clock.steps) {
-            let motion = system.structures().next().unwrap().motion().map(<[[f64; 6]]>::to_vec);
-            self.kept = Some((at.clone(), system.state(), motion));
-        }
-        ControlFlow::Continue(())
-    }
-}
-
 fn bits(system: &Coupled) -> Vec<u64> {
     let [state, rates] = system.structures().next().unwrap().motion();
     let own = system.state();
@@ -182,9 +156,13 @@ fn a_wet_strip_goes_on_to_the_same_bits() {
     let (mut whole, mut again) = (new(), new());
     let dt = whole.fluid().dt;
     let run = Transient { duration: 200.0 * dt, record_every: 50.0 * dt, damping: 0.3, safety: 0.9 };
-    let mut keeper = Keeper { at: Some(77), ..Keeper::default() };
-    run.march(&mut whole, &mut keeper).unwrap();
-    let (at, own, [state, rates]) = keeper.kept.unwrap();
+    let mut march = March::start(run, &mut whole).unwrap();
+    while march.state().is_none_or(|at| at.clock.steps < 77) {
+        march.advance(&mut whole).unwrap();
+    }
+    let (at, own) = (march.state().unwrap().clone(), whole.state());
+    let [state, rates] = whole.structures().next().unwrap().motion().map(<[[f64; 6]]>::to_vec);
+    march.finish(&mut whole).unwrap();
     let shell = again.structures_mut().next().unwrap();
     assert!(shell.take_up([&state, &rates]));
     assert!(again.set_state(&own));
@@ -194,7 +172,7 @@ fn a_wet_strip_goes_on_to_the_same_bits() {
     let points = again.fluid().velocities.len();
     let velocities: Vec<[f64; 3]> = own[14..14 + 3 * points].chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
     again.fluid_mut().set_boundary(0, &place, &velocities);
-    run.go_on(at, &mut again, &mut Keeper::default()).unwrap();
+    March::resume(run, at).finish(&mut again).unwrap();
     assert!(bits(&whole) == bits(&again));
 }
 
@@ -219,8 +197,7 @@ fn a_strip_comes_to_rest_in_its_static_answer() {
     // Near critical damping of the first mode, once stretched.
     let mut system = coupled(strip(along, 1), 6.0, 400.0);
     let run = Transient { duration: 8.0, record_every: 8.0, damping: 0.0, safety: 0.9 };
-    let mut keeper = Keeper::default();
-    run.march(&mut system, &mut keeper).unwrap();
+    let clock = March::start(run, &mut system).unwrap().finish(&mut system).unwrap();
     let shell = system.structures().next().unwrap();
     for (part, answer) in [(0.25, 0.09645925), (0.5, 0.14362832), (0.75, 0.09645925)] {
         let particle = 2 * (part * (along - 1) as f64).round() as usize;
@@ -229,7 +206,7 @@ fn a_strip_comes_to_rest_in_its_static_answer() {
         assert!(found.abs() < 3e-3, "at {part}: {found}");
     }
     // At rest, and what the fluid did is stored.
-    let record = keeper.last.unwrap();
+    let record = clock.last_good().unwrap();
     assert!(record.energy.kinetic < 1e-8 * record.energy.internal, "{record:?}");
     assert!(record.balance_error.abs() < 1e-6 * record.energy.internal, "{record:?}");
 }

@@ -123,7 +123,7 @@ fn a_rigid_plate_flips_with_its_own_inertia() {
             let couple = 0.6 * inertia;
             let mut body = rigid(cloud.clone(), thickness, Vec3::ith(axis, couple));
             let run = Transient { duration, record_every: 1e-4, damping: 0.0, safety: 0.9 };
-            run.march(&mut body, &mut common::Keep::default()).unwrap();
+            common::records(run, &mut body).unwrap();
             let far =
                 |x: &dyn Fn(usize) -> Vec3| (x(body.len() - 1) - x(0)).cross(&Vec3::ith(axis, 1.0)).norm();
             let error =

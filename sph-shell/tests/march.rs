@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Keep, curved, energy_formulations, flat, free_shell, shell};
+use common::{curved, energy_formulations, flat, free_shell, records, shell};
 use explicit_dynamics::{
     Clock, Damping, Dynamics, Instant, MarchError, QuasiStatic, Transient, largest_eigenvalue,
 };
@@ -30,11 +30,10 @@ fn plucked(formulation: Formulation) -> Shell {
 /// Largest energy error over `duration`, in parts of the first energy.
 fn energy_error(formulation: Formulation, safety: f64, duration: f64) -> f64 {
     let mut body = plucked(formulation);
-    let mut keep = Keep::default();
     let run = Transient { duration, record_every: duration / 200.0, damping: 0.0, safety };
-    run.march(&mut body, &mut keep).unwrap();
-    let start = keep.0[0].energy.kinetic;
-    keep.0.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs())) / start
+    let records = records(run, &mut body).unwrap();
+    let start = records[0].energy.kinetic;
+    records.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs())) / start
 }
 
 #[test]
@@ -91,21 +90,19 @@ fn free_flight_keeps_momentum_and_moment_of_momentum() {
 #[test]
 fn a_step_beyond_the_limit_diverges_and_names_a_particle() {
     let mut body = plucked(CELL);
-    let mut keep = Keep::default();
     let run = Transient { duration: 50.0, record_every: 1.0, damping: 0.0, safety: 1.1 };
-    match run.march(&mut body, &mut keep) {
+    match records(run, &mut body) {
         Err(MarchError::Diverged { particle, time, speed, bound, last_good, .. }) => {
             assert!(particle < body.len() && time > 0.0 && speed > bound);
             assert!(speed.is_finite(), "found before it was lost in the unbounded");
             assert!(last_good.is_some_and(|good| good.at.time <= time));
         }
-        other => panic!("ran on: {:?}", other.map(|clock| clock.now)),
+        other => panic!("ran on: {other:?}"),
     }
     // Just below the limit it holds.
     let mut sound = plucked(CELL);
-    Transient { safety: 0.95, duration: 20.0, record_every: 1.0, damping: 0.0 }
-        .march(&mut sound, &mut Keep::default())
-        .unwrap();
+    let run = Transient { safety: 0.95, duration: 20.0, record_every: 1.0, damping: 0.0 };
+    records(run, &mut sound).unwrap();
 }
 
 #[test]
@@ -140,11 +137,10 @@ fn quasi_static_load_and_reaction_balance() {
         accuracy: 5e-3,
         safety: 0.8,
     };
-    let mut keep = Keep::default();
-    path.march(&mut body, &mut keep).unwrap();
+    let records = records(path, &mut body).unwrap();
     body.evaluate(Instant { time: 0.0, level: 1.0 });
     let reaction: Vec3 = clamp.iter().map(|&a| body.reaction(a as usize)).sum();
-    let last = keep.0.last().unwrap();
+    let last = records.last().unwrap();
     assert!(last.settled);
     assert!((reaction + force).norm() < 1e-6 * force.norm(), "{reaction} against {force}");
     assert!(last.balance_error.abs() < 1e-5 * last.energy.external, "{last:?}");
@@ -177,10 +173,9 @@ fn kinetic_damping_finds_the_same_rest() {
             accuracy: 5e-3,
             safety: 0.8,
         };
-        let mut keep = Keep::default();
-        path.march(&mut body, &mut keep).unwrap();
-        assert!(keep.0.last().unwrap().settled);
-        keep.0.last().unwrap().energy.internal
+        let records = records(path, &mut body).unwrap();
+        assert!(records.last().unwrap().settled);
+        records.last().unwrap().energy.internal
     };
     let (mass, kinetic) = (settle(Damping::Ratio(1.0)), settle(Damping::Kinetic));
     assert!((mass / kinetic - 1.0).abs() < 1e-6, "{mass} against {kinetic}");

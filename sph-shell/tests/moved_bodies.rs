@@ -7,7 +7,7 @@ mod common;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use common::{Keep, RandomNumbers, X, Y, Z, curved, flat, parts, supported};
+use common::{RandomNumbers, X, Y, Z, curved, flat, parts, records, supported};
 use explicit_dynamics::{Amplitude, Clock, Dynamics, Transient};
 use implicit_statics::{
     Control, End, Equilibrium, Newton, NewtonOptions, PathOptions, Start, follow, linear_response,
@@ -266,11 +266,10 @@ fn the_energy_of_a_march_balances_with_the_work_of_what_is_prescribed() {
     for (name, make) in [("swung", swung as fn(Amplitude) -> Shell), ("shoved", shoved)] {
         let error = |safety: f64| {
             let mut body = make(Amplitude::Smooth(2.0));
-            let mut keep = Keep::default();
             let run = Transient { duration: 3.0, record_every: 0.05, damping: 0.0, safety };
-            run.march(&mut body, &mut keep).unwrap();
-            let most = keep.0.iter().map(|r| r.energy.external).fold(0.0, f64::max);
-            let worst = keep.0.iter().map(|r| r.balance_error.abs()).fold(0.0, f64::max);
+            let records = records(run, &mut body).unwrap();
+            let most = records.iter().map(|r| r.energy.external).fold(0.0, f64::max);
+            let worst = records.iter().map(|r| r.balance_error.abs()).fold(0.0, f64::max);
             assert!(most > 1e-4, "{most}");
             worst / most
         };

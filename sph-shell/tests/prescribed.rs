@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use common::{curved, energy_formulations, flat, parts, shake, shell};
-use explicit_dynamics::{Amplitude, Damping, QuasiStatic};
+use explicit_dynamics::{Amplitude, Damping, March, QuasiStatic};
 use implicit_statics::{
     Control, CriticalOptions, End, Equilibrium, Path, PathOptions, Start, follow, linear_response,
 };
@@ -231,8 +231,11 @@ fn a_march_with_a_turned_end_finds_the_same() {
         accuracy: 1e-4,
         safety: 0.8,
     };
-    let mut last = Last(None);
-    run.march(&mut marched, &mut last).unwrap();
+    let mut march = March::start(run, &mut marched).unwrap();
+    let mut last = None;
+    while let Some(record) = march.next_record(&mut marched).unwrap() {
+        last = Some(record);
+    }
     let edge = marched.reference().cloud.sides.as_ref().unwrap().edge(Side::U1).to_vec();
     let found = system.shell();
     let moment = |shell: &Shell| edge.iter().map(|&a| shell.reaction_moment(a as usize).y).sum::<f64>();
@@ -244,20 +247,10 @@ fn a_march_with_a_turned_end_finds_the_same() {
         assert!((x - found.position(a as usize)).norm() < 1e-4 * LENGTH, "{x:?}");
     }
     assert!((moment(&marched) / moment(found) - 1.0).abs() < 1e-3, "{} {}", moment(&marched), moment(found));
-    let record = last.0.unwrap();
+    let record = last.unwrap();
     // The turned end does the work that the strip stores and damping takes.
     assert!(record.balance_error.abs() < 1e-3 * record.energy.internal, "{record:?}");
     assert!(record.energy.external > record.energy.internal, "{record:?}");
-}
-
-/// Keeps the last record.
-struct Last(Option<explicit_dynamics::Record>);
-
-impl explicit_dynamics::Observer<Shell> for Last {
-    fn record(&mut self, _: &mut Shell, record: &explicit_dynamics::Record) -> ControlFlow<()> {
-        self.0 = Some(*record);
-        ControlFlow::Continue(())
-    }
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Keep, Y, at, energy_error, flat, free_shell, parts, supported, tee};
+use common::{Y, at, energy_error, flat, free_shell, parts, records, supported, tee};
 use explicit_dynamics::{
     Amplitude, Clock, Dynamics, Instant, MassScaled, Step, Transient, largest_eigenvalue,
 };
@@ -196,7 +196,7 @@ fn one_step_and_two_halves_give_the_same_bits() {
 fn a_damped_march_comes_to_rest_where_newton_does() {
     let mut body = cantilever(1);
     let run = Transient { duration: 400.0, record_every: 50.0, damping: 0.5, safety: 0.9 };
-    run.march(&mut body, &mut Keep::default()).unwrap();
+    records(run, &mut body).unwrap();
     let mut lack = vec![0.0; 6 * body.len()];
     body.out_of_balance(&mut lack);
     let mut system = StaticShell::new(cantilever(1));

@@ -5,11 +5,10 @@
 mod common;
 
 use std::alloc::System;
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use common::{energy_formulations, flat};
-use explicit_dynamics::{Clock, Dynamics, Observer, Record};
+use explicit_dynamics::{Clock, Dynamics};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, CubicSpline, Side, Vec3};
 use sph_shell::{
@@ -93,12 +92,6 @@ fn threads_do_not_change_a_bit() {
 
 /// Ends a run of 40 steps, all recorded or none.
 fn recorded(cloud: Cloud, every: bool) -> Vec<[u64; 6]> {
-    struct Blind;
-    impl Observer<Shell> for Blind {
-        fn record(&mut self, _: &mut Shell, _: &Record) -> ControlFlow<()> {
-            ControlFlow::Continue(())
-        }
-    }
     let mut shell = common::free_shell(cloud, Formulation::StressPoint(Reach::Cell), 0.05);
     for a in 0..shell.len() {
         let x = shell.position(a);
@@ -107,7 +100,7 @@ fn recorded(cloud: Cloud, every: bool) -> Vec<[u64; 6]> {
     let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
     for _ in 0..40 {
         if every {
-            let _ = clock.recorded_step(&mut shell, &mut Blind, false, f64::INFINITY, |_| 1.0).unwrap();
+            clock.recorded_step(&mut shell).unwrap();
         } else {
             clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
         }

@@ -3,12 +3,10 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use std::alloc::System;
-use std::ops::ControlFlow;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use coque::{Body, Silent};
-use explicit_dynamics::{Observer, Record, Transient};
-use sph_shell::Shell;
+use explicit_dynamics::{March, Transient};
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use validation::cases::option_cost::{
     BARE, CLAMPED, Extent, Row, measure_row, model, shell_without_scene, stir, table_rows,
@@ -39,12 +37,6 @@ fn held() -> f64 {
 
 #[test]
 fn a_bare_scene_marches_the_bits_of_the_layers_below() {
-    struct Blind;
-    impl Observer<Shell> for Blind {
-        fn record(&mut self, _: &mut Shell, _: &Record) -> ControlFlow<()> {
-            ControlFlow::Continue(())
-        }
-    }
     let _alone = alone();
     // Some fifty steps of a plate of nine particles along an edge.
     let duration = 5e-3;
@@ -57,7 +49,7 @@ fn a_bare_scene_marches_the_bits_of_the_layers_below() {
     through_coque.body.body_mut().set_state(&Body::state(&shell)).unwrap();
     let outcome = through_coque.run(&mut Silent);
     let run = Transient { duration, record_every: duration, damping: 0.0, safety: 0.8 };
-    let clock = run.march(&mut shell, &mut Blind).unwrap();
+    let clock = March::start(run, &mut shell).unwrap().finish(&mut shell).unwrap();
     assert!(clock.steps > 30, "{} steps", clock.steps);
     assert_eq!(outcome.summary.record.steps, clock.steps);
     // The last record drifts on by one step after the shape is kept: what is compared is the curve's last row of energies.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use explicit_dynamics::{Clock, LevelReached, MarchError, MarchState, Missing, Observer, Record};
+use explicit_dynamics::{Event, Instant, LevelReached, March, MarchState, Missing, Plan, Record};
 use implicit_statics::Inertia;
 
 use super::stability::Stability;
@@ -15,42 +15,125 @@ use crate::run::progress::ProgressReport;
 use crate::run::record::{Energies, LevelSummary, RunRecord};
 use crate::scene::{Damping, Explicit, QuasiStatic, Transient};
 
-/// Marches to the end, or to divergence, from the start or from where an earlier march stood.
-pub(crate) fn march(
-    explicit: &Explicit,
-    body: &mut dyn DynamicBody,
-    tangent: TangentCost,
-    run: &mut Run<'_>,
-    from: Option<Stage>,
-) -> Ended {
-    let from = from.and_then(|stage| if let Stage::March(state) = stage { Some(state) } else { None });
-    if from.is_none() {
-        run.record.stable_step = reference_step(body);
-        run.record.safety = explicit.safety;
-    }
-    let path = explicit.quasi_static.as_ref();
-    let stability = {
-        let particles = body.configuration().rest.len();
-        Stability::new(path.and_then(|path| path.stability), tangent, particles)
-    };
-    let mut watcher = Watcher { run, path, stability, settled: false, ended: Ended::Done };
-    let marched = match (path, &explicit.transient) {
-        (Some(path), _) => settle(path, explicit.safety, body, &mut watcher, from),
-        (None, Some(wanted)) => move_on(wanted, explicit.safety, body, &mut watcher, from),
-        (None, None) => return Ended::Done,
-    };
-    let Watcher { run, ended, .. } = watcher;
-    warning_balance(body, &mut run.record);
-    match marched {
-        Ok(clock) => {
-            run.record.steps = clock.steps;
-            ended
+/// A march under way: from the start, or from where an earlier one stood.
+pub(super) struct Marching {
+    plan: Option<Plan>,
+    safety: f64,
+    from: Option<MarchState>,
+    /// None before it has begun.
+    march: Option<March>,
+    watch: Watch,
+}
+
+impl Marching {
+    /// Of a body whose look at the tangent is known to cost so much, and that has so many particles.
+    pub fn new(explicit: &Explicit, (tangent, particles): (TangentCost, usize), from: Option<Stage>) -> Self {
+        let path = explicit.quasi_static.clone();
+        let stability = Stability::new(path.as_ref().and_then(|path| path.stability), tangent, particles);
+        let plan = match (&explicit.quasi_static, explicit.transient) {
+            (Some(path), _) => Some(settle(path, explicit.safety).into()),
+            (None, Some(wanted)) => Some(move_on(wanted, explicit.safety).into()),
+            (None, None) => None,
+        };
+        Self {
+            plan,
+            safety: explicit.safety,
+            from: from.and_then(|stage| if let Stage::March(state) = stage { Some(state) } else { None }),
+            march: None,
+            watch: Watch { path, stability, settled: false },
         }
-        Err(error) => {
-            if let MarchError::Diverged { step, .. } | MarchError::OutOfBounds { step, .. } = error {
-                run.record.steps = step;
+    }
+
+    /// Makes a step, or takes a record of the state before one; `Break` at the end, or at divergence.
+    pub fn advance(&mut self, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        if let Some(plan) = self.plan.take() {
+            if let Some(from) = self.from.take() {
+                self.march = Some(March::resume(plan, from));
+                return self.between(body, run);
             }
-            Ended::Diverged(error.into())
+            run.record.stable_step = reference_step(body);
+            run.record.safety = self.safety;
+            match March::start(plan, body) {
+                Ok(march) => self.march = Some(march),
+                Err(error) => return ControlFlow::Break(Ended::Diverged(error.into())),
+            }
+        }
+        let Some(march) = &mut self.march else { return ControlFlow::Break(Ended::Done) };
+        loop {
+            match march.advance(body) {
+                Ok(Event::Step) => return self.between(body, run),
+                Ok(Event::Level(reached)) => self.watch.level(&reached, run),
+                Ok(Event::Record(record)) => {
+                    if self.watch.record(&record, body, run).is_continue() {
+                        return ControlFlow::Continue(());
+                    }
+                    // The step that the record was taken in is done to its end; how it ends no longer matters.
+                    let _ = march.advance(body);
+                    return self.end(Ended::Done, body, run);
+                }
+                Ok(Event::End) => return self.end(Ended::Done, body, run),
+                Err(error) => return self.end(Ended::Diverged(error.into()), body, run),
+            }
+        }
+    }
+
+    /// Ends the march behind the present step, with a checkpoint if the run writes any.
+    pub fn interrupt(&mut self, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> Ended {
+        if self.march.as_ref().is_some_and(|march| march.state().is_none())
+            && let ControlFlow::Break(ended) = self.advance(body, run)
+        {
+            return ended;
+        }
+        let Instant { time, level } = self.stands_at();
+        if let Some(state) = self.march.as_ref().and_then(March::state)
+            && run.checkpoint_due(true)
+        {
+            run.keep_checkpoint(&Stage::March(state.clone()), body);
+        }
+        self.account(body, run);
+        Ended::Interrupted { time, level }
+    }
+
+    /// Time \[T\] and load level.
+    pub fn stands_at(&self) -> Instant {
+        self.march.as_ref().map_or(Instant::default(), |march| march.clock().now)
+    }
+
+    /// Tells of a step, and keeps a checkpoint where that is due; `Break` if the run is to end there.
+    fn between(&mut self, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        let Some(march) = &self.march else { return ControlFlow::Continue(()) };
+        let clock = march.clock();
+        run.count_impulses(clock.now.time, &*body);
+        let flow = run.update(&ProgressReport {
+            done: march.done(),
+            time: clock.now.time,
+            level: clock.now.level,
+            steps: clock.steps,
+            kinetic: clock.kinetic,
+            internal: clock.internal,
+        });
+        if flow.is_break() {
+            return ControlFlow::Break(self.interrupt(body, run));
+        }
+        if run.checkpoint_due(self.watch.settled)
+            && let Some(state) = march.state()
+        {
+            self.watch.settled = false;
+            run.keep_checkpoint(&Stage::March(state.clone()), body);
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(&self, ended: Ended, body: &dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        self.account(body, run);
+        ControlFlow::Break(ended)
+    }
+
+    /// Notes how many steps there were, and whether their energies balance.
+    fn account(&self, body: &dyn DynamicBody, run: &mut Run<'_>) {
+        warning_balance(body, &mut run.record);
+        if let Some(march) = &self.march {
+            run.record.steps = march.clock().steps;
         }
     }
 }
@@ -88,15 +171,9 @@ pub(crate) fn reference_step(body: &mut dyn DynamicBody) -> f64 {
     body.stable_step(1.0).map_or(0.0, |step| step.dt)
 }
 
-/// Marches along a load path.
-fn settle(
-    path: &QuasiStatic,
-    safety: f64,
-    body: &mut dyn DynamicBody,
-    watcher: &mut Watcher<'_, '_, '_>,
-    from: Option<MarchState>,
-) -> Result<Clock, MarchError> {
-    let march = explicit_dynamics::QuasiStatic {
+/// Along a load path.
+fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
+    explicit_dynamics::QuasiStatic {
         levels: path.levels.list(),
         period: path.period,
         ramp: path.ramp,
@@ -108,46 +185,56 @@ fn settle(
         tolerance: path.tolerance,
         accuracy: path.accuracy,
         safety,
-    };
-    match from {
-        None => march.march(body, watcher),
-        Some(state) => march.go_on(state, body, watcher),
     }
 }
 
-/// Marches in real time.
-fn move_on(
-    wanted: &Transient,
-    safety: f64,
-    body: &mut dyn DynamicBody,
-    watcher: &mut Watcher<'_, '_, '_>,
-    from: Option<MarchState>,
-) -> Result<Clock, MarchError> {
-    let Transient { duration, record_every, damping } = *wanted;
-    let march = explicit_dynamics::Transient { duration, record_every, damping, safety };
-    match from {
-        None => march.march(body, watcher),
-        Some(state) => march.go_on(state, body, watcher),
-    }
+/// In real time.
+fn move_on(wanted: Transient, safety: f64) -> explicit_dynamics::Transient {
+    let Transient { duration, record_every, damping } = wanted;
+    explicit_dynamics::Transient { duration, record_every, damping, safety }
 }
 
-/// Fills the curve, keeps shapes and checkpoints, offers frames.
-struct Watcher<'a, 'r, 's> {
-    run: &'a mut Run<'r>,
+/// Fills the curve, keeps shapes, offers frames.
+struct Watch {
     /// The path of a quasi-static march.
-    path: Option<&'s QuasiStatic>,
+    path: Option<QuasiStatic>,
     stability: Stability,
     /// Whether a level has settled since the last checkpoint.
     settled: bool,
-    ended: Ended,
 }
 
-impl Watcher<'_, '_, '_> {
+impl Watch {
+    fn record(&mut self, record: &Record, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<()> {
+        let (at, energy) = (record.at, record.energy);
+        let columns =
+            vec![at.time, at.level, energy.kinetic, energy.internal, energy.external, energy.dissipated];
+        run.row(columns, body);
+        body.look(at.time);
+        let found = &mut run.record;
+        found.energies = Energies {
+            kinetic: energy.kinetic,
+            internal: energy.internal,
+            external: energy.external,
+            dissipated: energy.dissipated,
+            balance_error: record.balance_error,
+        };
+        found.balance.get_or_insert_default().take(at.time, &found.energies);
+        self.settled |= record.settled;
+        if self.path.is_none() {
+            return run.keep_latest(body, at.time, at.level);
+        }
+        if !record.settled {
+            return ControlFlow::Continue(());
+        }
+        self.look_at_stability(record, body, run);
+        run.keep_shape(body, at.time, at.level)
+    }
+
     /// Counts the negative pivots of the level that was last reached, where that is due.
-    fn look_at_stability(&mut self, body: &mut dyn DynamicBody, record: &Record) {
-        let levels = self.path.map_or(0, |path| path.levels.list().len());
-        let reached = self.run.record.levels.len();
-        let Some(level) = self.run.record.levels.last_mut() else { return };
+    fn look_at_stability(&mut self, record: &Record, body: &mut dyn DynamicBody, run: &mut Run<'_>) {
+        let levels = self.path.as_ref().map_or(0, |path| path.levels.list().len());
+        let reached = run.record.levels.len();
+        let Some(level) = run.record.levels.last_mut() else { return };
         let last = reached == levels;
         let steps = if last { record.step } else { level.steps };
         if !self.stability.due(steps) {
@@ -158,7 +245,7 @@ impl Watcher<'_, '_, '_> {
                      not be seen by false",
                     level.level
                 );
-                self.run.record.warn(WarningKind::StabilityUnknown, message);
+                run.record.warn(WarningKind::StabilityUnknown, message);
             }
             return;
         }
@@ -172,39 +259,11 @@ impl Watcher<'_, '_, '_> {
                  leave it at the least disturbance; give it a small load or imperfection that shows the way",
                 level.level
             );
-            self.run.record.warn(WarningKind::Unstable, message);
+            run.record.warn(WarningKind::Unstable, message);
         }
     }
-}
 
-impl<'b> Observer<dyn DynamicBody + 'b> for Watcher<'_, '_, '_> {
-    fn record(&mut self, body: &mut (dyn DynamicBody + 'b), record: &Record) -> ControlFlow<()> {
-        let (at, energy) = (record.at, record.energy);
-        let columns =
-            vec![at.time, at.level, energy.kinetic, energy.internal, energy.external, energy.dissipated];
-        self.run.row(columns, body);
-        body.look(at.time);
-        self.run.record.energies = Energies {
-            kinetic: energy.kinetic,
-            internal: energy.internal,
-            external: energy.external,
-            dissipated: energy.dissipated,
-            balance_error: record.balance_error,
-        };
-        let found = &mut self.run.record;
-        found.balance.get_or_insert_default().take(at.time, &found.energies);
-        self.settled |= record.settled;
-        if self.path.is_none() {
-            return self.run.keep_latest(body, at.time, at.level);
-        }
-        if !record.settled {
-            return ControlFlow::Continue(());
-        }
-        self.look_at_stability(body, record);
-        self.run.keep_shape(body, at.time, at.level)
-    }
-
-    fn level(&mut self, reached: &LevelReached) {
+    fn level(&self, reached: &LevelReached, run: &mut Run<'_>) {
         let LevelReached { level, settled, kinetic_over_internal, missing, steps, evaluations, period } =
             *reached;
         let Missing { out_of_balance, way_left } = missing;
@@ -212,14 +271,14 @@ impl<'b> Observer<dyn DynamicBody + 'b> for Watcher<'_, '_, '_> {
             let message = format!(
                 "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}, out of balance \
                  {out_of_balance:.1e}, way left {way_left:.1e}); lengthen `hold`, or {}",
-                match self.path.and_then(|path| path.period) {
+                match self.path.as_ref().and_then(|path| path.period) {
                     Some(_) => "see whether `damping` fits, and leave `period` out",
                     None => "see whether `damping` fits",
                 }
             );
-            self.run.record.warn(WarningKind::NotSettled, message);
+            run.record.warn(WarningKind::NotSettled, message);
         }
-        self.run.record.levels.push(LevelSummary {
+        run.record.levels.push(LevelSummary {
             level,
             settled,
             kinetic_over_internal,
@@ -232,26 +291,5 @@ impl<'b> Observer<dyn DynamicBody + 'b> for Watcher<'_, '_, '_> {
             solves: None,
             period: Some(period),
         });
-    }
-
-    fn between(&mut self, body: &mut (dyn DynamicBody + 'b), at: &MarchState, done: f64) -> ControlFlow<()> {
-        let clock = &at.clock;
-        self.run.count_impulses(clock.now.time, &*body);
-        let flow = self.run.progress.update(&ProgressReport {
-            done,
-            time: clock.now.time,
-            level: clock.now.level,
-            steps: clock.steps,
-            kinetic: clock.kinetic,
-            internal: clock.internal,
-        });
-        if self.run.checkpoint_due(self.settled || flow.is_break()) {
-            self.settled = false;
-            self.run.keep_checkpoint(&Stage::March(at.clone()), body);
-        }
-        if flow.is_break() {
-            self.ended = Ended::Interrupted { time: clock.now.time, level: clock.now.level };
-        }
-        flow
     }
 }

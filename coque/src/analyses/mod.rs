@@ -1,7 +1,8 @@
-//! The analyses, one file each, and the run that hands a body to one of them; what was recorded is kept however the
-//! run ends.
+//! The analyses, one file each, and the simulation that leads a body through one of them; what was recorded is kept however it
+//! ends.
 
 mod breaking;
+mod course;
 mod criticality;
 mod estimate;
 mod linear;
@@ -11,19 +12,19 @@ mod one_solve;
 mod path;
 mod preload;
 mod relaxation;
+mod simulation;
 mod stability;
 
-use std::time::Instant;
-
 pub use estimate::Estimate;
+pub use simulation::{Event, Simulation};
 
-use crate::bodies::{Description, DynamicBody, Model, Ready, Resultant, StaticBody, TangentCost};
+use crate::bodies::{Description, Model, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
-use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Stage};
+use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints};
 use crate::run::impulses::Impulses;
-use crate::run::outcome::{Ended, Failure, Outcome};
+use crate::run::outcome::{Ended, Outcome};
 use crate::run::progress::Progress;
 use crate::run::record::RunRecord;
 use crate::run::summary::Summary;
@@ -45,31 +46,21 @@ pub struct RunOptions<'a> {
 impl Model {
     /// Runs to the end, or to divergence. With more than one thread the run has a pool of its own.
     pub fn run(mut self, progress: &mut dyn Progress) -> Outcome {
-        let options = RunOptions { progress, checkpoints: None, fields: None, from: None };
-        let run = self.nothing_yet(options.progress, None, None);
-        self.in_pool(run, None)
+        let run = self.nothing_yet(Some(progress), None, None);
+        Simulation::begin(self, run, None).run()
     }
 
     /// The same with options: keeps checkpoints, shows frames, goes on from a checkpoint.
     ///
     /// # Errors
     /// [`CheckpointError::Surface`] and [`CheckpointError::Model`] for the checkpoint of another model.
-    pub fn run_with(mut self, options: RunOptions<'_>) -> Result<Outcome, CheckpointError> {
-        let RunOptions { progress, mut checkpoints, fields, from } = options;
-        if let Some(checkpoints) = &mut checkpoints {
-            checkpoints.of(self.body.body(), &self.identity);
-        }
-        let mut run = self.nothing_yet(progress, checkpoints, fields);
-        let stage = match from {
-            Some(from) => Some(run.go_on_from(from, self.body.body_mut(), &self.identity)?),
-            None => None,
-        };
-        Ok(self.in_pool(run, stage))
+    pub fn run_with(self, options: RunOptions<'_>) -> Result<Outcome, CheckpointError> {
+        Ok(Simulation::with_options(self, options)?.run())
     }
 
     fn nothing_yet<'a>(
         &mut self,
-        progress: &'a mut dyn Progress,
+        progress: Option<&'a mut dyn Progress>,
         checkpoints: Option<&'a mut Checkpoints>,
         sink: Option<&'a mut dyn FieldSink>,
     ) -> Run<'a> {
@@ -89,52 +80,6 @@ impl Model {
             progress,
             checkpoints,
         }
-    }
-
-    fn in_pool(self, run: Run<'_>, from: Option<Stage>) -> Outcome {
-        match rayon::ThreadPoolBuilder::new().num_threads(self.threads).build() {
-            Ok(pool) if self.threads > 1 => pool.install(|| self.analyse(run, from)),
-            _ => self.analyse(run, from),
-        }
-    }
-
-    fn analyse(mut self, mut run: Run<'_>, from: Option<Stage>) -> Outcome {
-        run.progress.recorded(&run.curve);
-        // A checkpoint brings those with which its run began.
-        self.warnings.retain(|warning| !run.record.warnings.contains(warning));
-        run.record.warnings.splice(0..0, std::mem::take(&mut self.warnings));
-        let cells = self.body.body().configuration().cells.to_vec();
-        let started = Instant::now();
-        let mut ended = match &mut self.body {
-            Ready::Dynamic(body) => {
-                marched(&self.task.analysis, body.as_mut(), self.description.tangent, &mut run, from)
-            }
-            Ready::Static(body) => {
-                let ended = balanced(&self.task.analysis, body.as_mut(), &mut run, from);
-                run.record.warnings.extend(body.warnings());
-                ended
-            }
-        };
-        if let Some(frames) = run.frames.take() {
-            run.record.frames = frames.taken;
-            if let Some(failure) = frames.failure {
-                ended = Ended::Diverged(Failure::Fields(failure));
-            }
-        }
-        let Run { curve, mut shapes, latest, mut record, supports, .. } = run;
-        let found = self.body.body().diagnostics();
-        record.fluid = found.fluid;
-        record.warnings.extend(found.warnings);
-        shapes.extend(latest);
-        // Modes and linear answers are drawn larger than they are.
-        if let (Some(judge), true) = (&self.judge, true_to_scale(&self.task.analysis)) {
-            let mut reported = judge(&cells, &shapes);
-            reported.retain(|warning| record.warnings.iter().all(|known| known.kind != warning.kind));
-            record.warnings.extend(reported);
-        }
-        record.wall_seconds += started.elapsed().as_secs_f64();
-        let summary = self.summary(record, supports, &ended);
-        Outcome { curve, summary, ended, shapes, cells }
     }
 
     /// What the model holds and what it leaves out, by its body and by its analysis.
@@ -165,43 +110,6 @@ impl Model {
             body: description,
             record,
         }
-    }
-}
-
-fn marched(
-    analysis: &Analysis,
-    body: &mut dyn DynamicBody,
-    tangent: TangentCost,
-    run: &mut Run<'_>,
-    from: Option<Stage>,
-) -> Ended {
-    match analysis {
-        Analysis::Explicit(explicit) => march::march(explicit, body, tangent, run, from),
-        other => {
-            Ended::Diverged(Failure::Kind { analysis: other.kind().name, wanted: "a body without time" })
-        }
-    }
-}
-
-fn balanced(analysis: &Analysis, body: &mut dyn StaticBody, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
-    let from = from.filter(|stage| !matches!(stage, Stage::Preload));
-    if from.is_none()
-        && let Err(ended) = preload::preload(analysis, body, run)
-    {
-        return *ended;
-    }
-    match analysis {
-        Analysis::Explicit(_) => Ended::Diverged(Failure::Kind {
-            analysis: analysis.kind().name,
-            wanted: "a body that is marched",
-        }),
-        Analysis::Linear(wanted) => linear::linear(wanted, body, run),
-        Analysis::Static(wanted) if wanted.one_solve => one_solve::one_solve(wanted, body, run, from),
-        Analysis::Static(wanted) => path::levels(wanted, body, run, from),
-        Analysis::ArcLength(wanted) => path::arc_length(wanted, body, run),
-        Analysis::Relaxation(wanted) => relaxation::relaxation(wanted, body, run, from),
-        Analysis::Modal(wanted) => modes::modal(wanted.modes, body, run),
-        Analysis::Buckling(wanted) => modes::buckling(wanted, body, run),
     }
 }
 

@@ -13,7 +13,7 @@ use crate::WarningKind;
 use crate::bodies::{StaticBody, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
-use crate::run::progress::{Progress, ProgressReport};
+use crate::run::progress::ProgressReport;
 use crate::run::record::CountSummary;
 use crate::scene::{self, Buckling, LevelSign};
 
@@ -40,7 +40,7 @@ pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>
         run.record.warnings.extend(system.doubtful_modes(count));
     }
     let fastest = 2.0 / run.record.stable_step;
-    let mut watch = watch(&mut *run.progress);
+    let mut watch = watch(run);
     let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
     let floats =
         matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. }));
@@ -96,7 +96,7 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut
             scene::Prebuckling::Stress => Prebuckling::Stress,
         },
     };
-    let spectrum = linear_buckling(system, 0.0, &options, &mut watch(&mut *run.progress));
+    let spectrum = linear_buckling(system, 0.0, &options, &mut watch(run));
     let modes = match taken(spectrum, wanted.modes, "levels", run) {
         Ok(modes) => modes,
         Err(ended) => return *ended,
@@ -155,8 +155,8 @@ fn changed_shape(mode: &BucklingMode, kind: Prebuckling, reach: f64) -> Option<S
 }
 
 /// Asks the progress between two solves whether to go on.
-fn watch(progress: &mut dyn Progress) -> impl FnMut(&Effort) -> ControlFlow<()> + '_ {
-    |effort| progress.update(&ProgressReport { steps: effort.solves as u64, ..ProgressReport::default() })
+fn watch<'a>(run: &'a mut Run<'_>) -> impl FnMut(&Effort) -> ControlFlow<()> + 'a {
+    |effort| run.update(&ProgressReport { steps: effort.solves as u64, ..ProgressReport::default() })
 }
 
 /// The modes of a spectrum, with its count and a warning if there are fewer than wanted.

@@ -1,5 +1,7 @@
 //! Levels led to by one linear answer each, without iterations for balance, and how far off each is.
 
+use std::ops::ControlFlow;
+
 use implicit_statics::OneSolve;
 
 use super::path::loaded;
@@ -14,46 +16,63 @@ use crate::scene::Static;
 /// Way left over displacement up to which a level counts as settled \[–\].
 const SETTLED: f64 = 0.01;
 
-/// Leads a body through the levels, from the start or from where an earlier run stood, and tells how far off they are.
-pub(super) fn one_solve(
-    wanted: &Static,
-    system: &mut dyn StaticBody,
-    run: &mut Run<'_>,
-    from: Option<Stage>,
-) -> Ended {
-    let ended = levels(wanted, system, run, from);
-    if !matches!(ended, Ended::Interrupted { .. }) {
-        warn(run);
-    }
-    ended
+/// Levels of one solve each, made one after the other.
+pub(super) struct OneSolveLevels {
+    list: Vec<f64>,
+    /// Levels made.
+    made: usize,
+    /// None before it has begun.
+    scheme: Option<OneSolve>,
 }
 
-fn levels(wanted: &Static, system: &mut dyn StaticBody, run: &mut Run<'_>, from: Option<Stage>) -> Ended {
-    run.warn_of_skew_loads(system.skew_load_share());
-    let list = wanted.levels.list();
-    let last = list.last().copied().unwrap_or(1.0);
-    let first = if let Some(Stage::Levels { found, .. }) = from { found } else { 0 };
-    let mut before = first.checked_sub(1).and_then(|at| list.get(at)).copied().unwrap_or(0.0);
-    let mut scheme = match OneSolve::new(&*system) {
-        Ok(scheme) => scheme,
-        Err(cause) => return run.unbalanced(0, 0.0, cause),
-    };
-    if first == 0 {
-        keep(run, 0, 0.0, system);
-        let internal = system.refresh(0.0);
-        push(run, system, [0.0, internal, 0.0, 0.0, 0.0, 0.0]);
-        if run.keep_shape(system, 0.0, 0.0).is_break() {
-            return Ended::Done;
-        }
+impl OneSolveLevels {
+    /// From the start, or from where an earlier run stood.
+    pub fn new(wanted: &Static, from: Option<Stage>) -> Self {
+        let made = if let Some(Stage::Levels { found, .. }) = from { found } else { 0 };
+        Self { list: wanted.levels.list(), made, scheme: None }
     }
-    for (number, &level) in list.iter().enumerate().skip(first) {
+
+    /// The level last made; zero before the first.
+    pub fn last(&self) -> f64 {
+        self.made.checked_sub(1).and_then(|at| self.list.get(at)).copied().unwrap_or(0.0)
+    }
+
+    /// Leads a body to the next level; `Break` with the last one, or where it fails. At the end it tells how far off the levels are.
+    pub fn advance(&mut self, system: &mut dyn StaticBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        let flow = self.step(system, run);
+        if matches!(flow, ControlFlow::Break(Ended::Done | Ended::Diverged(_))) {
+            warn(run);
+        }
+        flow
+    }
+
+    fn step(&mut self, system: &mut dyn StaticBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        if self.scheme.is_none() {
+            run.warn_of_skew_loads(system.skew_load_share());
+            match OneSolve::new(&*system) {
+                Ok(scheme) => self.scheme = Some(scheme),
+                Err(cause) => return ControlFlow::Break(run.unbalanced(0, 0.0, cause)),
+            }
+            if self.made == 0 {
+                keep(run, 0, 0.0, system);
+                let internal = system.refresh(0.0);
+                push(run, system, [0.0, internal, 0.0, 0.0, 0.0, 0.0]);
+                if run.keep_shape(system, 0.0, 0.0).is_break() {
+                    return ControlFlow::Break(Ended::Done);
+                }
+            }
+        }
+        let (number, before) = (self.made, self.last());
+        let (Some(&level), Some(scheme)) = (self.list.get(number), &mut self.scheme) else {
+            return ControlFlow::Break(Ended::Done);
+        };
         let made = scheme.step(system, (before, level)).and_then(|unbalanced| {
-            let way = way_left(&mut scheme, system, level)?;
+            let way = way_left(scheme, system, level)?;
             Ok((unbalanced, way))
         });
         let (unbalanced, way) = match made {
             Ok(made) => made,
-            Err(cause) => return run.unbalanced(run.record.steps, before, cause),
+            Err(cause) => return ControlFlow::Break(run.unbalanced(run.record.steps, before, cause)),
         };
         let negative = scheme.inertia().negative;
         let internal = system.refresh(loaded(run, level));
@@ -70,16 +89,20 @@ fn levels(wanted: &Static, system: &mut dyn StaticBody, run: &mut Run<'_>, from:
             ..LevelSummary::balanced(level, Some(scheme.inertia()), 1)
         });
         if run.keep_shape(system, 0.0, level).is_break() {
-            return Ended::Done;
+            return ControlFlow::Break(Ended::Done);
         }
-        before = level;
+        self.made += 1;
+        let last = self.list.last().copied().unwrap_or(1.0);
         let flow = run.tell(level / last, run.record.steps, level, internal);
-        keep(run, number + 1, level, system);
-        if flow.is_break() && number + 1 < list.len() {
-            return Ended::Interrupted { time: 0.0, level };
+        keep(run, self.made, level, system);
+        if self.made == self.list.len() {
+            return ControlFlow::Break(Ended::Done);
         }
+        if flow.is_break() {
+            return ControlFlow::Break(Ended::Interrupted { time: 0.0, level });
+        }
+        ControlFlow::Continue(())
     }
-    Ended::Done
 }
 
 /// Adds a row of the curve.

@@ -23,36 +23,66 @@ const BRACKET: f64 = 1e-3;
 const MORE: &str = "allow more `steps`, or a larger `radius`";
 const CLOSER: &str = "use [analysis.arc-length], or more `iterations`";
 
-/// Finds the equilibrium at every level, by way of others where Newton's method does not reach it in one; from the
-/// start or from where an earlier run stood.
-pub(crate) fn levels(
-    wanted: &Static,
-    system: &mut dyn StaticBody,
-    run: &mut Run<'_>,
-    from: Option<Stage>,
-) -> Ended {
-    run.warn_of_skew_loads(system.skew_load_share());
-    let newton = newton(wanted.tolerance, wanted.iterations);
-    let unit = run.force_unit.clone();
-    let list = wanted.levels.list();
-    let last = list.last().copied().unwrap_or(1.0);
-    let (first, mut start) = match from {
-        Some(Stage::Levels { found, level, heading, stiffness }) => {
-            let heading = heading.map(|(motion, level)| Increment { motion, level });
-            (found, Start { level, heading, stiffness })
-        }
-        _ => (0, Start::default()),
-    };
-    if first == 0 {
-        keep(run, 0, &start, system);
+/// Equilibria at given levels, found one after the other, by way of others where Newton's method does not reach one at once.
+pub(super) struct Levels {
+    list: Vec<f64>,
+    newton: NewtonOptions,
+    /// Levels found.
+    found: usize,
+    start: Start,
+    /// None before it has begun: one analysis of the pattern serves all levels, and the factor of each the next.
+    solver: Option<Newton>,
+}
+
+impl Levels {
+    /// From the start, or from where an earlier run stood.
+    pub fn new(wanted: &Static, from: Option<Stage>) -> Self {
+        let (found, start) = match from {
+            Some(Stage::Levels { found, level, heading, stiffness }) => {
+                let heading = heading.map(|(motion, level)| Increment { motion, level });
+                (found, Start { level, heading, stiffness })
+            }
+            _ => (0, Start::default()),
+        };
+        let newton = newton(wanted.tolerance, wanted.iterations);
+        Self { list: wanted.levels.list(), newton, found, start, solver: None }
     }
-    // One analysis of the pattern serves all levels, and the factor of each the next.
-    let mut solver = match Newton::new(&*system, &newton) {
-        Ok(solver) => solver,
-        Err(cause) => return run.unbalanced(0, 0.0, cause),
-    };
-    let mut before = first.checked_sub(1).and_then(|last| list.get(last)).copied().unwrap_or(0.0);
-    for (number, &level) in list.iter().enumerate().skip(first) {
+
+    /// The level last found; zero before the first.
+    pub fn last(&self) -> f64 {
+        self.found.checked_sub(1).and_then(|last| self.list.get(last)).copied().unwrap_or(0.0)
+    }
+
+    /// Finds the next level; `Break` with the last one, or where it is not found.
+    pub fn advance(&mut self, system: &mut dyn StaticBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+        let mut solver = match self.solver.take() {
+            Some(solver) => solver,
+            None => {
+                run.warn_of_skew_loads(system.skew_load_share());
+                if self.found == 0 {
+                    keep(run, 0, &self.start, system);
+                }
+                match Newton::new(&*system, &self.newton) {
+                    Ok(solver) => solver,
+                    Err(cause) => return ControlFlow::Break(run.unbalanced(0, 0.0, cause)),
+                }
+            }
+        };
+        let Some(&level) = self.list.get(self.found) else { return ControlFlow::Break(Ended::Done) };
+        let flow = self.find(level, &mut solver, system, run);
+        self.solver = Some(solver);
+        flow
+    }
+
+    fn find(
+        &mut self,
+        level: f64,
+        solver: &mut Newton,
+        system: &mut dyn StaticBody,
+        run: &mut Run<'_>,
+    ) -> ControlFlow<Ended> {
+        let (before, number, unit) = (self.last(), self.found, run.force_unit.clone());
+        let last = self.list.last().copied().unwrap_or(1.0);
         let control = match run.driven {
             None => Control::Load { step: level - before, until: level },
             Some(driven) => {
@@ -62,7 +92,7 @@ pub(crate) fn levels(
         };
         let mut iterations = 0;
         let mut row = Vec::new();
-        let path = solver.follow(system, &start, &options(control, &newton), |point, system| {
+        let path = solver.follow(system, &self.start, &options(control, &self.newton), |point, system| {
             iterations += if point.step > 0 { point.converged.iterations } else { 0 };
             // Every point is read: rotations are counted on from one reading to the next.
             row = read(run, system, point, iterations);
@@ -77,18 +107,30 @@ pub(crate) fn levels(
         count(&path, run);
         note_breaches(&path.breaches, unit.as_deref(), &mut run.record);
         note(&path, Follows::Levels, unit.as_deref(), &mut run.record);
-        match path.end {
-            Ok(End::Reached) => {}
-            Ok(End::Stopped) => return Ended::Interrupted { time: 0.0, level: before },
+        ControlFlow::Break(match path.end {
+            Ok(End::Reached) => return self.reached(level, path, row, system, run),
+            Ok(End::Stopped) => Ended::Interrupted { time: 0.0, level: before },
             Ok(End::Steps) => {
                 let steps = path.points.len() - 1;
-                return Ended::Diverged(Failure::Steps { steps, level: before, repair: CLOSER });
+                Ended::Diverged(Failure::Steps { steps, level: before, repair: CLOSER })
             }
             Err(cause) => {
                 let points = run.record.steps;
-                return Ended::Diverged(Failure::Balance { points, level: before, cause, unit });
+                Ended::Diverged(Failure::Balance { points, level: before, cause, unit })
             }
-        }
+        })
+    }
+
+    /// Takes over the level that a path has reached, with the row of its last point.
+    fn reached(
+        &mut self,
+        level: f64,
+        path: Path,
+        mut row: Vec<f64>,
+        system: &mut dyn StaticBody,
+        run: &mut Run<'_>,
+    ) -> ControlFlow<Ended> {
+        let last = self.list.last().copied().unwrap_or(1.0);
         row[0] = level;
         let internal = row[1];
         run.record.energies = at_rest(internal, 0.0, &run.record);
@@ -101,21 +143,22 @@ pub(crate) fn levels(
             solves: Some(effort.solves as u64),
             ..LevelSummary::balanced(level, inertia, path.points.len() as u64 - 1)
         });
-        if run.frames.is_some() {
-            // The search for critical points may have been elsewhere since the point was read.
-            system.refresh(loaded(run, path.restart.level));
-        }
+        // The search for critical points may have been elsewhere since the point was read.
+        system.refresh(loaded(run, path.restart.level));
         if run.keep_shape(system, 0.0, level).is_break() {
-            return Ended::Done;
+            return ControlFlow::Break(Ended::Done);
         }
-        (start, before) = (path.restart, level);
+        (self.start, self.found) = (path.restart, self.found + 1);
         let flow = run.tell(level / last, run.record.steps, level, internal);
-        keep(run, number + 1, &start, system);
-        if flow.is_break() && number + 1 < list.len() {
-            return Ended::Interrupted { time: 0.0, level };
+        keep(run, self.found, &self.start, system);
+        if self.found == self.list.len() {
+            return ControlFlow::Break(Ended::Done);
         }
+        if flow.is_break() {
+            return ControlFlow::Break(Ended::Interrupted { time: 0.0, level });
+        }
+        ControlFlow::Continue(())
     }
-    Ended::Done
 }
 
 /// Keeps a checkpoint where so many levels are found, if the run writes any.
@@ -128,7 +171,7 @@ fn keep(run: &mut Run<'_>, levels: usize, start: &Start, system: &dyn StaticBody
 }
 
 /// Follows the path by arc length to its end, over limit and turning points.
-pub(crate) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
+pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let first = match run.driven.map(|driven| (driven, stiffness(system, &driven))) {
         None => wanted.radius,

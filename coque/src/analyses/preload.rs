@@ -14,7 +14,8 @@ use crate::scene::{Analysis, Levels, Static};
 
 const LESS: &str = "the preload needs smaller steps than it can make; apply less of it";
 
-/// Brings the preload up, if there is one, by the steps of a static analysis with one level; its points are no rows of the curve.
+/// Brings the preload up, if there is one, by the steps of a static analysis with one level; its points are no rows of the curve. True if
+/// there is one.
 ///
 /// # Errors
 /// How the run ends where the preload is not reached.
@@ -22,9 +23,9 @@ pub(crate) fn preload(
     analysis: &Analysis,
     system: &mut dyn StaticBody,
     run: &mut Run<'_>,
-) -> Result<(), Box<Ended>> {
+) -> Result<bool, Box<Ended>> {
     if !system.begin_preload() {
-        return Ok(());
+        return Ok(false);
     }
     if run.checkpoints.is_some() {
         run.keep_checkpoint(&Stage::Preload, system);
@@ -76,5 +77,5 @@ pub(crate) fn preload(
     // Axes of the unknowns that were carried along are dropped, as a run that goes on from here has none.
     let state = system.save();
     system.restore(&state);
-    Ok(())
+    Ok(true)
 }

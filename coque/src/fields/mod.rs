@@ -17,6 +17,7 @@ mod files;
 use std::io;
 use std::ops::ControlFlow;
 
+use explicit_dynamics::Instant;
 use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
 pub use files::{FieldFiles, Written};
@@ -52,6 +53,16 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
+    /// A body as it is now, on the way in time or in balance.
+    pub(crate) fn present(body: &'a dyn Body, task: &Task, driven: Option<u32>, at: Instant) -> Self {
+        let Instant { time, level } = at;
+        let marched = matches!(task.analysis, Analysis::Explicit(_));
+        let state = if marched { State::Moving } else { State::Balance };
+        let shown = FieldRequest { state, units: task.units, stresses: false, driven, forces: None };
+        let along = if task.analysis.kind().passes_time { time } else { level };
+        Self { body, shown, along, level, time }
+    }
+
     /// Works out what the frame shows, once for all its parts.
     pub fn evaluate(&self, stresses: bool) -> FrameFields<'a> {
         let fields = self.body.fields(&FieldRequest { stresses, ..self.shown });

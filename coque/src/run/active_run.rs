@@ -37,7 +37,8 @@ pub(crate) struct Run<'a> {
     pub supports: Option<Resultant>,
     /// Where frames of fields go, if anywhere.
     pub frames: Option<Frames<'a>>,
-    pub progress: &'a mut dyn Progress,
+    /// Who receives its progress, if anyone does.
+    pub progress: Option<&'a mut dyn Progress>,
     pub checkpoints: Option<&'a mut Checkpoints>,
 }
 
@@ -72,7 +73,7 @@ impl Run<'_> {
     /// Adds a row that is complete.
     pub fn push(&mut self, row: Vec<f64>) {
         self.curve.rows.push(row);
-        self.progress.recorded(&self.curve);
+        self.show_curve();
     }
 
     /// Keeps the present shape, as long as there is room, and offers it as a frame; `Break` if that cannot go on.
@@ -110,7 +111,9 @@ impl Run<'_> {
     pub fn keep_checkpoint(&mut self, stage: &Stage, body: &dyn Body) {
         let Some(checkpoints) = self.checkpoints.take() else { return };
         if let Err(error) = checkpoints.write(self.kept(stage, body), &self.curve.rows, &self.shapes) {
-            self.progress.warn(&error.to_string());
+            if let Some(progress) = &mut self.progress {
+                progress.warn(&error.to_string());
+            }
         }
         self.checkpoints = Some(checkpoints);
     }
@@ -174,9 +177,21 @@ impl Run<'_> {
         Ok(kept.stage.into_owned())
     }
 
+    /// Shows the curve as it is now.
+    pub fn show_curve(&mut self) {
+        if let Some(progress) = &mut self.progress {
+            progress.recorded(&self.curve);
+        }
+    }
+
+    /// Tells how it goes; `Break` if it is to end.
+    pub fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
+        self.progress.as_mut().map_or(ControlFlow::Continue(()), |progress| progress.update(news))
+    }
+
     /// Tells how it goes without time; `Break` if it is to end.
     pub fn tell(&mut self, done: f64, steps: u64, level: f64, internal: f64) -> ControlFlow<()> {
-        self.progress.update(&ProgressReport { done, steps, level, internal, ..ProgressReport::default() })
+        self.update(&ProgressReport { done, steps, level, internal, ..ProgressReport::default() })
     }
 
     /// How a run ends whose balance was not found.

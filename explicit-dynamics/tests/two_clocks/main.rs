@@ -4,10 +4,8 @@
 mod marching;
 mod model;
 
-use std::ops::ControlFlow;
-
 use explicit_dynamics::{
-    Bounds, Dynamics, Instant, Observer, Order, OutOfBounds, Record, Step, Transient, TwoClocks, Wetted,
+    Bounds, Dynamics, Instant, March, Order, OutOfBounds, Record, Step, Transient, TwoClocks, Wetted,
 };
 use marching::{CELLS, COURANT, Coupled, MASS, Notes, march, one_spring, state, take_up, transient};
 use model::{Column, DENSITY, LENGTH, SOUND, Spring};
@@ -167,7 +165,7 @@ fn the_ledger_closes_with_the_step() {
         let mut system = TwoClocks::new(fluid, vec![Box::new(spring)]);
         let mut notes = Notes::default();
         let run = Transient { damping: 20.0, ..transient(&system, 20 * cells, cells / 5) };
-        run.march(&mut system, &mut notes).unwrap();
+        notes.lead(March::start(run, &mut system).unwrap(), &mut system).unwrap();
         let start = notes.records[0].energy.internal;
         let taken = notes.records.last().unwrap().energy.dissipated / start;
         assert!(taken > 0.1, "{taken}");
@@ -279,10 +277,11 @@ fn a_run_goes_on_to_the_same_bits() {
             let (mut whole, mut again) = (two_springs(5), two_springs(5));
             (whole.order, again.order) = (order, order);
             let mut notes = Notes { keep_at: Some(keep_at), ..Notes::default() };
-            run(&whole).march(&mut whole, &mut notes).unwrap();
+            let march = March::start(run(&whole), &mut whole).unwrap();
+            notes.lead(march, &mut whole).unwrap();
             let (at, kept) = notes.kept.unwrap();
             take_up(&mut again, &kept);
-            run(&again).go_on(at, &mut again, &mut Notes::default()).unwrap();
+            March::resume(run(&again), at).finish(&mut again).unwrap();
             assert!(bits(&whole) == bits(&again), "{order:?} from step {keep_at}");
         }
     }
@@ -337,20 +336,12 @@ fn structures_of_any_kind_go_together() {
     let dt = fluid.dt;
     let spring: Box<dyn Wetted> = Box::new(Spring::new(MASS, 4e3, dt / 3.0).at(1e-4));
     let mut system: TwoClocks<Column, dyn Wetted> = TwoClocks::new(fluid, vec![spring]);
-    struct Last(f64);
-    impl Observer<TwoClocks<Column, dyn Wetted>> for Last {
-        fn record(&mut self, _: &mut TwoClocks<Column, dyn Wetted>, record: &Record) -> ControlFlow<()> {
-            self.0 = record.energy.internal;
-            ControlFlow::Continue(())
-        }
-    }
-    let mut last = Last(0.0);
     let run = Transient { duration: 100.0 * dt, record_every: 10.0 * dt, damping: 0.0, safety: 0.9 };
-    run.march(&mut system, &mut last).unwrap();
+    let clock = March::start(run, &mut system).unwrap().finish(&mut system).unwrap();
     let mut typed = TwoClocks::new(
         Column::new(CELLS, COURANT),
         vec![Box::new(Spring::new(MASS, 4e3, dt / 3.0).at(1e-4))],
     );
     let (notes, _) = march(&mut typed, 100, 10);
-    assert_eq!(last.0.to_bits(), notes.records[10].energy.internal.to_bits());
+    assert_eq!(clock.last_good(), Some(&notes.records[10]));
 }

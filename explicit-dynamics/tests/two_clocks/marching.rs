@@ -1,8 +1,6 @@
 //! Marches of a gas between springs, and what they note.
 
-use std::ops::ControlFlow;
-
-use explicit_dynamics::{Clock, MarchError, MarchState, Observer, Record, Transient, TwoClocks};
+use explicit_dynamics::{Clock, Event, March, MarchError, MarchState, Record, Transient, TwoClocks};
 
 use crate::model::{Column, Spring};
 
@@ -11,7 +9,7 @@ pub const COURANT: f64 = 0.3;
 pub const MASS: f64 = 0.05;
 pub type Coupled = TwoClocks<Column, Spring>;
 
-/// Notes records, and where the march stands after some steps with all that changes.
+/// Records, and where the march stood after some steps with all that changes.
 #[derive(Default)]
 pub struct Notes {
     pub records: Vec<Record>,
@@ -22,18 +20,23 @@ pub struct Notes {
     pub kept: Option<(MarchState, Vec<Vec<f64>>)>,
 }
 
-impl Observer<Coupled> for Notes {
-    fn record(&mut self, system: &mut Coupled, record: &Record) -> ControlFlow<()> {
-        self.records.push(*record);
-        self.ends.extend(system.structures().next().map(|spring| spring.x));
-        self.balances.extend(system.energy(0).map(|energy| energy.error(0.0)));
-        ControlFlow::Continue(())
-    }
-    fn between(&mut self, system: &mut Coupled, at: &MarchState, _: f64) -> ControlFlow<()> {
-        if self.keep_at == Some(at.clock.steps) {
-            self.kept = Some((at.clone(), state(system)));
+impl Notes {
+    /// Leads a march to its end.
+    pub fn lead(&mut self, mut march: March, system: &mut Coupled) -> Result<Clock, MarchError> {
+        loop {
+            match march.advance(system)? {
+                Event::Record(record) => {
+                    self.records.push(record);
+                    self.ends.extend(system.structures().next().map(|spring| spring.x));
+                    self.balances.extend(system.energy(0).map(|energy| energy.error(0.0)));
+                }
+                Event::End => return Ok(march.clock().clone()),
+                _ => {}
+            }
+            if let Some(at) = march.state().filter(|at| self.keep_at == Some(at.clock.steps)) {
+                self.kept = Some((at.clone(), state(system)));
+            }
         }
-        ControlFlow::Continue(())
     }
 }
 
@@ -65,6 +68,7 @@ pub fn transient(system: &Coupled, steps: usize, every: usize) -> Transient {
 
 pub fn march(system: &mut Coupled, steps: usize, every: usize) -> (Notes, Result<Clock, MarchError>) {
     let mut notes = Notes::default();
-    let end = transient(system, steps, every).march(system, &mut notes);
+    let march = March::start(transient(system, steps, every), system);
+    let end = march.and_then(|march| notes.lead(march, system));
     (notes, end)
 }

@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, dead_code)] // a test may stop where it stands, and each uses some of these
 
-use std::ops::ControlFlow;
-
-use explicit_dynamics::{Clock, Dynamics, Observer, Record, Transient};
+use explicit_dynamics::{Clock, Dynamics, March, Record, Transient};
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Wall};
 use sph_core::Vec3;
 
@@ -93,20 +91,12 @@ pub fn disorder(parts: &mut Parts, part: f64, speed: f64) {
     }
 }
 
-/// Keeps all records.
-#[derive(Default)]
-pub struct Rows(pub Vec<Record>);
-
-impl<S> Observer<S> for Rows {
-    fn record(&mut self, _: &mut S, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
-    }
-}
-
 /// Marches with records at equal intervals.
 pub fn recorded(fluid: &mut Fluid, duration: f64, record_every: f64) -> Vec<Record> {
-    let mut rows = Rows::default();
-    Transient { duration, record_every, damping: 0.0, safety: 1.0 }.march(fluid, &mut rows).unwrap();
-    rows.0
+    let run = Transient { duration, record_every, damping: 0.0, safety: 1.0 };
+    let (mut records, mut march) = (Vec::new(), March::start(run, fluid).unwrap());
+    while let Some(record) = march.next_record(fluid).unwrap() {
+        records.push(record);
+    }
+    records
 }

@@ -2,9 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use std::ops::ControlFlow;
-
-use explicit_dynamics::{Amplitude, Observer, Record, Transient};
+use explicit_dynamics::{Amplitude, March, MarchError, Plan, Record, Transient};
 use implicit_statics::{Equilibrium, linear_response};
 use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{
@@ -339,23 +337,20 @@ pub fn beam_parts(
     }
 }
 
-/// Keeps all records.
-#[derive(Default)]
-pub struct Keep(pub Vec<Record>);
-
-impl Observer<Shell> for Keep {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0.push(*record);
-        ControlFlow::Continue(())
+/// All records of a march.
+pub fn records(plan: impl Into<Plan>, body: &mut Shell) -> Result<Vec<Record>, MarchError> {
+    let (mut records, mut march) = (Vec::new(), March::start(plan, body)?);
+    while let Some(record) = march.next_record(body)? {
+        records.push(record);
     }
+    Ok(records)
 }
 
 /// Energy missing or made in three seconds of free flight at a part of the stable step, over that at the start.
 pub fn energy_error(mut body: Shell, safety: f64) -> f64 {
-    let mut keep = Keep::default();
     let run = Transient { duration: 3.0, record_every: 0.02, damping: 0.0, safety };
-    run.march(&mut body, &mut keep).unwrap();
-    let start = keep.0[0].energy;
-    let worst = keep.0.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
+    let records = records(run, &mut body).unwrap();
+    let start = records[0].energy;
+    let worst = records.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
     worst / (start.kinetic + start.internal)
 }

@@ -1,9 +1,8 @@
 //! Fluids with one kind of structure in them, and strips of shell that stand for plates in plane problems.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
-use explicit_dynamics::{Amplitude, BoundaryState, Observer, Record, Transient, TwoClocks, Wetted};
+use explicit_dynamics::{Amplitude, BoundaryState, March, Record, Transient, TwoClocks, Wetted};
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Structure, Wall};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Vec3};
@@ -155,14 +154,6 @@ pub fn coupled<S: Wetted>(parts: Parts, bodies: Vec<S>) -> Result<Coupled<S>, Bo
     Ok(TwoClocks::new(fluid, bodies.into_iter().map(Box::new).collect()))
 }
 
-struct Watch<F>(F);
-
-impl<S, F: FnMut(&mut S, &Record) -> ControlFlow<()>> Observer<S> for Watch<F> {
-    fn record(&mut self, system: &mut S, record: &Record) -> ControlFlow<()> {
-        (self.0)(system, record)
-    }
-}
-
 /// Marches at 0.9 of the stable step of the structures, the whole one of the fluid, and shows the system at
 /// equal intervals; damping \[1/T\] acts on structures alone. Returns the steps of the fluid.
 ///
@@ -175,9 +166,9 @@ pub fn march<S: explicit_dynamics::Dynamics>(
     mut show: impl FnMut(&mut S, &Record),
 ) -> Result<u64, Box<dyn Error>> {
     let run = Transient { duration, record_every, damping, safety: 0.9 };
-    let watch = |system: &mut S, record: &Record| {
-        show(system, record);
-        ControlFlow::Continue(())
-    };
-    Ok(run.march(system, &mut Watch(watch))?.steps)
+    let mut march = March::start(run, system)?;
+    while let Some(record) = march.next_record(system)? {
+        show(system, &record);
+    }
+    Ok(march.clock().steps)
 }

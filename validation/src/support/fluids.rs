@@ -1,11 +1,10 @@
 //! Fluids: how boxes are filled and walled, marches that are watched, and what a study of one leaves behind.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 use benchmarks_ref::reference;
-use explicit_dynamics::{Dynamics, MarchError, Observer, Record, Transient};
+use explicit_dynamics::{Dynamics, March, MarchError, Record, Transient};
 use fluid_sph::{Fluid, Formulation, Liquid, Parts, Scheme, Start, Wall, WallRule};
 use sph_core::{Vec3, basin_rows};
 
@@ -120,22 +119,6 @@ pub fn domain(size: [f64; 3], dimensions: usize, spacing: f64) -> [Vec3; 2] {
     [Vec3::from([-spacing; 3]), high]
 }
 
-struct Watch<'a, F> {
-    show: F,
-    balanced: &'a mut Balanced,
-    missing: f64,
-    last: Option<Record>,
-}
-
-impl<F: FnMut(&mut Fluid, &Record) -> ControlFlow<()>> Observer<Fluid> for Watch<'_, F> {
-    fn record(&mut self, fluid: &mut Fluid, record: &Record) -> ControlFlow<()> {
-        self.balanced.see(record);
-        self.missing = self.missing.max(record.balance_error.abs());
-        self.last = Some(*record);
-        (self.show)(fluid, record)
-    }
-}
-
 /// What a march of a fluid was.
 #[derive(Clone, Debug)]
 pub struct Marched {
@@ -157,17 +140,25 @@ pub fn march(
     fluid: &mut Fluid,
     duration: f64,
     record_every: f64,
-    show: impl FnMut(&mut Fluid, &Record) -> ControlFlow<()>,
+    mut show: impl FnMut(&mut Fluid, &Record),
 ) -> Marched {
     let started = Instant::now();
-    let mut balanced = Balanced::default();
-    let mut watch = Watch { show, balanced: &mut balanced, missing: 0.0, last: None };
+    let (mut balanced, mut missing, mut last) = (Balanced::default(), 0.0_f64, None);
     let run = Transient { duration, record_every, damping: 0.0, safety: 1.0 };
-    let ended: Result<_, MarchError> = run.march(fluid, &mut watch);
-    let (last, missing) = (watch.last, watch.missing);
+    let mut led = || {
+        let mut march = March::start(run, fluid)?;
+        while let Some(record) = march.next_record(fluid)? {
+            balanced.see(&record);
+            missing = missing.max(record.balance_error.abs());
+            last = Some(record);
+            show(fluid, &record);
+        }
+        Ok::<_, MarchError>(march.clock().clone())
+    };
+    let ended = led();
     let (steps, until) = match &ended {
         Ok(clock) => (clock.steps, clock.now.time),
-        Err(_) => last.map_or((0, 0.0), |record| (record.step, record.at.time)),
+        Err(_) => last.map_or((0, 0.0), |record: Record| (record.step, record.at.time)),
     };
     Marched { started, steps, until, balanced, missing, failure: ended.err().map(|error| error.to_string()) }
 }

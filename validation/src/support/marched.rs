@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use coque::{Column, Curve};
-use explicit_dynamics::{Observer, Record, Transient};
+use explicit_dynamics::{March, Record, Transient};
 use peridynamics::{Law, Solid};
 
 use crate::judge::{Outcome, Solver};
@@ -19,15 +19,7 @@ pub fn method(law: Law) -> &'static str {
     if law == Law::BondBased { PAIRWISE } else { STATE }
 }
 
-struct Watch<F>(F);
-
-impl<F: FnMut(&mut Solid, &Record) -> ControlFlow<()>> Observer<Solid> for Watch<F> {
-    fn record(&mut self, body: &mut Solid, record: &Record) -> ControlFlow<()> {
-        (self.0)(body, record)
-    }
-}
-
-/// Marches a body without damping at 0.9 of the stable step and shows it at equal intervals; returns the steps done.
+/// Marches a body without damping at 0.9 of the stable step and shows it at equal intervals, to the end or to `Break`; returns the steps done.
 ///
 /// # Errors
 /// A motion that diverges.
@@ -35,10 +27,18 @@ pub fn march(
     body: &mut Solid,
     duration: f64,
     record_every: f64,
-    show: impl FnMut(&mut Solid, &Record) -> ControlFlow<()>,
+    mut show: impl FnMut(&mut Solid, &Record) -> ControlFlow<()>,
 ) -> Result<u64, Box<dyn Error>> {
     let run = Transient { duration, record_every, damping: 0.0, safety: 0.9 };
-    Ok(run.march(body, &mut Watch(show))?.steps)
+    let mut march = March::start(run, body)?;
+    while let Some(record) = march.next_record(body)? {
+        if show(body, &record).is_break() {
+            // The step that the record was taken in is done to its end.
+            march.advance(body)?;
+            break;
+        }
+    }
+    Ok(march.clock().steps)
 }
 
 /// The greatest error of the energy balance of a march, and what it is measured by.

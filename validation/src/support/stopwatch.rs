@@ -4,8 +4,6 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use coque::{Progress, ProgressReport};
-use explicit_dynamics::{MarchState, Observer, Record};
-use sph_shell::Shell;
 use stats_alloc::INSTRUMENTED_SYSTEM;
 
 /// What a look sees.
@@ -74,7 +72,8 @@ impl Stopwatch {
         Some([self.start?, self.end?])
     }
 
-    fn between(&mut self, steps: u64) -> ControlFlow<()> {
+    /// Looks, if it is time to, after so many steps; `Break` once both looks are taken.
+    pub fn between(&mut self, steps: u64) -> ControlFlow<()> {
         if steps == self.from {
             self.start = Some(Look::now());
         }
@@ -90,16 +89,5 @@ impl Stopwatch {
 impl Progress for Stopwatch {
     fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
         self.between(news.steps)
-    }
-}
-
-/// Without coque: asked by the loop itself.
-impl Observer<Shell> for Stopwatch {
-    fn record(&mut self, _: &mut Shell, _: &Record) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn between(&mut self, _: &mut Shell, at: &MarchState, _: f64) -> ControlFlow<()> {
-        self.between(at.clock.steps)
     }
 }

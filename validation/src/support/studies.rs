@@ -1,11 +1,10 @@
 //! Studies: runs that are no scene. Shells of any scene and method, states to start from, and what a study leaves behind.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use coque::{Model, Rendering, Scene, SceneError, Silent, render, warnings};
-use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Observer, Record, largest_eigenvalue};
+use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Record, largest_eigenvalue};
 use nalgebra::DMatrix;
 use sph_core::Vec3;
 use sph_shell::Shell;
@@ -111,17 +110,6 @@ pub fn figure(run: &Run, name: &str, unit: &str) -> Result<Found, JudgeError> {
     Ok(Metric::error(name, run.column(name)?.last().copied(), unit))
 }
 
-/// Keeps the last record.
-#[derive(Default)]
-pub struct Last(pub Option<Record>);
-
-impl Observer<Shell> for Last {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0 = Some(*record);
-        ControlFlow::Continue(())
-    }
-}
-
 /// Steps of `blocks` blocks of `each` steps; after every block `look` sees the shell and a record taken there.
 pub fn march(
     clock: &mut Clock,
@@ -129,12 +117,9 @@ pub fn march(
     [blocks, each]: [u64; 2],
     mut look: impl FnMut(&Shell, &Record),
 ) -> Result<(), MarchError> {
-    let mut last = Last::default();
     for block in 0..=blocks {
-        clock.recorded_step(shell, &mut last, false, f64::INFINITY, |_| 1.0)?.is_break();
-        if let Some(record) = &last.0 {
-            look(shell, record);
-        }
+        let record = clock.recorded_step(shell)?;
+        look(shell, &record);
         for _ in 1..if block < blocks { each } else { 1 } {
             clock.step(shell, f64::INFINITY, |_| 1.0)?;
         }

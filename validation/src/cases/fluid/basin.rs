@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts};
 use sph_core::Vec3;
@@ -104,7 +103,6 @@ fn swung(dx: f64, formulation: Formulation) -> Result<Outcome, Box<dyn Error>> {
             }
             signal.push((record.at.time, along / whole));
         }
-        ControlFlow::Continue(())
     });
     let [first, second] = signals.each_ref().map(|signal| frequency(signal));
     let figures = [

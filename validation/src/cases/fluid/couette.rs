@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use explicit_dynamics::Amplitude;
 use fluid_sph::{Fluid, Formulation, Motion, Parts, Rotation, Start, Wall};
@@ -125,7 +124,6 @@ fn turned(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Er
             }
             records += 1.0;
         }
-        ControlFlow::Continue(())
     });
     let figures = [
         (PROFILE, "%", 100.0 * (squares / seen as f64).sqrt()),

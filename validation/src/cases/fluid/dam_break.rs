@@ -1,7 +1,6 @@
 //! dam-break-front: a column twice as high as wide falls on a dry bed; how far its front is, against two experiments.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use benchmarks_ref::reference;
 use fluid_sph::{Fluid, Formulation, Parts};
@@ -166,7 +165,6 @@ impl Column {
                 100.0 * energies.viscous / start,
                 100.0 * energies.diffusion / start,
             ]);
-            ControlFlow::Continue(())
         });
         let balance = marched.balanced.percent();
         rows.iter_mut().for_each(|row| row.push(balance));

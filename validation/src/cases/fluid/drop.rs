@@ -1,7 +1,6 @@
 //! elliptical-drop: a round drop in the flow v = 100 (−x, y) becomes an ellipse whose axes are known.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts, Start};
 use sph_core::Vec3;
@@ -106,7 +105,7 @@ fn stretched(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn
     let before = [0, 1].map(|axis| extent(&positions, axis));
     let parts = water(2, dx, positions, SOUND, formulation);
     let mut fluid = Fluid::new(Parts { velocities, gravity: Vec3::zeros(), start: Start::Uniform, ..parts })?;
-    let marched = march(&mut fluid, DURATION, DURATION / 20.0, |_, _| ControlFlow::Continue(()));
+    let marched = march(&mut fluid, DURATION, DURATION / 20.0, |_, _| {});
     let after = [0, 1].map(|axis| extent(fluid.positions(), axis));
     let exact = growing_axis(DURATION);
     let off = |ratio: f64| 100.0 * (ratio - 1.0);

@@ -1,7 +1,6 @@
 //! dam-break-obstacle: SPHERIC test 2, a dam break in space that hits a box; fronts, heights, pressures of an experiment.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use benchmarks_ref::reference;
 use fluid_sph::{Fluid, Formulation, Parts, Wall};
@@ -169,7 +168,6 @@ fn broken(across: usize, until: f64, formulation: Formulation) -> Result<Outcome
         row.push(100.0 * fluid.greatest_density_error());
         row.extend(PROBES.iter().map(|&(_, at)| pressure(fluid, at)));
         rows.push(row);
-        ControlFlow::Continue(())
     });
     let balance = marched.balanced.percent();
     rows.iter_mut().for_each(|row| row.push(balance));

@@ -1,7 +1,6 @@
 //! fluid-speed: particle-steps a second and bytes a particle, of columns that fall, from 10⁴ to 10⁶ particles.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Parts};
 
@@ -62,7 +61,7 @@ fn timed(method: &str, dimensions: usize, across: usize) -> Result<Outcome, Box<
     let walls = wall.points.len();
     let mut fluid = Fluid::new(Parts { walls: vec![wall], ..parts })?;
     let step = 0.3 * fluid.smoothing_length() / sound;
-    let marched = march(&mut fluid, STEPS * step, STEPS * step, |_, _| ControlFlow::Continue(()));
+    let marched = march(&mut fluid, STEPS * step, STEPS * step, |_, _| {});
     let bytes = fluid.bytes_per_particle() as f64;
     let each = bytes * fluid.len() as f64 / (fluid.len() + walls) as f64;
     let outcome = marched.outcome(&mut fluid);

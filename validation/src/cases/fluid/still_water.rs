@@ -1,7 +1,6 @@
 //! still-water: a basin at rest; its pressure has to stay hydrostatic, and nothing may move.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts, WallRule};
 
@@ -125,7 +124,7 @@ impl Basin {
         let (mut kinetic, mut force, mut records) = (0.0, 0.0, 0.0);
         let marched = march(&mut fluid, PERIODS * period, 0.1 * period, |fluid, record| {
             if record.step == 0 {
-                return ControlFlow::Continue(());
+                return;
             }
             for (place, pressure) in fluid.positions().iter().zip(fluid.pressures()) {
                 let height = place[up];
@@ -140,7 +139,6 @@ impl Basin {
             kinetic += record.energy.kinetic;
             force += fluid.wall_force(0)[up];
             records += 1.0;
-            ControlFlow::Continue(())
         });
         let weight = fluid.len() as f64 * fluid.mass() * GRAVITY;
         let figures = [

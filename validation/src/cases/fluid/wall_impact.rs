@@ -1,7 +1,6 @@
 //! wall-impact: a dam break hits a wall; when, and with what pressure, against an experiment.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts};
 use sph_core::Vec3;
@@ -102,7 +101,6 @@ fn hit(high: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error>>
             rows.push(vec![time, mean(0), mean(1), mean(2), 100.0 * fluid.greatest_density_error()]);
             window.clear();
         }
-        ControlFlow::Continue(())
     });
     let balance = marched.balanced.percent();
     rows.iter_mut().for_each(|row| row.push(balance));

@@ -1,9 +1,8 @@
 //! energy-drift: a bent strip is let go and swings without damping for 10⁶ steps; the energy has to stay.
 
-use std::ops::ControlFlow;
 use std::time::Instant;
 
-use explicit_dynamics::{Dynamics, MarchError, Observer, Record, Transient};
+use explicit_dynamics::{Dynamics, March, MarchError, Transient};
 use implicit_statics::{Newton, NewtonOptions};
 use sph_shell::{Shell, StaticShell};
 
@@ -68,35 +67,32 @@ fn let_go(loaded: Shell, mut free: Shell) -> Result<Shell, String> {
     Ok(free)
 }
 
-/// Keeps total energies.
-struct Totals(Vec<f64>);
-
-impl Observer<Shell> for Totals {
-    fn record(&mut self, _: &mut Shell, record: &Record) -> ControlFlow<()> {
-        self.0.push(record.energy.kinetic + record.energy.internal);
-        ControlFlow::Continue(())
-    }
-}
-
 fn swing(mut shell: Shell, steps: u64) -> Result<Outcome, String> {
     let started = Instant::now();
     let dt = shell.stable_step(SAFETY).map_err(|e| e.to_string())?.dt;
     let duration = dt * steps as f64;
-    let mut totals = Totals(Vec::new());
+    let mut totals = Vec::new();
     let run = Transient { duration, record_every: duration / RECORDS as f64, damping: 0.0, safety: SAFETY };
-    let ended = run.march(&mut shell, &mut totals);
+    let mut march = March::start(run, &mut shell).map_err(|e| e.to_string())?;
+    let ended = loop {
+        match march.next_record(&mut shell) {
+            Ok(Some(record)) => totals.push(record.energy.kinetic + record.energy.internal),
+            Ok(None) => break Ok(march.clock().steps),
+            Err(error) => break Err(error),
+        }
+    };
     let (done, failure) = match ended {
-        Ok(clock) => (clock.steps, None),
+        Ok(steps) => (steps, None),
         Err(MarchError::Diverged { step, .. } | MarchError::OutOfBounds { step, .. }) => {
             (step, Some(format!("diverged at step {step}")))
         }
         Err(error) => return Err(error.to_string()),
     };
-    let tenth = (totals.0.len() / 10).max(1);
+    let tenth = (totals.len() / 10).max(1);
     let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
-    let given = totals.0[0];
-    let drift = (mean(&totals.0[totals.0.len() - tenth..]) - mean(&totals.0[..tenth])) / given;
-    let worst = totals.0.iter().fold(0.0_f64, |worst, e| worst.max((e / given - 1.0).abs()));
+    let given = totals[0];
+    let drift = (mean(&totals[totals.len() - tenth..]) - mean(&totals[..tenth])) / given;
+    let worst = totals.iter().fold(0.0_f64, |worst, e| worst.max((e / given - 1.0).abs()));
     let part = done as f64 / steps as f64;
     let figures = [(DRIFT, "%", 100.0 * drift), (SWING, "%", 100.0 * worst), (DONE, "-", part)];
     Ok(outcome(&shell, done, started, &figures, failure))

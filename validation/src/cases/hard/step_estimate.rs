@@ -2,14 +2,14 @@
 
 use std::time::Instant;
 
-use explicit_dynamics::{Damping, Dynamics, QuasiStatic};
+use explicit_dynamics::{Damping, Dynamics, March, QuasiStatic};
 use nalgebra::SymmetricEigen;
 use sph_shell::Shell;
 
 use crate::Outcome;
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::support::scenes;
-use crate::support::studies::{ENERGY, Last, SHOWN, dense_tangent, figure, outcome, study};
+use crate::support::studies::{ENERGY, SHOWN, dense_tangent, figure, outcome, study};
 use crate::{JudgeError, Metric};
 
 const RATIO: &str = "estimate over true step";
@@ -57,7 +57,8 @@ fn run(mut shell: Shell, level: f64, period: f64) -> Result<Outcome, String> {
         accuracy: 5e-3,
         safety: 0.8,
     };
-    let clock = path.march(&mut shell, &mut Last::default()).map_err(|e| e.to_string())?;
+    let march = March::start(path, &mut shell).map_err(|e| e.to_string())?;
+    let clock = march.finish(&mut shell).map_err(|e| e.to_string())?;
     let estimate = step(&mut shell)?;
     let matrix = dense_tangent(&mut shell);
     let symmetric = (&matrix + matrix.transpose()) * 0.5;

@@ -1,11 +1,9 @@
 //! unstructured: plates, hemispheres and closed caps on meshes without a lattice: triangles, blocks, slivers, poles.
 
-use std::ops::ControlFlow;
-
 use coque::warnings;
-use explicit_dynamics::{Damping, LevelReached, Observer, QuasiStatic, Record};
+use explicit_dynamics::{Damping, Event, March, QuasiStatic};
 use sph_core::{Cloud, Vec3};
-use sph_shell::{Clamped, Held, Pressure, Shell, SymmetryPlane};
+use sph_shell::{Clamped, Held, Pressure, SymmetryPlane};
 
 use super::causes::{CONTRADICTION, NODAL, OTHER_PARTICLES, UNEVEN};
 use crate::Outcome;
@@ -222,10 +220,15 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
         accuracy: 5e-3,
         safety: 0.8,
     };
-    let mut rest = Rest(true);
-    let clock = run.march(&mut shell, &mut rest).map_err(|error| error.to_string())?;
-    if !rest.0 {
-        return Err("still moving at the end of a hold".into());
+    let mut march = March::start(run, &mut shell).map_err(|error| error.to_string())?;
+    loop {
+        match march.advance(&mut shell).map_err(|error| error.to_string())? {
+            Event::Level(reached) if !reached.settled => {
+                return Err("still moving at the end of a hold".into());
+            }
+            Event::End => break,
+            _ => {}
+        }
     }
     let half: f64 = 0.5 * 0.7 * 0.1;
     let stretch = half + (1.0 + half * half).sqrt();
@@ -233,20 +236,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
     let (low, high) = grown.fold((f64::INFINITY, 0.0_f64), |(low, high), w| (low.min(w), high.max(w)));
     // The worst particle, poles and corners of blocks included.
     let worst = if (high - 1.0).abs() > (low - 1.0).abs() { high } else { low };
-    Ok(Outcome { steps: clock.steps, warnings, ..found(&cloud, worst) })
-}
-
-/// Whether every level came to rest.
-struct Rest(bool);
-
-impl Observer<Shell> for Rest {
-    fn record(&mut self, _: &mut Shell, _: &Record) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn level(&mut self, reached: &LevelReached) {
-        self.0 &= reached.settled;
-    }
+    Ok(Outcome { steps: march.clock().steps, warnings, ..found(&cloud, worst) })
 }
 
 fn found(cloud: &Cloud, ratio: f64) -> Outcome {

@@ -7,7 +7,7 @@ use std::time::Duration;
 use coque::{
     Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, SceneError, render,
 };
-use explicit_dynamics::{Dynamics, Transient};
+use explicit_dynamics::{Dynamics, Event, March, Transient};
 use nalgebra::Rotation3;
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{EndWeights, Plate, Vec3, lattice};
@@ -72,7 +72,13 @@ pub fn measure_row(row: &Row, side: usize, steps: u64) -> Result<Measurement, St
         let mut shell = shell_without_scene(side)?;
         stir(&mut shell);
         let run = Transient { duration: DURATION, record_every: DURATION, damping: 0.0, safety: SAFETY };
-        run.march(&mut shell, &mut watch).map_err(|error| error.to_string())?;
+        let mut march = March::start(run, &mut shell).map_err(|error| error.to_string())?;
+        loop {
+            let event = march.advance(&mut shell).map_err(|error| error.to_string())?;
+            if event == Event::End || watch.between(march.clock().steps).is_break() {
+                break;
+            }
+        }
         Body::of(&shell)
     } else {
         let mut shell = shell(row)?;

@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Parts, Wall};
 use sph_core::{Vec3, WallSide, polyline_rows};
@@ -91,7 +90,6 @@ fn settled(method: &str, high: usize) -> Result<Outcome, Box<dyn Error>> {
             let speed = fluid.velocities().iter().map(|v| v.norm()).fold(0.0, f64::max);
             fastest = fastest.max(speed / (GRAVITY * DEPTH).sqrt());
         }
-        ControlFlow::Continue(())
     });
     let reported = sum / count;
     let weight = fluid.len() as f64 * fluid.mass() * GRAVITY;

@@ -1,7 +1,6 @@
 //! fluid-jet: a free jet hits a plate; what it pushes with is its flux of momentum.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts, Start, Wall};
 use sph_core::{Vec3, basin_rows};
@@ -93,7 +92,6 @@ fn hit(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error
             force += fluid.wall_force(0).x;
             records += 1.0;
         }
-        ControlFlow::Continue(())
     });
     let figures = [
         (FORCE, "N/m", force / records),

@@ -1,7 +1,6 @@
 //! fluid-kernel-width: the column that falls on a dry bed, with smoothing lengths from 1.1 to 2 spacings.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts};
 
@@ -51,7 +50,7 @@ fn fallen(smoothing: f64) -> Result<Outcome, Box<dyn Error>> {
     let wall = basin(BASIN, 2, dx, &formulation)?;
     let mut fluid = Fluid::new(Parts { walls: vec![wall], domain: Some(domain(BASIN, 2, dx)), ..parts })?;
     let until = 2.5 * (COLUMN[0] / (2.0 * GRAVITY)).sqrt();
-    let marched = march(&mut fluid, until, 0.1 * until, |_, _| ControlFlow::Continue(()));
+    let marched = march(&mut fluid, until, 0.1 * until, |_, _| {});
     let front = fluid.positions().iter().map(|place| place.x).fold(0.0, f64::max) + 0.5 * dx;
     let figures = [
         (FRONT, "-", front / COLUMN[0]),

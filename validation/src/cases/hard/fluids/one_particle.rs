@@ -1,7 +1,6 @@
 //! fluid-one-particle: a single particle falls, alone and on a floor.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Parts, Start};
 use sph_core::Vec3;
@@ -59,7 +58,6 @@ fn flown(method: &str, dimensions: usize) -> Result<Outcome, Box<dyn Error>> {
         let time = record.at.time;
         let exact = thrown * time + gravity * (0.5 * time * time);
         off = off.max((fluid.positions()[0] - exact).norm());
-        ControlFlow::Continue(())
     });
     Ok(marched.outcome(&mut fluid).showing(&[(FLIGHT, "-", off / thrown.norm())]))
 }
@@ -77,7 +75,6 @@ fn fallen(method: &str, dimensions: usize) -> Result<Outcome, Box<dyn Error>> {
         let energies = fluid.energies();
         lowest = lowest.min(fluid.positions()[0][up]);
         most = most.max((energies.kinetic + energies.compression + energies.potential) / start);
-        ControlFlow::Continue(())
     });
     let figures = [(LOWEST, "Δx", lowest / DX), (ENERGY, "-", most)];
     Ok(marched.outcome(&mut fluid).showing(&figures))

@@ -1,7 +1,6 @@
 //! fluid-refused: runs that cannot go well have to end with an error that says when and where.
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use fluid_sph::{Fluid, Formulation, Parts};
 use sph_core::Vec3;
@@ -71,7 +70,7 @@ fn ended(wrong: Wrong, formulation: Formulation) -> Result<Outcome, Box<dyn Erro
     };
     let domain = Some(domain(BASIN, 2, DX));
     let mut fluid = Fluid::new(Parts { walls: vec![wall], gravity, velocities, domain, ..parts })?;
-    let marched = march(&mut fluid, 1.0, 0.01, |_, _| ControlFlow::Continue(()));
+    let marched = march(&mut fluid, 1.0, 0.01, |_, _| {});
     let finite = fluid.positions().iter().all(|place| place.iter().all(|x| x.is_finite()));
     let figures = [(TIME, "s", marched.until), ("finite", "-", f64::from(u8::from(finite)))];
     Ok(marched.outcome(&mut fluid).showing(&figures))

@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use explicit_dynamics::Amplitude;
 use fluid_sph::{Fluid, Motion, Parts, Rotation, Wall};
@@ -89,7 +88,6 @@ fn rolled(method: &str, deep: usize) -> Result<Outcome, Box<dyn Error>> {
                 counts[which] += 1.0;
             }
         }
-        ControlFlow::Continue(())
     });
     let [early, late] = [0, 1].map(|k| swings[k] / counts[k]);
     let figures = [

@@ -1,0 +1,103 @@
+//! The course of an analysis: which one it is, and how far it has come. It has an arm for each analysis.
+
+use std::ops::ControlFlow;
+
+use explicit_dynamics::Instant;
+
+use super::march::Marching;
+use super::one_solve::OneSolveLevels;
+use super::path::{Levels, arc_length};
+use super::relaxation::RelaxedLevels;
+use super::{linear, modes};
+use crate::bodies::{Ready, TangentCost};
+use crate::run::Run;
+use crate::run::checkpoint::Stage;
+use crate::run::outcome::{Ended, Failure};
+use crate::scene::{Analysis, ArcLength, Buckling, Linear, Modal};
+
+/// An analysis under way.
+pub(super) enum Course {
+    /// In time, a step at once.
+    March(Box<Marching>),
+    /// A level at once.
+    Levels(Box<Levels>),
+    OneSolve(Box<OneSolveLevels>),
+    Relaxation(Box<RelaxedLevels>),
+    /// All at once.
+    Linear(Linear),
+    ArcLength(ArcLength),
+    Modal(Modal),
+    Buckling(Buckling),
+}
+
+impl Course {
+    /// From the start, or from where an earlier run stood; of a body whose tangent costs so much, and that has so many particles.
+    pub fn new(analysis: &Analysis, body: (TangentCost, usize), from: Option<Stage>) -> Self {
+        match analysis {
+            Analysis::Explicit(wanted) => Self::March(Box::new(Marching::new(wanted, body, from))),
+            Analysis::Static(wanted) if wanted.one_solve => {
+                Self::OneSolve(Box::new(OneSolveLevels::new(wanted, from)))
+            }
+            Analysis::Static(wanted) => Self::Levels(Box::new(Levels::new(wanted, from))),
+            Analysis::Relaxation(wanted) => Self::Relaxation(Box::new(RelaxedLevels::new(wanted, from))),
+            Analysis::Linear(wanted) => Self::Linear(*wanted),
+            Analysis::ArcLength(wanted) => Self::ArcLength(wanted.clone()),
+            Analysis::Modal(wanted) => Self::Modal(*wanted),
+            Analysis::Buckling(wanted) => Self::Buckling(*wanted),
+        }
+    }
+
+    /// Does the next part; `Break` with how the run ends, which may be with this part.
+    pub fn advance(
+        &mut self,
+        analysis: &Analysis,
+        body: &mut Ready,
+        run: &mut Run<'_>,
+    ) -> ControlFlow<Ended> {
+        match (self, body) {
+            (Self::March(march), Ready::Dynamic(body)) => march.advance(body.as_mut(), run),
+            (Self::Levels(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
+            (Self::OneSolve(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
+            (Self::Relaxation(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
+            (Self::Linear(wanted), Ready::Static(body)) => {
+                ControlFlow::Break(linear::linear(wanted, body.as_mut(), run))
+            }
+            (Self::ArcLength(wanted), Ready::Static(body)) => {
+                ControlFlow::Break(arc_length(wanted, body.as_mut(), run))
+            }
+            (Self::Modal(wanted), Ready::Static(body)) => {
+                ControlFlow::Break(modes::modal(wanted.modes, body.as_mut(), run))
+            }
+            (Self::Buckling(wanted), Ready::Static(body)) => {
+                ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
+            }
+            (Self::March(_), Ready::Static(_)) => refused(analysis, "a body that is marched"),
+            (_, Ready::Dynamic(_)) => refused(analysis, "a body without time"),
+        }
+    }
+
+    /// Ends it where it stands, as soon as that is between two of its parts.
+    pub fn interrupt(&mut self, body: &mut Ready, run: &mut Run<'_>) -> Ended {
+        if let (Self::March(march), Ready::Dynamic(body)) = (&mut *self, body) {
+            return march.interrupt(body.as_mut(), run);
+        }
+        let Instant { time, level } = self.stands_at();
+        Ended::Interrupted { time, level }
+    }
+
+    /// Time \[T\], zero without time, and the load level that was last reached.
+    pub fn stands_at(&self) -> Instant {
+        let level = match self {
+            Self::March(march) => return march.stands_at(),
+            Self::Levels(levels) => levels.last(),
+            Self::OneSolve(levels) => levels.last(),
+            Self::Relaxation(levels) => levels.last(),
+            Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Buckling(_) => 0.0,
+        };
+        Instant { time: 0.0, level }
+    }
+}
+
+fn refused(analysis: &Analysis, wanted: &'static str) -> ControlFlow<Ended> {
+    ControlFlow::Break(Ended::Diverged(Failure::Kind { analysis: analysis.kind().name, wanted }))
+}
