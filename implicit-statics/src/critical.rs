@@ -1,11 +1,11 @@
-//! Critical points: located between converged points, distinguished, and left along another branch.
+//! Critical points: located between converged points, and distinguished.
 
-use crate::newton::Constraint;
-use crate::options::{CriticalOptions, NewtonOptions};
-use crate::path::{CriticalKind, CriticalPoint, Passage, Passed, Start};
+use crate::branch::leaves;
+use crate::options::CriticalOptions;
+use crate::path::{CriticalKind, CriticalPoint, Passage, Passed};
 use crate::stepper::Stepper;
 use crate::vectors::dot;
-use crate::{Converged, Equilibrium, EquilibriumError, Increment, Newton};
+use crate::{Converged, Equilibrium, EquilibriumError, Newton};
 
 /// Where a bracket is cut: in its middle, or elsewhere if no equilibrium is found there.
 const PARTS: [f64; 5] = [0.5, 0.37, 0.63, 0.21, 0.79];
@@ -25,8 +25,8 @@ struct Edge {
     weakest: f64,
 }
 
-/// Every change of the number of negative pivots within one step of the given size, by bisection of the size; a bracket
-/// where that fails.
+/// Every change of the number of negative pivots within one step of the given size, by bisection of the size, a bracket
+/// where that fails; up to the bifurcation at which the path is left, if it is.
 ///
 /// The state stands where the step begins and is left elsewhere; `converged` and `state` are its end. Pairs of changes
 /// that cancel within one step are not seen.
@@ -53,7 +53,13 @@ pub(crate) fn locate_all<E: Equilibrium + ?Sized>(
         let narrowed = high.size - low.size <= options.tolerance * size;
         let point = if narrowed { tell(stepper, system, &low, &high, options).ok() } else { None };
         match point {
-            Some(point) => found.push(point),
+            Some(point) => {
+                let left = leaves(options.branches, &point);
+                found.push(point);
+                if left {
+                    break;
+                }
+            }
             None => passages.push(Passage {
                 step: stepper.newton.step,
                 levels: (low.level, high.level),
@@ -138,6 +144,7 @@ fn tell<E: Equilibrium + ?Sized>(
         negative: (low.negative, high.negative),
         state: low.state.clone(),
         state_level: low.level,
+        left: false,
     };
     Ok(point)
 }
@@ -170,37 +177,4 @@ fn participation<E: Equilibrium + ?Sized>(newton: &Newton, system: &mut E, level
     let load: f64 = (0..mode.len()).map(|i| (rate[i] * scale[i]).powi(2)).sum();
     let motion: f64 = (0..mode.len()).map(|i| (mode[i] / scale[i]).powi(2)).sum();
     if load > 0.0 { dot(&rate, mode).abs() / (load * motion).sqrt() } else { 0.0 }
-}
-
-/// Leaves a bifurcation along its mode: from its state, moves `amplitude` times the mode and finds the
-/// equilibrium and level with that much of the mode in the motion \[wagner1988\].
-///
-/// The system then stands on the branch, from which the returned start continues by arc length. The sign of
-/// the amplitude chooses the side. A small amplitude may be lost in rounding: a thousandth of a typical size
-/// of the structure is a good first choice.
-pub fn switch_branch<E: Equilibrium + ?Sized>(
-    system: &mut E,
-    point: &CriticalPoint,
-    amplitude: f64,
-    options: &NewtonOptions,
-) -> Result<Start, EquilibriumError> {
-    let mut newton = Newton::new(system, options)?;
-    newton.step = point.step;
-    newton.go_back(system, &point.state);
-    let motion: Vec<f64> = point.mode.iter().map(|m| amplitude * m).collect();
-    let square = dot(&point.mode, &point.mode);
-    let weights: Vec<f64> = point.mode.iter().map(|m| m / square).collect();
-    let mut increment = Increment { motion, level: point.level - point.state_level };
-    newton.advance(system, &increment.motion);
-    let constraint = Constraint::Functional { weights: &weights, target: amplitude };
-    match newton.correct(system, point.level, &mut increment, &constraint, false) {
-        Ok(converged) => {
-            system.accept();
-            Ok(Start { level: converged.level, heading: Some(increment), stiffness: None })
-        }
-        Err(error) => {
-            newton.go_back(system, &point.state);
-            Err(error)
-        }
-    }
 }

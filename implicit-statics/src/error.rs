@@ -219,6 +219,19 @@ pub enum EquilibriumError {
         #[source]
         cause: Box<EquilibriumError>,
     },
+    /// No equilibrium was found on the branch that leaves a bifurcation.
+    #[error(
+        "step {step}, load level {level:.6e}: no equilibrium was found on the branch that leaves the bifurcation there; take smaller steps, or stay on the path and bend the body a little along the mode"
+    )]
+    NoBranch {
+        /// Step of the path.
+        step: usize,
+        /// Load level of the bifurcation.
+        level: f64,
+        /// Why the last trial failed, if it did not end on another branch.
+        #[source]
+        cause: Option<Box<EquilibriumError>>,
+    },
     /// Conjugate gradients did not converge.
     #[error(
         "conjugate gradients left {residual:.3e} of the load's energy norm after {iterations} iterations, must be below {bound:.1e}; allow more iterations, or use the direct solver"

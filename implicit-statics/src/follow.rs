@@ -5,6 +5,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::branch::take_branch;
 use crate::breaking::Limit;
 use crate::critical::locate_all;
 use crate::options::{Control, CriticalOptions, PathOptions};
@@ -80,7 +81,7 @@ fn march<E: Equilibrium + ?Sized>(
 ) -> Result<End, EquilibriumError> {
     options.check(system)?;
     let before = newton.effort;
-    let (mut stepper, converged, (mut size, first)) = Stepper::new(newton, system, start, options)?;
+    let (mut stepper, converged, (mut size, mut first)) = Stepper::new(newton, system, start, options)?;
     let unstable = converged.inertia.negative;
     let mut spent = stepper.newton.effort;
     let effort = spent.since(&before);
@@ -91,12 +92,14 @@ fn march<E: Equilibrium + ?Sized>(
         return Ok(End::Stopped);
     }
     let mut travelled = 0.0;
+    let critical =
+        options.critical.as_ref().map(|critical| critical.within(&options.control, kept == Keep::Yes));
     for step in 1..=options.steps {
         stepper.newton.step = step;
         let saved = system.save();
         let mut restarts = 0;
         let (asked, mut limit) = (size, Limit::from(system));
-        let (made, bound) = loop {
+        let (mut made, mut bound) = loop {
             let trial = clip(size, travelled, stepper.level, &options.control);
             match step_within(&mut stepper, system, &saved, trial, &options.control) {
                 Ok(done) if !strayed(&done.0, path, trial, first, &options.control) => {
@@ -125,11 +128,17 @@ fn march<E: Equilibrium + ?Sized>(
                 }
             }
         };
-        let size_made = stepper.size(&made.increment);
-        travelled += size_made;
-        if let Some(critical) = &options.critical {
+        let mut size_made = stepper.size(&made.increment);
+        if let Some(critical) = &critical {
             look_for_critical(&mut stepper, system, (&saved, &made, size_made), critical, options, path);
+            let step = (&saved[..], size_made, &options.control);
+            if let Some(branch) = take_branch(&mut stepper, system, path, step, critical.branches)? {
+                (made, bound) = (branch, false);
+                size_made = stepper.size(&made.increment);
+                (size, first) = (size_made, size_made);
+            }
         }
+        travelled += size_made;
         let StepOutcome { converged, increment, unstable, .. } = made;
         let ratio = options.target_iterations as f64 / converged.iterations.max(1) as f64;
         stepper.accept(system, &saved, converged.level, increment);

@@ -10,7 +10,7 @@
 //! | follow a path past limit and turning points | [`follow`] with a [`Control`] |
 //! | lead it by one linear answer a step, out of balance | [`OneSolve`] |
 //! | locate critical points on the way | [`CriticalOptions`] in [`PathOptions`] |
-//! | go over to another branch | [`switch_branch`] |
+//! | take the branch that leaves a bifurcation | [`Branches`] in [`CriticalOptions`]; from a point of a path that is done, [`switch_branch`] |
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
 //! | know frequencies | [`natural_modes`] |
 //! | estimate buckling loads | [`linear_buckling`] |
@@ -142,9 +142,21 @@
 //!                    else     bifurcation          CriticalKind::Bifurcation
 //! ```
 //!
-//! with norms scaled by the diagonal stiffness \[wriggers1990\] ([`CriticalPoint`]). [`switch_branch`] moves by a given
-//! amplitude along φ and finds the equilibrium with that much of the mode in its motion \[wagner1988\]. What was
-//! bracketed but not located is a [`Passage`].
+//! with norms scaled by the diagonal stiffness \[wriggers1990\] ([`CriticalPoint`]). What was bracketed but not located is a
+//! [`Passage`].
+//!
+//! An arc may take the branch that leaves ([`Branches`]) where the number of negative pivots goes from none to one at a bifurcation:
+//! in place of the step that passed it, one along ±φ from the near end of the bracket, to the equilibrium and level with an amplitude a of
+//! φ in the motion \[wagner1988\],
+//!
+//! ```text
+//! φ·M Δq = a φ·Mφ     |λ − λ_c| ≥ Δλ₀²/λ_c
+//! ```
+//!
+//! with Δλ₀ the first change of level of the path: a is doubled from the arc that passed the bifurcation on. Where λ goes by the square of
+//! a, this is the same part of the amplitude that doubles the level as Δλ₀ is of the level; later steps are counted in it. M are the masses,
+//! so that the first of the greatest entries `√m φ`, which a makes positive, is the same in any unit. The path stays where two modes are critical at
+//! once, and where it is unstable already.
 //!
 //! # Steps that leave their branch
 //!
@@ -205,6 +217,7 @@
 //! | slow modes in the span of the moves are found exactly and swing alike | `modes_in_the_span_are_found_and_swing_alike` (src/relaxation/deflation.rs) |
 //! | arc length passes limit and turning points, ends exactly at its bound | `arc_length_goes_through_both_limit_points_and_ends_at_the_bound`, `arc_length_passes_both_turning_points_of_the_displacement` |
 //! | limit points and bifurcations are distinguished and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
+//! | branches that rise or fall are taken to either side, mirror images to the last bit; limit points, loads and double points are left alone | `the_rigid_column_buckles_to_the_side_asked_for`, `a_branch_that_falls_is_followed_down`, `a_chain_bends_in_its_first_mode_and_its_mirror`, `a_double_bifurcation_is_not_left` (tests/branches.rs) |
 //! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
 //! | singular matrices are counted and never solved | `a_free_chain_is_singular_and_never_solved` |
 //! | factors repeat to the last bit | `factors_repeat_to_the_last_bit` |
@@ -217,6 +230,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod bounds;
+mod branch;
 mod breaking;
 mod buckling;
 mod critical;
@@ -243,9 +257,9 @@ mod symbolic;
 mod vectors;
 
 pub use bounds::OutOfBounds;
+pub use branch::switch_branch;
 pub use breaking::Breach;
 pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
-pub use critical::switch_branch;
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
 pub use equilibrium::{Equilibrium, row_sums};
 pub use error::EquilibriumError;
@@ -256,7 +270,9 @@ pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
 pub use one_solve::OneSolve;
-pub use options::{Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions};
+pub use options::{
+    Branches, Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions,
+};
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
 pub use solver::SymmetricSolver;

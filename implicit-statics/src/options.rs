@@ -121,18 +121,44 @@ impl PathOptions {
     }
 }
 
-/// How critical points are located.
+/// Which branch a path takes where it bifurcates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Branches {
+    /// The one it is on.
+    #[default]
+    Primary,
+    /// Where a stable path loses its stability in one mode: the branch that leaves along the mode, whose first greatest entry,
+    /// each times the root of its mass, is positive.
+    Stable,
+    /// The same to the other side.
+    StableReversed,
+}
+
+/// How critical points are located, and what is done there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CriticalOptions {
     /// Width of the last bracket in units of the step that crossed; default 1e-6.
     pub tolerance: f64,
     /// Participation of the load in the mode above which the point is a limit point; default 1e-4.
     pub participation: f64,
+    /// Which branch is taken at bifurcations, by arcs alone: load and displacement go where they are prescribed; default
+    /// [`Branches::Primary`].
+    pub branches: Branches,
+}
+
+impl CriticalOptions {
+    /// As they are on a path under a control: one that is only looked at stays on its branch, and so do steps of load and
+    /// displacement.
+    pub(crate) fn within(&self, control: &Control, kept: bool) -> Self {
+        let free = kept && matches!(control, Control::ArcLength { .. });
+        let branches = if free { self.branches } else { Branches::Primary };
+        Self { branches, ..self.clone() }
+    }
 }
 
 impl Default for CriticalOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-6, participation: 1e-4 }
+        Self { tolerance: 1e-6, participation: 1e-4, branches: Branches::Primary }
     }
 }
 

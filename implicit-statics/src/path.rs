@@ -113,6 +113,8 @@ pub struct CriticalPoint {
     pub kind: CriticalKind,
     /// `|p·φ| / (‖p‖ ‖φ‖)` (0 where p vanishes) with norms scaled by the diagonal stiffness: 0 … 1, the same in any unit.
     pub participation: f64,
+    /// Whether the path went over to the branch that leaves here.
+    pub left: bool,
     /// Critical mode φ, its largest entry 1.
     pub mode: Vec<f64>,
     /// Negative pivots before and after.

@@ -379,7 +379,7 @@ impl<'a> Stepper<'a> {
 }
 
 /// Weights of the norm of an increment: masses over their sum, the same for any mesh and unit; plain without masses.
-fn arc_weights<E: Equilibrium + ?Sized>(system: &E) -> Vec<f64> {
+pub(crate) fn arc_weights<E: Equilibrium + ?Sized>(system: &E) -> Vec<f64> {
     let masses = system.masses();
     let total: f64 = masses.iter().sum();
     if total > 0.0 { masses.iter().map(|m| m / total).collect() } else { vec![1.0; system.unknowns()] }

@@ -48,14 +48,16 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
     for critical in &path.critical {
         let kind = match critical.kind {
             CriticalKind::Limit => "limit point",
+            CriticalKind::Bifurcation if critical.left => "bifurcation, branch taken",
             CriticalKind::Bifurcation => "bifurcation",
         };
         let first = !found.critical.iter().any(|earlier| earlier.kind == kind);
         let (before, after) = critical.negative;
-        if critical.kind == CriticalKind::Bifurcation && after > before && first {
+        if critical.kind == CriticalKind::Bifurcation && after > before && first && !critical.left {
             let message = format!(
                 "beyond the bifurcation at {} the equilibria that follow are unstable in {after} of the ways to move: \
-                 the shell leaves this path there, and with a slight imperfection it may leave before",
+                 the shell leaves this path there, and with a slight imperfection it may leave before; `branches = \"stable\"` of \
+                 [analysis.arc-length] goes along",
                 place(critical.level)
             );
             found.warn(WarningKind::PassedCritical, message);

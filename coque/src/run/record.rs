@@ -232,7 +232,7 @@ impl LevelSummary {
 /// A singular tangent met on a path of equilibria.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CriticalSummary {
-    /// "limit point" or "bifurcation"; "turning point", "change of branch", "critical points, not located" or "doubtful
+    /// "limit point", "bifurcation" or "bifurcation, branch taken"; "turning point", "change of branch", "critical points, not located" or "doubtful
     /// step" where a warning says more.
     pub kind: String,
     /// Load level; with a `moved` support the force along the motion.

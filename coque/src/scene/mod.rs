@@ -78,8 +78,8 @@ pub use solid::geometry::{
 };
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use statics::{
-    ArcLength, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation, RelaxationDamping,
-    Static, Stop,
+    ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
+    RelaxationDamping, Static, Stop,
 };
 pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Spring, Support, SupportKind, Symmetry, Turned};
 pub use velocity::{Spin, Velocity};

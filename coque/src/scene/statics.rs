@@ -70,6 +70,23 @@ pub struct ArcLength {
     /// Iterations allowed before a step is cut in halves.
     #[serde(default = "usual_iterations")]
     pub iterations: usize,
+    /// Which branch is taken where the path bifurcates.
+    #[serde(default)]
+    pub branches: Branches,
+}
+
+/// Which branch of equilibria a path takes at a bifurcation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Branches {
+    /// The one it is on: a perfect body stays flat or straight beyond its critical load.
+    #[default]
+    Primary,
+    /// Where a stable path loses its stability in one mode, the branch that leaves it along the mode: the body buckles without an
+    /// imperfection. Limit points are passed, and unstable paths stay on their branch.
+    Stable,
+    /// The same branch to the other side, against the mode.
+    StableReversed,
 }
 
 /// Ends a path when a column of its curve exceeds a bound.

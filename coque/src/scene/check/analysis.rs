@@ -5,7 +5,9 @@ use crate::scene::error::SceneError;
 use crate::scene::levels::Levels;
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::statics::{ArcLength, Buckling, Linear, LinearSolver, Modal, Relaxation, Static, Stop};
+use crate::scene::statics::{
+    ArcLength, Branches, Buckling, Linear, LinearSolver, Modal, Relaxation, Static, Stop,
+};
 
 type Checked = Result<(), SceneError>;
 
@@ -78,14 +80,34 @@ impl Scene {
 
     /// What breaks does so in states of balance.
     fn check_one_solve(&self, one_solve: bool) -> Checked {
-        let breaks = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.fracture.is_some());
-        if !(one_solve && self.bodies.values().any(breaks)) {
+        if !(one_solve && self.has_fracture()) {
             return Ok(());
         }
         let bound = "false where bonds break (`fracture`): they do so in states of balance, which one solve a step does not find";
         let fault =
             self.scope().fault("analysis.static.one_solve", "true", bound, "remove it, or `fracture`");
         Err(SceneError::Choice(fault))
+    }
+
+    /// What breaks has its limit met by steps along one branch.
+    fn check_branches(&self, branches: Branches) -> Checked {
+        let given = match branches {
+            Branches::Primary => return Ok(()),
+            Branches::Stable => "\"stable\"",
+            Branches::StableReversed => "\"stable-reversed\"",
+        };
+        if !self.has_fracture() {
+            return Ok(());
+        }
+        let bound = "\"primary\" where bonds break (`fracture`): the first step on a branch does not end where the first bond breaks";
+        let fault =
+            self.scope().fault("analysis.arc-length.branches", given, bound, "remove it, or `fracture`");
+        Err(SceneError::Choice(fault))
+    }
+
+    fn has_fracture(&self) -> bool {
+        let breaks = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.fracture.is_some());
+        self.bodies.values().any(breaks)
     }
 
     /// Coarser unknowns are built on rigid motions, which only shells tell.
@@ -196,6 +218,7 @@ impl Scene {
         }
         s.positive(&at("radius"), path.radius)?;
         s.within(&at("steps"), path.steps as f64, [1.0, MOST_STEPS], "a few hundred are usual")?;
+        self.check_branches(path.branches)?;
         self.check_newton("analysis.arc-length", path.tolerance, path.iterations)
     }
 
