@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         levels: (1..=8).map(|i| f64::from(i) / 8.0).collect(),
         period: Some(PERIOD),
         ramp: 1.0,
-        dwell: 30.0,
+        hold: 30.0,
         damping: Damping::Ratio(0.7),
         tolerance: 1e-9,
         accuracy: 5e-3,

@@ -100,7 +100,7 @@ const ROWS: [(&str, f64, f64, f64); 20] = [
 fn what_settles_is_right_whatever_the_damping_and_the_period() {
     let (mut settled, mut unsettled) = (0, 0);
     println!(
-        "scene, damping, period, ramp, hold: error [%], kinetic/internal, out of balance, way left, steps"
+        "scene, damping, period, ramp, hold: error [%], kinetic/internal, out of balance, remaining displacement, steps"
     );
     for Problem { scene, grid, level, period, column } in PROBLEMS {
         let text = text(scene);
@@ -119,7 +119,7 @@ fn what_settles_is_right_whatever_the_damping_and_the_period() {
                 100.0 * error,
                 reached.kinetic_over_internal,
                 reached.out_of_balance,
-                reached.way_left,
+                reached.remaining_displacement,
                 reached.steps,
                 if reached.settled { "" } else { ", not settled" }
             );
@@ -244,7 +244,7 @@ fn an_unsettled_run_ends_with_a_code_and_a_last_line_of_its_own() {
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
     assert_eq!((&summary["ended"], &summary["warnings"][1]["kind"]), (&"done".into(), &"not-settled".into()));
-    assert!(summary["levels"][0]["way_left"].as_f64().unwrap() > 0.1, "{summary}");
+    assert!(summary["levels"][0]["remaining_displacement"].as_f64().unwrap() > 0.1, "{summary}");
 
     let over = format!("{PATH}.damping.ratio=1.0,100.0");
     let (output, out) = coque("sweep", &["sweep", scene, "--over", &over]);

@@ -245,13 +245,13 @@ fn one_solve_a_step_tells_how_far_off_it_is() {
     // Figures of the prototype, of four digits.
     assert!((last(&coarse, "w") - 0.0779).abs() < 1e-4 && (last(&fine, "w") - 0.1233).abs() < 1e-4);
     for (outcome, bound) in [(&coarse, 0.25), (&fine, 0.02)] {
-        let (w, reported) = (last(outcome, "w"), last(outcome, "way_left"));
+        let (w, reported) = (last(outcome, "w"), last(outcome, "remaining_displacement"));
         let ratio = reported / (exact / w - 1.0).abs();
         assert!((ratio - 1.0).abs() < bound, "{reported} reported of {w} for {exact}");
-        let worst = column(outcome, "way_left").into_iter().fold(0.0, f64::max);
+        let worst = column(outcome, "remaining_displacement").into_iter().fold(0.0, f64::max);
         let levels = &outcome.summary.record.levels;
-        assert_eq!(levels.iter().map(|level| level.way_left).fold(0.0, f64::max), worst);
-        assert!(levels.iter().all(|level| level.settled == (level.way_left <= 0.01)));
+        assert_eq!(levels.iter().map(|level| level.remaining_displacement).fold(0.0, f64::max), worst);
+        assert!(levels.iter().all(|level| level.settled == (level.remaining_displacement <= 0.01)));
         let warned: Vec<_> = outcome.summary.record.warnings.iter().map(|warning| warning.kind).collect();
         assert_eq!(warned, [WarningKind::NotSettled], "{worst}");
         assert!(outcome.summary.record.falls_short().is_some());
@@ -259,7 +259,7 @@ fn one_solve_a_step_tells_how_far_off_it_is() {
     assert_eq!(coarse.summary.record.factorisations, 3);
     // Under a load that hardly bends the beam one solve is the answer.
     let straight = run("[1e-6]", &one);
-    assert!(straight.summary.record.warnings.is_empty() && last(&straight, "way_left") < 1e-3);
+    assert!(straight.summary.record.warnings.is_empty() && last(&straight, "remaining_displacement") < 1e-3);
 }
 
 /// What breaks does so in states of balance.

@@ -86,9 +86,9 @@
 //! # Finding equilibria by marching
 //!
 //! [`QuasiStatic`] goes from load level to load level by the quintic `s³(10 − 15s + 6s²)`, which starts and ends
-//! without velocity or acceleration, and then dwells there until the motion has died and nothing is missing: at two
+//! without velocity or acceleration, and then holds there until the motion has died and nothing is missing: at two
 //! checks in a row, twenty checks a period, kinetic over internal energy is below a tolerance, and the force out of balance
-//! over the load and the way left over the displacement ([`Missing`]) are below an accuracy. The latter two cost four
+//! over the load and the remaining displacement over the displacement ([`Missing`]) are below an accuracy. The latter two cost four
 //! evaluations of the forces at checks that find the motion dead, and nothing else. This is dynamic relaxation
 //! \[underwood1983\] with
 //!
@@ -98,11 +98,11 @@
 //! ```
 //!
 //! T₁ may be given. If not it is that of Rayleigh's quotient of the motion: on the first ramp, begun with a guess of a hundred steps, by the
-//! tangent, `v·K̂v/v·v`; at checks of a dwell by what one step changes of the force out of balance, `−v·Δa/(Δt v·v)`, with loads that
+//! tangent, `v·K̂v/v·v`; at checks of a hold by what one step changes of the force out of balance, `−v·Δa/(Δt v·v)`, with loads that
 //! follow and directors under stress in it. It changes by a factor of two at most from check to check, and no longer once the motion is too faint to tell
-//! it from rounding. Later ramps go by the period of the dwell before them.
+//! it from rounding. Later ramps go by the period of the hold before them.
 //!
-//! Loads are read after the dwell: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
+//! Loads are read after the hold: damping drags the reaction while a ramp runs. [`LevelReached`] tells whether the
 //! motion had died, and what was missing. Real loads follow an [`Amplitude`]: constant, ramp, smooth step, table, sine.
 //!
 //! # Two clocks
@@ -140,11 +140,11 @@
 //! |---|---|
 //! | second order: an oscillator is the cosine, the error falls with Δt² | `free_vibration_is_the_cosine_to_second_order` (tests/oscillator.rs) |
 //! | kinetic, internal, external and dissipated energy balance | `energy_is_counted_to_the_last` |
-//! | both dampings end at the static answer | `ramp_and_dwell_ends_at_the_static_answer` |
-//! | a dwell without rest says so | `a_dwell_that_never_rests_says_so` |
+//! | both dampings end at the static answer | `ramp_and_hold_ends_at_the_static_answer` |
+//! | a hold without rest says so | `a_hold_that_never_rests_says_so` |
 //! | a level settles at its equilibrium or says that it did not, for any damping and any period | `what_settles_is_near_its_equilibrium` |
 //! | a period that is not given is found | `a_period_that_is_not_given_is_found` |
-//! | the way left is the error, at every phase of a swing | `the_way_left_is_the_error` |
+//! | the remaining displacement is the error, at every phase of a swing | `the_remaining_displacement_is_the_error` |
 //! | beyond the stable step a run diverges and hands back its last good record | `beyond_the_limit_it_diverges_with_the_last_good_record` |
 //! | steps between records are equal, records fall on their times | `steps_between_records_are_equal` |
 //! | the eigenvalue is bounded from both sides | `chain_spectrum_is_bounded_from_both_sides` (src/stable_step.rs) |
@@ -185,7 +185,7 @@ pub use error::{MarchError, OutOfBounds, OutOfRange};
 pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 pub use linearised::{LinearisedDynamics, MassScaled};
 pub use march::{Event, March, Plan};
-pub use march_state::{Dwell, LevelUnderWay, MarchState, Stage};
+pub use march_state::{Hold, LevelUnderWay, MarchState, Stage};
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};

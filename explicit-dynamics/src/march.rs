@@ -138,7 +138,7 @@ impl March {
         matches!(self.next, Next::Step).then_some(&self.at)
     }
 
-    /// Part of the way that is done, from 0 to 1; a guess where dwells may end early.
+    /// Part of the way that is done, from 0 to 1; a guess where holds may end early.
     pub fn done(&self) -> f64 {
         match &self.plan {
             Plan::QuasiStatic(path) => path.done(&self.at),

@@ -30,10 +30,10 @@ pub enum Stage {
     },
 }
 
-/// A load level under way: its ramp, then its dwell.
+/// A load level under way: its ramp, then its hold.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LevelUnderWay {
-    /// Number of the level it goes to, or dwells at, from 0.
+    /// Number of the level it goes to, or holds at, from 0.
     pub level: usize,
     /// When the ramp to it began \[T\].
     pub start: f64,
@@ -47,13 +47,13 @@ pub struct LevelUnderWay {
     pub next_check: f64,
     /// Forces evaluated by checks since the ramp began.
     pub checked: u64,
-    /// The dwell, once the ramp is over.
-    pub dwell: Option<Dwell>,
+    /// The hold, once the ramp is over.
+    pub hold: Option<Hold>,
 }
 
-/// A dwell under way: the load stays until the motion has died.
+/// A hold under way: the load stays until the motion has died.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Dwell {
+pub struct Hold {
     /// When it began \[T\].
     pub start: f64,
     /// Checks in a row that found the motion dead.

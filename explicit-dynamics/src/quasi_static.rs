@@ -1,25 +1,25 @@
-//! Equilibria along a load path: a smooth ramp to each level, then a dwell until the motion has died.
+//! Equilibria along a load path: a smooth ramp to each level, then a hold until the motion has died.
 
 use crate::amplitude::smooth;
 use crate::clock::Clock;
 use crate::damping::{Damping, KineticDamping};
 use crate::dynamics::Dynamics;
 use crate::error::{MarchError, positive};
-use crate::march_state::{Dwell, LevelUnderWay, MarchState, Stage};
+use crate::march_state::{Hold, LevelUnderWay, MarchState, Stage};
 use crate::rest::{LevelReached, Missing, Sizes, period_of_motion, period_of_step};
 
-/// Ramp and dwell. Loads are read after a dwell: damping drags the reaction while a ramp runs.
+/// Ramp and hold. Loads are read after a hold: damping drags the reaction while a ramp runs.
 #[derive(Clone, Debug)]
 pub struct QuasiStatic {
     /// Load levels λ to stop at, in order; the path starts at zero.
     pub levels: Vec<f64>,
-    /// Period T₁ of the lowest mode \[T\]: the unit of `ramp` and `dwell`, and the base of the damping. None has it found on the
+    /// Period T₁ of the lowest mode \[T\]: the unit of `ramp` and `hold`, and the base of the damping. None has it found on the
     /// way, again and again: it is that of the slowest motion which the loads bring about.
     pub period: Option<f64>,
     /// Ramp to each level, in periods.
     pub ramp: f64,
-    /// Longest dwell, in periods.
-    pub dwell: f64,
+    /// Longest hold, in periods.
+    pub hold: f64,
     /// How the motion dies.
     pub damping: Damping,
     /// Stop criterion: kinetic over internal energy.
@@ -30,7 +30,7 @@ pub struct QuasiStatic {
     pub safety: f64,
 }
 
-/// Checks a period, while the load dwells, whether the motion has died.
+/// Checks a period, while the load holds, whether the motion has died.
 const CHECKS_PER_PERIOD: f64 = 20.0;
 /// Checks in a row that must find the motion dead: a swing is at rest for an instant wherever it turns.
 const SETTLED_CHECKS: usize = 2;
@@ -54,7 +54,7 @@ impl QuasiStatic {
     pub(crate) fn start<S: Dynamics + ?Sized>(&self, system: &mut S) -> Result<MarchState, MarchError> {
         positive("period", self.period.unwrap_or(1.0))?;
         positive("ramp", self.ramp)?;
-        positive("dwell", self.dwell)?;
+        positive("hold", self.hold)?;
         positive("tolerance", self.tolerance)?;
         positive("accuracy", self.accuracy)?;
         if system.linearised().is_none() {
@@ -71,7 +71,7 @@ impl QuasiStatic {
         Ok(MarchState { clock, stage })
     }
 
-    /// One step on the ramp, or one with its check in the dwell; how the level ended, if it did: its record is due then.
+    /// One step on the ramp, or one with its check in the hold; how the level ended, if it did: its record is due then.
     ///
     /// # Errors
     /// [`MarchError`] for divergence and for the place of another march.
@@ -82,9 +82,9 @@ impl QuasiStatic {
     ) -> Result<Option<LevelReached>, MarchError> {
         let Stage::QuasiStatic(mut way) = at.stage else { return Err(at.other()) };
         let Some(&to) = self.levels.get(way.level) else { return Err(at.other()) };
-        let reached = match way.dwell {
+        let reached = match way.hold {
             None => self.ramp_up(&mut at.clock, &mut way, system, to).map(|()| None),
-            Some(dwell) => self.dwell(&mut at.clock, (&mut way, dwell), system, to),
+            Some(hold) => self.hold(&mut at.clock, (&mut way, hold), system, to),
         };
         at.stage = Stage::QuasiStatic(way);
         reached
@@ -100,8 +100,8 @@ impl QuasiStatic {
         system: &mut S,
     ) -> Result<bool, MarchError> {
         let Stage::QuasiStatic(way) = at.stage else { return Err(at.other()) };
-        // Before the first level there is no dwell.
-        let begun = way.dwell.is_some();
+        // Before the first level there is no hold.
+        let begun = way.hold.is_some();
         let next = if begun { way.level + 1 } else { 0 };
         if begun {
             at.clock.watch(system)?;
@@ -116,14 +116,14 @@ impl QuasiStatic {
         Ok(false)
     }
 
-    /// Part of the way that is done, from 0 to 1: a guess, as dwells may end early.
+    /// Part of the way that is done, from 0 to 1: a guess, as holds may end early.
     pub(crate) fn done(&self, at: &MarchState) -> f64 {
         let Stage::QuasiStatic(way) = at.stage else { return 0.0 };
         let now = at.clock.now.time;
-        // Most dwells end early: half a level for the ramp, the rest approached.
-        let within = match way.dwell {
+        // Most holds end early: half a level for the ramp, the rest approached.
+        let within = match way.hold {
             None => 0.5 * (now - way.start) / (self.ramp * way.period),
-            Some(dwell) => 1.0 - 0.5 / (1.0 + (now - dwell.start) / way.period),
+            Some(hold) => 1.0 - 0.5 / (1.0 + (now - hold.start) / way.period),
         };
         ((way.level as f64 + within) / self.levels.len() as f64).clamp(0.0, 1.0)
     }
@@ -152,11 +152,11 @@ impl QuasiStatic {
         Ok(())
     }
 
-    /// Begins the dwell where the ramp is over.
+    /// Begins the hold where the ramp is over.
     fn arrive(&self, clock: &mut Clock, way: &mut LevelUnderWay, to: f64) {
         let now = clock.now.time;
         if way.start + self.ramp * way.period - now <= 0.5 * clock.dt {
-            way.dwell = Some(Dwell { start: now, settled_checks: 0, peaks: KineticDamping::default() });
+            way.hold = Some(Hold { start: now, settled_checks: 0, peaks: KineticDamping::default() });
             way.next_check = now + self.to_next_check(clock, way.period);
             clock.now.level = to;
         }
@@ -179,39 +179,39 @@ impl QuasiStatic {
         (period / CHECKS_PER_PERIOD).max(least)
     }
 
-    /// One step in the dwell, and a look whether the motion has died (settled) or the dwell is over, where that is due.
-    fn dwell<S: Dynamics + ?Sized>(
+    /// One step in the hold, and a look whether the motion has died (settled) or the hold is over, where that is due.
+    fn hold<S: Dynamics + ?Sized>(
         &self,
         clock: &mut Clock,
-        (way, mut dwell): (&mut LevelUnderWay, Dwell),
+        (way, mut hold): (&mut LevelUnderWay, Hold),
         system: &mut S,
         to: f64,
     ) -> Result<Option<LevelReached>, MarchError> {
-        self.dwelling_step(clock, &mut dwell, system, to)?;
+        self.dwelling_step(clock, &mut hold, system, to)?;
         let reached = if clock.now.time >= way.next_check {
-            self.check_rest(clock, (way, &mut dwell), system, to)?
+            self.check_rest(clock, (way, &mut hold), system, to)?
         } else {
             None
         };
-        way.dwell = Some(dwell);
+        way.hold = Some(hold);
         Ok(reached)
     }
 
-    /// Looks whether the motion has died or the dwell is over; takes over the period of the motion otherwise.
+    /// Looks whether the motion has died or the hold is over; takes over the period of the motion otherwise.
     fn check_rest<S: Dynamics + ?Sized>(
         &self,
         clock: &mut Clock,
-        (way, dwell): (&mut LevelUnderWay, &mut Dwell),
+        (way, hold): (&mut LevelUnderWay, &mut Hold),
         system: &mut S,
         to: f64,
     ) -> Result<Option<LevelReached>, MarchError> {
         clock.evaluate(system);
         way.checked += 1;
         // Kinetic damping has just stopped the motion: its last peak is the measure of rest.
-        let kinetic = if self.damping == Damping::Kinetic { dwell.peaks.peak } else { clock.kinetic };
+        let kinetic = if self.damping == Damping::Kinetic { hold.peaks.peak } else { clock.kinetic };
         let ratio = kinetic / clock.internal.max(f64::MIN_POSITIVE);
-        let slow = ratio < self.tolerance && (self.damping != Damping::Kinetic || dwell.peaks.peak > 0.0);
-        let over = clock.now.time >= dwell.start + self.dwell * way.period;
+        let slow = ratio < self.tolerance && (self.damping != Damping::Kinetic || hold.peaks.peak > 0.0);
+        let over = clock.now.time >= hold.start + self.hold * way.period;
         // An overshoot on the way is no answer to measure by: only what a level ends with is kept.
         let (mut missing, mut sizes) = (Missing::default(), way.sizes);
         if slow || over {
@@ -224,7 +224,7 @@ impl QuasiStatic {
                 before.resize(system.unknowns(), 0.0);
                 system.out_of_balance(&mut before);
             }
-            self.dwelling_step(clock, dwell, system, to)?;
+            self.dwelling_step(clock, hold, system, to)?;
             clock.evaluate(system);
             way.checked += 1;
             let system = system.linearised().ok_or(MarchError::NotLinearised)?;
@@ -232,8 +232,8 @@ impl QuasiStatic {
             self.take_over(found, way, clock);
         }
         let at_rest = slow && missing.within(self.accuracy);
-        dwell.settled_checks = if at_rest { dwell.settled_checks + 1 } else { 0 };
-        let settled = dwell.settled_checks >= SETTLED_CHECKS;
+        hold.settled_checks = if at_rest { hold.settled_checks + 1 } else { 0 };
+        let settled = hold.settled_checks >= SETTLED_CHECKS;
         if !(settled || over) {
             way.next_check = clock.now.time + self.to_next_check(clock, way.period);
             return Ok(None);
@@ -255,12 +255,12 @@ impl QuasiStatic {
     fn dwelling_step<S: Dynamics + ?Sized>(
         &self,
         clock: &mut Clock,
-        dwell: &mut Dwell,
+        hold: &mut Hold,
         system: &mut S,
         level: f64,
     ) -> Result<(), MarchError> {
         clock.step(system, f64::INFINITY, |_| level)?;
-        if self.damping == Damping::Kinetic && dwell.peaks.peaked(clock.kinetic) {
+        if self.damping == Damping::Kinetic && hold.peaks.peaked(clock.kinetic) {
             system.stop();
             clock.book_stop();
         }
@@ -279,6 +279,6 @@ fn foot(level: usize, clock: &Clock, sizes: Sizes, period: f64) -> LevelUnderWay
         period,
         next_check: start,
         checked: 0,
-        dwell: None,
+        hold: None,
     }
 }

@@ -36,6 +36,6 @@ pub struct Record {
     /// [`Balance::error`] against the energy of the start, less what comes and goes between two steps of central differences
     /// (what they keep is `½ v⁻·M v⁺ + U`, not the energy with the mean of the velocities) \[F L\].
     pub balance_error: f64,
-    /// True at the end of a dwell whose stop criterion was met.
+    /// True at the end of a hold whose stop criterion was met.
     pub settled: bool,
 }

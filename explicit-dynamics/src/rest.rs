@@ -8,7 +8,7 @@
 //!
 //! ```text
 //! out of balance   ‖a‖ ‖u‖ / 2U            2U/‖u‖ is the load along the way: for one mode, the load
-//! way left         √(‖a‖²/ω⁴ + ‖v‖²/ω²) / ‖u‖
+//! remaining displacement         √(‖a‖²/ω⁴ + ‖v‖²/ω²) / ‖u‖
 //! ω²               the lesser of a·K̂a/a·a and v·K̂v/v·v, K̂ the mass-scaled tangent of the present state
 //! ```
 //!
@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::linearised::MassScaled;
 
-/// Modes slower than this many periods cannot move within a dwell: a tangent softer than theirs, or none, counts as theirs.
+/// Modes slower than this many periods cannot move within a hold: a tangent softer than theirs, or none, counts as theirs.
 const SLOWEST_PERIODS: f64 = 100.0;
 
 /// Sizes that what is missing at rest is measured by: the greatest at the end of any level so far, and at present.
@@ -37,7 +37,7 @@ pub struct Missing {
     /// Force out of balance over load \[–\].
     pub out_of_balance: f64,
     /// Way left over displacement \[–\].
-    pub way_left: f64,
+    pub remaining_displacement: f64,
 }
 
 impl Missing {
@@ -58,12 +58,15 @@ impl Missing {
         let softest = quotient(system, &force).min(quotient(system, &velocity)).max(slowest * slowest);
         let (force, velocity) = (square(&force), square(&velocity));
         let way = (force / (softest * softest) + velocity / softest).sqrt();
-        Self { out_of_balance: share(force.sqrt(), sizes.load), way_left: share(way, sizes.displaced) }
+        Self {
+            out_of_balance: share(force.sqrt(), sizes.load),
+            remaining_displacement: share(way, sizes.displaced),
+        }
     }
 
     /// Whether no more than this share is missing.
     pub fn within(&self, accuracy: f64) -> bool {
-        self.out_of_balance <= accuracy && self.way_left <= accuracy
+        self.out_of_balance <= accuracy && self.remaining_displacement <= accuracy
     }
 }
 
@@ -72,11 +75,11 @@ impl Missing {
 pub struct LevelReached {
     /// The level.
     pub level: f64,
-    /// Whether the stop criterion was met within the dwell.
+    /// Whether the stop criterion was met within the hold.
     pub settled: bool,
-    /// Kinetic over internal energy at the end of the dwell.
+    /// Kinetic over internal energy at the end of the hold.
     pub kinetic_over_internal: f64,
-    /// What was missing at the end of the dwell.
+    /// What was missing at the end of the hold.
     pub missing: Missing,
     /// Steps spent on the level.
     pub steps: u64,

@@ -100,7 +100,7 @@ fn quasi_static() -> QuasiStatic {
         levels: vec![0.5, 1.0],
         period: Some(3.0),
         ramp: 1.0,
-        dwell: 20.0,
+        hold: 20.0,
         damping: Damping::Ratio(0.7),
         tolerance: 1e-8,
         accuracy: 5e-3,

@@ -110,7 +110,7 @@ fn quasi_static(damping: Damping, period: Option<f64>) -> QuasiStatic {
         levels,
         period,
         ramp: 0.7,
-        dwell: 4.0,
+        hold: 4.0,
         damping,
         tolerance: 1e-6,
         accuracy: 5e-3,

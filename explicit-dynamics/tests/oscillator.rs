@@ -69,14 +69,14 @@ fn what_the_books_lack_is_the_error() {
 }
 
 #[test]
-fn ramp_and_dwell_ends_at_the_static_answer() {
+fn ramp_and_hold_ends_at_the_static_answer() {
     for damping in [Damping::Ratio(1.0), Damping::Ratio(0.5), Damping::Kinetic] {
         let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
         let path = QuasiStatic {
             levels: vec![0.5, 1.0, 0.25],
             period: Some(PERIOD),
             ramp: 1.0,
-            dwell: 30.0,
+            hold: 30.0,
             damping,
             tolerance: 1e-14,
             accuracy: 5e-3,
@@ -93,13 +93,13 @@ fn ramp_and_dwell_ends_at_the_static_answer() {
 }
 
 #[test]
-fn a_dwell_that_never_rests_says_so() {
+fn a_hold_that_never_rests_says_so() {
     let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
     let path = QuasiStatic {
         levels: vec![1.0],
         period: Some(PERIOD),
         ramp: 0.3,
-        dwell: 2.0,
+        hold: 2.0,
         damping: Damping::Ratio(1e-4),
         tolerance: 1e-12,
         accuracy: 5e-3,
@@ -111,7 +111,7 @@ fn a_dwell_that_never_rests_says_so() {
 }
 
 /// The path of one level to x = 2, started with these options.
-fn settling(damping: Damping, period: f64, dwell: f64, tolerance: f64) -> (f64, LevelReached) {
+fn settling(damping: Damping, period: f64, hold: f64, tolerance: f64) -> (f64, LevelReached) {
     let (mut body, mut notes) = (Oscillator::new(0.0, 0.0, 16.0), Notes::default());
     let accuracy = 5e-3;
     let levels = vec![1.0];
@@ -119,7 +119,7 @@ fn settling(damping: Damping, period: f64, dwell: f64, tolerance: f64) -> (f64, 
         levels,
         period: Some(period),
         ramp: 1.0,
-        dwell,
+        hold,
         damping,
         tolerance,
         accuracy,
@@ -135,10 +135,10 @@ fn what_settles_is_near_its_equilibrium() {
     for period in [0.1, 0.3, 1.0, 3.0, 10.0].map(|share| share * PERIOD) {
         for damping in [0.01, 0.1, 1.0, 10.0, 100.0].map(Damping::Ratio).into_iter().chain([Damping::Kinetic])
         {
-            for (dwell, tolerance) in [(8.0, 1e-8), (8.0, 1e-4), (100.0, 1e-8), (100.0, 1e-2)] {
-                let (error, reached) = settling(damping, period, dwell, tolerance);
+            for (hold, tolerance) in [(8.0, 1e-8), (8.0, 1e-4), (100.0, 1e-8), (100.0, 1e-2)] {
+                let (error, reached) = settling(damping, period, hold, tolerance);
                 let what = format!(
-                    "period {period}, {damping:?}, dwell {dwell}, tolerance {tolerance}: {error}, {reached:?}"
+                    "period {period}, {damping:?}, hold {hold}, tolerance {tolerance}: {error}, {reached:?}"
                 );
                 // For a single mode what is missing is the error, at both checks: not a digit more is needed.
                 assert!(!reached.settled || error.abs() <= 5.1e-3, "{what}");
@@ -161,7 +161,7 @@ fn a_creeping_motion_is_not_called_dead() {
 }
 
 #[test]
-fn the_way_left_is_the_error() {
+fn the_remaining_displacement_is_the_error() {
     // 3 % from x = 2 in every phase of a swing: at its turn, at its middle, and between.
     for phase in [0.0, 0.4, 1.2, TAU / 4.0] {
         let mut body = Oscillator::new(2.0 + 0.06 * libm::cos(phase), 2.0 * 0.06 * libm::sin(phase), 16.0);
@@ -169,7 +169,7 @@ fn the_way_left_is_the_error() {
         let mut sizes = Sizes::default();
         let missing = Missing::find(&mut body, energy, PERIOD, &mut sizes);
         // The displacement that it is a share of swings by 3 % as well.
-        assert!((missing.way_left - 0.03).abs() < 1e-3, "{phase}: {missing:?}");
+        assert!((missing.remaining_displacement - 0.03).abs() < 1e-3, "{phase}: {missing:?}");
         assert!(
             (missing.out_of_balance - 0.03 * libm::cos(phase).abs()).abs() < 1e-3,
             "{phase}: {missing:?}"
@@ -180,7 +180,10 @@ fn the_way_left_is_the_error() {
     let mut body = Oscillator::new(0.02, 0.0, 16.0);
     body.evaluate(Instant { time: 0.0, level: 0.0 });
     let missing = Missing::find(&mut body, 0.5 * 8.0 * 0.02 * 0.02, PERIOD, &mut sizes);
-    assert!((missing.way_left - 0.01).abs() < 1e-12 && (missing.out_of_balance - 0.01).abs() < 1e-12);
+    assert!(
+        (missing.remaining_displacement - 0.01).abs() < 1e-12
+            && (missing.out_of_balance - 0.01).abs() < 1e-12
+    );
 }
 
 #[test]
@@ -194,7 +197,7 @@ fn a_period_that_is_not_given_is_found() {
                 levels: vec![0.5, 1.0],
                 period: None,
                 ramp: 1.0,
-                dwell: 8.0,
+                hold: 8.0,
                 damping,
                 tolerance: 1e-8,
                 accuracy: 5e-3,
@@ -244,7 +247,7 @@ fn a_turning_point_is_not_rest() {
         levels: vec![1.0],
         period: Some(PERIOD),
         ramp: 0.6,
-        dwell: 3.0,
+        hold: 3.0,
         damping: Damping::Ratio(1e-6),
         tolerance: 1e-3,
         accuracy: 0.9,

@@ -113,7 +113,7 @@ pub fn switch_branch<E: Equilibrium + ?Sized>(
     newton.step = point.step;
     match step_aside(&mut newton, system, point, amplitude) {
         Ok((converged, increment)) => {
-            system.accept();
+            system.commit();
             Ok(Start { level: converged.level, heading: Some(increment), stiffness: None })
         }
         Err(error) => {

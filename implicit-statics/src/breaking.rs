@@ -52,7 +52,7 @@ impl Newton {
         let gone = self.break_critical(system, level, &Constraint::Level)?;
         if let Some(gone) = &gone {
             self.accept(&gone.increment);
-            system.accept();
+            system.commit();
         }
         Ok(gone.map(|gone| gone.breach))
     }

@@ -92,7 +92,7 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     let bound = "between 1 and the number of unknowns";
     require(options.count > 0 && options.count <= n, "number of modes", options.count as f64, bound)?;
     let pattern = system.pattern();
-    let mut solver = CountingSolver::new(n, &pattern, system.places().as_deref(), watch)?;
+    let mut solver = CountingSolver::new(n, &pattern, system.coordinates().as_deref(), watch)?;
     let mut base = vec![0.0; pattern.len()];
     system.tangent(level, &mut base);
     let inertia = solver.factor(&base)?;

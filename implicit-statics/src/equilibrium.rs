@@ -18,7 +18,7 @@ pub trait Equilibrium {
 
     /// Places of the unknowns, in units in which they couple about equally far along all axes: the factor is then ordered by
     /// them. Worth it where every unknown couples with very many others; None, the default, orders by the pattern alone.
-    fn places(&self) -> Option<Vec<[f64; 3]>> {
+    fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
         None
     }
 
@@ -49,7 +49,7 @@ pub trait Equilibrium {
         false
     }
 
-    /// Whether the tangent at the present state depends on where the step to it began, which [`Equilibrium::accept`] forgets: a
+    /// Whether the tangent at the present state depends on where the step to it began, which [`Equilibrium::commit`] forgets: a
     /// factor of the end of a step is then none of the start of the next.
     fn tangent_is_of_the_step(&self) -> bool {
         false
@@ -57,13 +57,13 @@ pub trait Equilibrium {
 
     /// Whether held values depend on the level. Load steps are then predicted by [`Equilibrium::load_rate`], so that
     /// the rest of the system goes along instead of being torn.
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         false
     }
 
     /// Takes note of a converged state that is kept: a history is committed here. Called again for the same state, it
     /// must change nothing.
-    fn accept(&mut self) {}
+    fn commit(&mut self) {}
 
     /// How far the present state takes what may break: the greatest of measures that are one at a limit and grow about in
     /// proportion to the load; zero, the default, where nothing breaks.
@@ -115,7 +115,7 @@ pub trait Equilibrium {
 
     /// Moves the state along a motion and carries the motion into the new tangent space: it goes straight on. The
     /// default suits states that are vectors or carry their axes along.
-    fn carry(&mut self, motion: &mut [f64]) {
+    fn transport(&mut self, motion: &mut [f64]) {
         self.update(motion);
     }
 

@@ -84,7 +84,7 @@
 //! shrink by `√(target/iterations)`; one that fails is repeated with half its size from the last converged state
 //! ([`PathOptions`]).
 //!
-//! A state that is kept is announced ([`Equilibrium::accept`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
+//! A state that is kept is announced ([`Equilibrium::commit`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
 //! histories back with the state.
 //!
 //! # What breaks
@@ -207,7 +207,7 @@
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
 //! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_reported`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
-//! | the rest goes along with held values that move, and kept states are announced once | `held_values_move_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
+//! | the rest goes along with held values that move, and kept states are announced once | `has_moving_supports_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
 //! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | masses follow a stiffness that grows | `masses_follow_a_stiffness_that_grows`, `row_sums_are_those_of_the_tangent` |
 //! | no state is said to be found that does not balance; the state stays | `what_is_not_found_is_said_and_the_state_stays` |

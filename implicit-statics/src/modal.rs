@@ -48,7 +48,7 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
     let masses = system.vibrating_masses();
-    let solver = CountingSolver::new(masses.len(), &pattern, system.places().as_deref(), watch)?;
+    let solver = CountingSolver::new(masses.len(), &pattern, system.coordinates().as_deref(), watch)?;
     modes_of(solver, &pattern, &values, &masses, count, shift).map_err(|error| error.named(system, 0, level))
 }
 

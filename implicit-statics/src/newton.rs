@@ -97,7 +97,7 @@ impl Newton {
         let pattern = system.pattern();
         Ok(Self {
             options: options.clone(),
-            solver: SymmetricSolver::placed(n, &pattern, system.places().as_deref())?,
+            solver: SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?,
             step: 0,
             values: vec![0.0; pattern.len()],
             internal: vec![0.0; n],

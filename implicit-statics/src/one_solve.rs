@@ -15,7 +15,7 @@ use crate::solver::SymmetricSolver;
 /// `c (Δq + e)²` of it at the next level, c the curvature of the forces over their slope, so that errors do not add up and are of the second
 /// order of the step once it is small, `c Δq ≪ 1`. Where it is not, as in thin bodies, whose membranes resist the straight way of a turn, they are
 /// as large as the motion. How far a state is from its equilibrium the next solve tells, before the load goes on: `K⁻¹ r` at its end
-/// ([`OneSolve::way_left`]). The factor for it is that of the next step: `n` steps take `n + 1`.
+/// ([`OneSolve::remaining_displacement`]). The factor for it is that of the next step: `n` steps take `n + 1`.
 pub struct OneSolve {
     solver: SymmetricSolver,
     values: Vec<f64>,
@@ -34,7 +34,7 @@ impl OneSolve {
     /// [`EquilibriumError`] of the analysis.
     pub fn new(system: &(impl Equilibrium + ?Sized)) -> Result<Self, EquilibriumError> {
         let (n, pattern) = (system.unknowns(), system.pattern());
-        let solver = SymmetricSolver::placed(n, &pattern, system.places().as_deref())?;
+        let solver = SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?;
         let [motion, internal, external] = [0; 3].map(|_| vec![0.0; n]);
         let values = vec![0.0; pattern.len()];
         Ok(Self { solver, values, motion, internal, external, factored: false, steps: 0 })
@@ -71,7 +71,7 @@ impl OneSolve {
             level: to,
             found,
         })?;
-        system.accept();
+        system.commit();
         Ok(if scale > 0.0 { left / scale } else { left })
     }
 
@@ -80,7 +80,7 @@ impl OneSolve {
     ///
     /// # Errors
     /// Of the factor.
-    pub fn way_left(
+    pub fn remaining_displacement(
         &mut self,
         system: &mut (impl Equilibrium + ?Sized),
         level: f64,

@@ -119,8 +119,8 @@ impl<'a> Stepper<'a> {
                 increment.level = predicted;
                 let level = self.level + increment.level;
                 let mut bent = false;
-                if let Some(response) = from.as_ref().filter(|_| system.held_values_move() || self.bends) {
-                    let predict = system.held_values_move() || self.last.is_some();
+                if let Some(response) = from.as_ref().filter(|_| system.has_moving_supports() || self.bends) {
+                    let predict = system.has_moving_supports() || self.last.is_some();
                     if predict {
                         bent = self.predict(system, &mut increment, predicted, response)?;
                     }
@@ -186,7 +186,7 @@ impl<'a> Stepper<'a> {
             return Ok(known.clone());
         }
         let by_load = matches!(self.control, Control::Load { .. });
-        let predicts = !by_load || system.held_values_move() || self.bends && self.last.is_some();
+        let predicts = !by_load || system.has_moving_supports() || self.bends && self.last.is_some();
         let negative = self.newton.tangent(system, self.level)?.negative;
         let response =
             if predicts || self.compares { Some(self.newton.response(system, self.level)?) } else { None };

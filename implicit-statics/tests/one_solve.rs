@@ -70,7 +70,7 @@ fn errors_are_of_the_second_order_and_reported() {
             let exact = (spring.0 + spring.0.powi(3) - level(step)).abs() / level(step);
             assert!((left - exact).abs() < 1e-14, "rounding: {left} for {exact}");
         }
-        let reported = scheme.way_left(&mut spring, 2.0).unwrap()[0];
+        let reported = scheme.remaining_displacement(&mut spring, 2.0).unwrap()[0];
         assert_eq!(scheme.inertia().negative, 0);
         (spring.0 - 1.0, reported)
     };
@@ -97,7 +97,7 @@ fn held_values_go_with_the_level() {
     for (i, q) in bars.q.iter().enumerate() {
         assert!((q - (i + 1) as f64 / 8.0).abs() < 1e-14, "{q}");
     }
-    let way = scheme.way_left(&mut bars, 1.0).unwrap();
+    let way = scheme.remaining_displacement(&mut bars, 1.0).unwrap();
     assert!(way.iter().all(|way| way.abs() < 1e-14));
     let mut balanced = Bars::new(8);
     Newton::new(&balanced, &NewtonOptions::default()).unwrap().at_level(&mut balanced, 1.0).unwrap();

@@ -66,7 +66,7 @@ impl Equilibrium for Pushed {
         values[0] = self.spring;
         self.arch.hessian(&self.q, &mut |_, _, k| values[0] += k);
     }
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         true
     }
     fn driving_force(&self) -> f64 {

@@ -105,7 +105,7 @@ fn iteration(side: usize) {
     let (mut body, _) = panel(side);
     let (n, pattern) = (body.unknowns(), body.pattern());
     let (mut values, mut forces) = (vec![0.0; pattern.len()], vec![0.0; n]);
-    let mut solver = SymmetricSolver::placed(n, &pattern, body.places().as_deref()).expect("a pattern");
+    let mut solver = SymmetricSolver::placed(n, &pattern, body.coordinates().as_deref()).expect("a pattern");
     println!(
         "{n} unknowns, {} entries, {} of the factor, {:.2e} multiplications",
         pattern.len(),
@@ -114,7 +114,7 @@ fn iteration(side: usize) {
     );
     mean("analysis", || {
         let pattern = body.pattern();
-        SymmetricSolver::placed(n, &pattern, body.places().as_deref()).expect("a pattern");
+        SymmetricSolver::placed(n, &pattern, body.coordinates().as_deref()).expect("a pattern");
     });
     mean("forces", || body.internal(0.0, &mut forces));
     mean("tangent", || body.tangent(0.0, &mut values));

@@ -133,7 +133,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy() {
         let mut along = |factor: f64| {
             system.restore(&home);
             let mut step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-            system.carry(&mut step);
+            system.transport(&mut step);
             let lack = lack(&mut system);
             let work: f64 = lack.iter().zip(&step).map(|(f, s)| f * s / (factor * h)).sum();
             (work, system.energy() + stored(system.shell()))

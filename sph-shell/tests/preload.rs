@@ -128,7 +128,7 @@ fn tangents_and_load_rates_are_derivatives_in_both_cases() {
         let work = |system: &mut StaticShell, h: f64| {
             let saved = system.save();
             let mut step: Vec<f64> = way.iter().map(|w| h * w).collect();
-            system.carry(&mut step);
+            system.transport(&mut step);
             let work: f64 = lack(system, level).iter().zip(&step).map(|(f, w)| f * w / h).sum();
             system.restore(&saved);
             vec![work]

@@ -225,7 +225,7 @@ fn a_march_with_a_turned_end_finds_the_same() {
         levels: vec![1.0],
         period: Some(period),
         ramp: 2.0,
-        dwell: 20.0,
+        hold: 20.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-14,
         accuracy: 1e-4,

@@ -85,7 +85,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
             let mut work = |factor: f64| {
                 system.restore(&home);
                 let mut step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-                system.carry(&mut step);
+                system.transport(&mut step);
                 let (mut internal, mut external) = (vec![0.0; n], vec![0.0; n]);
                 system.internal(1.0, &mut internal);
                 system.external(1.0, &mut external);

@@ -182,7 +182,7 @@ fn tangents_are_derivatives_and_have_no_skew_part() {
         let mut work = |h: f64| {
             let saved = system.save();
             let mut step: Vec<f64> = way.iter().map(|w| h * w).collect();
-            system.carry(&mut step);
+            system.transport(&mut step);
             let (mut internal, mut external) = (vec![0.0; n], vec![0.0; n]);
             system.internal(0.0, &mut internal);
             system.external(0.0, &mut external);

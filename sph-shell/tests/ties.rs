@@ -158,7 +158,7 @@ fn patch(field: impl Fn(&Vec3) -> (Vec3, Vec3)) -> f64 {
     }
     let inside = |s: f64| s > 1e-9 && s < 1.0 - 1e-9;
     let inner = |x: &[f64; 3]| inside(x[0]) && x[2] > -0.3 + 1e-9 && (x[2] < -1e-9 || inside(x[1]));
-    let places = system.places().unwrap();
+    let places = system.coordinates().unwrap();
     let largest = |of: &dyn Fn(&[f64; 3]) -> bool| {
         let own = force.iter().zip(&places).filter(|(_, x)| of(x));
         own.fold(0.0_f64, |most, (f, _)| most.max(f.abs()))

@@ -32,7 +32,7 @@ fn iteration(body: &mut Galerkin) {
     let (n, pattern) = (body.unknowns(), body.pattern());
     println!("{} nodes, {} points, {n} unknowns, {} entries", body.nodes(), body.points(), pattern.len());
     let (mut values, mut forces, zero) = (vec![0.0; pattern.len()], vec![0.0; n], vec![0.0; n]);
-    let mut solver = SymmetricSolver::placed(n, &pattern, body.places().as_deref()).expect("a pattern");
+    let mut solver = SymmetricSolver::placed(n, &pattern, body.coordinates().as_deref()).expect("a pattern");
     mean("forces", || {
         body.update(&zero); // points are evaluated anew
         body.internal(0.0, &mut forces);
@@ -62,7 +62,7 @@ fn large(threads: usize) {
     lap("body", begin);
     let (n, start) = (body.unknowns(), processor());
     let pattern = body.pattern();
-    let mut solver = SymmetricSolver::placed(n, &pattern, body.places().as_deref()).expect("a pattern");
+    let mut solver = SymmetricSolver::placed(n, &pattern, body.coordinates().as_deref()).expect("a pattern");
     lap("analysis", start);
     let (mut values, start) = (vec![0.0; pattern.len()], processor());
     drop(pattern);

@@ -21,7 +21,7 @@ impl Equilibrium for Galerkin {
     }
 
     /// Places of the parameters in units of the support.
-    fn places(&self) -> Option<Vec<[f64; 3]>> {
+    fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
         let place = |&parameter: &u32| {
             let x = self.space.nodes[parameter as usize / 3];
             std::array::from_fn(|k| x[k] / self.radii[k])
@@ -81,12 +81,12 @@ impl Equilibrium for Galerkin {
         self.remembers() && (self.insists || over_the_step)
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         self.unknowns.moves
     }
 
     /// Takes deformation, axes and stress of all points as those that the next step starts from.
-    fn accept(&mut self) {
+    fn commit(&mut self) {
         (self.tangents, self.insists) = (0, false);
         if self.accepted == self.parameters {
             return;

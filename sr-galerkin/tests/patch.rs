@@ -228,7 +228,7 @@ fn a_turned_frame_turns_the_forces() {
         place(&mut body, bend);
         let before = internal(&mut body);
         let energy = body.energy();
-        body.accept();
+        body.commit();
         let turn = rotation(Vec3::new(0.3, -0.5, 0.8), 0.9);
         place(&mut body, |x| turn * bend(x) + Vec3::new(1.0, -2.0, 0.5));
         let after = internal(&mut body);

@@ -35,7 +35,7 @@ fn an_end_that_is_moved_stands_where_the_level_has_it() {
         let moved = nodes(&parts, |x| x.x == 10.0);
         parts.conditions.push(Condition { nodes: moved.clone(), direction: Vec3::z(), by: 3.0 });
         let mut body = body(parts);
-        assert!(body.held_values_move());
+        assert!(body.has_moving_supports());
         let mut options = PathOptions::new(Control::Load { step: 0.1, until: 1.0 });
         options.newton.line_search = false;
         let mut levels = 0;
@@ -150,7 +150,7 @@ fn states_are_kept_and_given_up_whole() {
     let mut newton = newton(&body);
     newton.at_level(&mut body, 1.0).unwrap();
     let kept = body.save();
-    body.accept();
+    body.commit();
     assert!(body.save() == kept, "a second call changes nothing");
     newton.at_level(&mut body, 2.0).unwrap();
     let beyond = body.save();

@@ -303,7 +303,7 @@ impl Equilibrium for Model {
         self.put(level);
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         !self.moved.is_empty()
     }
 

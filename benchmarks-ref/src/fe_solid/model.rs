@@ -213,7 +213,7 @@ impl Equilibrium for Model {
         self.project(&all, out);
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         self.held.iter().any(|held| held.by != 0.0)
     }
 

@@ -60,7 +60,7 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     }
     let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
-    let internal = if system.held_values_move() {
+    let internal = if system.has_moving_supports() {
         // Held values that move do work as well: the energy grows with the square of the level.
         let [here, ahead, beyond, behind, before] = energies;
         (16.0 * (ahead + behind) - (beyond + before) - 30.0 * here) / (24.0 * step * step)
@@ -187,7 +187,7 @@ fn warning_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut
 fn moved(system: &mut dyn StaticBody, rest: &[f64], motion: &[f64], level: f64) -> Vec<Vec3> {
     system.restore(rest);
     system.update(motion);
-    if system.held_values_move() {
+    if system.has_moving_supports() {
         system.refresh(level);
     }
     system.configuration().present

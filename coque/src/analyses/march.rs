@@ -177,7 +177,7 @@ fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
         levels: path.levels.list(),
         period: path.period,
         ramp: path.ramp,
-        dwell: path.hold,
+        hold: path.hold,
         damping: match path.damping {
             Damping::Ratio(ratio) => explicit_dynamics::Damping::Ratio(ratio),
             Damping::Kinetic => explicit_dynamics::Damping::Kinetic,
@@ -266,11 +266,11 @@ impl Watch {
     fn level(&self, reached: &LevelReached, run: &mut Run<'_>) {
         let LevelReached { level, settled, kinetic_over_internal, missing, steps, evaluations, period } =
             *reached;
-        let Missing { out_of_balance, way_left } = missing;
+        let Missing { out_of_balance, remaining_displacement } = missing;
         if !settled {
             let message = format!(
                 "level {level} did not settle (kinetic/internal energy {kinetic_over_internal:.1e}, out of balance \
-                 {out_of_balance:.1e}, way left {way_left:.1e}); lengthen `hold`, or {}",
+                 {out_of_balance:.1e}, remaining displacement {remaining_displacement:.1e}); lengthen `hold`, or {}",
                 match self.path.as_ref().and_then(|path| path.period) {
                     Some(_) => "see whether `damping` fits, and leave `period` out",
                     None => "see whether `damping` fits",
@@ -283,7 +283,7 @@ impl Watch {
             settled,
             kinetic_over_internal,
             out_of_balance,
-            way_left,
+            remaining_displacement,
             negative_pivots: None,
             steps,
             evaluations: Some(evaluations),

@@ -67,7 +67,7 @@ impl OneSolveLevels {
             return ControlFlow::Break(Ended::Done);
         };
         let made = scheme.step(system, (before, level)).and_then(|unbalanced| {
-            let way = way_left(scheme, system, level)?;
+            let way = remaining_displacement(scheme, system, level)?;
             Ok((unbalanced, way))
         });
         let (unbalanced, way) = match made {
@@ -85,7 +85,7 @@ impl OneSolveLevels {
         run.record.levels.push(LevelSummary {
             settled: way <= SETTLED,
             out_of_balance: unbalanced,
-            way_left: way,
+            remaining_displacement: way,
             ..LevelSummary::balanced(level, Some(scheme.inertia()), 1)
         });
         if run.keep_shape(system, 0.0, level).is_break() {
@@ -120,12 +120,12 @@ fn keep(run: &mut Run<'_>, found: usize, level: f64, system: &dyn StaticBody) {
 }
 
 /// What one more solve would move, over what moved so far: the largest displacements of particles.
-fn way_left(
+fn remaining_displacement(
     scheme: &mut OneSolve,
     system: &mut dyn StaticBody,
     level: f64,
 ) -> Result<f64, implicit_statics::EquilibriumError> {
-    let motion = scheme.way_left(system, level)?;
+    let motion = scheme.remaining_displacement(system, level)?;
     let (here, state) = (system.configuration().present, system.save());
     system.update(motion);
     let configuration = system.configuration();
@@ -139,14 +139,14 @@ fn way_left(
 
 /// Warns of levels that are far from their equilibria.
 fn warn(run: &mut Run<'_>) {
-    let of = |level: &LevelSummary| (level.level, level.way_left);
+    let of = |level: &LevelSummary| (level.level, level.remaining_displacement);
     let far = |a: &(f64, f64), b: &(f64, f64)| a.1.total_cmp(&b.1);
     let (worst, last) = (run.record.levels.iter().map(of).max_by(far), run.record.levels.last().map(of));
     let (Some((level, way)), Some((_, end))) = (worst, last) else { return };
     if way > SETTLED {
         let message = format!(
             "one solve a step leaves forces out of balance: one more solve would move the body by {:.2} % of its displacement at level {level} \
-             and by {:.2} % at the last level (column way_left); make more levels, or leave `one_solve` out",
+             and by {:.2} % at the last level (column remaining_displacement); make more levels, or leave `one_solve` out",
             100.0 * way,
             100.0 * end,
         );

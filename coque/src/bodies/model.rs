@@ -97,9 +97,13 @@ impl Model {
         let quantity = |name: &str| match name {
             "time" => Quantity::Time,
             "level" if force => Quantity::Force,
-            "level" | "iterations" | "negative_pivots" | "mode" | "residual" | "unbalanced" | "way_left" => {
-                Quantity::Ratio
-            }
+            "level"
+            | "iterations"
+            | "negative_pivots"
+            | "mode"
+            | "residual"
+            | "unbalanced"
+            | "remaining_displacement" => Quantity::Ratio,
             "circular_frequency" | "frequency" => Quantity::Rate,
             _ => Quantity::Energy,
         };

@@ -194,7 +194,7 @@ pub struct LevelSummary {
     /// Force out of balance over load at the end of the hold; zero without time.
     pub out_of_balance: f64,
     /// Way left to the equilibrium over displacement at the end of the hold; zero without time.
-    pub way_left: f64,
+    pub remaining_displacement: f64,
     /// Negative pivots of the tangent: the directions in which the state is unstable; absent where it was not looked at.
     pub negative_pivots: Option<usize>,
     /// Steps spent on the level; iterations of a relaxation, points of a path.
@@ -218,7 +218,7 @@ impl LevelSummary {
             settled: true,
             kinetic_over_internal: 0.0,
             out_of_balance: 0.0,
-            way_left: 0.0,
+            remaining_displacement: 0.0,
             negative_pivots: inertia.map(|inertia| inertia.negative),
             steps,
             evaluations: None,

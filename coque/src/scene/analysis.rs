@@ -59,7 +59,7 @@ pub struct QuasiStatic {
     /// The motion has died when kinetic over internal energy falls below this \[–\].
     #[serde(default = "usual_tolerance")]
     pub tolerance: f64,
-    /// … and when no more than this share of the answer is missing: force out of balance over load, way left over
+    /// … and when no more than this share of the answer is missing: force out of balance over load, remaining displacement over
     /// displacement \[–\].
     #[serde(default = "usual_accuracy")]
     pub accuracy: f64,

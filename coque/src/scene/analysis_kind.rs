@@ -35,8 +35,9 @@ const MARCHED: &[&str] = &["time", "level", "kinetic", "internal", "external", "
 /// Columns of equilibria found by a tangent.
 const BALANCED: &[&str] = &["level", "internal", "iterations", "negative_pivots"];
 
-/// Columns of states that one solve each led to: forces left out of balance over the load, and way left over displacement.
-const ONE_SOLVE: &[&str] = &["level", "internal", "iterations", "negative_pivots", "unbalanced", "way_left"];
+/// Columns of states that one solve each led to: forces left out of balance over the load, and remaining displacement over displacement.
+const ONE_SOLVE: &[&str] =
+    &["level", "internal", "iterations", "negative_pivots", "unbalanced", "remaining_displacement"];
 
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {

@@ -53,7 +53,7 @@ pub fn conjugate_response<E: Equilibrium + ?Sized>(
 ) -> Result<Iterated, EquilibriumError> {
     let n = system.unknowns();
     let rigid = system.rigid_motions().ok_or(EquilibriumError::NoRigidMotions)?;
-    let places = system.places().ok_or(EquilibriumError::NoRigidMotions)?;
+    let places = system.coordinates().ok_or(EquilibriumError::NoRigidMotions)?;
     let matrix = {
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];

@@ -33,7 +33,7 @@ impl Newton {
         if system.tangent_is_of_the_step() {
             self.factored = None;
         }
-        system.accept();
+        system.commit();
     }
 
     /// Knows no factor of the present state: the system has changed in it.

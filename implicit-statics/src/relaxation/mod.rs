@@ -169,7 +169,7 @@ impl Relaxation {
                 add(&mut sum, relaxed);
                 relaxed = self.balance(system, (level, at), &mut observer)?;
             }
-            system.accept();
+            system.commit();
             add(&mut sum, relaxed);
             let breaches = self.give_way(system, at, &mut sum, &mut observer)?;
             if let Some(sum) = &mut sum {
@@ -207,7 +207,7 @@ impl Relaxation {
                     cause => EquilibriumError::GaveWay { step: out.len(), level, cause: Box::new(cause) },
                 }
             })?;
-            system.accept();
+            system.commit();
             let mut load = vec![0.0; way.len()];
             system.external(level, &mut load);
             let released = before - energy - system.energy() + dot(&load, &way);

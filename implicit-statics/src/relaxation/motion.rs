@@ -71,7 +71,7 @@ impl<'a> Motion<'a> {
             driving: 0.0,
             counts: Counts::default(),
         };
-        if system.held_values_move() {
+        if system.has_moving_supports() {
             motion.ramp = if levels.0 == levels.1 { 0 } else { motion.options.ramp };
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
@@ -155,7 +155,7 @@ impl<'a> Motion<'a> {
             }
             self.power = dot(&self.velocity, &self.force);
             self.way.iter_mut().zip(&self.velocity).for_each(|(way, v)| *way += v);
-            system.carry(&mut self.velocity);
+            system.transport(&mut self.velocity);
         }
         unreachable!("the loop ends by its bound")
     }

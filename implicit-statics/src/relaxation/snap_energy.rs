@@ -89,7 +89,7 @@ impl Energies {
 /// Level, U and R of the present state; R by a central difference over a small part of a step.
 fn seen<E: Equilibrium + ?Sized>(system: &mut E, level: f64, step: f64) -> [f64; 3] {
     let energy = system.energy();
-    if !system.held_values_move() {
+    if !system.has_moving_supports() {
         return [level, energy, 0.0];
     }
     let (here, mut forces) = (system.save(), vec![0.0; system.unknowns()]);
@@ -113,7 +113,7 @@ fn unit_work<E: Equilibrium + ?Sized>(system: &mut E, start: &[f64], mut way: Ve
     for weight in [1.0, 4.0, 1.0] {
         system.external(level, &mut force);
         sum += weight * dot(&force, &way);
-        system.carry(&mut way);
+        system.transport(&mut way);
     }
     system.restore(&here);
     sum / (3.0 * level)

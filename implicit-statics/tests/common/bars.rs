@@ -61,7 +61,7 @@ impl Equilibrium for Bars {
         out[last - 1] = self.stiffness(last);
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         true
     }
 
@@ -82,7 +82,7 @@ impl Equilibrium for Bars {
         }
     }
 
-    fn accept(&mut self) {
+    fn commit(&mut self) {
         self.accepted += 1;
     }
 

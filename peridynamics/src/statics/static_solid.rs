@@ -214,12 +214,12 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
         self.assemble(&blocks, values);
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         !self.moved.is_empty()
     }
 
     /// Counts the work done on bonds. None breaks.
-    fn accept(&mut self) {
+    fn commit(&mut self) {
         self.solid.count_work();
     }
 

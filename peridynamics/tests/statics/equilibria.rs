@@ -146,7 +146,7 @@ fn bonds_break_one_critical_set_at_a_time() {
     // The bonds at one corner and those that the mirror makes alike, from both ends.
     assert!(broken > 0 && broken <= 8, "{broken}");
     assert!(breach.utilisation > 1.0 && breach.energy > 0.0 && breach.released > 0.0, "{breach:?}");
-    system.accept();
+    system.commit();
     assert_eq!(system.solid().broken()[0].len(), broken);
     while newton.give_way(&mut system, 1.0).unwrap().is_some() {}
     assert!(system.utilisation() < 1.0);

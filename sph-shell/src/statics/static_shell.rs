@@ -147,7 +147,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     /// Those of the particles at rest.
-    fn places(&self) -> Option<Vec<[f64; 3]>> {
+    fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
         let rest = &self.shell.reference.cloud.positions;
         let of = |a: usize| self.dofs.of(a).map(move |_| rest[a].into());
         Some((0..self.shell.len()).flat_map(of).collect())
@@ -202,7 +202,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.subtract_stress_rate(level, out);
     }
 
-    fn held_values_move(&self) -> bool {
+    fn has_moving_supports(&self) -> bool {
         !self.moved.is_empty()
     }
 
@@ -278,7 +278,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         dependents.ties.put(&mut motion.state);
     }
 
-    fn carry(&mut self, motion: &mut [f64]) {
+    fn transport(&mut self, motion: &mut [f64]) {
         if self.carried.is_empty() {
             self.carried = (0..self.shell.len()).map(|a| self.basis(a)).collect();
         }

@@ -23,7 +23,7 @@ pub fn stressed(parts: Parts) -> Galerkin {
     wiggle(&mut body, 0.04);
     let mut forces = vec![0.0; body.unknowns()];
     body.internal(0.0, &mut forces);
-    body.accept();
+    body.commit();
     wiggle(&mut body, -0.07);
     body
 }

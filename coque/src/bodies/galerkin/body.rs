@@ -100,8 +100,8 @@ impl Equilibrium for GalerkinSolid {
         self.galerkin.pattern()
     }
 
-    fn places(&self) -> Option<Vec<[f64; 3]>> {
-        self.galerkin.places()
+    fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
+        self.galerkin.coordinates()
     }
 
     fn keeps_factor(&self) -> bool {
@@ -128,12 +128,12 @@ impl Equilibrium for GalerkinSolid {
         self.galerkin.tangent_is_of_the_step()
     }
 
-    fn held_values_move(&self) -> bool {
-        self.galerkin.held_values_move()
+    fn has_moving_supports(&self) -> bool {
+        self.galerkin.has_moving_supports()
     }
 
-    fn accept(&mut self) {
-        self.galerkin.accept();
+    fn commit(&mut self) {
+        self.galerkin.commit();
     }
 
     fn driving_force(&self) -> f64 {

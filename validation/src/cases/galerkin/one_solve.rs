@@ -29,7 +29,7 @@ pub fn judged(run: &Run, steps: usize, balanced: f64) -> Result<Vec<Metric>, Jud
     let at = |k: f64| run.at("w", k);
     let digits = "four digits are known";
     let end = Metric::compared("w/L at K = 10", at(10.0)?, "-", last);
-    let (reported, found) = (run.at("way_left", 1.0)?, at(1.0)?);
+    let (reported, found) = (run.at("remaining_displacement", 1.0)?, at(1.0)?);
     let share = reported.zip(found).map(|(reported, w)| reported * w / (balanced - w).abs());
     Ok(vec![
         Metric::compared("w/L at K = 1", found, "-", first).within(1e-4, digits),

@@ -51,7 +51,7 @@ fn run(mut shell: Shell, level: f64, period: f64) -> Result<Outcome, String> {
         levels: vec![level],
         period: Some(period),
         ramp: 4.0,
-        dwell: 1.0,
+        hold: 1.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-6,
         accuracy: 5e-3,

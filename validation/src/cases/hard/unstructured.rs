@@ -214,7 +214,7 @@ fn blown_up(method: &str, mesh: &Mesh) -> Result<Outcome, String> {
         levels: vec![0.5, 1.0],
         period: Some(0.006),
         ramp: 1.0,
-        dwell: 8.0,
+        hold: 8.0,
         damping: Damping::Ratio(1.0),
         tolerance: 1e-8,
         accuracy: 5e-3,
