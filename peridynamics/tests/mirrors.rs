@@ -6,7 +6,7 @@ mod lattices;
 mod plates;
 
 use explicit_dynamics::{Dynamics, Instant, LinearisedDynamics, Step};
-use implicit_statics::Equilibrium;
+use implicit_statics::{Equilibrium, tangent_error};
 use lattices::{ALL, Random, formulation, parts, poisson};
 use peridynamics::{
     Correction, Crack, Criterion, Elastic, Fracture, Idealisation, Law, Mirror, Parts, Sheets, Solid,
@@ -141,32 +141,12 @@ impl Pair {
     }
 }
 
-/// The tangent of the part is the difference of its forces; and its product by bonds is that by matrix.
+/// The tangent of the part against the difference of its forces.
 fn tangent_apart(part: Solid) -> f64 {
     let mut system = StaticSolid::new(part);
-    let (home, n, mut random) = (system.save(), system.unknowns(), Random(3));
-    let direction: Vec<f64> = (0..n).map(|_| random.next()).collect();
-    let eps = 1e-5 * DX;
-    let mut ends = [vec![0.0; n], vec![0.0; n]];
-    for (sign, out) in [1.0, -1.0].into_iter().zip(&mut ends) {
-        system.update(&direction.iter().map(|v| sign * eps * v).collect::<Vec<_>>());
-        system.internal(0.0, out);
-        system.restore(&home);
-    }
-    let change: Vec<f64> = ends[0].iter().zip(&ends[1]).map(|(p, m)| (p - m) / (2.0 * eps)).collect();
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(0.0, &mut values);
-    let mut product = vec![0.0; n];
-    for (&(row, column), value) in pattern.iter().zip(&values) {
-        product[row] += value * direction[column];
-        if row != column {
-            product[column] += value * direction[row];
-        }
-    }
-    let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let off: Vec<f64> = change.iter().zip(&product).map(|(a, b)| a - b).collect();
-    norm(&off) / norm(&change)
+    let mut random = Random(3);
+    let direction: Vec<f64> = (0..system.unknowns()).map(|_| random.next()).collect();
+    tangent_error(&mut system, 0.0, &direction, 1e-5 * DX)
 }
 
 /// Cells of the part, cells before it, and cells of the whole, along each axis, with the planes.

@@ -5,7 +5,8 @@
 mod common;
 
 use common::{
-    RandomNumbers, Sheets, X, Y, Z, at, folded, free_shell, parts, shell, spectrum, supported, tee,
+    RandomNumbers, Sheets, X, Y, Z, alone, at, derivatives_along, folded, free_shell, parts, shell, spectrum,
+    supported, tee,
 };
 use implicit_statics::Equilibrium;
 use shell_kinematics::StretchCorrected;
@@ -37,13 +38,6 @@ fn shake(system: &mut StaticShell, size: f64, seed: u64) {
     system.update(&increment);
 }
 
-fn quadratic(pattern: &[(usize, usize)], values: &[f64], v: &[f64]) -> f64 {
-    let entry = |(&(i, j), k): (&(usize, usize), &f64)| {
-        if i == j { k * v[i] * v[i] } else { 2.0 * k * v[i] * v[j] }
-    };
-    pattern.iter().zip(values).map(entry).sum()
-}
-
 #[test]
 fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
     for (name, cloud) in [("fold", folded(1.2, 3, 0.8, 2)), ("tee", tee(2, 1.0, 2))] {
@@ -57,46 +51,20 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
         shake(&mut system, 0.1, 3);
         shake(&mut system, 0.1, 4);
         let n = system.unknowns();
-        let pattern = system.pattern();
-        let mut values = vec![0.0; pattern.len()];
-        system.tangent(0.0, &mut values);
-        let mut force = vec![0.0; n];
-        system.internal(0.0, &mut force);
         let mut dice = RandomNumbers(7);
-        let home = system.save();
-        let h = 2e-4;
         // All unknowns at once, and those of groups, which turn about three axes, alone.
         let turning = (0..n).filter(|&i| system.name_unknown(i).contains("junction turning"));
         let turning: Vec<usize> = turning.collect();
         assert!(turning.len() >= 6, "{name}: {}", turning.len());
         let random: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
-        let alone = |i: usize| {
-            let mut v = vec![0.0; n];
-            v[i] = 1.0;
-            v
-        };
         let both = |i: usize| {
             let mut v = vec![0.0; n];
             (v[turning[i - 1]], v[turning[i]]) = (1.0, 0.7);
             v
         };
-        let ways = std::iter::once(random).chain(turning.iter().map(|&i| alone(i)));
+        let ways = std::iter::once(random).chain(turning.iter().map(|&i| alone(i, n)));
         for v in ways.chain((1..turning.len()).map(both)) {
-            let mut along = |factor: f64| {
-                system.restore(&home);
-                let step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-                system.update(&step);
-                system.energy()
-            };
-            let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(&mut along);
-            let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
-            let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
-            let slope: f64 = force.iter().zip(&v).map(|(f, v)| f * v).sum();
-            let curvature = quadratic(&pattern, &values, &v);
-            let errors = [(first / slope - 1.0).abs(), (second / curvature - 1.0).abs()];
-            println!("{name}: force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
-            // Truncation h⁴; round-off of U over h and h².
-            assert!(errors[0] < 1e-8 && errors[1] < 1e-6, "{name}: {errors:?}");
+            derivatives_along(&mut system, 0.0, &v, [1e-8, 1e-6], name);
         }
     }
 }

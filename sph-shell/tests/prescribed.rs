@@ -11,6 +11,7 @@ use common::{curved, energy_formulations, flat, parts, shake, shell};
 use explicit_dynamics::{Amplitude, Damping, March, QuasiStatic};
 use implicit_statics::{
     Control, CriticalOptions, End, Equilibrium, Path, PathOptions, Start, follow, linear_response,
+    load_rate_error,
 };
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Side, Vec3};
@@ -50,23 +51,8 @@ fn load_rates_are_derivatives_with_respect_to_the_level() {
         let mut body = shell(cloud, formulation, 0.2, &StretchCorrected, supports, loads);
         shake(&mut body, 0.03, 5);
         let mut system = StaticShell::new(body);
-        let n = system.unknowns();
-        let mut difference = |level: f64| {
-            let (mut internal, mut external) = (vec![0.0; n], vec![0.0; n]);
-            system.internal(level, &mut internal);
-            system.external(level, &mut external);
-            external.iter().zip(internal).map(|(e, i)| e - i).collect::<Vec<f64>>()
-        };
-        let (level, h) = (0.7, 1e-4);
-        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| difference(level + k * h));
-        let mut rate = vec![0.0; n];
-        system.load_rate(level, &mut rate);
-        let largest = rate.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
-        for i in 0..n {
-            let found = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h);
-            let error = (found - rate[i]).abs() / largest;
-            assert!(error < 1e-8, "{name}, {}: {found} {}", system.name_unknown(i), rate[i]);
-        }
+        let error = load_rate_error(&mut system, 0.7, 1e-4);
+        assert!(error < 1e-8, "{name}: {error:.1e}");
     }
 }
 

@@ -7,7 +7,8 @@ mod common;
 use std::f64::consts::PI;
 
 use common::{
-    RandomNumbers, X, Y, YOUNG, Z, at, beam_parts, curved, flat, parts, shell_parts, spectrum, supported, tee,
+    RandomNumbers, X, Y, YOUNG, Z, alone, at, beam_parts, curved, derivatives_along, flat, parts,
+    shell_parts, spectrum, supported, tee,
 };
 use implicit_statics::{
     BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, natural_modes, unwatched,
@@ -67,42 +68,10 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
         }
         let turning: Vec<usize> = (0..n).filter(|&i| system.name_unknown(i).contains("rigid body")).collect();
         assert!(!turning.is_empty());
-        let pattern = system.pattern();
-        let mut values = vec![0.0; pattern.len()];
-        system.tangent(1.0, &mut values);
-        let mut out_of_balance = vec![0.0; n];
-        let mut external = vec![0.0; n];
-        system.internal(1.0, &mut out_of_balance);
-        system.external(1.0, &mut external);
-        out_of_balance.iter_mut().zip(&external).for_each(|(sum, load)| *sum -= load);
-        let home = system.save();
         let mut dice = RandomNumbers(7);
         let random: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
-        let alone = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<_>>();
-        for v in std::iter::once(random).chain(turning.iter().map(|&i| alone(i))) {
-            let h = 2e-4;
-            // The work of what is out of balance along the way on which the unknowns turn with the body.
-            let mut work = |factor: f64| {
-                system.restore(&home);
-                let mut step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-                system.transport(&mut step);
-                let (mut internal, mut external) = (vec![0.0; n], vec![0.0; n]);
-                system.internal(1.0, &mut internal);
-                system.external(1.0, &mut external);
-                let lack = (0..n).map(|i| (internal[i] - external[i]) * step[i] / (factor * h));
-                (lack.sum::<f64>(), system.energy())
-            };
-            let [a, b, d, e] = [-2.0, -1.0, 1.0, 2.0].map(&mut work);
-            let second = (a.0 - 8.0 * b.0 + 8.0 * d.0 - e.0) / (12.0 * h);
-            let stored = (a.1 - 8.0 * b.1 + 8.0 * d.1 - e.1) / (12.0 * h);
-            let slope: f64 = (0..n).map(|i| (out_of_balance[i] + external[i]) * v[i]).sum();
-            let curvature: f64 = (pattern.iter().zip(&values))
-                .map(|(&(i, j), k)| if i == j { k * v[i] * v[i] } else { 2.0 * k * v[i] * v[j] })
-                .sum();
-            let errors = [(stored / slope - 1.0).abs(), (second / curvature - 1.0).abs()];
-            println!("force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
-            // Truncation h⁴ and the round-off of U and of forces over h.
-            assert!(errors[0] < 4e-12 && errors[1] < 4e-12, "{errors:?}");
+        for v in std::iter::once(random).chain(turning.iter().map(|&i| alone(i, n))) {
+            derivatives_along(&mut system, 1.0, &v, [4e-12, 4e-12], "turned");
         }
     }
 }

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use common::{curved, flat, parts, shell};
 use explicit_dynamics::{Amplitude, Clock, Dynamics};
-use implicit_statics::{Control, End, Equilibrium, PathOptions, Start, follow, linear_response};
+use implicit_statics::{Control, End, PathOptions, Start, follow, linear_response, load_rate_error};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Side, Vec3};
 use sph_shell::{
@@ -126,21 +126,8 @@ fn a_march_turns_the_end_as_statics_do() {
 #[test]
 fn rates_along_the_level_are_derivatives_and_what_opposes_a_turn_is_refused() {
     let mut system = solved(StaticShell::new(strip(4.0, [8, 4], 0.8, Amplitude::Constant)), 0.5);
-    let n = system.unknowns();
-    let mut lack = |level: f64| {
-        let mut internal = vec![0.0; n];
-        system.internal(level, &mut internal);
-        internal.iter().map(|f| -f).collect::<Vec<f64>>()
-    };
-    let (level, h) = (0.9, 1e-4);
-    let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| lack(level + k * h));
-    let mut rate = vec![0.0; n];
-    system.load_rate(level, &mut rate);
-    let largest = rate.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
-    for i in 0..n {
-        let found = (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h);
-        assert!((found - rate[i]).abs() < 1e-8 * largest, "{i}: {found} {}", rate[i]);
-    }
+    let error = load_rate_error(&mut system, 0.9, 1e-4);
+    assert!(error < 1e-8, "{error:.1e}");
     assert!(linear_response(&mut system, 0.0).is_ok());
 
     let built = |other: Box<dyn Support>| {

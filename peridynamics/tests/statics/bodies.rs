@@ -78,21 +78,6 @@ pub fn noise(count: usize, size: f64) -> Vec<f64> {
         .collect()
 }
 
-/// `K v` by the lower triangle.
-pub fn product(system: &mut StaticSolid, v: &[f64]) -> Vec<f64> {
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(0.0, &mut values);
-    let mut out = vec![0.0; v.len()];
-    for (&(row, column), value) in pattern.iter().zip(&values) {
-        out[row] += value * v[column];
-        if row != column {
-            out[column] += value * v[row];
-        }
-    }
-    out
-}
-
 pub fn norm(v: &[f64]) -> f64 {
     v.iter().map(|v| v * v).sum::<f64>().sqrt()
 }

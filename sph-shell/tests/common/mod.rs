@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
 use explicit_dynamics::{Amplitude, March, MarchError, Plan, Record, Transient};
-use implicit_statics::{Equilibrium, linear_response};
+use implicit_statics::{Equilibrium, force_error, linear_response, stiffness_error};
 use nalgebra::{DMatrix, SymmetricEigen};
 use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
@@ -280,34 +280,23 @@ pub fn spectrum(body: Shell) -> Vec<f64> {
     values
 }
 
-/// Holds forces and tangent of the present state against differences of the energy along a random direction.
+/// Holds forces and tangent of the present state against differences along a random direction.
 pub fn derivatives_agree(system: &mut StaticShell, level: f64, what: &str) {
-    let n = system.unknowns();
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(level, &mut values);
-    let mut force = vec![0.0; n];
-    system.internal(level, &mut force);
     let mut dice = RandomNumbers(3);
-    let v: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
-    let home = system.save();
-    let h = 2e-4;
-    let mut at = |factor: f64| {
-        system.restore(&home);
-        let step: Vec<f64> = v.iter().map(|x| factor * h * x).collect();
-        system.update(&step);
-        system.energy()
-    };
-    let [a, b, c, d, e] = [at(-2.0), at(-1.0), at(0.0), at(1.0), at(2.0)];
-    system.restore(&home);
-    let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
-    let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
-    let twice = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 2.0 };
-    let exact: f64 = pattern.iter().zip(&values).map(|(ij, k)| twice(ij) * k * v[ij.0] * v[ij.1]).sum();
-    let along: f64 = force.iter().zip(&v).map(|(f, v)| f * v).sum();
-    // Truncation h⁴, round-off 1e-16 U/h².
-    assert!((second / exact - 1.0).abs() < 1e-6, "{what}: {second} {exact}");
-    assert!((first / along - 1.0).abs() < 1e-7, "{what}: {first} {along}");
+    let way: Vec<f64> = (0..system.unknowns()).map(|_| dice.roll()).collect();
+    derivatives_along(system, level, &way, [1e-7, 1e-6], what);
+}
+
+/// The same along a direction, with bounds of the two: truncation h⁴, and the round-off of energy and forces over h.
+pub fn derivatives_along(system: &mut StaticShell, level: f64, way: &[f64], bounds: [f64; 2], what: &str) {
+    let errors = [force_error(system, level, way, 2e-4), stiffness_error(system, level, way, 2e-4)];
+    println!("{what}: force {:.1e}, tangent {:.1e}", errors[0], errors[1]);
+    assert!(errors[0] < bounds[0] && errors[1] < bounds[1], "{what}: {errors:?}");
+}
+
+/// One unknown by itself.
+pub fn alone(i: usize, unknowns: usize) -> Vec<f64> {
+    (0..unknowns).map(|j| f64::from(u8::from(i == j))).collect()
 }
 
 /// Energy `½ f·u` of the linear answer.
