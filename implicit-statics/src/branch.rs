@@ -16,11 +16,9 @@ const HALVES: i32 = 10;
 /// How many times it is doubled at most: slender columns bend a million times as far as they are pressed.
 const DOUBLES: i32 = 40;
 
-/// Whether a path is left at a critical point: a bifurcation in which it loses a stability, in one mode.
+/// Whether a path is left at a critical point: a bifurcation in which a stable path loses its stability, in one mode.
 pub(crate) fn leaves(branches: Branches, point: &CriticalPoint) -> bool {
-    branches != Branches::Primary
-        && point.kind == CriticalKind::Bifurcation
-        && point.negative.1 == point.negative.0 + 1
+    branches != Branches::Primary && point.kind == CriticalKind::Bifurcation && point.negative == (0, 1)
 }
 
 /// Goes over to the branch that leaves the bifurcation of the step just made, of the given arc length, if the path is left there;

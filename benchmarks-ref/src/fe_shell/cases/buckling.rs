@@ -3,7 +3,8 @@
 use super::{CaseError, Solved, numbered};
 use crate::fe_shell::{Load, Mesh, Model, Section, Side, Support, Turning};
 use implicit_statics::{
-    BucklingOptions, Control, Equilibrium, PathOptions, Start, follow, linear_buckling, unwatched,
+    Branches, BucklingOptions, Control, CriticalOptions, Equilibrium, PathOptions, Start, follow,
+    linear_buckling, unwatched,
 };
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -47,6 +48,22 @@ const PLATE: [f64; 2] = [300.0, 200.0];
 ///
 /// It is bent at rest by one half-wave each way of this deflection \[mm\]. 3n × 2n elements, n even.
 pub fn plate_shortened(n: usize, deflection: f64, until: f64, steps: usize) -> Result<Solved, CaseError> {
+    let mut options = PathOptions::new(Control::Load { step: until / steps as f64, until });
+    options.largest = 1.0;
+    shortened(n, deflection, &options)
+}
+
+/// The same plate by arc length, first to one shortening \[mm\] and up to another, past turning points on the way and along the
+/// branch that leaves a bifurcation; deflection zero makes it flat.
+pub fn plate_path(n: usize, deflection: f64, first: f64, until: f64) -> Result<Solved, CaseError> {
+    let mut options = PathOptions::new(Control::ArcLength { first, range: (f64::NEG_INFINITY, until) });
+    options.critical =
+        Some(CriticalOptions { tolerance: 1e-3, branches: Branches::Stable, ..CriticalOptions::default() });
+    options.newton.line_search = false;
+    shortened(n, deflection, &options)
+}
+
+fn shortened(n: usize, deflection: f64, options: &PathOptions) -> Result<Solved, CaseError> {
     let [length, width] = PLATE;
     let mesh = Mesh::patch(3 * n, 2 * n, |xi, eta| {
         let ((sx, cx), (sy, cy)) = (libm::sincos(PI * xi), libm::sincos(PI * eta));
@@ -74,9 +91,7 @@ pub fn plate_shortened(n: usize, deflection: f64, until: f64, steps: usize) -> R
     let (held, centre) = (mesh.side(Side::XiStart), mesh.node(3 * n / 2, n));
     let middle: Vec<usize> = (0..=3 * n).map(|i| mesh.node(i, n)).collect();
     let mut rows = Vec::new();
-    let mut options = PathOptions::new(Control::Load { step: until / steps as f64, until });
-    options.largest = 1.0;
-    let path = follow(&mut model, &Start::default(), &options, |point, model| {
+    let path = follow(&mut model, &Start::default(), options, |point, model| {
         let height = |node: usize| mesh.positions[node].z + model.displacement(node).z;
         let most = middle.iter().map(|&node| height(node)).fold(0.0, f64::max);
         rows.push(vec![point.level(), 1e-3 * model.reaction(&held).x, height(centre), most]);

@@ -7,7 +7,7 @@ mod panel;
 mod plates;
 mod strips;
 
-pub use buckling::{column_buckling, plate_buckling, plate_shortened};
+pub use buckling::{column_buckling, plate_buckling, plate_path, plate_shortened};
 pub use curved::{hemisphere_with_hole_large, open_cylinder, pinched_cylinder_large};
 pub use linear::{
     TwistedBeam, hemisphere_of_thickness, hemisphere_with_hole, pinched_cylinder, scordelis_lo, twisted_beam,
