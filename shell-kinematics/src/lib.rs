@@ -144,6 +144,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod history_pack;
 mod integrated_section;
 mod layered_section;
 mod memory;
@@ -158,9 +159,10 @@ mod strains;
 mod stressed_pack;
 mod tangent;
 
+pub use history_pack::HistoryPack;
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
-pub use memory::{HistoryPack, Memory};
+pub use memory::Memory;
 pub use pack::{LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;
