@@ -89,6 +89,8 @@
 //! Four sections lie side by side in a [`SectionPack`], each at its height; under resultants `N₀, M₀` where nothing is strained in a
 //! [`StressedPack`]. Four strain measures do in a [`StrainPack`].
 //!
+//! A section whose resultants depend on what its points went through has a [`Memory`], and its points a [`HistoryPack`] each four.
+//!
 //! # Back: placement forces
 //!
 //! With s the forces on the products (membrane, curvature b, shear q),
@@ -136,13 +138,16 @@
 //! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | sections side by side are those alone, at any height | `sections_side_by_side_are_those_alone` (tests/layered.rs) |
 //! | initial resultants add to those of the section, with their work | `resultants_under_stress_are_the_derivative_of_the_energy` (tests/packs.rs) |
+//! | a history is left alone by evaluations and by a second commit; resultants are the derivative of the work | sph-shell/tests/history.rs |
 //! | measures side by side are those alone | `measures_side_by_side_are_those_alone` (tests/packs.rs) |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod history_pack;
 mod integrated_section;
 mod layered_section;
+mod memory;
 mod pack;
 mod placement;
 mod rotation;
@@ -154,8 +159,10 @@ mod strains;
 mod stressed_pack;
 mod tangent;
 
+pub use history_pack::HistoryPack;
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
+pub use memory::Memory;
 pub use pack::{LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;

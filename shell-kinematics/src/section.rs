@@ -2,6 +2,7 @@
 
 use std::any::Any;
 
+use crate::memory::Memory;
 use crate::pack::{Number, Pack};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::{Matrix8, ZERO8};
@@ -37,6 +38,12 @@ pub trait Section: Any + Send + Sync {
     /// Whether stresses run linearly through the thickness, so that those at the faces follow from the resultants.
     fn homogeneous(&self) -> bool {
         false
+    }
+
+    /// Its memory; none of a section that answers to strains alone. Of one with memory the formulas above are those of a point that nothing has
+    /// strained before, and its [`crate::HistoryPack`] has those of any other.
+    fn memory(&self) -> Option<&dyn Memory> {
+        None
     }
 }
 

@@ -100,7 +100,7 @@ fn march(formulation: Formulation, springs: Springs, steps: u64) {
         loads: Vec::new(),
         threads: 1,
     });
-    let mut shell = shell.springs(springs).build().unwrap();
+    let mut shell = shell.springs(springs).build().expect("a sound shell");
     for a in 0..shell.len() {
         let x = shell.position(a);
         shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());

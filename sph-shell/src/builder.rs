@@ -144,8 +144,8 @@ impl ShellBuilder {
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
     /// director, or of one particle; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
-    /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets and stresses where strains are not
-    /// sampled in cells.
+    /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
+    /// strains are not sampled in cells, the last together with regions and stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {
         let Self { parts, regions, origin, ties, masses, rigid, springs, stresses, stress_case, wetting } =
             self;
@@ -186,9 +186,10 @@ impl ShellBuilder {
         }
         loads.iter().try_for_each(|applied| applied.load.check(&reference))?;
         let mut constraints = Constraints::new(&reference, &supports)?;
+        let section = section.into();
         let mut material = Material { section, strain, regions, stresses: Vec::new(), stress_case };
         let mut points = Points::new(&reference, &formulation, &material.scales(), density)?;
-        material.divide(&mut points);
+        material.divide(&mut points, !stresses.is_empty())?;
 
         let mut ties = Ties::new(&reference, &material, &ties)?;
         ties.hold(&reference, &mut constraints)?;

@@ -182,6 +182,18 @@
 //!
 //! [`ShellBuilder::masses`] adds masses to particles, which do not turn with the director.
 //!
+//! # Sections with memory
+//!
+//! Where the section has a `shell_kinematics::Memory`, each point has a history h₀ that only a commit changes; forces, tangent and energy are
+//! those of the incremental potential at h₀, so that a border point may be swept twice and a trial state taken back:
+//!
+//! ```text
+//! f = ∂/∂q Σ_p w_p W(ε_p; h₀_p)        commit: h₀ ← H(ε, h₀)        W: stored, and all that was dissipated
+//! ```
+//!
+//! A march commits at the end of each step, [`StaticShell`] a state that is accepted; saved states and [`Shell::history`] hold h₀. The stable
+//! step is that of unloading, h₀ held. The control of zero-energy modes keeps the stiffness at rest; initial stress and regions go with no memory.
+//!
 //! # Supports and loads
 //!
 //! A [`Support`] says what it [`Holds`]: directions of no displacement, and of the director nothing, a plane `d·ν = 0`,
@@ -260,6 +272,7 @@
 //! | what a laminate and its axes promise | tests/layered.rs |
 //! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
 //! | two strain measures in one strip | `two_measures_in_one_strip_turn_as_each_says` (tests/regions.rs) |
+//! | sections with memory: a hardening line there and back, derivatives, what is taken back and taken up, one bit for threads and parts of a step, the balance | tests/history.rs |
 //! | initial stress: derivatives, relief, rolling up, rest where edges are held, energy and bits in time | tests/initial_stress.rs |
 //! | plates and membranes under initial stress vibrate and buckle as closed forms say | tests/prestressed.rs |
 //! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |

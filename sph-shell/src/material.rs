@@ -1,19 +1,21 @@
 //! What a shell is made of: sections and strain measures of its cells, and the stress that is there before anything is strained.
 
-use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StressedPack};
+use std::sync::Arc;
+
+use shell_kinematics::{HistoryPack, LANES, Section, SectionPack, StrainMeasure, StressedPack};
 
 use crate::conditions::case::LoadCase;
 use crate::error::ShellError;
 use crate::initial_stress::{InitialStress, resultants_of};
 use crate::points::point::PointLaw;
-use crate::points::scheme::{Points, Sections};
+use crate::points::scheme::{Points, Scheme, Sections};
 use crate::reference::Reference;
 use crate::regions::{PointSection, Regions, Scales};
 
 /// Sections, strain measures and initial stress.
 pub(crate) struct Material {
     /// The section, of several that of the cells in no region.
-    pub section: Box<dyn Section>,
+    pub section: Arc<dyn Section>,
     pub strain: &'static dyn StrainMeasure,
     pub regions: Regions,
     /// Resultants `N11, N22, N12, M11, M22, M12` of each unstrained point; empty without initial stress.
@@ -63,13 +65,32 @@ impl Material {
         density * self.at(cell).thickness * cloud.cells[cell].geometry(&cloud.positions).area
     }
 
-    /// Gives each pack of points its own sections and strain measures, where there are several.
-    pub fn divide(&self, points: &mut Points) {
+    /// Gives each pack of points its own sections and strain measures, where there are several, or its history, where the section has a memory.
+    ///
+    /// # Errors
+    /// [`ShellError::Memory`] where a memory stands beside what has none.
+    pub fn divide(&self, points: &mut Points, stressed: bool) -> Result<(), ShellError> {
+        if self.regions.remember() || self.section.memory().is_some() {
+            if self.regions.any() {
+                return Err(ShellError::Memory("does not go with regions; use it for all of the shell"));
+            }
+            if !matches!(points.scheme, Scheme::Cells { .. }) {
+                return Err(ShellError::Memory(
+                    "wants strains sampled in cells; use the formulation by cells",
+                ));
+            }
+            if stressed {
+                return Err(ShellError::Memory("does not go with an initial stress; remove one of them"));
+            }
+            let fresh = HistoryPack::new(Arc::clone(&self.section));
+            points.sections = Sections::Remembering(vec![fresh; points.packs.order.len()]);
+        }
         if self.regions.any() {
             let order = &points.packs.order;
             points.strains = self.regions.strains(self.strain, order);
             points.sections = Sections::Own(self.regions.packs(&*self.section, order));
         }
+        Ok(())
     }
 
     /// Puts stresses on the unstrained shell; those of one cell add up.

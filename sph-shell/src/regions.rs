@@ -113,6 +113,11 @@ impl Regions {
         Scales { uniform, own: own.collect() }
     }
 
+    /// Whether any of their sections has a memory.
+    pub fn remember(&self) -> bool {
+        self.regions.iter().any(|region| region.section.memory().is_some())
+    }
+
     /// Whether there are any.
     pub fn any(&self) -> bool {
         !self.regions.is_empty()

@@ -187,7 +187,29 @@ impl Shell {
         fits
     }
 
-    /// Internal energy found by the last evaluation that was asked for it \[F L\].
+    /// Commits what the present strains make of the history of sections with memory: of an accepted state, whose history is to last. Without
+    /// memory nothing is done; marches and [`crate::StaticShell`] commit by themselves.
+    pub fn commit(&mut self) {
+        let Self { points, material, motion, .. } = self;
+        points.commit(material.strain, &motion.state);
+    }
+
+    /// Whether its section has a memory.
+    pub(crate) fn remembers(&self) -> bool {
+        !self.points.sections.histories().is_empty()
+    }
+
+    /// The committed history of all points, which belongs to [`Shell::motion`] as a part of the state; empty without memory.
+    pub fn history(&self) -> Vec<f64> {
+        self.points.sections.histories().iter().flat_map(|pack| pack.numbers()).collect()
+    }
+
+    /// Takes up a history that [`Shell::history`] gave, to the same bits; false, and nothing changed, if it is that of another shell.
+    pub fn take_up_history(&mut self, history: &[f64]) -> bool {
+        self.points.sections.take_up(history)
+    }
+
+    /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
     pub fn stored_energy(&self) -> f64 {
         self.evaluation.internal_energy
     }

@@ -15,6 +15,14 @@ use crate::statics::dofs::Basis;
 use crate::statics::static_shell::StaticShell;
 
 impl Junctions {
+    /// Moves a group as its first particle's unknowns say; the others of a group go with it.
+    pub fn move_first(&self, state: &mut [Row], particle: usize, u: &Vec3, theta: &Vec3) {
+        if let Some(group) = self.of(particle).filter(|group| group.first() == particle) {
+            let way = group.way_of_pole(state, u, theta);
+            group.turn(state, &way, theta);
+        }
+    }
+
     /// Adds the pairs of first particles to the pairs of particles that share a block, row by row.
     pub fn add_pairs(&self, rows: &mut [Vec<u32>]) {
         if self.is_empty() {
@@ -119,37 +127,6 @@ impl Junctions {
 }
 
 impl Group {
-    /// `Σ_k [½(p_k d_kᵀ + d_k p_kᵀ) − (p_k·d_k) 1]`, of a body the same of forces and arms too.
-    fn rotation_block(&self, state: &[Row], p: impl Fn(usize) -> Row) -> Matrix3<f64> {
-        let of = |p: &Vec3, d: &Vec3| {
-            let outer = p * d.transpose();
-            (outer + outer.transpose()) * 0.5 - Matrix3::identity() * p.dot(d)
-        };
-        let part = |&a: &u32| of(&director(&p(a as usize)), &director(&state[a as usize]));
-        let sum: Matrix3<f64> = self.particles.iter().map(part).sum();
-        let Some(body) = &self.body else { return sum };
-        let pole = self.pole(state);
-        let arm = |&a: &u32| of(&place(&p(a as usize)), &(place(&state[a as usize]) - pole));
-        let whole =
-            sum + self.particles.iter().map(arm).sum::<Matrix3<f64>>() + body.load_block(&self.triad(state));
-        self.lever(state).map_or(whole, |lever| {
-            let force = self.particles.iter().map(|&a| place(&p(a as usize))).sum::<Vec3>() - body.load[0];
-            whole - of(&(lever.held * force), &lever.arm)
-        })
-    }
-}
-
-impl Junctions {
-    /// Moves a group as its first particle's unknowns say; the others of a group go with it.
-    pub fn move_first(&self, state: &mut [Row], particle: usize, u: &Vec3, theta: &Vec3) {
-        if let Some(group) = self.of(particle).filter(|group| group.first() == particle) {
-            let way = group.way_of_pole(state, u, theta);
-            group.turn(state, &way, theta);
-        }
-    }
-}
-
-impl Group {
     /// Directions of the unknowns of a particle of the group: the first has up to three translations and three rotations,
     /// the others have none.
     pub fn basis(&self, state: &[Row], constraint: Option<&Constraint>, particle: usize, arc: f64) -> Basis {
@@ -170,6 +147,25 @@ impl Group {
             DirectorHold::Fixed => {}
         }
         basis
+    }
+
+    /// `Σ_k [½(p_k d_kᵀ + d_k p_kᵀ) − (p_k·d_k) 1]`, of a body the same of forces and arms too.
+    fn rotation_block(&self, state: &[Row], p: impl Fn(usize) -> Row) -> Matrix3<f64> {
+        let of = |p: &Vec3, d: &Vec3| {
+            let outer = p * d.transpose();
+            (outer + outer.transpose()) * 0.5 - Matrix3::identity() * p.dot(d)
+        };
+        let part = |&a: &u32| of(&director(&p(a as usize)), &director(&state[a as usize]));
+        let sum: Matrix3<f64> = self.particles.iter().map(part).sum();
+        let Some(body) = &self.body else { return sum };
+        let pole = self.pole(state);
+        let arm = |&a: &u32| of(&place(&p(a as usize)), &(place(&state[a as usize]) - pole));
+        let whole =
+            sum + self.particles.iter().map(arm).sum::<Matrix3<f64>>() + body.load_block(&self.triad(state));
+        self.lever(state).map_or(whole, |lever| {
+            let force = self.particles.iter().map(|&a| place(&p(a as usize))).sum::<Vec3>() - body.load[0];
+            whole - of(&(lever.held * force), &lever.arm)
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{LANES, Section, SectionPack, StrainPack, StressedPack};
+use shell_kinematics::{HistoryPack, LANES, Section, SectionPack, StrainMeasure, StrainPack, StressedPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
@@ -39,6 +39,8 @@ pub(crate) enum Sections {
     Own(Vec<SectionPack>),
     /// The same, under stress before they are strained.
     Stressed(Vec<StressedPack>),
+    /// That of the shell, with the history of each point.
+    Remembering(Vec<HistoryPack>),
 }
 
 impl Sections {
@@ -49,6 +51,7 @@ impl Sections {
             Self::One => None,
             Self::Own(packs) => packs.get(pack).map(|own| own as _),
             Self::Stressed(packs) => packs.get(pack).map(|own| own as _),
+            Self::Remembering(packs) => packs.get(pack).map(|own| own as _),
         }
     }
 
@@ -57,7 +60,28 @@ impl Sections {
             Self::One => 0,
             Self::Own(packs) => size_of_val(&packs[..]),
             Self::Stressed(packs) => size_of_val(&packs[..]),
+            Self::Remembering(packs) => packs.iter().map(HistoryPack::bytes).sum(),
         }
+    }
+
+    /// Those that have a history; none of sections without memory.
+    pub fn histories(&self) -> &[HistoryPack] {
+        if let Self::Remembering(packs) = self { packs } else { &[] }
+    }
+
+    /// Takes up what the histories gave as numbers; false, and nothing changed, if there are not as many.
+    pub fn take_up(&mut self, mut numbers: &[f64]) -> bool {
+        if self.histories().iter().map(HistoryPack::count).sum::<usize>() != numbers.len() {
+            return false;
+        }
+        if let Self::Remembering(packs) = self {
+            for pack in packs {
+                let (own, rest) = numbers.split_at(pack.count());
+                pack.take_up(own);
+                numbers = rest;
+            }
+        }
+        true
     }
 }
 
@@ -161,6 +185,23 @@ impl Points {
             section: self.sections.get(index),
             strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
+        }
+    }
+
+    /// Commits what the strains of a state make of the history of each point.
+    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row]) {
+        for index in 0..self.sections.histories().len() {
+            let strains = self.point(index).strained::<true, _>(strain, state).strains;
+            if let Sections::Remembering(packs) = &mut self.sections {
+                packs[index].commit(&strains);
+            }
+        }
+    }
+
+    /// Lets all histories stay as they are whatever the strains, or no longer.
+    pub fn hold_histories(&mut self, held: bool) {
+        if let Sections::Remembering(packs) = &mut self.sections {
+            packs.iter_mut().for_each(|pack| pack.hold(held));
         }
     }
 

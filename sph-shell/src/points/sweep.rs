@@ -56,6 +56,7 @@ impl<'a> Sweep<'a> {
             Sections::One => {}
             Sections::Own(own) => return self.cells_of_sections(own, packs, ring, energies),
             Sections::Stressed(own) => return self.cells_of_sections(own, packs, ring, energies),
+            Sections::Remembering(own) => return self.cells_of_sections(own, packs, ring, energies),
         }
         match (self.law.default_pair(), self.energy) {
             (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),

@@ -2,6 +2,7 @@
 
 pub(crate) mod blocks;
 pub(crate) mod dofs;
+mod equilibrium;
 mod levels;
 pub(crate) mod load_stiffness;
 pub(crate) mod projection;

@@ -148,17 +148,22 @@ impl Dynamics for Shell {
         }
         junctions.drift(motion, constraints, step.drift());
         ties.put(&mut motion.state);
+        self.commit();
     }
 
     fn advance(&mut self, step: &Step) -> Work {
         // Groups and ties gather forces that the fused step does not keep.
         if self.evaluation.plan.is_some() && self.dependents.is_empty() {
             self.evaluate_external(step.from);
-            return self.fused_step(step);
+            let work = self.fused_step(step);
+            self.commit();
+            return work;
         }
         self.evaluate_internal(false);
         self.evaluate_external(step.from);
-        self.update::<true>(step)
+        let work = self.update::<true>(step);
+        self.commit();
+        work
     }
 
     fn stop(&mut self) {

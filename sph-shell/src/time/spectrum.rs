@@ -30,6 +30,8 @@ impl LinearisedDynamics for Shell {
             return;
         }
         let eps = PERTURBATION / greatest;
+        // The step has to bear unloading, which is the stiffest answer of a section with memory.
+        self.points.hold_histories(true);
         let home = self.motion.state.clone();
         let mut forces = [vec![[0.0; 6]; home.len()], vec![[0.0; 6]; home.len()]];
         let mut of_bodies = Vec::new();
@@ -57,6 +59,7 @@ impl LinearisedDynamics for Shell {
             of_bodies.push(groups.map(|group| springs.row(group.first())).collect::<Vec<_>>());
         }
         self.motion.state = home;
+        self.points.hold_histories(false);
         let [plus, minus] = forces;
         let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
         for (a, out) in out.chunks_exact_mut(6).enumerate() {

@@ -59,14 +59,26 @@ impl Body for Shell {
 
     fn state(&self) -> Vec<StateArray<'_>> {
         let [state, rates] = self.motion().map(<[[f64; 6]]>::as_flattened);
-        vec![StateArray::new("positions and directors", state), StateArray::new("their rates", rates)]
+        let motion =
+            [StateArray::new("positions and directors", state), StateArray::new("their rates", rates)];
+        let history = Some(self.history()).filter(|history| !history.is_empty());
+        let history = history
+            .map(|numbers| StateArray { name: "history of the points".into(), numbers: numbers.into() });
+        motion.into_iter().chain(history).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
-        let [state, rates] = arrays else { return Err(Mismatch) };
+        let (motion, history) = arrays.split_at_checked(2).ok_or(Mismatch)?;
+        let [state, rates] = motion else { return Err(Mismatch) };
+        let history = match history {
+            [] => &[][..],
+            [history] => &history.numbers,
+            _ => return Err(Mismatch),
+        };
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
         let fits = left.is_empty() && over.is_empty() && self.take_up([state, rates]);
+        let fits = fits && self.take_up_history(history);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }
