@@ -309,14 +309,13 @@ fn what_is_dissipated_is_in_the_balance() {
             let x = shell.rest_position(a);
             shell.set_rate(a, Vec3::new(2.0 * x.x, 0.0, 0.0), Vec3::zeros());
         }
-        let mut keep = common::Keep::default();
         let run = Transient { duration: 0.5, record_every: 0.005, damping: 0.0, safety };
-        run.march(&mut shell, &mut keep).unwrap();
-        let start = keep.0[0].energy.kinetic;
-        let last = keep.0.last().unwrap().energy;
+        let records = common::records(run, &mut shell).unwrap();
+        let start = records[0].energy.kinetic;
+        let last = records.last().unwrap().energy;
         // Most of the motion is gone for good.
         println!("kinetic {:.3}, internal {:.3} of the start", last.kinetic / start, last.internal / start);
-        keep.0.iter().fold(0.0, |worst: f64, record| worst.max(record.balance_error.abs())) / start
+        records.iter().fold(0.0, |worst: f64, record| worst.max(record.balance_error.abs())) / start
     });
     println!("{errors:?}");
     // .0030 .00051 .00018
