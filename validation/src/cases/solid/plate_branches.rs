@@ -75,6 +75,7 @@ fn variants() -> Vec<Variant> {
         .set("supports[0].held.director", turns)
         .set("supports[1].held.director", turns)
         .set("curve[+]", down)
+        .full_if(true)
         .judged(|run, _| second(run)),
         sheets(DEFLECTED, BENT, &format!("radius = 0.005, until = {}", BEYOND / FULL))
             .judged(|run, runs| Ok([beside_elements(run, runs, DEFLECTED_ELEMENTS)?, three(run)?].concat())),
