@@ -9,6 +9,7 @@ mod kalthoff;
 mod measure;
 mod mode_one;
 mod moduli;
+mod plate_branches;
 mod plate_cracked;
 mod plate_lattice;
 mod plate_post_buckling;
@@ -46,6 +47,7 @@ pub fn all() -> Vec<Case> {
         "Peridynamic plates",
         [
             plate_stability::case(),
+            plate_branches::case(),
             plate_lattice::case(),
             plate_post_buckling::case(),
             plate_cracked::case(),

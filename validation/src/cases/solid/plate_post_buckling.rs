@@ -23,9 +23,12 @@ const YOUNG: f64 = 69000.0;
 const POISSON: f64 = 0.33;
 const LENGTHS: [f64; 2] = [300.0, 200.0];
 const THICKNESS: f64 = 2.0;
-const BENT: f64 = 0.2;
+pub const BENT: f64 = 0.2;
 /// Critical force of the flat plate by the closed form \[kN\].
-const CRITICAL: f64 = 6.863;
+pub const CRITICAL: f64 = 6.863;
+/// Stiffness of the flat plate, E t b/((1 − ν²) a) \[kN/mm\].
+pub const FLAT_STIFFNESS: f64 =
+    1e-3 * YOUNG * THICKNESS * LENGTHS[1] / ((1.0 - POISSON * POISSON) * LENGTHS[0]);
 /// Shortening up to which all three are compared: beyond twice the critical force \[mm\].
 const COMPARED: f64 = 0.18;
 const STEPS: usize = 18;
@@ -72,7 +75,7 @@ fn levels(until: f64, steps: usize) -> String {
 }
 
 /// Shortening \[mm\] and force \[kN\] of a run.
-fn points(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
+pub fn points(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
     if run.is(SHEETS) {
         let shortening = run.column("level")?.into_iter().map(|level| FULL * level);
         return Ok(shortening.zip(run.column("P")?).map(|(u, force)| (u, 1e-3 * force)).collect());
@@ -110,9 +113,7 @@ fn slope(points: &[(f64, f64)], from: f64, to: f64) -> Option<f64> {
 
 fn knee(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let points = points(run)?;
-    // Stiffness of the flat plate, E t b/((1 − ν²) a): the first secant is that less what the deflection at rest gives.
-    let flat = 1e-3 * YOUNG * THICKNESS * LENGTHS[1] / ((1.0 - POISSON * POISSON) * LENGTHS[0]);
-    let kept = slope(&points, 1.3, 1.9).map(|slope| slope / flat);
+    let kept = slope(&points, 1.3, 1.9).map(|slope| slope / FLAT_STIFFNESS);
     // One term of the plate's equations: P/(1 − w₀/w) = P_cr + k w (w + w₀), w from the flat plane. The line through these.
     let centre: Vec<f64> = run.column("centre")?;
     let near = points.iter().zip(&centre).filter(|(point, _)| (0.5..1.5).contains(&(point.1 / CRITICAL)));
