@@ -32,7 +32,7 @@ impl Builder<'_> {
             | ShellError::NotAStrip { .. } => {
                 of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
             }
-            ShellError::JunctionOfWideStencils | ShellError::Memory(_) => of_body("formulation"),
+            ShellError::JunctionOfWideStencils => of_body("formulation"),
             ShellError::Density(_) => {
                 of_body(&format!("material.{}.density", self.scene.shell().material.word()))
             }
