@@ -118,7 +118,7 @@ fn a_state_holds_the_history_and_is_taken_up_to_the_same_bits() {
     march(&mut once, 20..40);
     march(&mut other, 20..40);
     assert!(bits(&once) == bits(&other));
-    assert!(once.history().iter().any(|number| *number == 1.0), "no point went beyond its limit");
+    assert!(once.history().contains(&1.0), "no point went beyond its limit");
     // Within the limit, forces are those of what went beyond it; without the history they are not.
     let mut forgetful = plate(Box::new(Halved(elastic())));
     assert!(forgetful.take_up(once.motion()));

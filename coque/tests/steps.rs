@@ -275,9 +275,9 @@ fn a_failure_is_reported_once_and_what_came_before_is_kept() {
     let short = strip("{ arc-length = { until = 1.0, steps = 2 } }");
     let mut simulation = Simulation::new(short);
     let failure = simulation.advance().unwrap_err();
-    assert!(matches!(failure, Failure::Steps { steps: 2, .. }), "{failure}");
+    assert!(matches!(*failure, Failure::Steps { steps: 2, .. }), "{failure}");
     assert_eq!(simulation.advance(), Ok(Event::End));
     let outcome = simulation.finish();
     assert_eq!(outcome.curve.rows.len(), 3);
-    assert_eq!(outcome.ended, Ended::Diverged(failure));
+    assert_eq!(outcome.ended, Ended::Diverged(*failure));
 }

@@ -133,14 +133,14 @@ impl<'a> Simulation<'a> {
     ///
     /// # Errors
     /// Why the run does not reach its end; curve and body hold what came before.
-    pub fn advance(&mut self) -> Result<Event, Failure> {
+    pub fn advance(&mut self) -> Result<Event, Box<Failure>> {
         let rows = self.run.curve.rows.len();
         if self.ended.is_some() {
             return Ok(Event::End);
         }
         self.in_pool(Self::go_on);
         match &self.ended {
-            Some(Ended::Diverged(failure)) => Err(failure.clone()),
+            Some(Ended::Diverged(failure)) => Err(Box::new(failure.clone())),
             _ if self.run.curve.rows.len() > rows => Ok(Event::Record),
             Some(_) => Ok(Event::End),
             None => Ok(Event::Step),

@@ -110,10 +110,9 @@ impl Run<'_> {
     /// Writes a checkpoint, if the run writes any; what prevents it is reported, and the run goes on.
     pub fn keep_checkpoint(&mut self, stage: &Stage, body: &dyn Body) {
         let Some(checkpoints) = self.checkpoints.take() else { return };
-        if let Err(error) = checkpoints.write(self.kept(stage, body), &self.curve.rows, &self.shapes) {
-            if let Some(progress) = &mut self.progress {
-                progress.warn(&error.to_string());
-            }
+        let written = checkpoints.write(self.kept(stage, body), &self.curve.rows, &self.shapes);
+        if let (Err(error), Some(progress)) = (written, &mut self.progress) {
+            progress.warn(&error.to_string());
         }
         self.checkpoints = Some(checkpoints);
     }

@@ -40,7 +40,7 @@ impl StaticShell {
 }
 
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
-    /// The same of a shell that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
+    /// The same of a shell that goes on afterwards: [`implicit_statics::Equilibrium::tangent`] and the forces leave its motion as it is, that
     /// of prescribed values too.
     pub fn lent(shell: S) -> Self {
         let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));

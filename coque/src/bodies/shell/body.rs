@@ -77,8 +77,8 @@ impl Body for Shell {
         };
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
-        let fits = left.is_empty() && over.is_empty() && self.take_up([state, rates]);
-        let fits = fits && self.take_up_history(history);
+        let whole = left.is_empty() && over.is_empty() && history.len() == self.history().len();
+        let fits = whole && self.take_up([state, rates]) && self.take_up_history(history);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }
