@@ -50,12 +50,12 @@ use crate::run::outcome::{Ended, Failure, Outcome};
 /// while simulation.advance()? != Event::End {
 ///     let tip = simulation.body().configuration().rest.len() - 1;
 ///     highest = highest.max(simulation.body().read(Measured::Displacement, tip, &Vec3::z()));
-///     if highest > 0.01 {
+///     if highest > 0.2 {
 ///         break;
 ///     }
 /// }
 /// let outcome = simulation.finish();
-/// assert!(highest > 0.01 && outcome.curve.rows.len() > 1);
+/// assert!(highest > 0.2 && outcome.curve.rows.len() > 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Simulation<'a> {
