@@ -26,7 +26,7 @@ pub fn run() -> Result<(), String> {
     let mut summary = text(&root.join(SUMMARY))?;
     let pages = listed(&summary);
     for page in &pages {
-        keep(&book.join("src").join(page), &moved(&text(&root.join(page))?, page, &pages))?;
+        keep(&book.join("src").join(of_the_site(page)), &moved(&text(&root.join(page))?, page, &pages))?;
     }
     for folder in ["docs/guide", "docs/pictures"] {
         pictures(&root.join(folder), &book.join("src").join(folder))?;
@@ -47,11 +47,16 @@ pub fn run() -> Result<(), String> {
     Ok(())
 }
 
+/// What a page is called on the site: the first of a folder is its index.
+fn of_the_site(page: &str) -> String {
+    page.replace("README.md", "index.md")
+}
+
 /// The summary with paths from the root, as the site has them.
 fn from_the_root(summary: &str) -> String {
     let mut out = summary.to_owned();
     for target in targets(summary) {
-        out = out.replace(&format!("]({target})"), &format!("]({})", below_docs(target)));
+        out = out.replace(&format!("]({target})"), &format!("]({})", of_the_site(&below_docs(target))));
     }
     out
 }
@@ -64,8 +69,12 @@ fn moved(text: &str, page: &str, pages: &[String]) -> String {
         let at = joined(page, path);
         let elsewhere = target.contains("://") || path.is_empty() || target.contains(' ');
         let drawn = [".svg", ".png"].iter().any(|end| path.ends_with(end));
-        if !(elsewhere || drawn || pages.contains(&at)) {
-            out = out.replace(&format!("]({target})"), &format!("]({REPOSITORY}{at})"));
+        let there = match pages.contains(&at) {
+            true => of_the_site(target),
+            false => format!("{REPOSITORY}{at}"),
+        };
+        if !(elsewhere || drawn) {
+            out = out.replace(&format!("]({target})"), &format!("]({there})"));
         }
     }
     out
@@ -120,11 +129,12 @@ mod tests {
     fn links_lead_to_pages_of_the_site_or_to_the_repository() {
         let pages = listed("[a](a.md)\n- [n](../NOTATION.md)\n- [g](guide/README.md)\n");
         assert_eq!(pages, ["docs/a.md", "NOTATION.md", "docs/guide/README.md"]);
-        let text =
-            "[n](../NOTATION.md#x) [s](../scenes/ring.toml) [w](https://example.org) [p](p.svg) [h](#h)";
+        let text = "[n](../NOTATION.md#x) [g](guide/README.md#a) [s](../scenes/ring.toml) [w](https://example.org) [p](p.svg) [h](#h)";
         let on_the_site = moved(text, "docs/a.md", &pages);
         let scene = format!("[s]({REPOSITORY}scenes/ring.toml)");
-        assert_eq!(on_the_site, text.replace("[s](../scenes/ring.toml)", &scene));
-        assert_eq!(from_the_root("- [n](../NOTATION.md) [a](a.md)"), "- [n](NOTATION.md) [a](docs/a.md)");
+        let wanted = text.replace("[s](../scenes/ring.toml)", &scene).replace("README.md", "index.md");
+        assert_eq!(on_the_site, wanted);
+        let summary = from_the_root("- [n](../NOTATION.md) [r](../README.md) [a](a.md)");
+        assert_eq!(summary, "- [n](NOTATION.md) [r](index.md) [a](docs/a.md)");
     }
 }
