@@ -105,7 +105,7 @@ fn check_tangent<E: Equilibrium>(system: &mut E, level: f64) {
     let worst = ways.map(|j| {
         let mut way = vec![0.0; system.unknowns()];
         way[j] = 1.0;
-        tangent_error(system, level, &way, 1e-3)
+        tangent_error(system, level, &way, 2e-4)
     });
     let worst = worst.fold(0.0, f64::max);
     println!("tangent {worst:.1e}");

@@ -71,7 +71,7 @@ fn forces_and_tangent_are_derivatives_of_the_energy_at_a_turned_state() {
         let mut dice = RandomNumbers(7);
         let random: Vec<f64> = (0..n).map(|_| dice.roll()).collect();
         for v in std::iter::once(random).chain(turning.iter().map(|&i| alone(i, n))) {
-            derivatives_along(&mut system, 1.0, &v, [4e-12, 4e-12], "turned");
+            derivatives_along(&mut system, 1.0, &v, 2e-4, [4e-12, 4e-12], "turned");
         }
     }
 }
