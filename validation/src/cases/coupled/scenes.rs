@@ -1,9 +1,12 @@
 //! fluid-scenes: templates as a user runs them, against the figures that the same problems have as studies.
 
+use coque::{Event, Rendering, Scene, Shape, Simulation, render};
+use sph_core::Vec3;
+
 use super::measure::{SHELL, SOLID, mean_and_deviation, peak, value_at};
 use super::source_settings::GATE as GATE_OF_BONDS;
-use crate::figures::{BLUE, Figure, Instant, Instants, VERMILION};
-use crate::judge::{Case, Headline, Run, Runs, Variant};
+use crate::figures::{BLUE, Colour, Figure, GREY, Instant, Instants, VERMILION};
+use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
 use crate::support::coupled::GRAVITY;
 use crate::support::fluids::KICKS;
@@ -20,8 +23,9 @@ const TRANSIENT: &str = "analysis.explicit.transient";
 const OF_BONDS: &str = "gate of bonds, 4 across";
 /// When it is drawn \[s\].
 const INSTANTS: [f64; 6] = [0.04, 0.08, 0.12, 0.16, 0.20, 0.24];
-/// The face of the gate towards the water \[m\].
-const GATE_FACE: f64 = 0.1;
+/// The faces of the gate, and where the lintel begins over it \[m\].
+const GATE_FACES: [f64; 2] = [0.1, 0.105];
+const LINTEL: f64 = 0.08275;
 /// Width of the column that breaks, and its height in particles \[m\].
 const COLUMN: (f64, f64) = (0.146, 24.0);
 /// Fronts of dam-break-front with as many particles: T = t √(2g/L) and Z = x/L.
@@ -106,9 +110,7 @@ fn gate() -> Variant {
 
 /// The gate in the source's own model, through its peak to the last of the instants that the source shows.
 fn gate_of_bonds() -> Variant {
-    Variant::scene(SOLID, GATE_OF_BONDS, OF_BONDS)
-        .set(TRANSIENT, "{ duration = 0.24, record_every = 0.002 }")
-        .unsettled()
+    Variant::study(SOLID, OF_BONDS, watched)
         .judged(|run, _| {
             let top = peak(&run.column("time")?, &run.column("dx")?, 0.114);
             let way = Metric::compared("peak of dx", top.map(|top| 1e3 * top.1), "mm", 36.2);
@@ -122,29 +124,63 @@ fn gate_of_bonds() -> Variant {
         })
 }
 
+/// The scene, led from record to record so that its shapes are kept at rest and when it is drawn.
+fn watched() -> Result<Outcome, String> {
+    let set = [(TRANSIENT.to_owned(), "{ duration = 0.24, record_every = 0.002 }".to_owned())];
+    let model = Scene::with_overrides(GATE_OF_BONDS, "gate-bonds.toml", &set)
+        .and_then(|scene| scene.build(1))
+        .map_err(|error| render(&error, Rendering { width: 110, colour: false }))?;
+    let mut simulation = Simulation::new(model);
+    let rest = simulation.body().configuration().rest.to_vec();
+    let mut shapes = vec![Shape { time: 0.0, level: 0.0, positions: rest }];
+    loop {
+        match simulation.advance().map_err(|failure| failure.to_string())? {
+            Event::Step => {}
+            Event::End => break,
+            Event::Record => {
+                let time = simulation.stands_at().time;
+                if INSTANTS.iter().any(|instant| (instant - time).abs() < 1e-6) {
+                    let positions = simulation.body().configuration().present;
+                    shapes.push(Shape { time, level: 1.0, positions });
+                }
+            }
+        }
+    }
+    Ok(Outcome { shapes, ..Outcome::from(simulation.finish()) })
+}
+
+/// Which of the three that are drawn a particle is of, by its place at rest: water, gate, walls.
+fn group(x: &Vec3) -> usize {
+    let (in_water, in_gate) = (0.0..GATE_FACES[0], GATE_FACES[0]..GATE_FACES[1]);
+    match x.y > 0.0 {
+        true if in_water.contains(&x.x) => 0,
+        true if in_gate.contains(&x.x) && x.y < LINTEL => 1,
+        _ => 2,
+    }
+}
+
 /// Water and gate at six instants, the first of them that of the source's figure 3.
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     let Some(run) = runs.get(SOLID, OF_BONDS)? else { return Ok(Vec::new()) };
-    let shapes = &run.outcome.shapes;
-    let Some(start) = shapes.first() else { return Ok(Vec::new()) };
-    let of_water: Vec<bool> = start.positions.iter().map(|x| x.x < GATE_FACE).collect();
-    let frame = |time: &f64| {
-        let shape = shapes.iter().min_by(|a, b| (a.time - time).abs().total_cmp(&(b.time - time).abs()))?;
-        let group = |water: bool| {
-            let chosen = shape.positions.iter().zip(&of_water).filter(|(_, of_water)| **of_water == water);
-            chosen.map(|(x, _)| [x.x, x.y]).collect()
-        };
-        Some(Instant { label: format!("{:.2} s", shape.time), points: vec![group(true), group(false)] })
+    let Some((rest, shapes)) = run.outcome.shapes.split_first() else { return Ok(Vec::new()) };
+    let groups: Vec<usize> = rest.positions.iter().map(group).collect();
+    let frame = |shape: &Shape| {
+        let mut points = vec![Vec::new(); 3];
+        for (x, &group) in shape.positions.iter().zip(&groups) {
+            points[group].push([x.x, x.y]);
+        }
+        Instant { label: format!("{:.2} s", shape.time), points }
     };
+    let of = |name: &str, colour: Colour| (name.to_owned(), colour);
     Ok(vec![Figure::Instants(Instants {
         title: "Water and a gate of bonds at six instants (Shi et al. 2022, figure 3)".into(),
         caption: "Four layers of nodes. The gate opens to its peak at .11 s and swings back while the water leaves; the source and the \
                   experiment have the peak at .16 s: the case elastic-gate says which modulus does that."
             .into(),
-        window: [[0.0, -0.002], [0.3, 0.15]],
+        window: [[-0.005, -0.005], [0.3, 0.15]],
         spacing: 0.00125,
-        groups: vec![("water".into(), BLUE), ("gate".into(), VERMILION)],
-        frames: INSTANTS.iter().filter_map(frame).collect(),
+        groups: vec![of("water", BLUE), of("gate", VERMILION), of("walls", GREY)],
+        frames: shapes.iter().map(frame).collect(),
     })])
 }
 
