@@ -92,6 +92,23 @@ fn the_other_side_is_the_mirror_image_on_any_threads() {
 }
 
 /// Left where it is, the path goes on straight and says that it should not.
+/// The side goes by the axes of space: a column that is turned over bends to its own other side. Points of a path lie where its arcs
+/// end, which goes by the iterations of a step; its end is where the level is.
+#[test]
+fn a_turned_column_takes_the_same_branch() {
+    let end = |outcome: &Outcome| [last(outcome, "u"), last(outcome, "w")];
+    let still = end(&answer(COLUMN, &[]));
+    for (turn, side) in [
+        ("{ axis = [1.0, 2.0, -0.7], degrees = 37.0 }", 1.0),
+        ("{ axis = [1.0, 0.0, 0.0], degrees = 180.0 }", -1.0),
+    ] {
+        let turned = end(&answer(COLUMN, &[("orientation", turn)]));
+        let off = (turned[0] - still[0]).abs().max((turned[1] - side * still[1]).abs()) / still[1].abs();
+        println!("{turn}: {off:.1e}");
+        assert!(off < 1e-9, "{turn}: {turned:?} for {still:?}");
+    }
+}
+
 #[test]
 fn the_primary_path_stays_straight_and_warns() {
     let outcome = answer(COLUMN, &[("analysis.arc-length", "{ until = 1.5 }")]);

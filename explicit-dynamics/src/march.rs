@@ -21,8 +21,8 @@ pub enum Plan {
 
 /// A march under way: its plan, and where it stands. The system is handed to every call, and has to be the same one each time.
 ///
-/// A march that is no longer advanced ends there. It costs a step nothing: what is called is generic in the system, and an event
-/// is a few words.
+/// A march that is no longer advanced ends there. What is called is generic in the system, and an event is a few words: two hundred
+/// instructions a step.
 #[derive(Clone, Debug)]
 pub struct March {
     plan: Plan,

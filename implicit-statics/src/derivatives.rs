@@ -4,6 +4,7 @@
 //! is what unknowns move by.
 
 use crate::equilibrium::Equilibrium;
+use crate::vectors::dot;
 
 /// By how much of itself the work of the internal forces along a direction misses the slope of the energy \[–\].
 pub fn force_error<E: Equilibrium>(system: &mut E, level: f64, direction: &[f64], step: f64) -> f64 {
@@ -88,11 +89,9 @@ fn scaled(direction: &[f64], factor: f64) -> Vec<f64> {
     direction.iter().map(|v| factor * v).collect()
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
+/// The greatest difference over the greatest value that is wanted; infinite where one of them is no number or nothing is wanted.
 fn greatest_miss(found: &[f64], wanted: &[f64]) -> f64 {
     let greatest = wanted.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    found.iter().zip(wanted).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / greatest
+    let misses = || found.iter().zip(wanted).map(|(a, b)| (a - b).abs() / greatest);
+    if misses().any(f64::is_nan) { f64::INFINITY } else { misses().fold(0.0, f64::max) }
 }

@@ -10,6 +10,7 @@
 //! | follow a path past limit and turning points | [`follow`] with a [`Control`] |
 //! | lead it by one linear answer a step, out of balance | [`OneSolve`] |
 //! | locate critical points on the way | [`CriticalOptions`] in [`PathOptions`] |
+//! | hold a system of one's own against differences | [`force_error`], [`stiffness_error`], [`tangent_error`], [`load_rate_error`] |
 //! | take the branch that leaves a bifurcation | [`Branches`] in [`CriticalOptions`]; from a point of a path that is done, [`switch_branch`] |
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
 //! | know frequencies | [`natural_modes`] |
@@ -207,7 +208,8 @@
 //! | a balance beyond the bounds of the model is refused | `a_balance_beyond_the_bounds_of_the_model_is_refused` |
 //! | one solve a step is of the second order, tells how far off it is, and goes with held values that move | `errors_are_of_the_second_order_and_reported`, `held_values_go_with_the_level`, `what_is_no_number_is_named` (tests/one_solve.rs) |
 //! | a change of inertia that cannot be located is bracketed | `what_cannot_be_located_is_bracketed` (tests/critical.rs) |
-//! | the rest goes along with held values that move, and kept states are announced once | `has_moving_supports_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
+//! | what holds a system against differences finds its faults, and no number is no agreement | `a_sound_system_shows_rounding_and_a_spoilt_one_its_fault`, `what_is_no_number_is_no_agreement` (tests/derivatives.rs) |
+//! | the rest goes along with held values that move, and kept states are announced once | `held_values_go_with_the_level_and_kept_states_are_announced` (tests/newton.rs) |
 //! | relaxation finds what Newton finds, on flat and curved spaces, with loads and moved ends | `relaxation_finds_what_newton_finds` (tests/relaxation.rs) |
 //! | masses follow a stiffness that grows | `masses_follow_a_stiffness_that_grows`, `row_sums_are_those_of_the_tangent` |
 //! | no state is said to be found that does not balance; the state stays | `what_is_not_found_is_said_and_the_state_stays` |
@@ -278,3 +280,4 @@ pub use options::{
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
 pub use solver::SymmetricSolver;
+pub use vectors::sign_of_greatest;

@@ -231,7 +231,7 @@ fn failures_say_where_and_leave_the_state() {
 
 /// A row of bars whose end is moved: every joint goes along in proportion, in one step predicted by the load rate.
 #[test]
-fn has_moving_supports_with_the_level_and_kept_states_are_announced() {
+fn held_values_go_with_the_level_and_kept_states_are_announced() {
     let mut bars = Bars::new(20);
     let options = PathOptions::new(Control::Load { step: 0.25, until: 1.0 });
     let path = follow(&mut bars, &Start::default(), &options, |_, _| ControlFlow::Continue(()));

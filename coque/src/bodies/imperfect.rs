@@ -1,6 +1,6 @@
 //! The shape of a buckling mode as a deflection of the unstrained body.
 
-use implicit_statics::{BucklingOptions, Prebuckling, Sign, linear_buckling, unwatched};
+use implicit_statics::{BucklingOptions, Prebuckling, Sign, linear_buckling, sign_of_greatest, unwatched};
 use sph_core::Vec3;
 
 use super::body::{StaticBody, extent};
@@ -10,8 +10,6 @@ use crate::scene::{Analysis, BodyScene, Buckling, Imperfection, Scene};
 /// Part of the extent by which the largest entry of a mode moves the body while its shape is read; differences both ways leave
 /// its square.
 const READ: f64 = 1e-5;
-/// Entries of a mode this near to the greatest are as great, so that rounding does not choose among symmetric ones.
-const AS_GREAT: f64 = 1e-3;
 /// Levels that differ by less have modes of which any sum is one.
 const APART: f64 = 1e-6;
 
@@ -97,28 +95,9 @@ impl Scene {
             [0, 1].map(|k| -> Vec<Vec3> { ahead[k].iter().zip(&behind[k]).map(|(a, b)| a - b).collect() });
         let largest = moved.iter().map(|u| u.norm()).fold(0.0, f64::max);
         let own: Vec<Vec3> = moved.iter().map(back).collect();
-        let factor = imperfection.amplitude * sign(own.iter().copied()) / largest;
+        let factor =
+            imperfection.amplitude * sign_of_greatest(own.iter().flat_map(|u| [u.x, u.y, u.z])) / largest;
         let scaled = |list: Vec<Vec3>| list.into_iter().map(|u| u * factor).collect();
         Ok(Deflection { displacements: scaled(moved), turns: scaled(turned) })
-    }
-}
-
-/// The sign of the first of the greatest entries of a motion.
-fn sign(motion: impl Iterator<Item = Vec3> + Clone) -> f64 {
-    let entries = motion.flat_map(|u| [u.x, u.y, u.z]);
-    let most = entries.clone().fold(0.0, |most: f64, u| most.max(u.abs()));
-    let mut great = entries.filter(|u| u.abs() >= (1.0 - AS_GREAT) * most);
-    great.next().map_or(1.0, f64::signum)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Vec3, sign};
-
-    #[test]
-    fn the_first_of_equal_entries_has_the_sign_whatever_the_solver_gave() {
-        let wave = [Vec3::z() * 0.5, Vec3::z() * -0.999_999, Vec3::z()];
-        assert_eq!(sign(wave.into_iter()), -1.0);
-        assert_eq!(sign(wave.into_iter().map(|u| -u)), 1.0);
     }
 }
