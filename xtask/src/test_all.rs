@@ -1,6 +1,6 @@
 //! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
 
-use crate::{cargo, python, tidy, validate};
+use crate::{aarch64, cargo, python, tidy, validate};
 use std::time::{Duration, Instant};
 
 /// How far the validation goes.
@@ -27,17 +27,22 @@ enum Action {
     Tidy,
     /// The environment of [`python`]; skipped where it cannot be made.
     Python,
+    /// Another processor, [`aarch64`]; not run where its tools are missing.
+    Aarch64,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Outcome {
     Passed,
     Skipped(String),
+    /// Nobody is held to have its tools.
+    NotRun(String),
     Failed,
 }
 
 /// Run every step in order and stop at the first that fails. Where the environment variable CI is set, a step that is
-/// skipped fails the run too, at its end: nobody is there to read that something was not looked at.
+/// skipped fails the run too, at its end: nobody is there to read that something was not looked at. One that needs another
+/// processor may be left out there too, and says so.
 pub fn run(depth: Depth) -> Result<(), String> {
     let strict = std::env::var_os("CI").is_some_and(|value| !value.is_empty());
     perform(&plan(depth, cargo::has("nextest")), strict)
@@ -58,6 +63,7 @@ fn perform(steps: &[Step], strict: bool) -> Result<(), String> {
                 println!("*** SKIPPED {}: {why} ***", step.name);
                 tally.skipped.push(step);
             }
+            Outcome::NotRun(why) => println!("*** NOT RUN {}: {why} ***", step.name),
             Outcome::Failed => {
                 tally.failed = Some(step);
                 break;
@@ -121,6 +127,7 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "tests", action: Action::Cargo(words(tests)) },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
+    steps.push(Step { name: "aarch64", action: Action::Aarch64 });
     if depth == Depth::Full {
         steps.push(Step { name: "validation, full", action: Action::Cargo(full.words()) });
     }
@@ -139,6 +146,10 @@ impl Action {
                 Ok(()) => Ok(true),
                 Err(why) => return Outcome::Skipped(format!("{why}; fields are not read back by meshio")),
             },
+            Self::Aarch64 => match aarch64::Tools::find() {
+                Ok(tools) => tools.check().map(|()| true),
+                Err(why) => return Outcome::NotRun(why),
+            },
         };
         match result {
             Ok(true) => Outcome::Passed,
@@ -156,6 +167,7 @@ impl Action {
             Self::Cargo(words) | Self::IfInstalled(_, words) => cargo::spelled(words),
             Self::Tidy => "cargo xtask tidy".to_owned(),
             Self::Python => "cargo xtask python".to_owned(),
+            Self::Aarch64 => "cargo xtask aarch64".to_owned(),
         }
     }
 }
@@ -169,6 +181,7 @@ fn line(name: &str, outcome: &Outcome, time: Duration) -> String {
     let word = match outcome {
         Outcome::Passed => "passed",
         Outcome::Skipped(_) => "SKIPPED",
+        Outcome::NotRun(_) => "NOT RUN",
         Outcome::Failed => "FAILED",
     };
     format!("{name:<20} {word:<8} {:>8.1} s", time.as_secs_f64())
@@ -194,6 +207,7 @@ mod tests {
                 "cargo xtask python",
                 "cargo nextest run --workspace",
                 "cargo test --doc --workspace",
+                "cargo xtask aarch64",
             ]
         );
         assert_eq!(commands(Depth::Quick, false)[5..6], ["cargo test --workspace"]);
