@@ -20,7 +20,7 @@ pub(super) struct OwnClock {
     pub next_estimate: u64,
     /// The last step \[T\]; zero before the first.
     pub last: f64,
-    /// Steps within the last one of the fluid.
+    /// Steps within the last one of the fluid, the most that any of its steps asked for.
     pub count: u64,
 }
 
@@ -49,9 +49,12 @@ pub(super) struct Coupled<S: ?Sized> {
 }
 
 impl OwnClock {
-    /// Steps of a structure within one of the fluid.
+    /// Steps of a structure within one of the fluid: never fewer than before. The step of a fluid wavers; where it wavers
+    /// about a whole number of stable steps, the steps of the structure would change by half or a third time and again, and
+    /// central differences keep energy for equal steps only: with step h the energy of a mode is that of its amplitude times
+    /// `1 − (ωh/2)²`, so that each change multiplies it by up to a few, and the fast modes grow in silence.
     pub fn count(&self, step: &Step) -> u64 {
-        (step.drift() / self.stable - SLIVER).ceil().max(1.0) as u64
+        ((step.drift() / self.stable - SLIVER).ceil() as u64).max(self.count).max(1)
     }
 
     /// Step number `number` of `count`, which share a step of the fluid; the last one ends where that ends.

@@ -15,6 +15,9 @@ pub struct Column {
     cell: f64,
     pub dt: f64,
     pub advance: f64,
+    /// By which its step wavers, one factor after the other; none of a steady one.
+    pub wavers: Vec<f64>,
+    steps: usize,
     pub strains: Vec<f64>,
     pub velocities: Vec<f64>,
     ends: [f64; 2],
@@ -32,6 +35,8 @@ impl Column {
             cell,
             dt: courant * cell / SOUND,
             advance: f64::INFINITY,
+            wavers: Vec::new(),
+            steps: 0,
             strains: vec![0.0; cells],
             velocities: vec![0.0; cells - 1],
             ends: [0.0; 2],
@@ -97,9 +102,11 @@ impl Dynamics for Column {
         }
         self.owed += self.work_of_ends(0.5 * dt);
         (self.last, self.time) = (dt, step.to.time);
+        self.steps += 1;
     }
     fn stable_step(&mut self, _: f64) -> Result<StableStep, MarchError> {
-        Ok(StableStep { dt: self.dt, holds: 1 })
+        let factor = self.wavers.get(self.steps % self.wavers.len().max(1)).copied().unwrap_or(1.0);
+        Ok(StableStep { dt: self.dt * factor, holds: 1 })
     }
     fn within_bounds(&self, _: Bounds) -> Result<(), OutOfBounds> {
         let fast = self.velocities.iter().position(|v| v.is_nan() || v.abs() >= SOUND);
