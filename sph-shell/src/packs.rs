@@ -12,9 +12,6 @@ use crate::shared::{Interned, Shared};
 
 pub(crate) use crate::registers::Row;
 
-/// Particles a chunk of the update sweep; fixed, so that sums do not depend on threads.
-pub(crate) const PARTICLE_CHUNK: usize = 512;
-
 /// Points are sorted by the size of their stencil inside blocks of this many, so that packs waste few lanes.
 const BLOCK: usize = 64;
 

@@ -278,19 +278,18 @@ impl Shell {
             *points.direct_mut() = forces;
             return;
         }
-        let split = *threads > 1;
         if let Points { packs, shear, scheme: Scheme::StrongForm { equations, forces }, .. } = points {
             let sampling = Sampling { packs, shear, law: material.law() };
             let rows = [&motion.state[..], &motion.rates];
-            *internal_energy = equations.evaluate(reference, sampling, rows, energy, forces, split);
+            *internal_energy = equations.evaluate(reference, sampling, rows, energy, forces, *threads);
             return;
         }
         let count = points.packs.slot_count();
         let sweep = Sweep { points, law: material.law(), state: &motion.state, energy };
-        sweep.run(0, &mut slots[..count], pack_energies, split);
+        sweep.run(0, &mut slots[..count], pack_energies, *threads > 1);
         let mut total = if energy { pack_energies.iter().sum() } else { 0.0 };
         if let Scheme::Wide { control, forces, .. } = &mut points.scheme {
-            control.evaluate(&motion.state, forces, split);
+            control.evaluate(&motion.state, forces, *threads);
             if energy {
                 total += PairControl::energy(&motion.state, forces);
             }

@@ -11,7 +11,7 @@ use lanes::{Lanes, Reals, Sweep, Vector, widest};
 
 use super::forces::{Scratch, downhill};
 use super::network::{LANES, Network, Row};
-use super::present::{Own, Present, in_chunks, keep};
+use super::present::{Own, Present, keep};
 
 /// A state, and a displacement from it; their last places are `θ̂` and its change.
 #[derive(Clone, Copy)]
@@ -133,7 +133,7 @@ impl Network {
             let values = &mut scratch.dilatations;
             self.dilate(rows, values, threads);
             let (rows, at): (&[Row], &[Row]) = (rows, along);
-            in_chunks(values, threads, |first, out| {
+            parallel::chunks(threads, &mut values[..], |first, out: &mut [f64]| {
                 widest(Dilate { at: Linear { network: self, rows, along: at, first }, out });
             });
             keep(along, values, threads);
@@ -142,7 +142,7 @@ impl Network {
             }
         }
         let (rows, along): (&[Row], &[Row]) = (rows, along);
-        in_chunks(out, threads, |first, out| {
+        parallel::chunks(threads, out, |first, out: &mut [Row]| {
             let at = Linear { network: self, rows, along, first };
             match self.dilatation.is_some() {
                 true => widest(Chunk::<true> { at, out }),

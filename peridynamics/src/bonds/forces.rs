@@ -5,9 +5,9 @@
 //! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step.
 
 use lanes::{Lanes, Sweep, Vector, widest};
-use rayon::prelude::*;
+use parallel::{ByChunk, CHUNK};
 
-use super::network::{LANES, NODE_CHUNK, Network, Row};
+use super::network::{LANES, Network, Row};
 use super::present::{Own, Present};
 
 /// Which bonds may break, and beyond which stretch.
@@ -34,7 +34,7 @@ pub(crate) struct Scratch {
 
 impl Scratch {
     pub fn new(network: &Network) -> Self {
-        let chunks = network.len().div_ceil(NODE_CHUNK);
+        let chunks = network.len().div_ceil(CHUNK);
         Self {
             dilatations: if network.dilatation.is_some() { vec![0.0; network.len()] } else { Vec::new() },
             energies: vec![0.0; chunks],
@@ -180,10 +180,10 @@ impl Network {
         scratch: &mut Scratch,
         wanted: Wanted<'_>,
     ) {
-        type Parts<'a> = (usize, ((&'a mut [Row], &'a mut f64), &'a mut Vec<u32>));
-        let chunk = |(number, ((forces, energy), beyond)): Parts<'_>| {
+        type Parts<'a> = (&'a mut [Row], (ByChunk<'a, f64>, ByChunk<'a, Vec<u32>>));
+        let chunk = |first: usize, (forces, (ByChunk(energy), ByChunk(beyond))): Parts<'_>| {
+            let ([energy, ..], [beyond, ..]) = (energy, beyond) else { return };
             beyond.clear();
-            let first = number * NODE_CHUNK;
             *energy = widest(Chunk::<DILATATION, ENERGY, WATCH> {
                 network: self,
                 rows,
@@ -194,21 +194,7 @@ impl Network {
             });
         };
         let Scratch { energies, beyond, .. } = scratch;
-        if wanted.threads > 1 {
-            forces
-                .par_chunks_mut(NODE_CHUNK)
-                .zip(energies.par_iter_mut())
-                .zip(beyond.par_iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        } else {
-            forces
-                .chunks_mut(NODE_CHUNK)
-                .zip(energies.iter_mut())
-                .zip(beyond.iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        }
+        parallel::chunks(wanted.threads, (forces, (ByChunk(energies), ByChunk(beyond))), chunk);
     }
 }
 

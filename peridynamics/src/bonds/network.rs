@@ -11,9 +11,6 @@ use crate::material::Moduli;
 
 pub(crate) use lanes::{LANES, Pack};
 
-/// Nodes a chunk of the sweep; fixed, so that sums do not depend on threads.
-pub(crate) const NODE_CHUNK: usize = 256;
-
 /// Directed bonds with all that their forces need.
 #[derive(Clone, Debug)]
 pub(crate) struct Network {

@@ -1,9 +1,8 @@
 //! Four bonds at the present: how far they reach, and the dilatations that follow from their extensions.
 
 use lanes::{Lanes, Reals, Sweep, Vector, widest};
-use rayon::prelude::*;
 
-use super::network::{LANES, NODE_CHUNK, Network, Row};
+use super::network::{LANES, Network, Row};
 
 /// Least square of a present length \[L²\]: a bond that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-200;
@@ -89,7 +88,9 @@ impl Network {
     /// Puts `(λ − μ) V θ` of all nodes into the last places of their rows.
     pub(super) fn dilate(&self, rows: &mut [Row], out: &mut [f64], threads: usize) {
         let at: &[Row] = rows;
-        in_chunks(out, threads, |first, out| widest(Dilate { network: self, rows: at, first, out }));
+        parallel::chunks(threads, &mut *out, |first, out| {
+            widest(Dilate { network: self, rows: at, first, out })
+        });
         keep(rows, out, threads);
         if let Some(images) = &self.images {
             images.carry(rows);
@@ -99,24 +100,8 @@ impl Network {
 
 /// Puts a number of each node into the last place of its row.
 pub(super) fn keep(rows: &mut [Row], values: &[f64], threads: usize) {
-    let one = |(row, value): (&mut Row, &f64)| row[3] = *value;
-    if threads > 1 {
-        rows.par_iter_mut().zip(values).with_min_len(NODE_CHUNK).for_each(one);
-    } else {
-        rows.iter_mut().zip(values).for_each(one);
-    }
-}
-
-/// Hands out chunks of nodes with the number of their first.
-pub(super) fn in_chunks<T: Send>(
-    out: &mut [T],
-    threads: usize,
-    work: impl Fn(usize, &mut [T]) + Sync + Send,
-) {
-    let one = |(number, out): (usize, &mut [T])| work(number * NODE_CHUNK, out);
-    if threads > 1 {
-        out.par_chunks_mut(NODE_CHUNK).enumerate().for_each(one);
-    } else {
-        out.chunks_mut(NODE_CHUNK).enumerate().for_each(one);
-    }
+    let count = values.len();
+    parallel::chunks(threads, &mut rows[..count], |first, rows: &mut [Row]| {
+        rows.iter_mut().zip(&values[first..]).for_each(|(row, value)| row[3] = *value);
+    });
 }

@@ -13,11 +13,10 @@
 //! other than d at most six in a plane and twelve in space touch one, and pull along an axis with three and four times k;
 //! so contact adds at most 2·3 or 2·4 times `k/M`, and a wall `4k/M` at most.
 
-use rayon::prelude::*;
+use parallel::{ByChunk, CHUNK};
 use sph_core::{CellList, Vec3};
 
 use super::intact::Whole;
-use super::network::NODE_CHUNK;
 use super::network::{Network, Row};
 use crate::contact::Contact;
 use crate::error::SolidError;
@@ -110,7 +109,7 @@ impl Repulsion {
             starts: Vec::new(),
             near: Vec::new(),
             listed: Vec::new(),
-            energies: vec![0.0; volumes.len().div_ceil(NODE_CHUNK)],
+            energies: vec![0.0; volumes.len().div_ceil(CHUNK)],
         })
     }
 
@@ -129,18 +128,13 @@ impl Repulsion {
     pub fn add(&mut self, body: &Touching<'_>, forces: &mut [Row]) -> f64 {
         self.list(body);
         let mut energies = std::mem::take(&mut self.energies);
-        let one = |(number, (forces, energy)): (usize, (&mut [Row], &mut f64))| {
-            *energy = 0.0;
-            for (i, force) in forces.iter_mut().enumerate() {
-                *energy += self.on_node(number * NODE_CHUNK + i, body, force);
-            }
+        let one = |first: usize, (forces, ByChunk(energy)): (&mut [Row], ByChunk<'_, f64>)| {
+            let of = |(i, force): (usize, &mut Row)| self.on_node(first + i, body, force);
+            let sum: f64 = forces.iter_mut().enumerate().map(of).sum();
+            energy.iter_mut().for_each(|energy| *energy = sum);
         };
         let nodes = &mut forces[..self.volumes.len()];
-        if body.threads > 1 {
-            nodes.par_chunks_mut(NODE_CHUNK).zip(energies.par_iter_mut()).enumerate().for_each(one);
-        } else {
-            nodes.chunks_mut(NODE_CHUNK).zip(energies.iter_mut()).enumerate().for_each(one);
-        }
+        parallel::chunks(body.threads, (nodes, ByChunk(&mut energies)), one);
         self.energies = energies;
         self.energies.iter().sum()
     }

@@ -1,8 +1,8 @@
 //! The work done on bonds, `∫ f de` along the way of each: what breaks bonds of a state-based body by their energy.
 
-use rayon::prelude::*;
+use parallel::{ByChunk, CHUNK};
 
-use super::network::{LANES, NODE_CHUNK, Network, Row};
+use super::network::{LANES, Network, Row};
 
 /// The work on each bond up to the present, by chunks of nodes.
 #[derive(Clone, Debug)]
@@ -44,21 +44,22 @@ impl Works {
     /// No work done; `limits` of lanes.
     pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize) -> f64) -> Self {
         let chunk = |number: usize| {
-            let nodes = number * NODE_CHUNK..((number + 1) * NODE_CHUNK).min(network.len());
+            let nodes = number * CHUNK..((number + 1) * CHUNK).min(network.len());
             let first = network.lanes_of(nodes.start).start;
             let lanes = nodes.flat_map(|node| network.lanes_of(node));
             let bonds = lanes.map(|lane| Worked { limit: limits(lane), ..Worked::default() }).collect();
             Chunk { first, bonds, beyond: Vec::new() }
         };
-        Self { lanes, chunks: (0..network.len().div_ceil(NODE_CHUNK)).map(chunk).collect() }
+        Self { lanes, chunks: (0..network.len().div_ceil(CHUNK)).map(chunk).collect() }
     }
 
     /// Adds the work from the last evaluation to this one, and notes the stretched bonds beyond their limit.
     pub fn add(&mut self, network: &Network, rows: &[Row], threads: usize) {
         let lanes = &self.lanes;
-        let one = |(number, chunk): (usize, &mut Chunk)| {
+        let one = |first: usize, ByChunk(own): ByChunk<'_, Chunk>| {
+            let Some(chunk) = own.first_mut() else { return };
             chunk.beyond.clear();
-            for node in number * NODE_CHUNK..((number + 1) * NODE_CHUNK).min(network.len()) {
+            for node in first..(first + CHUNK).min(network.len()) {
                 for lane in network.lanes_of(node) {
                     if lanes[lane / LANES] & (1 << (lane % LANES)) == 0 {
                         continue;
@@ -74,16 +75,12 @@ impl Works {
                 }
             }
         };
-        if threads > 1 {
-            self.chunks.par_iter_mut().enumerate().for_each(one);
-        } else {
-            self.chunks.iter_mut().enumerate().for_each(one);
-        }
+        parallel::chunks(threads, ByChunk(&mut self.chunks), one);
     }
 
     /// `√(work/limit)` of a stretched bond were the work added up to these rows, zero of others; nothing is added.
     pub fn utilisation(&self, network: &Network, node: usize, lane: usize, rows: &[Row]) -> f64 {
-        let chunk = &self.chunks[node / NODE_CHUNK];
+        let chunk = &self.chunks[node / CHUNK];
         let (bond, worked) = (network.bond(lane), &chunk.bonds[lane - chunk.first]);
         let extension = bond.extension(node, rows);
         let done = worked.up_to(bond.pull(extension, node, rows), extension);

@@ -3,12 +3,11 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use rayon::prelude::*;
+use parallel::ByChunk;
 use sph_core::Vec3;
 
 use super::shear::{Pair, Shear};
 use crate::bonds::images::Images;
-use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 
 /// What columns store by themselves.
@@ -68,28 +67,15 @@ impl Columns {
     pub fn gather(&mut self, rows: &[Row], sheets: [&[Row]; 2], forces: &mut [Row], threads: usize) -> f64 {
         let mut energies = std::mem::take(&mut self.energies);
         let (places, directors) = forces.split_at_mut(self.rest.len());
-        let chunk = |(number, ((places, directors), energy)): (usize, Chunk<'_>)| {
+        let chunk = |first: usize, ((places, directors), ByChunk(energy)): Chunk<'_>| {
+            let [energy, ..] = energy else { return };
             *energy = 0.0;
             for (i, (of_x, of_d)) in places.iter_mut().zip(directors).enumerate() {
-                let column = number * NODE_CHUNK + i;
+                let column = first + i;
                 *energy += self.column(column, rows, sheets.map(|forces| &forces[column]), of_x, of_d);
             }
         };
-        if threads > 1 {
-            places
-                .par_chunks_mut(NODE_CHUNK)
-                .zip(directors.par_chunks_mut(NODE_CHUNK))
-                .zip(energies.par_iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        } else {
-            places
-                .chunks_mut(NODE_CHUNK)
-                .zip(directors.chunks_mut(NODE_CHUNK))
-                .zip(energies.iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        }
+        parallel::chunks(threads, ((places, directors), ByChunk(&mut energies)), chunk);
         let stored = energies.iter().sum();
         self.energies = energies;
         stored
@@ -170,4 +156,4 @@ impl Columns {
 }
 
 /// Forces on places, on directors, and the energy of a chunk.
-type Chunk<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut f64);
+type Chunk<'a> = ((&'a mut [Row], &'a mut [Row]), ByChunk<'a, f64>);

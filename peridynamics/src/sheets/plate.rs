@@ -16,7 +16,6 @@ use crate::bonds::flatness::refuse_flat;
 use crate::bonds::fragments::fragments;
 use crate::bonds::limits::Lattice;
 use crate::bonds::mechanics::{Evaluation, Mechanics};
-use crate::bonds::network::NODE_CHUNK;
 use crate::bonds::network::Row;
 use crate::error::SolidError;
 use crate::formulation::Correction;
@@ -102,7 +101,7 @@ impl Plate {
             rest: directors.iter().map(|d| 0.5 * d.norm_squared()).collect(),
             shear: Shear::new(&families, formulation.influence, at_rest, &areas, &moduli, thickness),
             images: families.images.clone(),
-            energies: vec![0.0; block.len().div_ceil(NODE_CHUNK)],
+            energies: vec![0.0; block.len().div_ceil(parallel::CHUNK)],
         };
         let sheared_off = if breakage.breaks() { vec![0.0; block.len()] } else { Vec::new() };
         let mut plate = Self { columns, sheets: [upper, lower], sheared_off };

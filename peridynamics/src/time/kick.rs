@@ -1,16 +1,12 @@
 //! Kick and drift in one pass over the rows, by chunks of a fixed size: sums do not depend on threads.
 
 use explicit_dynamics::{Step, Work};
-use rayon::prelude::*;
 use sph_core::Vec3;
 
 use crate::Solid;
 use crate::bonds::network::Row;
 use crate::constraint::Constraints;
 use crate::solid::vector;
-
-/// Rows of a chunk.
-const ROWS: usize = 512;
 
 /// What a kick reads.
 struct Kick<'a> {
@@ -69,19 +65,12 @@ impl Solid {
     /// The kick, and with `DRIFT` the drift behind it.
     pub(super) fn pass<const DRIFT: bool>(&mut self, step: &Step) -> Work {
         let Self { rates, rows, masses, internal, external, constraints, works, .. } = self;
-        works.resize(rates.len().div_ceil(ROWS), Work::default());
         let kick = Kick { step, masses, internal, external, constraints };
-        type Parts<'a> = (usize, ((&'a mut [Row], &'a mut [Row]), &'a mut Work));
-        let one = |(number, ((rates, rows), work)): Parts<'_>| {
-            *work = kick.chunk::<DRIFT>(number * ROWS, rates, rows);
-        };
-        if self.threads > 1 {
-            let parts = rates.par_chunks_mut(ROWS).zip(rows.par_chunks_mut(ROWS));
-            parts.zip(works.par_iter_mut()).enumerate().for_each(one);
-        } else {
-            let parts = rates.chunks_mut(ROWS).zip(rows.chunks_mut(ROWS));
-            parts.zip(works.iter_mut()).enumerate().for_each(one);
-        }
+        let count = rates.len();
+        let rows = (&mut rates[..], &mut rows[..count]);
+        parallel::reduced(self.threads, rows, works, |first, (rates, rows)| {
+            kick.chunk::<DRIFT>(first, rates, rows)
+        });
         let mut work = self.works.iter().fold(Work::default(), |sum, chunk| Work {
             kinetic: sum.kinetic + chunk.kinetic,
             external: sum.external + chunk.external,
@@ -95,15 +84,11 @@ impl Solid {
 
     /// The drift alone.
     pub(super) fn drift_rows(&mut self, dt: f64) {
-        let one = |(rows, rates): (&mut [Row], &[Row])| {
-            for (place, rate) in rows.iter_mut().zip(rates) {
+        let rates = &self.rates;
+        parallel::chunks(self.threads, &mut self.rows[..rates.len()], |first, rows: &mut [Row]| {
+            for (place, rate) in rows.iter_mut().zip(&rates[first..]) {
                 (0..3).for_each(|k| place[k] += dt * rate[k]);
             }
-        };
-        if self.threads > 1 {
-            self.rows.par_chunks_mut(ROWS).zip(self.rates.par_chunks(ROWS)).for_each(one);
-        } else {
-            self.rows.chunks_mut(ROWS).zip(self.rates.chunks(ROWS)).for_each(one);
-        }
+        });
     }
 }

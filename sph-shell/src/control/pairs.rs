@@ -12,13 +12,12 @@
 //! form, indifferent to rotation. Its matrix, four numbers a pair of particles, is assembled once.
 
 use nalgebra::Matrix3;
-use rayon::prelude::*;
 use shell_kinematics::{LANES, Pack, SectionScales};
 use sph_core::{CubicSpline, Kernel, SamplingOperator, Vec3};
 
 use crate::dispatch::{Work, widest};
 use crate::error::ShellError;
-use crate::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::Row;
 use crate::reference::{Reference, mean_cell_areas, pair_gradients};
 use crate::registers::{Registers, columns, four_of};
 
@@ -106,15 +105,10 @@ impl PairControl {
     }
 
     /// Forces `K (x, d)` into `forces`.
-    pub fn evaluate(&self, state: &[Row], forces: &mut [Row], parallel: bool) {
-        let chunk = |(number, forces): (usize, &mut [Row])| {
-            widest(Chunk { control: self, state, first: number * PARTICLE_CHUNK, forces });
-        };
-        if parallel {
-            forces.par_chunks_mut(PARTICLE_CHUNK).enumerate().for_each(chunk);
-        } else {
-            forces.chunks_mut(PARTICLE_CHUNK).enumerate().for_each(chunk);
-        }
+    pub fn evaluate(&self, state: &[Row], forces: &mut [Row], threads: usize) {
+        parallel::chunks(threads, forces, |first, forces: &mut [Row]| {
+            widest(Chunk { control: self, state, first, forces });
+        });
     }
 
     /// The energy `½ (x, d)·K (x, d)` \[F L\] of the forces that [`PairControl::evaluate`] found.

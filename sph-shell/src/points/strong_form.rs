@@ -109,14 +109,14 @@ impl StrongForm {
         motion: [&[Row]; 2],
         energy: bool,
         forces: &mut [Row],
-        parallel: bool,
+        threads: usize,
     ) -> f64 {
         let mut resultants = std::mem::take(&mut self.resultants);
         let mut sampled =
             widest(Sampled { packs, shear, law, state: motion[0], energy, resultants: &mut resultants });
         self.resultants = resultants;
         if let Some(control) = &self.control {
-            control.evaluate(motion[0], forces, parallel);
+            control.evaluate(motion[0], forces, threads);
             if energy {
                 sampled += PairControl::energy(motion[0], forces);
             }

@@ -3,7 +3,7 @@
 use explicit_dynamics::Work;
 
 use crate::gather::Places;
-use crate::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::Row;
 use crate::points::scheme::{Points, Scheme};
 use crate::reference::Reference;
 use crate::time::fused::Fused;
@@ -38,7 +38,7 @@ impl Evaluation {
             slots: points.slots(),
             pack_energies: vec![0.0; if plan.is_some() { 0 } else { points.packs.points.len() }],
             internal_energy: 0.0,
-            chunk_work: vec![Work::default(); count.div_ceil(PARTICLE_CHUNK)],
+            chunk_work: vec![Work::default(); count.div_ceil(parallel::CHUNK)],
             plan,
             threads,
         }

@@ -15,7 +15,7 @@ use shell_kinematics::LANES;
 
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::gather::{Gather, Places};
-use crate::packs::{PARTICLE_CHUNK, Packs, Row};
+use crate::packs::{Packs, Row};
 use crate::points::sweep::{Ring, Sweep};
 use crate::registers::Registers;
 use crate::time::particle::{Rows, Slots, Update};
@@ -65,8 +65,8 @@ struct Keep<'a>(&'a mut [Row]);
 impl Fused {
     /// Plans the sweep over cells.
     pub fn plan(packs: &Packs, places: &Places, particles: usize, threads: usize) -> Self {
-        let chunks = particles.div_ceil(PARTICLE_CHUNK);
-        let border = |part: usize| (chunks * part / threads * PARTICLE_CHUNK).min(particles);
+        let chunks = particles.div_ceil(parallel::CHUNK);
+        let border = |part: usize| (chunks * part / threads * parallel::CHUNK).min(particles);
         let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
         Self { parts: (0..threads).map(part).collect() }
     }
@@ -189,7 +189,7 @@ impl Task for Move<'_> {
     fn split(self, at: usize) -> (Self, Self) {
         let Self { update, rows: Rows { state, next, rates }, work } = self;
         let (next, rates) = (next.split_at_mut(at), rates.split_at_mut(at));
-        let work = work.split_at_mut(at / PARTICLE_CHUNK);
+        let work = work.split_at_mut(at / parallel::CHUNK);
         (
             Self { update, rows: Rows { state, next: next.0, rates: rates.0 }, work: work.0 },
             Self { update, rows: Rows { state, next: next.1, rates: rates.1 }, work: work.1 },

@@ -4,7 +4,7 @@ use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, MassScaled, OutOfBounds, OutOfRange, StableStep, Step, Work,
     lanczos_step,
 };
-use rayon::prelude::*;
+use parallel::ByChunk;
 
 use crate::Shell;
 use crate::conditions::constraints::Constraints;
@@ -13,7 +13,7 @@ use crate::dependents::Dependents;
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::loading::Loading;
 use crate::motion::Moving;
-use crate::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::Row;
 use crate::points::bounds::BoundViolation;
 use crate::points::sweep::Sweep;
 use crate::registers::Registers;
@@ -30,7 +30,7 @@ struct Chunk<'a, 'b, const DRIFT: bool> {
 }
 
 /// Places for new rows, rates and work of a chunk of particles.
-type ChunkRows<'a> = ((&'a mut [Row], &'a mut [Row]), &'a mut Work);
+type ChunkRows<'a> = ((&'a mut [Row], &'a mut [Row]), ByChunk<'a, Work>);
 
 impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
     type Output = ();
@@ -76,23 +76,11 @@ impl Shell {
         let Evaluation { slots, chunk_work, threads, .. } = evaluation;
         let slots = points.lists().map(|lists| Slots { rows: slots, lists, first: 0 });
         let Moving { state, next, rates } = &mut *motion;
-        let chunk = |(number, ((next, rates), work)): (usize, ChunkRows<'_>)| {
-            let (first, rows) = (number * PARTICLE_CHUNK, Rows { state, next, rates });
+        let chunk = |first: usize, ((next, rates), ByChunk(work)): ChunkRows<'_>| {
+            let ([work, ..], rows) = (work, Rows { state, next, rates }) else { return };
             widest(Chunk::<DRIFT> { update: &update, slots, first, rows, work });
         };
-        if *threads > 1 {
-            next.par_chunks_mut(PARTICLE_CHUNK)
-                .zip(rates.par_chunks_mut(PARTICLE_CHUNK))
-                .zip(chunk_work.par_iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        } else {
-            next.chunks_mut(PARTICLE_CHUNK)
-                .zip(rates.chunks_mut(PARTICLE_CHUNK))
-                .zip(chunk_work.iter_mut())
-                .enumerate()
-                .for_each(chunk);
-        }
+        parallel::chunks(*threads, ((&mut next[..], &mut rates[..]), ByChunk(chunk_work)), chunk);
         if DRIFT {
             std::mem::swap(state, next);
         }
@@ -338,7 +326,7 @@ mod tests {
         let mut several = 0;
         for number in 0..LAYOUTS {
             let mut shell = body(layout(number, &mut dice), number % 3 != 0, &mut dice);
-            several += usize::from(shell.len() > 2 * PARTICLE_CHUNK);
+            several += usize::from(shell.len() > 2 * parallel::CHUNK);
             let from = shell.motion().map(<[Row]>::to_vec);
             let expected = marched(&mut shell, &from, |shell, step| {
                 shell.evaluate(step.from);

@@ -9,7 +9,7 @@ use crate::conditions::prescribed_at::Prescribed;
 use crate::conditions::supports::Constraint;
 use crate::decay::Decay;
 use crate::gather::Gather;
-use crate::packs::{PARTICLE_CHUNK, Row};
+use crate::packs::Row;
 use crate::registers::{Baseline, Registers, columns, four_of};
 
 /// Slots of forces, and where in them the forces on the particles from number `first` on lie.
@@ -102,7 +102,7 @@ impl Update<'_> {
             let a = range.start + LANES * i;
             let external = if LOADED { &four_of(self.external, a) } else { &ZEROS };
             let four = Four { a, count: LANES, rows, rates, external, masses, inertias, held };
-            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
+            let tally = &mut work[(a - first) / parallel::CHUNK];
             let [places, kicked] = self.four::<DRIFT, LOADED, R>(registers, four, slots, tally);
             if DRIFT {
                 next[i] = places;
@@ -111,7 +111,7 @@ impl Update<'_> {
         }
         if !rest.is_empty() {
             let a = range.end - rest.len();
-            let tally = &mut work[(a - first) / PARTICLE_CHUNK];
+            let tally = &mut work[(a - first) / parallel::CHUNK];
             self.rest::<DRIFT, LOADED>(a, state, rest_rates, rest_next, slots, tally);
         }
     }
