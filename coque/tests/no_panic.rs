@@ -11,7 +11,7 @@ use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::galerkin;
 use common::solids::{BAR, PLATE, SHEETS};
 use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
-use coque::{Rendering, Scene, SceneError, render};
+use coque::{Checked, Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 
 const SCENES: [&str; 5] =
@@ -126,7 +126,7 @@ fn replace_number(text: &str, at: usize, by: &str) -> String {
 }
 
 /// Whether a body is built in a moment.
-fn is_small(scene: &Scene, body: &BodyScene) -> bool {
+fn is_small(scene: &Checked, body: &BodyScene) -> bool {
     let spacing = scene.fluid().map_or(1.0, |(_, fluid)| fluid.geometry.spacing());
     match body {
         BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),

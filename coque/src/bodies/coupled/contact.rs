@@ -94,7 +94,7 @@ impl Watched {
             }
             WallGeometry::Polyline(_) | WallGeometry::Surface(_) => Shape::Rows,
         };
-        Self { name: body.name.into(), shape, pieces, moves: body.scene.motion.is_some() }
+        Self { name: body.view.name.into(), shape, pieces, moves: body.scene.motion.is_some() }
     }
 
     /// How deep each of some places is in it \[L\], those no deeper than what counts left out.

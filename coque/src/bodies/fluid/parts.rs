@@ -3,7 +3,7 @@
 use fluid_sph::{Formulation, Liquid, Motion, Rotation, Scheme, Start, WallRule};
 use sph_core::Vec3;
 
-use crate::bodies::build::amplitude;
+use crate::bodies::refusal::amplitude;
 use crate::scene::{FluidMethod, FluidScene, FluidStart, WallMethod, WallMotion};
 
 /// The liquid.

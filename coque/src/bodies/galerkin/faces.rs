@@ -35,7 +35,7 @@ impl Places {
         if let Some(number) = OF_SOLIDS[1..].iter().position(|known| *known == name) {
             return Ok(self.cells.faces[number].clone());
         }
-        let region = sets.scene().sets.get(name);
+        let region = sets.scene().sets.get(name).copied();
         if region.is_none() {
             return Ok(self.cells.faces.iter().flatten().copied().collect()); // `all`
         }

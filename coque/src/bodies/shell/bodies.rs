@@ -5,7 +5,7 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::{Holds, Preloaded, RigidLoad, RigidSet, Support};
 
 use super::build::Builder;
-use crate::bodies::build::amplitude;
+use crate::bodies::refusal::amplitude;
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, LoadKind, RigidBody};
@@ -30,7 +30,7 @@ impl Builder<'_> {
                 particles,
             })
         };
-        self.scene.shell().rigid.iter().enumerate().map(body).collect()
+        self.scene.shell.rigid.iter().enumerate().map(body).collect()
     }
 
     /// What each support on a set asks of its body.
@@ -48,7 +48,7 @@ impl Builder<'_> {
 
     /// A force or a couple about a fixed axis on a rigid set, as a load on its body.
     pub(super) fn load_on_body(&self, kind: &LoadKind, on: &str) -> Option<RigidLoad> {
-        let set = self.scene.shell().rigid_body(on)?;
+        let set = self.scene.shell.rigid_body(on)?;
         match kind {
             LoadKind::Force(force) => {
                 Some(RigidLoad { set, force: self.turned(force.total), couple: Vec3::zeros() })

@@ -6,8 +6,9 @@ use peridynamics::{
 use sph_core::{BlockLattice, CutOut, Vec3};
 
 use super::sets::NodeSets;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, BondMeasure, Scene, SolidFormulation, SolidScene};
+use crate::scene::{self, BondMeasure, SolidFormulation, SolidScene};
 
 /// The constants; Poisson's ratio of bonds that feel their own extension alone is that of pairwise forces, which scenes round.
 pub(super) fn material(solid: &SolidScene) -> Elastic {
@@ -53,7 +54,7 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisatio
 
 /// When bonds break.
 pub(super) fn fracture(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     solid: &SolidScene,
     sets: &NodeSets<'_>,
 ) -> Result<Option<Fracture>, SceneError> {

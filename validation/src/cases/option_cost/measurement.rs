@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use coque::{
-    Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, SceneError, render,
+    Checked, Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, SceneError,
+    render,
 };
 use explicit_dynamics::{Dynamics, Event, March, Transient};
 use nalgebra::Rotation3;
@@ -159,7 +160,7 @@ pub fn shell(row: &Row) -> Result<Shell, String> {
     scene(row).and_then(|scene| scene.build_shell(row.threads)).map_err(|error| shown(&error))
 }
 
-fn scene(row: &Row) -> Result<Scene, SceneError> {
+fn scene(row: &Row) -> Result<Checked, SceneError> {
     Scene::with_overrides(SCENE, row.name, &row.set)
 }
 

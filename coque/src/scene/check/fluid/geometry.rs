@@ -1,6 +1,6 @@
 //! Checks of where a fluid is at the start.
 
-use super::Checked;
+use crate::scene::error::Verdict;
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::geometry::FluidGeometry;
 use crate::scene::scope::Scope;
@@ -11,7 +11,7 @@ const MOST_PARTICLES: f64 = 1e7;
 const WHOLE: f64 = 1e-3;
 
 impl FluidScene {
-    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Verdict {
         let (word, spacing) = (self.geometry.word(), self.geometry.spacing());
         let at = |key: &str| format!("geometry.{word}.{key}");
         s.positive(&at("spacing"), spacing)?;
@@ -44,7 +44,7 @@ impl FluidScene {
         Err(s.value(&at("spacing"), value, &bound, "use a wider spacing"))
     }
 
-    fn check_boxes(&self, spacing: f64, s: &Scope<'_>) -> Checked {
+    fn check_boxes(&self, spacing: f64, s: &Scope<'_>) -> Verdict {
         let dimensions = self.dimensions();
         for (path, lengths, origin) in self.geometry.boxes() {
             if !(2..=3).contains(&lengths.len()) || lengths.len() != dimensions {
@@ -83,7 +83,7 @@ impl FluidScene {
 }
 
 /// A length that rows of particles fill.
-fn whole(path: &str, what: &str, length: f64, spacing: f64, s: &Scope<'_>) -> Checked {
+fn whole(path: &str, what: &str, length: f64, spacing: f64, s: &Scope<'_>) -> Verdict {
     let rows = length / spacing;
     let nearest = libm::round(rows);
     if (rows - nearest).abs() <= WHOLE && nearest >= 1.0 {

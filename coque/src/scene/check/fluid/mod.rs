@@ -5,28 +5,28 @@ mod geometry;
 mod speed;
 mod walls;
 
-use crate::scene::error::SceneError;
+pub(super) use self::conditions::{check_load_of_fluid, check_unsupported, check_velocity_of_fluid};
+pub(super) use self::speed::check_sound_speed;
+use crate::scene::error::Verdict;
 use crate::scene::fluid::FluidScene;
 use crate::scene::scope::Scope;
 
-type Checked = Result<(), SceneError>;
-
 impl FluidScene {
     /// Refuses the first of its own keys that is out of bounds.
-    pub(super) fn check(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check(&self, s: &Scope<'_>) -> Verdict {
         self.check_geometry(s)?;
         self.check_liquid(s)?;
         self.check_formulation(s)
     }
 
-    fn check_liquid(&self, s: &Scope<'_>) -> Checked {
+    fn check_liquid(&self, s: &Scope<'_>) -> Verdict {
         let liquid = self.liquid();
         s.positive("material.liquid.density", liquid.density)?;
         s.positive("material.liquid.sound_speed", liquid.sound_speed)?;
         s.not_negative("material.liquid.kinematic_viscosity", liquid.kinematic_viscosity)
     }
 
-    fn check_formulation(&self, s: &Scope<'_>) -> Checked {
+    fn check_formulation(&self, s: &Scope<'_>) -> Verdict {
         let options = self.formulation.options();
         let at = |key: &str| format!("formulation.{}.{key}", self.formulation.word());
         let given = |key: &str, value: Option<f64>, bounds: [f64; 2], repair: &str| match value {

@@ -1,12 +1,10 @@
 //! Checks of the particle method.
 
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::formulation::{Formulation, Reach};
 
-type Checked = Result<(), SceneError>;
-
-pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Checked {
+pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("formulation.{}.{key}", formulation.word());
     // Below the least a stencil cannot hold its neighbours; beyond the greatest it smears every curvature.
     let smoothing = [0.6, 3.0];

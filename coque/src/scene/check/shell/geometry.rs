@@ -1,17 +1,15 @@
 //! Checks of the shape and of the places of its particles.
 
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::{Geometry, Placing};
-
-type Checked = Result<(), SceneError>;
 
 /// Bounds what a scene may allocate: ten million particles take about ten gigabytes.
 const MOST_PARTICLES: usize = 10_000_000;
 
 impl ShellScene {
-    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Verdict {
         let at = |key: &str| format!("geometry.{}.{key}", self.geometry.word());
         match &self.geometry {
             Geometry::Plate(plate) => {
@@ -52,7 +50,7 @@ impl ShellScene {
     }
 
     /// Where particles stand: a lattice with its options, or scattered.
-    fn check_places(&self, s: &Scope<'_>) -> Checked {
+    fn check_places(&self, s: &Scope<'_>) -> Verdict {
         let path = format!("geometry.{}", self.geometry.word());
         let at = |key: &str| format!("{path}.{key}");
         let Placing { particles, disorder, grading, scattered } = self.geometry.placing();

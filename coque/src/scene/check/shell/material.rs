@@ -1,15 +1,13 @@
 //! Checks of material and section, and whether they go together.
 
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::Geometry;
 use crate::scene::shell::material::{Elastic, Layered, Material, MaterialSection, Orthotropic, Section};
 
-type Checked = Result<(), SceneError>;
-
 impl ShellScene {
-    pub(super) fn check_material(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         match &self.material {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
             Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
@@ -20,7 +18,7 @@ impl ShellScene {
     }
 
     /// What stands in a file wants one.
-    fn check_of_file(&self, path: &str, s: &Scope<'_>) -> Checked {
+    fn check_of_file(&self, path: &str, s: &Scope<'_>) -> Verdict {
         if self.geometry.mesh().is_some() {
             return Ok(());
         }
@@ -29,7 +27,7 @@ impl ShellScene {
         Err(SceneError::Choice(s.fault(path, "that of a file", bound, repair)))
     }
 
-    fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Checked {
+    fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Verdict {
         s.positive("material.elastic.young", elastic.young)?;
         s.positive("material.elastic.density", elastic.density)?;
         let repair =
@@ -37,7 +35,7 @@ impl ShellScene {
         s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)
     }
 
-    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Checked {
+    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Verdict {
         let at = |key: &str| format!("material.orthotropic.{key}");
         for (key, value) in [
             ("young_along", material.young_along),
@@ -54,7 +52,7 @@ impl ShellScene {
         s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
     }
 
-    fn check_section(&self, s: &Scope<'_>) -> Checked {
+    fn check_section(&self, s: &Scope<'_>) -> Verdict {
         let total = self.section.thickness().unwrap_or_default();
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
@@ -100,7 +98,7 @@ impl ShellScene {
         Ok(())
     }
 
-    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Checked {
+    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Verdict {
         s.direction("section.layered.axis", section.axis)?;
         if section.plies.is_empty() {
             let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";

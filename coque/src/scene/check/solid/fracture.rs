@@ -2,8 +2,7 @@
 
 use sph_core::Vec3;
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 use crate::scene::solid::fracture::{Contact, Crack, Fracture};
@@ -12,7 +11,7 @@ use crate::scene::solid::fracture::{Contact, Crack, Fracture};
 const FLAT: f64 = 1e-6;
 
 impl SolidScene {
-    pub(super) fn check_fracture(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_fracture(&self, s: &Scope<'_>) -> Verdict {
         if let Some(fracture) = &self.fracture {
             check_limits(fracture, s)?;
         } else if !self.unbreakable.is_empty() {
@@ -26,7 +25,7 @@ impl SolidScene {
         self.contact.as_ref().map_or(Ok(()), |contact| self.check_contact(contact, s))
     }
 
-    fn check_crack(&self, at: &str, crack: &Crack, s: &Scope<'_>) -> Checked {
+    fn check_crack(&self, at: &str, crack: &Crack, s: &Scope<'_>) -> Verdict {
         let Crack { from, to, corners } = crack;
         let segment = from.is_some() || to.is_some();
         if self.dimensions() == 2 {
@@ -58,7 +57,7 @@ impl SolidScene {
         Err(s.value(&format!("{at}.corners"), value, bound, "put them in order, or give two cracks"))
     }
 
-    fn check_contact(&self, contact: &Contact, s: &Scope<'_>) -> Checked {
+    fn check_contact(&self, contact: &Contact, s: &Scope<'_>) -> Verdict {
         if self.has_directors() {
             let repair = "remove it, or use three lengths for a block in space";
             let bound = "none of a plate of two sheets";
@@ -76,7 +75,7 @@ impl SolidScene {
     }
 }
 
-fn check_limits(fracture: &Fracture, s: &Scope<'_>) -> Checked {
+fn check_limits(fracture: &Fracture, s: &Scope<'_>) -> Verdict {
     let mut alternatives = Vec::new();
     alternatives.extend(fracture.energy.map(|_| "energy"));
     alternatives.extend(fracture.stretch.map(|_| "stretch"));

@@ -3,8 +3,7 @@
 use solid_kinematics::{ElasticError, Moduli, Orthotropic};
 use sph_core::{Vec3, kernels};
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::per_axis::PerAxis;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
@@ -18,7 +17,7 @@ const SKEW: f64 = 1e-6;
 const WIDEST: f64 = 6.0;
 
 impl SolidScene {
-    pub(super) fn check_galerkin(&self, galerkin: &Galerkin, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_galerkin(&self, galerkin: &Galerkin, s: &Scope<'_>) -> Verdict {
         self.refuse_keys_of_bonds(s)?;
         let at = |key: &str| format!("formulation.galerkin.{key}");
         if self.dimensions() != 3 {
@@ -59,7 +58,7 @@ impl SolidScene {
     }
 
     /// What only bonds have.
-    fn refuse_keys_of_bonds(&self, s: &Scope<'_>) -> Checked {
+    fn refuse_keys_of_bonds(&self, s: &Scope<'_>) -> Verdict {
         let given = [
             ("fracture", self.fracture.is_some()),
             ("cracks", !self.cracks.is_empty()),
@@ -76,7 +75,7 @@ impl SolidScene {
     }
 }
 
-fn check_support(galerkin: &Galerkin, s: &Scope<'_>) -> Checked {
+fn check_support(galerkin: &Galerkin, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("formulation.galerkin.support.{key}");
     let repair = "in units of the spacing; 2.5 suits quadratic bases, 3.5 along a plate plate17";
     let check = |path: &str, radius: f64| s.between(path, radius, [1.0, WIDEST], repair);
@@ -99,7 +98,7 @@ fn check_support(galerkin: &Galerkin, s: &Scope<'_>) -> Checked {
     }
 }
 
-fn check_orthotropic(given: &OrthotropicSolid, s: &Scope<'_>) -> Checked {
+fn check_orthotropic(given: &OrthotropicSolid, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("material.orthotropic.{key}");
     s.positive(&at("density"), given.density)?;
     for i in 0..3 {

@@ -1,7 +1,6 @@
 //! Checks of the nodes of a solid.
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::per_axis::PerAxis;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
@@ -11,7 +10,7 @@ use crate::scene::solid::geometry::{Block, CutOut};
 const MOST_NODES: f64 = 1e7;
 
 impl SolidScene {
-    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Verdict {
         let mut given = Vec::new();
         given.extend(self.geometry.block.as_ref().map(|_| "block"));
         given.extend(self.geometry.arc.map(|_| "arc"));
@@ -25,7 +24,7 @@ impl SolidScene {
             .try_for_each(|(at, cut_out)| check_cut_out(&at, cut_out, self.dimensions(), s))
     }
 
-    fn check_block(&self, block: &Block, s: &Scope<'_>) -> Checked {
+    fn check_block(&self, block: &Block, s: &Scope<'_>) -> Verdict {
         let at = |key: &str| format!("geometry.block.{key}");
         let dimensions = block.lengths.len();
         if !(2..=3).contains(&dimensions) {
@@ -56,7 +55,7 @@ impl SolidScene {
     }
 
     /// Part of a thick cylinder, whose inner face has a radius too.
-    fn check_arc(&self, s: &Scope<'_>) -> Checked {
+    fn check_arc(&self, s: &Scope<'_>) -> Verdict {
         let Some(arc) = &self.geometry.arc else { return Ok(()) };
         let at = |key: &str| format!("geometry.arc.{key}");
         if self.galerkin().is_none() {
@@ -80,7 +79,7 @@ impl SolidScene {
         Ok(())
     }
 
-    fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Checked {
+    fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Verdict {
         let path = "geometry.block.thickness";
         match block.thickness {
             Some(thickness) if block.lengths.len() == 2 => s.positive(path, thickness),
@@ -99,7 +98,7 @@ impl SolidScene {
     }
 
     /// Bonds must leave every line and plane.
-    fn check_layers(&self, s: &Scope<'_>) -> Checked {
+    fn check_layers(&self, s: &Scope<'_>) -> Verdict {
         let lattice = self.lattice();
         // Lengths and spacings were checked before.
         let Ok(cells) = lattice.cells() else { return Ok(()) };
@@ -116,7 +115,7 @@ impl SolidScene {
     }
 }
 
-fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
+fn check_spacing(block: &Block, s: &Scope<'_>) -> Verdict {
     let path = "geometry.block.spacing";
     match &block.spacing {
         PerAxis::Same(spacing) => s.positive(path, *spacing)?,
@@ -136,7 +135,7 @@ fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
     Err(s.value(path, format!("one that asks for {nodes:.3e} nodes"), &bound, "use a wider spacing"))
 }
 
-fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Checked {
+fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("{at}.{key}");
     match cut_out {
         CutOut::Ball(ball) => {

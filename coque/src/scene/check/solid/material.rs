@@ -2,8 +2,7 @@
 
 use peridynamics::Space;
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 use crate::scene::solid::formulation::{Plane, SolidFormulation};
@@ -22,7 +21,7 @@ impl SolidScene {
         }
     }
 
-    pub(super) fn check_formulation(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_formulation(&self, s: &Scope<'_>) -> Verdict {
         let word = self.formulation.word();
         let at = |key: &str| format!("formulation.{word}.{key}");
         let repair =
@@ -51,7 +50,7 @@ impl SolidScene {
         }
     }
 
-    pub(super) fn check_material(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         let Some(elastic) = self.material.elastic() else {
             let repair = "use [material.elastic], or [bodies.NAME.solid.formulation.galerkin]";
             let (value, bound) = ("an orthotropic material", "`elastic` where bonds carry the solid");
