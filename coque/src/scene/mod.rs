@@ -83,7 +83,7 @@ pub use statics::{
     ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
     RelaxationDamping, Static, Stop,
 };
-pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Spring, Support, SupportKind, Symmetry, Turned};
+pub use supports::*;
 pub use velocity::{Spin, Velocity};
 pub use walls::{
     Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,

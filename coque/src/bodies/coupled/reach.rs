@@ -20,25 +20,14 @@ impl Loose<'_> {
     /// Whether a support keeps it from going along a direction; from going anywhere without.
     pub fn held(&self, along: Option<&Vec3>) -> bool {
         const LEAST: f64 = 1e-6;
-        let has = |direction: &[f64; 3]| {
-            let direction = Vec3::from(*direction).normalize();
-            along.is_none_or(|along| along.dot(&direction).abs() > LEAST * along.norm())
+        let has = |direction: &Vec3| {
+            along.is_none_or(|along| along.dot(&direction.normalize()).abs() > LEAST * along.norm())
         };
-        self.scene.supports.iter().any(|support| {
-            support.kinds().iter().any(|(_, kind)| match kind {
-                SupportKind::Clamped | SupportKind::Hinged | SupportKind::Turned(_) => true,
-                SupportKind::Held(held) => held.displacement.iter().any(has),
-                SupportKind::Moved(moved) => has(&moved.direction),
-                // A plane of symmetry leaves the others free.
-                SupportKind::Symmetry(plane) => along.is_some() && has(&plane.normal),
-                SupportKind::Diaphragm(diaphragm) => {
-                    let axis = Vec3::from(diaphragm.axis).normalize();
-                    along.is_none_or(|along| along.cross(&axis).norm() > LEAST * along.norm())
-                }
-                SupportKind::Spring(spring) => spring.direction.as_ref().is_some_and(has),
-                SupportKind::Rotated(_) => false,
-            })
-        })
+        let keeps = |kind: &SupportKind| {
+            // A plane of symmetry leaves the others free.
+            (along.is_some() || !matches!(kind, SupportKind::Symmetry(_))) && kind.keeps().iter().any(has)
+        };
+        self.scene.supports.iter().any(|support| support.kinds().iter().any(|(_, kind)| keeps(kind)))
     }
 
     /// Whether a load but gravity acts on it.

@@ -10,7 +10,7 @@ use crate::bodies::rigid::Hold;
 use crate::bodies::solid::sets::NodeSets;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{LoadKind, SupportKind};
+use crate::scene::{OnNodes, Traction};
 
 /// Nodes nearer to a plane than this part of the spacing lie on it.
 const ON_PLANE: f64 = 1e-9;
@@ -27,22 +27,15 @@ pub(super) fn conditions(
     for (_, support) in scene.supports.iter().enumerate().filter(|(i, _)| sought != Some(*i)) {
         let nodes = sets.at(&support.at("on"), support.on)?;
         let held = |direction: Vec3| Condition::held(nodes.to_vec(), direction);
-        for (_, kind) in support.kinds() {
-            match kind {
-                SupportKind::Clamped => out.extend(Condition::fixed(nodes)),
-                SupportKind::Symmetry(mirror) => out.push(held(Vec3::from(mirror.normal))),
-                SupportKind::Held(given) => {
+        for condition in support.kinds().iter().filter_map(|(_, kind)| kind.on_nodes()) {
+            match condition {
+                OnNodes::Symmetry(mirror) => out.push(held(Vec3::from(mirror.normal))),
+                OnNodes::Held(given) => {
                     out.extend(given.displacement.iter().map(|&v| held(Vec3::from(v))));
                 }
-                SupportKind::Moved(moved) => {
+                OnNodes::Moved(moved) => {
                     out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
                 }
-                // The checks refuse these on a solid.
-                SupportKind::Hinged
-                | SupportKind::Diaphragm(_)
-                | SupportKind::Rotated(_)
-                | SupportKind::Turned(_)
-                | SupportKind::Spring(_) => {}
             }
         }
     }
@@ -59,11 +52,7 @@ pub(super) fn mirrors(
     let mut out = Vec::new();
     for support in &scene.supports {
         let nodes = sets.at(&support.at("on"), support.on)?;
-        let symmetries = support.kinds().into_iter().filter_map(|(_, kind)| match kind {
-            SupportKind::Symmetry(mirror) => Some(Vec3::from(mirror.normal).normalize()),
-            _ => None,
-        });
-        for normal in symmetries {
+        for normal in support.symmetry.iter().map(|mirror| Vec3::from(mirror.normal).normalize()) {
             let all = &places.block.positions;
             let point = all[nodes[0] as usize];
             let on = |x: &Vec3| (x - point).dot(&normal).abs() <= ON_PLANE * places.block.greatest_spacing();
@@ -129,25 +118,19 @@ pub(super) fn loads(
     let mut out = Vec::new();
     for load in &scene.loads {
         let path = load.at("on");
-        for (_, kind) in load.kinds() {
-            match kind {
-                LoadKind::Force(force) => {
-                    out.extend(shared(places, sets.at(&path, load.on)?, Vec3::from(force.total)))
-                }
-                LoadKind::Gravity(gravity) => {
-                    out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
-                }
-                LoadKind::Traction(traction) => out.push(Load::Traction {
-                    faces: places.faces(cells, sets, &path, load.on)?,
-                    traction: Vec3::from(traction.value),
-                }),
-                LoadKind::Pressure(pressure) => out.push(Load::Pressure {
-                    faces: places.faces(cells, sets, &path, load.on)?,
-                    pressure: pressure.value,
-                }),
-                // The checks refuse it on a solid.
-                LoadKind::Couple(_) => {}
-            }
+        if let Some(force) = load.force {
+            out.extend(shared(places, sets.at(&path, load.on)?, Vec3::from(force.total)));
+        }
+        if let Some(gravity) = load.gravity {
+            out.push(Load::Body(Vec3::from(gravity.acceleration) * density));
+        }
+        if let Some(Traction { value, .. }) = load.traction {
+            let faces = places.faces(cells, sets, &path, load.on)?;
+            out.push(Load::Traction { faces, traction: Vec3::from(value) });
+        }
+        if let Some(pressure) = load.pressure {
+            let faces = places.faces(cells, sets, &path, load.on)?;
+            out.push(Load::Pressure { faces, pressure: pressure.value });
         }
     }
     Ok(out)

@@ -10,7 +10,7 @@ use crate::bodies::{PrescribedPoint, Probe};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{LoadKind, Measured, Moved, SolidScene, SupportKind, Traction};
+use crate::scene::{Held, Measured, Moved, OnNodes, SolidScene, Traction};
 
 /// A held direction with more than this along a motion opposes it.
 const OPPOSED: f64 = 1e-9;
@@ -68,29 +68,19 @@ pub(super) fn supports(
         scene.supports.iter().enumerate().filter(|(i, _)| driver.is_none_or(|driver| driver.support != *i))
     {
         let nodes = sets.at(&support.at("on"), support.on)?;
-        for (_, kind) in support.kinds() {
-            let held = |displacement: Vec<Vec3>, director: Vec<Vec3>| Support::Held {
-                displacement,
-                director: if directors { director } else { Vec::new() },
-            };
-            let support = match kind {
-                SupportKind::Clamped => {
-                    held(vec![Vec3::x(), Vec3::y(), Vec3::z()], vec![Vec3::x(), Vec3::y()])
-                }
+        for condition in support.kinds().iter().filter_map(|(_, kind)| kind.on_nodes()) {
+            let support = match condition {
                 // Planes of symmetry mirror the bonds, and hold what lies on them.
-                SupportKind::Symmetry(_) => continue,
-                SupportKind::Held(given) => held(vectors(&given.displacement), vectors(&given.director)),
-                SupportKind::Moved(moved) => Support::Moved {
+                OnNodes::Symmetry(_) => continue,
+                OnNodes::Held(Held { displacement, director }) => Support::Held {
+                    displacement: vectors(&displacement),
+                    director: if directors { vectors(&director) } else { Vec::new() },
+                },
+                OnNodes::Moved(moved) => Support::Moved {
                     direction: Vec3::from(moved.direction),
                     by: moved.by,
                     amplitude: amplitude(support.amplitude.as_ref()),
                 },
-                // The checks refuse these on a solid.
-                SupportKind::Hinged
-                | SupportKind::Diaphragm(_)
-                | SupportKind::Rotated(_)
-                | SupportKind::Turned(_)
-                | SupportKind::Spring(_) => continue,
             };
             supports.push(Supported { nodes: nodes.to_vec(), support });
         }
@@ -148,21 +138,19 @@ pub(super) fn loads(
     let mut loads = Vec::new();
     for load in &scene.loads {
         let nodes = sets.at(&load.at("on"), load.on)?;
-        for (_, kind) in load.kinds() {
-            let forces = match kind {
-                LoadKind::Force(force) => by_volume(block, nodes, Vec3::from(force.total)),
-                LoadKind::Gravity(gravity) => {
-                    let acceleration = Vec3::from(gravity.acceleration);
-                    let weight =
-                        |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
-                    nodes.iter().map(weight).collect()
-                }
-                LoadKind::Traction(traction) => tractions(block, sets, load.on, &traction),
-                // The checks refuse these on a solid.
-                LoadKind::Couple(_) | LoadKind::Pressure(_) => continue,
-            };
-            loads.push(AppliedLoad { forces, amplitude: amplitude(load.amplitude.as_ref()) });
-        }
+        let force = load.force.iter().map(|force| by_volume(block, nodes, Vec3::from(force.total)));
+        let gravity = load.gravity.iter().map(|gravity| {
+            let acceleration = Vec3::from(gravity.acceleration);
+            let weight = |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
+            nodes.iter().map(weight).collect()
+        });
+        let traction = load.traction.iter().map(|traction| tractions(block, sets, load.on, traction));
+        loads.extend(
+            force
+                .chain(gravity)
+                .chain(traction)
+                .map(|forces| AppliedLoad { forces, amplitude: amplitude(load.amplitude.as_ref()) }),
+        );
     }
     Ok(loads)
 }

@@ -29,32 +29,23 @@ pub(super) fn check_support(scene: &BodyInScene<'_>, support: &OnSet<'_, Support
         let fault = s.fault(&format!("{at}.amplitude"), "a course in time", "none here", repair);
         return Err(SceneError::Choice(fault));
     }
-    for (_, kind) in kinds {
-        match kind {
-            SupportKind::Clamped | SupportKind::Hinged => {}
-            SupportKind::Symmetry(plane) => s.direction(&format!("{at}.symmetry.normal"), plane.normal)?,
-            SupportKind::Diaphragm(plane) => s.direction(&format!("{at}.diaphragm.axis"), plane.axis)?,
-            SupportKind::Held(held) => check_held(scene, &format!("{at}.held"), &held)?,
-            SupportKind::Moved(moved) => {
-                s.direction(&format!("{at}.moved.direction"), moved.direction)?;
-                s.sized(&format!("{at}.moved.by"), moved.by)?;
-                check_course(scene, at, "moved", support.amplitude.as_ref())?;
-            }
-            SupportKind::Rotated(rotated) => {
-                s.direction(&format!("{at}.rotated.axis"), rotated.axis)?;
-                s.sized(&format!("{at}.rotated.by"), rotated.by)?;
-                check_course(scene, at, "rotated", support.amplitude.as_ref())?;
-            }
-            SupportKind::Turned(turned) => {
-                s.direction(&format!("{at}.turned.axis"), turned.axis)?;
-                s.sized_all(&format!("{at}.turned.point"), &turned.point)?;
-                s.sized(&format!("{at}.turned.by"), turned.by)?;
-                check_course(scene, at, "turned", support.amplitude.as_ref())?;
-            }
-            SupportKind::Spring(spring) => check_spring(scene, &format!("{at}.spring"), support.on, &spring)?,
+    for (word, kind) in kinds {
+        // Which of its vectors a spring has comes first.
+        if let SupportKind::Spring(spring) = &kind {
+            check_spring(scene, &support.at("spring"), support.on, spring)?;
+        }
+        for (key, v) in kind.vectors() {
+            s.direction(&format!("{at}.{word}.{key}"), v)?;
+        }
+        match &kind {
+            SupportKind::Held(held) => check_held(scene, &support.at("held"), held)?,
+            SupportKind::Turned(turned) => s.sized_all(&support.at("turned.point"), &turned.point)?,
+            _ => {}
         }
     }
-    Ok(())
+    let Some((word, by)) = support.motion() else { return Ok(()) };
+    s.sized(&format!("{at}.{word}.by"), by)?;
+    check_course(scene, at, word, support.amplitude.as_ref())
 }
 
 fn check_spring(scene: &BodyInScene<'_>, at: &str, on: &str, spring: &Spring) -> Verdict {
@@ -63,9 +54,6 @@ fn check_spring(scene: &BodyInScene<'_>, at: &str, on: &str, spring: &Spring) ->
     let known = ["direction", "axis"];
     let given = known.into_iter().zip([direction, axis]).filter_map(|(word, v)| v.map(|_| word));
     s.exactly_one(at, "direction or axis", &Vec::from_iter(given), &known)?;
-    for (word, v) in known.into_iter().zip([direction, axis]) {
-        s.direction(&format!("{at}.{word}"), v.unwrap_or([1.0; 3]))?;
-    }
     s.positive(&format!("{at}.stiffness"), *stiffness)?;
     let Some(to) = to.as_ref().map(|to| scene.own_set(to)) else { return Ok(()) };
     let path = format!("{at}.to");
@@ -101,9 +89,6 @@ fn check_held(scene: &BodyInScene<'_>, at: &str, held: &Held) -> Verdict {
         if list.len() > most {
             let value = format!("{} directions", list.len());
             return Err(s.value(&path, value, &format!("at most {most}"), repair));
-        }
-        for (i, &v) in list.iter().enumerate() {
-            s.direction(&format!("{path}[{i}]"), v)?;
         }
     }
     let mut basis: Vec<Vec3> = Vec::new();

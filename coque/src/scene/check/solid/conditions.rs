@@ -6,7 +6,7 @@ use crate::scene::check::sets::built_in;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Load, LoadKind};
 use crate::scene::solid::SolidScene;
-use crate::scene::supports::{Support, SupportKind};
+use crate::scene::supports::{OnNodes, Support};
 
 /// Refuses a velocity out of the plane of a plane block.
 pub(super) fn check_solid_velocity(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdict {
@@ -30,34 +30,24 @@ pub(in super::super) fn check_solid_support(
 ) -> Verdict {
     let (s, plane, at) = (&scene.scope(), solid.is_plane(), &support.path);
     for (word, kind) in support.kinds() {
-        match kind {
-            SupportKind::Clamped => {}
-            SupportKind::Symmetry(mirror) => {
-                s.in_plane(&format!("{at}.symmetry.normal"), mirror.normal, plane)?
-            }
-            SupportKind::Moved(moved) => {
-                s.in_plane(&format!("{at}.moved.direction"), moved.direction, plane)?
-            }
-            SupportKind::Held(held) => {
-                for (i, &v) in held.displacement.iter().enumerate() {
-                    s.in_plane(&format!("{at}.held.displacement[{i}]"), v, plane)?;
-                }
-                if !held.director.is_empty() && !solid.has_directors() {
-                    let repair = "remove it: only plates of two sheets have directors";
-                    let path = format!("{at}.held.director");
-                    return Err(SceneError::Choice(s.fault(&path, "a director", "none here", repair)));
-                }
-            }
-            SupportKind::Hinged
-            | SupportKind::Diaphragm(_)
-            | SupportKind::Rotated(_)
-            | SupportKind::Turned(_)
-            | SupportKind::Spring(_) => {
+        match kind.on_nodes() {
+            None => {
                 let bound = "`held`, `moved`, `symmetry` or `clamped` on a solid";
                 let repair = "use held = { displacement = […] } with the directions that do not move";
-                let fault = s.fault(&format!("{at}.{word}"), &format!("`{word}`"), bound, repair);
+                let fault = s.fault(&support.at(word), &format!("`{word}`"), bound, repair);
                 return Err(SceneError::Choice(fault));
             }
+            Some(OnNodes::Held(held))
+                if word == "held" && !held.director.is_empty() && !solid.has_directors() =>
+            {
+                let repair = "remove it: only plates of two sheets have directors";
+                let fault = s.fault(&support.at("held.director"), "a director", "none here", repair);
+                return Err(SceneError::Choice(fault));
+            }
+            Some(_) => {}
+        }
+        for (key, v) in kind.vectors() {
+            s.in_plane(&format!("{at}.{word}.{key}"), v, plane)?;
         }
     }
     Ok(())
