@@ -217,7 +217,8 @@ fn launch(
     let early = model.warnings().to_vec();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
-    let mut checkpoints = task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
+    let mut checkpoints =
+        task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every.get()));
     let mut files = fields(&task, &model, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
     let curve = GrowingCurve::new(&out.join(CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);

@@ -10,6 +10,7 @@ use std::path::Path;
 use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::galerkin;
 use common::solids::{BAR, PLATE, SHEETS};
+use coque::scene::bounded::Positive;
 use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
 use coque::{Checked, Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
@@ -132,14 +133,14 @@ fn is_small(scene: &Checked, body: &BodyScene) -> bool {
         BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
         BodyScene::Solid(solid) => match &solid.geometry.block {
             Some(block) => {
-                let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
+                let along = |(axis, length): (usize, &Positive)| length.get() / block.spacing.along(axis);
                 block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
             }
             None => solid.geometry.arc.is_some_and(|arc| arc.cells.iter().product::<usize>() <= 500),
         },
         BodyScene::Fluid(fluid) => match &fluid.geometry {
             FluidGeometry::Block(block) => {
-                block.lengths.iter().map(|length| length / spacing).product::<f64>() <= 500.0
+                block.lengths.iter().map(|length| length.get() / spacing).product::<f64>() <= 500.0
             }
             _ => false,
         },

@@ -1,5 +1,6 @@
 //! The same scene on a coarser or finer lattice.
 
+use crate::scene::bounded::Positive;
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, Checked, Geometry, PerAxis, Scene, SolidGeometry};
 
@@ -103,7 +104,9 @@ pub(super) fn dimensions(scene: &Scene) -> f64 {
 fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
     match (&geometry.block, &geometry.arc) {
         (Some(block), _) => {
-            let cells = |(axis, length): (usize, &f64)| (length / block.spacing.along(axis)).round().max(1.0);
+            let cells = |(axis, length): (usize, &Positive)| {
+                (length.get() / block.spacing.along(axis)).round().max(1.0)
+            };
             block.lengths.iter().enumerate().map(cells).collect()
         }
         (None, Some(arc)) => arc.cells.map(|n| n as f64).to_vec(),
@@ -127,7 +130,7 @@ fn whole(cells: usize, fineness: f64) -> usize {
 fn refine_shell(geometry: &mut Geometry, fineness: f64) -> Option<(f64, String)> {
     let (particles, scattered) = geometry.placing_mut()?;
     if let Some(scattered) = scattered {
-        scattered.spacing /= fineness;
+        scattered.spacing = Positive::new(scattered.spacing.get() / fineness).ok()?;
         return Some((1.0 / fineness, format!("scattered at {:.4}", scattered.spacing)));
     }
     let particles = particles.as_mut()?;
@@ -146,7 +149,7 @@ fn refine_solid(geometry: &mut SolidGeometry, fineness: f64) -> (f64, String) {
         arc.cells.copy_from_slice(&after);
     }
     if let Some(block) = &mut geometry.block {
-        let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length / cells as f64);
+        let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length.get() / cells as f64);
         block.spacing = PerAxis::Each(spacing.collect());
     }
     let most = (0..before.len()).max_by_key(|&axis| before[axis]).unwrap_or(0);

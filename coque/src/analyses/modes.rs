@@ -85,7 +85,7 @@ fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
 pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let options = BucklingOptions {
-        count: wanted.modes,
+        count: wanted.modes.get(),
         sign: match wanted.sign {
             LevelSign::Positive => Sign::Positive,
             LevelSign::Negative => Sign::Negative,
@@ -97,7 +97,7 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut
         },
     };
     let spectrum = linear_buckling(system, 0.0, &options, &mut watch(run));
-    let modes = match taken(spectrum, wanted.modes, "levels", run) {
+    let modes = match taken(spectrum, wanted.modes.get(), "levels", run) {
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };

@@ -31,9 +31,9 @@ impl RelaxedLevels {
     /// From the start, or from where an earlier run stood.
     pub fn new(wanted: &scene::Relaxation, from: Option<Stage>) -> Self {
         let options = RelaxationOptions {
-            tolerance: wanted.tolerance,
-            force: wanted.force,
-            iterations: wanted.iterations,
+            tolerance: wanted.tolerance.get(),
+            force: wanted.force.get(),
+            iterations: wanted.iterations.get(),
             damping: match wanted.damping {
                 RelaxationDamping::Kinetic => Damping::Kinetic,
                 RelaxationDamping::Rayleigh => Damping::Rayleigh,

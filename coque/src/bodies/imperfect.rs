@@ -6,6 +6,7 @@ use sph_core::Vec3;
 use super::body::{StaticBody, extent};
 use crate::bodies::refusal::body_error;
 use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::bounded::Modes;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Buckling, Imperfection, Scene};
 
@@ -26,8 +27,11 @@ pub(super) struct Deflection {
 /// The scene whose buckling modes are looked for: loads and motions not in time.
 pub(super) fn of_modes(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
-    scene.analysis =
-        Analysis::Buckling(Buckling { modes: 1, sign: Default::default(), prebuckling: Default::default() });
+    scene.analysis = Analysis::Buckling(Buckling {
+        modes: Modes::usual(1),
+        sign: Default::default(),
+        prebuckling: Default::default(),
+    });
     scene.supports.iter_mut().for_each(|support| support.amplitude = None);
     scene.loads.iter_mut().for_each(|load| load.amplitude = None);
     scene.curve.clear();
@@ -46,7 +50,7 @@ pub(super) fn deflection<S: StaticBody>(
     read: impl Fn(&S) -> [Vec<Vec3>; 2],
     back: impl Fn(&Vec3) -> Vec3,
 ) -> Result<Deflection, SceneError> {
-    let number = imperfection.mode.unwrap_or(1);
+    let number = imperfection.mode.map_or(1, |mode| mode.get());
     let refused = |message: &str| body_error(scene, "imperfection.mode", message);
     let count = (number + 1).min(system.unknowns());
     let options = BucklingOptions { count, sign: Sign::Positive, prebuckling: Prebuckling::Rotations };

@@ -106,17 +106,17 @@ pub(crate) fn particles_asked(geometry: &Geometry) -> Option<f64> {
     }
     let spacing = geometry.placing().scattered?.spacing;
     let area = match geometry {
-        Geometry::Plate(plate) => plate.lengths[0] * plate.lengths[1],
-        Geometry::Cylinder(c) => c.radius * (c.angles[1] - c.angles[0]).to_radians() * c.length,
+        Geometry::Plate(plate) => plate.lengths[0].get() * plate.lengths[1].get(),
+        Geometry::Cylinder(c) => c.radius.get() * (c.angles[1] - c.angles[0]).to_radians() * c.length.get(),
         Geometry::Sphere(s) => {
             let [top, bottom] = s.polar.map(|angle| libm::cos(angle.to_radians()));
-            s.radius * s.radius * (top - bottom) * (s.azimuth[1] - s.azimuth[0]).to_radians()
+            s.radius.get() * s.radius.get() * (top - bottom) * (s.azimuth[1] - s.azimuth[0]).to_radians()
         }
-        Geometry::Twisted(s) => s.length * s.width,
+        Geometry::Twisted(s) => s.length.get() * s.width.get(),
         Geometry::Mesh(_) => return None,
     };
     // More than any scene may have is refused where particles are placed, in the same words everywhere.
-    Some((area / (spacing * spacing)).abs()).filter(|&particles| particles <= MOST_PARTICLES)
+    Some((area / (spacing.get() * spacing.get())).abs()).filter(|&particles| particles <= MOST_PARTICLES)
 }
 
 /// Greatest memory of such a run \[bytes\].
@@ -155,7 +155,7 @@ fn shares_of_shell(shell: &ShellScene) -> Shares {
 fn shares_of_solid(solid: &SolidScene) -> Shares {
     if let Some(galerkin) = solid.galerkin() {
         let near = galerkin.neighbours();
-        let points = (galerkin.gauss as f64).powi(3);
+        let points = (galerkin.gauss.get() as f64).powi(3);
         let each = points * (GAUSS + SHAPE * near);
         return Shares { each, factor: BLOCK * 8.0 * near, ..Shares::default() };
     }

@@ -26,7 +26,7 @@ pub(super) fn refuse_dof(scene: &BodyInScene<'_>, dofs: usize) -> Result<(), Sce
         Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
         _ => return Ok(()),
     };
-    if modes <= dofs {
+    if modes.get() <= dofs {
         return Ok(());
     }
     let bound = format!("at most {dofs}, the degrees of freedom that no support holds");

@@ -118,7 +118,7 @@ pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u
     }
     if let Some(plane) = region.plane {
         let normal = Vec3::from(plane.normal).normalize();
-        let within = plane.within.unwrap_or(1e-3 * spacing);
+        let within = plane.within.map_or(1e-3 * spacing, |within| within.get());
         let on = |x: &Vec3| (x - Vec3::from(plane.point)).dot(&normal).abs() <= within;
         return numbered().filter(|(_, x)| on(x)).map(|(a, _)| a).collect();
     }

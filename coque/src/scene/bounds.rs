@@ -1,13 +1,9 @@
 //! Bounds on single numbers and vectors of a scene, each with its repair.
 
+use super::bounded::{GREATEST, LEAST};
 use super::error::{SceneError, Verdict};
 use super::scope::Scope;
 use super::source::suggest;
-
-/// Beyond these, products of five numbers leave the range of `f64`. Inside lie the densities, F T²/L⁴, that units of length,
-/// force and time nine powers of ten away ask for.
-const LEAST: f64 = 1e-60;
-const GREATEST: f64 = 1e60;
 
 impl Scope<'_> {
     /// Positive, and of a size that arithmetic can hold.

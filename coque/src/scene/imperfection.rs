@@ -1,5 +1,6 @@
 //! What bends a body before anything acts on it.
 
+use crate::scene::bounded::ModeNumber;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,7 +10,7 @@ use serde::Deserialize;
 pub struct Imperfection {
     /// Number of the buckling mode, from 1: one of [analysis.buckling] of the same scene without imperfection, under its full loads
     /// and motions.
-    pub mode: Option<usize>,
+    pub mode: Option<ModeNumber>,
     /// In place of a mode, on two sheets: half-waves along x and y, zero on the edges.
     pub half_waves: Option<[u32; 2]>,
     /// Greatest displacement \[L\]. Positive sines go along z; a positive mode along x, y or z where it is greatest along an axis, of

@@ -5,6 +5,7 @@ mod amplitude;
 mod analysis;
 mod analysis_kind;
 pub(crate) mod body_in_scene;
+pub mod bounded;
 mod bounds;
 pub(crate) mod catalogue;
 mod check;

@@ -1,5 +1,6 @@
 //! Further results: a plot, frames of fields, checkpoints.
 
+use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -12,7 +13,7 @@ pub struct Output {
     /// Frames for ParaView, in the folder `fields`.
     pub fields: Option<Fields>,
     /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
-    pub checkpoint_every: Option<f64>,
+    pub checkpoint_every: Option<Positive>,
 }
 
 /// Which frames are written, and what stands in them beside the motion of the particles.

@@ -1,5 +1,6 @@
 //! Named sets of particles: those that every scene has, and regions.
 
+use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -43,7 +44,7 @@ pub struct Layer {
     /// The face, one of `x0`, `x1`, `y0`, `y1`, `z0`, `z1`.
     pub face: String,
     /// Its depth from the face \[L\].
-    pub depth: f64,
+    pub depth: Positive,
 }
 
 /// Axis-parallel box.
@@ -65,5 +66,5 @@ pub struct OnPlane {
     /// Its normal; the length does not matter.
     pub normal: [f64; 3],
     /// Greatest distance from the plane \[L\]; a thousandth of the spacing without.
-    pub within: Option<f64>,
+    pub within: Option<Positive>,
 }

@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::absent::{Absent, absent};
+use super::bounded::MARK;
 use super::error::{Fault, Place, SceneError};
 use super::nearest::nearest;
 
@@ -161,6 +162,8 @@ impl Source {
                 false => "keep one of the alternatives, such as [material.elastic]".to_string(),
             };
             SceneError::Choice(fault(key, "none or several tables".into(), bound, repair))
+        } else if let [_, value, bound, repair] = Vec::from_iter(message.split(MARK))[..] {
+            SceneError::Value(fault(key, value.into(), bound.into(), repair.into()))
         } else if let Some((found, expected)) = mismatch(message) {
             let repair = format!("write {expected} here");
             SceneError::Type(fault(key, found, expected, repair))

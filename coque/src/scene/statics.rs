@@ -1,5 +1,9 @@
 //! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
+use crate::scene::bounded::{
+    GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
+    Residual, Steps,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,10 +19,10 @@ pub struct Static {
     pub levels: Levels,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "usual_tolerance")]
-    pub tolerance: f64,
+    pub tolerance: Residual,
     /// Iterations allowed before the way to a level is cut in halves.
     #[serde(default = "usual_iterations")]
-    pub iterations: usize,
+    pub iterations: Iterations,
     /// Makes one linear answer of each level and lets what is out of balance go into the next; how far each is from its equilibrium is reported.
     /// For comparison with incremental schemes that do not iterate. `tolerance` and `iterations` then count for a preload alone.
     #[serde(default)]
@@ -33,7 +37,7 @@ pub struct Linear {
     #[serde(default)]
     pub solver: LinearSolver,
     /// Iterations allowed to conjugate gradients; left out, 5000.
-    pub iterations: Option<usize>,
+    pub iterations: Option<GradientIterations>,
 }
 
 /// How a linear answer is solved.
@@ -55,21 +59,21 @@ pub enum LinearSolver {
 #[serde(deny_unknown_fields)]
 pub struct ArcLength {
     /// Largest level, met exactly.
-    pub until: Option<f64>,
+    pub until: Option<Positive>,
     /// A column of the curve that ends the path.
     pub stop: Option<Stop>,
     /// First step: what a linear answer to this part of the full load (or of `by`) would be \[–\].
     #[serde(default = "usual_radius")]
-    pub radius: f64,
+    pub radius: Positive,
     /// Steps allowed.
     #[serde(default = "usual_steps")]
-    pub steps: usize,
+    pub steps: Steps,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "usual_tolerance")]
-    pub tolerance: f64,
+    pub tolerance: Residual,
     /// Iterations allowed before a step is cut in halves.
     #[serde(default = "usual_iterations")]
-    pub iterations: usize,
+    pub iterations: Iterations,
     /// Which branch is taken where the path bifurcates.
     #[serde(default)]
     pub branches: Branches,
@@ -109,16 +113,16 @@ pub struct Relaxation {
     pub levels: Levels,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "relaxed")]
-    pub tolerance: f64,
+    pub tolerance: RelaxedResidual,
     /// Residual that is small enough at any level, whatever the load; of the two bounds the greater counts \[F\].
     #[serde(default)]
-    pub force: f64,
+    pub force: NotNegative,
     /// How the motion dies.
     #[serde(default)]
     pub damping: RelaxationDamping,
     /// Iterations allowed to a level.
     #[serde(default = "usual_relaxation")]
-    pub iterations: usize,
+    pub iterations: RelaxationIterations,
 }
 
 /// How a relaxation comes to rest.
@@ -139,7 +143,7 @@ pub enum RelaxationDamping {
 #[serde(deny_unknown_fields)]
 pub struct Modal {
     /// Number of modes, the lowest ones.
-    pub modes: usize,
+    pub modes: Modes,
 }
 
 /// Buckling levels, linearised about the unloaded shell, or about the preloaded one: `(K + μ K_g) φ = 0`.
@@ -147,7 +151,7 @@ pub struct Modal {
 #[serde(deny_unknown_fields)]
 pub struct Buckling {
     /// Number of modes, those of the levels nearest to zero.
-    pub modes: usize,
+    pub modes: Modes,
     /// On which side of zero the levels lie.
     #[serde(default)]
     pub sign: LevelSign,
@@ -188,30 +192,30 @@ impl Static {
 }
 
 /// As Newton's method has it.
-fn usual_tolerance() -> f64 {
-    implicit_statics::NewtonOptions::default().tolerance
+fn usual_tolerance() -> Residual {
+    Residual::usual(implicit_statics::NewtonOptions::default().tolerance)
 }
 
 /// What a relaxation reaches in sensible time.
-fn relaxed() -> f64 {
-    1e-6
+fn relaxed() -> RelaxedResidual {
+    RelaxedResidual::usual(1e-6)
 }
 
 /// Thin shells take some ten thousand.
-fn usual_relaxation() -> usize {
-    100_000
+fn usual_relaxation() -> RelaxationIterations {
+    RelaxationIterations::usual(100_000)
 }
 
 /// A thin strip that rolls up takes some fifteen an eighth of a turn: its tangent holds the stretch of the last guess.
-fn usual_iterations() -> usize {
-    30
+fn usual_iterations() -> Iterations {
+    Iterations::usual(30)
 }
 
 /// A twentieth of the load: steps adapt from there on.
-fn usual_radius() -> f64 {
-    0.05
+fn usual_radius() -> Positive {
+    Positive::usual(0.05)
 }
 
-fn usual_steps() -> usize {
-    1000
+fn usual_steps() -> Steps {
+    Steps::usual(1000)
 }

@@ -1,5 +1,6 @@
 //! Supports and prescribed motions, each on a named set of particles.
 
+use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_core::Vec3;
@@ -120,7 +121,7 @@ pub struct Spring {
     /// Axis of the turn from rest that is resisted, below half a turn; its length does not matter.
     pub axis: Option<[f64; 3]>,
     /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
-    pub stiffness: f64,
+    pub stiffness: Positive,
     /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
     /// their reference points. Left out, the ground.
     pub to: Option<String>,

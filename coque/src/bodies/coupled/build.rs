@@ -39,10 +39,11 @@ pub(in crate::bodies) fn coupled_model(
         wets.extend(wet(body, wanted, threads)?.map(|wet| (body.name, wet)));
     }
     let mut fluid = coupled_fluid(of_fluid, wanted, &walls, &wets, threads)?;
-    let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety } else { 1.0 };
+    let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety.get() } else { 1.0 };
     let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
     let liquid = wanted.liquid();
-    let mass = |wet: &WettedBody<'_>| liquid.density * liquid.sound_speed * step / wet.area_density;
+    let mass =
+        |wet: &WettedBody<'_>| liquid.density.get() * liquid.sound_speed.get() * step / wet.area_density;
     let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
     let mut built = CoupledParts::new(name, &fluid, &walls, &wets);
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;

@@ -81,7 +81,7 @@ impl Loose<'_> {
         let way = way - 0.5 * wanted.geometry.spacing();
         let time = match self.scene.analysis {
             Analysis::Explicit(explicit) => {
-                explicit.transient.as_ref().map_or(0.0, |transient| transient.duration)
+                explicit.transient.as_ref().map_or(0.0, |transient| transient.duration.get())
             }
             _ => 0.0,
         };
@@ -89,7 +89,7 @@ impl Loose<'_> {
         if !thrown && way > 0.5 * gravity.norm() * time * time {
             return None;
         }
-        let denser = self.density().filter(|density| *density > wanted.liquid().density);
+        let denser = self.density().filter(|density| *density > wanted.liquid().density.get());
         let why = match denser {
             Some(density) => format!("is denser than the fluid ({density} for {})", wanted.liquid().density),
             None if fluid.iter().all(|x| below(x).is_none()) => "has no fluid below it".into(),

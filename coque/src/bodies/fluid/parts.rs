@@ -9,7 +9,7 @@ use crate::scene::{FluidMethod, FluidScene, FluidStart, WallMethod, WallMotion};
 /// The liquid.
 pub(in crate::bodies) fn liquid(fluid: &FluidScene) -> Liquid {
     let liquid = fluid.liquid();
-    Liquid { density: liquid.density, sound_speed: liquid.sound_speed }
+    Liquid { density: liquid.density.get(), sound_speed: liquid.sound_speed.get() }
 }
 
 /// The method: what the scene leaves out is that of its integrator.
@@ -30,11 +30,11 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
     };
     Formulation {
         smoothing: wanted.smoothing(),
-        viscosity: wanted.viscosity.unwrap_or(usual.viscosity),
-        kinematic_viscosity: fluid.liquid().kinematic_viscosity,
-        density_diffusion: wanted.density_diffusion.unwrap_or(usual.density_diffusion),
-        xsph: wanted.xsph.unwrap_or(usual.xsph),
-        courant: wanted.courant.unwrap_or(usual.courant),
+        viscosity: wanted.viscosity.map_or(usual.viscosity, |given| given.get()),
+        kinematic_viscosity: fluid.liquid().kinematic_viscosity.get(),
+        density_diffusion: wanted.density_diffusion.map_or(usual.density_diffusion, |given| given.get()),
+        xsph: wanted.xsph.map_or(usual.xsph, |given| given.get()),
+        courant: wanted.courant.map_or(usual.courant, |given| given.get()),
         scheme,
         walls,
         confined: wanted.confined,

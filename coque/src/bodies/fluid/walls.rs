@@ -10,6 +10,7 @@ use sph_core::{
 
 use crate::bodies::refusal::body_error;
 use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::bounded::numbers;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_WALLS;
 use crate::scene::{Basin, LineSide, Obstacle, WallGeometry, WallSurface, WallsScene};
@@ -149,7 +150,7 @@ fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError
 }
 
 fn of_obstacle(block: &Obstacle, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
-    let (lengths, dimensions) = (vector(&block.lengths), block.lengths.len());
+    let (lengths, dimensions) = (vector(&numbers(&block.lengths)), block.lengths.len());
     let origin = vector(block.origin.as_deref().unwrap_or_default());
     let points = block_rows(lengths.into(), &origin, dimensions, spacing, rows)?;
     let depth = |x: &Vec3| {
@@ -181,7 +182,7 @@ fn triangles(
         let fault = scene.body_scope().fault("geometry.surface.file", value, "a sound surface", &repair);
         SceneError::Mesh(fault)
     })?;
-    let read = read.scaled(surface.scale);
+    let read = read.scaled(surface.scale.get());
     let halves = read.faces.iter().flat_map(|face| {
         let [a, b, c, d] = face.corners;
         let second = (face.count == 4).then_some([a, c, d]);

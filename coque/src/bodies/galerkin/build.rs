@@ -103,7 +103,7 @@ fn galerkin(
     let parts = |support: Support| Parts {
         nodes: places.block.positions.clone(),
         cells: cells.clone(),
-        rule: options.gauss,
+        rule: options.gauss.get(),
         basis: basis(options),
         support,
         weight: weight(options),

@@ -1,8 +1,6 @@
 //! Material, shape functions and options of a Galerkin solid, from the scene's words to those of `sr-galerkin`.
 
-use solid_kinematics::{
-    ElasticError, Formulation, Material, Moduli, Orthotropic, StressMeasure, Tangent, Tensor, Update,
-};
+use solid_kinematics::{ElasticError, Formulation, Material, Moduli, StressMeasure, Tangent, Tensor, Update};
 use sph_core::{Basis, Support, Vec3, Weight, kernels};
 use sr_galerkin::Essential;
 
@@ -15,12 +13,8 @@ use crate::scene::{
 /// Moduli and the way in which stress follows deformation.
 pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Material, ElasticError> {
     let moduli = match &solid.material {
-        SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young, elastic.poisson)?,
-        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&Orthotropic {
-            young: given.young,
-            poisson: given.poisson,
-            shear: given.shear,
-        })?,
+        SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young.get(), elastic.poisson)?,
+        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&given.constants())?,
     };
     let update = match galerkin.update.unwrap_or_default() {
         GalerkinUpdate::Midpoint => Update::Midpoint,

@@ -15,7 +15,7 @@ impl Builder<'_> {
         for (i, lumped) in self.scene.shell.masses.iter().enumerate() {
             let path = self.scene.body_scope().path(&format!("masses[{i}].on"));
             let particles = sets.at(self.scene, &path, &lumped.on)?;
-            let share = lumped.mass / particles.len() as f64;
+            let share = lumped.mass.get() / particles.len() as f64;
             all.extend(particles.iter().map(|&a| (a, share)));
         }
         Ok(all)

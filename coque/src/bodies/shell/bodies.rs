@@ -24,7 +24,7 @@ impl Builder<'_> {
             let tensor = Matrix3::new(moment(0), xy, zx, xy, moment(1), yz, zx, yz, moment(2));
             Ok(RigidSet {
                 at: body.at.map_or(mean, |at| self.turned(at)),
-                mass: body.mass,
+                mass: body.mass.get(),
                 inertia: turn * tensor * turn.transpose(),
                 holds: self.holds_of_body(&body.on),
                 particles,

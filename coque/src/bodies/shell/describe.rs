@@ -59,7 +59,7 @@ fn resultants(scene: &ShellInScene<'_>, shell: &Shell) -> LoadResultants {
     let named = scene.loads.iter().flat_map(|load| {
         load.kinds()
             .into_iter()
-            .map(move |(word, kind)| line(&describe_load(word, &kind), &load.on, load.preload))
+            .map(move |(word, kind)| line(&describe_load(word, &kind), load.on, load.preload))
     });
     let reduced = shell.load_resultants(about).into_iter();
     let loads = reduced.map(|found| Resultant { force: found.force.into(), moment: found.moment.into() });
@@ -99,7 +99,7 @@ fn lists(
     modelled
         .extend(scene.shell.masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)));
     modelled.extend(scene.shell.ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
-    modelled.extend(scene.shell.rigid.iter().map(|body| match body.mass > 0.0 {
+    modelled.extend(scene.shell.rigid.iter().map(|body| match body.mass.get() > 0.0 {
         true => format!("{} rigid, with a mass of {}", body.on, body.mass),
         false => format!("{} rigid", body.on),
     }));
@@ -111,13 +111,12 @@ fn lists(
     let stresses = &scene.shell.initial_stress;
     modelled.extend(stresses.iter().map(|stress| format!("initial stress of {}, {course}", stress.on)));
     for support in &scene.supports {
-        modelled.extend(support.kinds().iter().map(|(word, _)| line(word, &support.on, support.preload)));
+        modelled.extend(support.kinds().iter().map(|(word, _)| line(word, support.on, support.preload)));
     }
     for load in &scene.loads {
         let kinds = load.kinds();
-        modelled.extend(
-            kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), &load.on, load.preload)),
-        );
+        modelled
+            .extend(kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), load.on, load.preload)));
     }
     modelled.extend(scene.shell.imperfection.map(|_| "deflection of the unstrained body".into()));
     modelled.extend(scene.shell.velocity.as_ref().map(|velocity| match &velocity.on {
@@ -140,8 +139,8 @@ fn lists(
 /// Angles from the lowest ply to the highest, and the thickness of each where they differ.
 fn describe_plies(section: &Layered) -> String {
     let list = |of: fn(&Ply) -> f64| section.plies.iter().map(|p| of(p).to_string()).collect::<Vec<_>>();
-    let angles = list(|ply| ply.angle).join("/");
-    let mut thicknesses = list(|ply| ply.thickness);
+    let angles = list(|ply| ply.angle.get()).join("/");
+    let mut thicknesses = list(|ply| ply.thickness.get());
     thicknesses.dedup();
     let [x, y, z] = section.axis;
     format!(

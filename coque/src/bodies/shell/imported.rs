@@ -68,7 +68,7 @@ impl Imported {
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
         let path = folder.join(file);
         let surface = if scene.shell.ties.is_empty() { read(&path) } else { read_to_be_tied(&path) };
-        let surface = surface.map_err(|error| refuse(&error))?.scaled(*scale);
+        let surface = surface.map_err(|error| refuse(&error))?.scaled(scale.get());
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;
         let surface =
@@ -250,7 +250,7 @@ fn sections_used<'a>(
         let value = format!("{file} gives no section to any group of faces");
         return refuse(value, "a homogeneous *Shell Section in an Abaqus file", repair);
     }
-    if shell.geometry.mesh().is_some_and(|mesh| mesh.scale != 1.0) && asking.material.density().is_none() {
+    if shell.geometry.mesh().is_some_and(|mesh| *mesh.scale != 1.0) && asking.material.density().is_none() {
         let value = format!("the moduli of {file} are in units of its own, and its lengths are scaled");
         return refuse(value, "moduli in the units of the scene", "write the scene in the units of the file");
     }

@@ -76,17 +76,19 @@ impl Builder<'_> {
         };
         match shell.material_section(s)? {
             MaterialSection::Homogeneous(elastic, section) => {
-                let moduli = [elastic.young, elastic.poisson];
-                SectionSpec::isotropic(moduli, section.thickness, section.gauss_points)
+                let moduli = [elastic.young.get(), elastic.poisson];
+                let points = section.gauss_points.as_deref().copied();
+                SectionSpec::isotropic(moduli, section.thickness.get(), points)
                     .map_err(refuse("material.elastic"))
             }
             MaterialSection::Layered(m, section) => {
                 let across = m.shear_across.unwrap_or(m.shear);
-                let material = Orthotropic::new(m.young_along, m.young_across, m.poisson, m.shear, across)
-                    .map_err(refuse("material.orthotropic"))?;
+                let material =
+                    Orthotropic::new(*m.young_along, *m.young_across, m.poisson, *m.shear, *across)
+                        .map_err(refuse("material.orthotropic"))?;
                 let ply = |ply: &scene::Ply| Ply {
                     material,
-                    thickness: ply.thickness,
+                    thickness: ply.thickness.get(),
                     angle: ply.angle.to_radians(),
                 };
                 Ok(SectionSpec::Layered(section.plies.iter().map(ply).collect()))
@@ -136,14 +138,14 @@ impl Builder<'_> {
                 scene::Reach::Wide(reach) => Reach::Kernel(kernel, reach),
             }),
             scene::Formulation::Nodal(f) => Formulation::Nodal {
-                order: f.order,
+                order: f.order.get(),
                 smoothing: f.smoothing_length(),
                 consistent: f.divergence_consistent(),
                 kernel,
             },
             scene::Formulation::StrongForm(f) => Formulation::StrongForm {
                 smoothing: f.smoothing_length(),
-                viscosity: f.viscosity,
+                viscosity: f.viscosity.get(),
                 divergence: match f.divergence {
                     scene::Divergence::Sum => Divergence::Sum,
                     scene::Divergence::Difference => Divergence::Difference,

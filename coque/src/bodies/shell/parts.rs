@@ -207,7 +207,7 @@ impl Builder<'_> {
             let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
             let needed = weighs || matches!(self.scene.analysis, Analysis::Explicit(_) | Analysis::Modal(_));
             let (moduli, density) = match (elastic, material.elastic) {
-                (Some(own), _) => ([own.young, own.poisson], own.density),
+                (Some(own), _) => ([own.young.get(), own.poisson], own.density.get()),
                 (None, None) => {
                     let value = format!("material \"{}\" has no isotropic *Elastic", given.material);
                     return refuse(&value, "Young's modulus and Poisson's ratio", "add them to the file");
@@ -222,8 +222,8 @@ impl Builder<'_> {
                     }
                 },
             };
-            let thickness = section.map_or(given.thickness, |section| section.thickness);
-            let gauss_points = section.and_then(|section| section.gauss_points);
+            let thickness = section.map_or(given.thickness, |section| section.thickness.get());
+            let gauss_points = section.and_then(|section| section.gauss_points.as_deref().copied());
             let spec = SectionSpec::isotropic(moduli, thickness, gauss_points);
             let spec =
                 spec.map_err(|error| model_error(self.scene.source, &at.path(key), &error.to_string()))?;

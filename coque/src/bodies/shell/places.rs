@@ -5,6 +5,7 @@ use sph_core::{Cloud, EndWeights, Patch, SpaceError, Vec3};
 
 use crate::bodies::refusal::body_error;
 use crate::scene::body_in_scene::ShellInScene;
+use crate::scene::bounded::{Grading, Polar, Positive};
 use crate::scene::error::SceneError;
 use crate::scene::{Formulation, Geometry, Placing};
 
@@ -13,7 +14,7 @@ pub(crate) fn end_weights(scene: &ShellInScene<'_>) -> EndWeights {
     let Placing { disorder, grading, scattered, .. } = scene.shell.geometry.placing();
     let uniform = scattered.is_none() && disorder.is_none() && grading.is_none();
     match &scene.shell.formulation {
-        Formulation::Nodal(f) if f.order == 3 && uniform => EndWeights::Gregory,
+        Formulation::Nodal(f) if *f.order == 3 && uniform => EndWeights::Gregory,
         _ => EndWeights::Trapezoid,
     }
 }
@@ -22,25 +23,29 @@ pub(crate) fn end_weights(scene: &ShellInScene<'_>) -> EndWeights {
 pub(crate) fn place(scene: &ShellInScene<'_>, weights: EndWeights) -> Result<Cloud, SceneError> {
     let radians = |angles: [f64; 2]| angles.map(f64::to_radians);
     let patch: Box<dyn Patch> = match &scene.shell.geometry {
-        Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths }),
-        Geometry::Cylinder(c) => {
-            Box::new(sph_core::Cylinder { radius: c.radius, angles: radians(c.angles), length: c.length })
-        }
+        Geometry::Plate(plate) => Box::new(sph_core::Plate { lengths: plate.lengths.map(Positive::get) }),
+        Geometry::Cylinder(c) => Box::new(sph_core::Cylinder {
+            radius: c.radius.get(),
+            angles: radians(c.angles),
+            length: c.length.get(),
+        }),
         Geometry::Sphere(s) => Box::new(sph_core::Sphere {
-            radius: s.radius,
-            polar: radians(s.polar),
+            radius: s.radius.get(),
+            polar: radians(s.polar.map(Polar::get)),
             azimuth: radians(s.azimuth),
         }),
-        Geometry::Twisted(s) => {
-            Box::new(sph_core::Twisted { length: s.length, width: s.width, twist: s.twist.to_radians() })
-        }
+        Geometry::Twisted(s) => Box::new(sph_core::Twisted {
+            length: s.length.get(),
+            width: s.width.get(),
+            twist: s.twist.to_radians(),
+        }),
         Geometry::Mesh(_) => {
             return Err(body_error(scene, "geometry.mesh", "a mesh has no rows of particles"));
         }
     };
     let geometry = &scene.shell.geometry;
     let (cloud, key) = match geometry.placing().scattered {
-        Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing, s.seed), "scattered.spacing"),
+        Some(s) => (sph_core::poisson_cloud(&*patch, s.spacing.get(), s.seed), "scattered.spacing"),
         // The checks leave one of the two; a lattice of nothing is refused below.
         None => lattice(scene, &*patch, geometry.particles().unwrap_or_default(), weights),
     };
@@ -69,8 +74,9 @@ fn lattice(
     if disorder.is_none() && grading.is_none() {
         return (sph_core::lattice(patch, counts, weights), "particles");
     }
-    let (fraction, seed) = disorder.map_or((0.0, 0), |d| (d.fraction, d.seed));
-    let graded = sph_core::Graded::new(patch, counts, grading.unwrap_or([1.0, 1.0]));
+    let (fraction, seed) = disorder.map_or((0.0, 0), |d| (d.fraction.get(), d.seed));
+    let graded =
+        sph_core::Graded::new(patch, counts, grading.map_or([1.0, 1.0], |grading| grading.map(Grading::get)));
     let cloud = graded.and_then(|graded| sph_core::jittered_lattice(&graded, counts, fraction, seed));
     (cloud, if disorder.is_some() { "disorder" } else { "grading" })
 }

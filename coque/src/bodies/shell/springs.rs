@@ -16,7 +16,7 @@ impl Builder<'_> {
         let mut all = Springs::default();
         for support in &self.scene.supports {
             let Some(spring) = &support.spring else { continue };
-            let stiffness = spring.stiffness;
+            let stiffness = spring.stiffness.get();
             let particles = sets.at(self.scene, &support.at("on"), support.on)?;
             let body = self.scene.shell.rigid_body(support.on);
             if let (Some(axis), Some(body)) = (spring.axis, body) {

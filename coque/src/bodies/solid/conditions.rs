@@ -204,7 +204,7 @@ fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction
         None => shares.iter().map(|&(node, area)| (node, value * area)).collect(),
         Some(depth) => {
             let area: f64 = shares.iter().map(|(_, area)| area).sum();
-            by_volume(block, &sets.layer(face, depth), value * area)
+            by_volume(block, &sets.layer(face, depth.get()), value * area)
         }
     }
 }

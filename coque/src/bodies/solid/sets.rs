@@ -37,7 +37,7 @@ impl<'a> NodeSets<'a> {
         }
         for (name, region) in &scene.sets {
             let nodes = match &region.layer {
-                Some(layer) => out.layer(&layer.face, layer.depth),
+                Some(layer) => out.layer(&layer.face, layer.depth.get()),
                 None => inside(region, &block.positions, block.greatest_spacing()),
             };
             if nodes.is_empty() {

@@ -148,7 +148,7 @@ fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
     let layers = held.filter_map(|support| look.scene.sets.get(support.on)?.layer.as_ref());
     let ends = [2 * along, 2 * along + 1].map(|face| OF_SOLIDS[1 + face]);
     let depths: Vec<f64> =
-        layers.filter(|layer| ends.contains(&layer.face.as_str())).map(|layer| layer.depth).collect();
+        layers.filter(|layer| ends.contains(&layer.face.as_str())).map(|layer| layer.depth.get()).collect();
     let free = lattice.lengths[along] - depths.iter().sum::<f64>();
     look.solid.block().spacing[along] * depths.len() as f64 / free
 }
@@ -231,7 +231,7 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
         (own < whole - 0.5 * spacing).then_some(own + spacing)
     };
     motions().find_map(|support| {
-        let nodes = sets.at("", &support.on).ok()?;
+        let nodes = sets.at("", support.on).ok()?;
         let depth = (0..block.dimensions).filter_map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
         // A layer as deep as the horizon holds the nodes whose places lie in it.
         (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {

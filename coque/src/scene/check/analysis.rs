@@ -6,44 +6,27 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::statics::{
-    ArcLength, Branches, Buckling, Linear, LinearSolver, Modal, Relaxation, Static, Stop,
-};
+use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
 
 /// Every level is a ramp and a hold; more than this is a mistake.
 const MOST_LEVELS: u64 = 100_000;
 /// Rows of a curve that still fit in memory and on a plot.
 const MOST_RECORDS: f64 = 1e7;
-/// Modes are found together and kept whole.
-const MOST_MODES: f64 = 1000.0;
-/// A path keeps every point.
-const MOST_STEPS: f64 = 1e6;
-/// Newton's method either converges in some ten iterations or not at all.
-const MOST_ITERATIONS: f64 = 1000.0;
-/// A relaxation that takes more does not come to rest.
-const MOST_RELAXATION: f64 = 1e9;
 
 /// Refuses numbers out of bounds and what does not go with the analysis.
 pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
     match &scene.analysis {
         Analysis::Explicit(explicit) => check_explicit(scene, explicit)?,
         Analysis::Linear(wanted) => check_linear(scene, wanted)?,
-        Analysis::Static(Static { levels, tolerance, iterations, one_solve }) => {
+        Analysis::Static(Static { levels, one_solve, .. }) => {
             check_levels(scene, "analysis.static.levels", levels)?;
             check_one_solve(scene, *one_solve)?;
-            check_newton(scene, "analysis.static", *tolerance, *iterations)?;
         }
         Analysis::ArcLength(path) => check_arc_length(scene, path)?,
-        Analysis::Relaxation(Relaxation { levels, tolerance, force, iterations, .. }) => {
-            let (s, at) = (&scene.scope(), "analysis.relaxation");
-            check_levels(scene, &format!("{at}.levels"), levels)?;
-            s.between(&format!("{at}.tolerance"), *tolerance, [0.0, 1.0], "leave it out for the usual 1e-6")?;
-            s.not_negative(&format!("{at}.force"), *force)?;
-            let repair = "leave it out for the usual 100000";
-            s.within(&format!("{at}.iterations"), *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
+        Analysis::Relaxation(Relaxation { levels, .. }) => {
+            check_levels(scene, "analysis.relaxation.levels", levels)?;
         }
-        Analysis::Modal(Modal { modes }) => check_modes(scene, "analysis.modal.modes", *modes)?,
-        Analysis::Buckling(Buckling { modes, .. }) => check_modes(scene, "analysis.buckling.modes", *modes)?,
+        Analysis::Modal(_) | Analysis::Buckling(_) => {}
     }
     let kind = scene.analysis.kind();
     if kind.wants_tangent {
@@ -54,17 +37,10 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
 
 fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {
     let at = "analysis.linear.iterations";
-    match (solver, iterations) {
-        (_, None) => {}
-        (LinearSolver::ConjugateGradients, Some(iterations)) => {
-            let repair = "leave it out for the usual 5000";
-            scene.scope().within(at, *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
-        }
-        (LinearSolver::Direct, Some(iterations)) => {
-            let bound = "left out where the solver is \"direct\": a factor does not iterate";
-            let repair = "leave it out, or add solver = \"conjugate-gradients\"";
-            return Err(scene.scope().value(at, *iterations as f64, bound, repair));
-        }
+    if let (LinearSolver::Direct, Some(iterations)) = (solver, iterations) {
+        let bound = "left out where the solver is \"direct\": a factor does not iterate";
+        let repair = "leave it out, or add solver = \"conjugate-gradients\"";
+        return Err(scene.scope().value(at, iterations, bound, repair));
     }
     check_solver(scene, *solver)
 }
@@ -111,9 +87,6 @@ fn check_solver(scene: &BodyInScene<'_>, solver: LinearSolver) -> Verdict {
 
 fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
     let s = &scene.scope();
-    let at = |key: &str| format!("analysis.explicit.{key}");
-    let repair = "0.8 is usual; at 1 the step is at the limit of stability";
-    s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
     let known = ["quasi-static", "transient"];
     let mut given = Vec::new();
     given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
@@ -122,13 +95,6 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
     if let Some(path) = &explicit.quasi_static {
         let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
         check_levels(scene, &at("levels"), &path.levels)?;
-        if let Some(period) = path.period {
-            s.positive(&at("period"), period)?;
-        }
-        s.positive(&at("ramp"), path.ramp)?;
-        s.positive(&at("hold"), path.hold)?;
-        s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
-        s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
         if has_strong_form(scene) && path.stability == Some(true) {
             let repair = "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
             let bound = "one with an energy, and so a tangent, to look at stability";
@@ -145,14 +111,11 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
         }
     }
     if let Some(run) = explicit.transient {
-        let at = |key: &str| format!("analysis.explicit.transient.{key}");
-        s.positive(&at("duration"), run.duration)?;
-        s.positive(&at("record_every"), run.record_every)?;
-        s.not_negative(&at("damping"), run.damping)?;
-        if run.record_every > run.duration || run.duration / run.record_every > MOST_RECORDS {
+        let (duration, every) = (run.duration.get(), run.record_every.get());
+        if every > duration || duration / every > MOST_RECORDS {
             let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
             let repair = "a hundredth of the duration gives a smooth curve";
-            return Err(s.value(&at("record_every"), run.record_every, &bound, repair));
+            return Err(s.value("analysis.explicit.transient.record_every", every, &bound, repair));
         }
     }
     Ok(())
@@ -190,30 +153,13 @@ fn check_arc_length(scene: &BodyInScene<'_>, path: &ArcLength) -> Verdict {
     given.extend(path.until.map(|_| known[0]));
     given.extend(path.stop.as_ref().map(|_| known[1]));
     s.exactly_one("analysis.arc-length", "end of the path", &given, &known)?;
-    if let Some(until) = path.until {
-        s.positive(&at("until"), until)?;
-    }
     if let Some(Stop { column, above }) = &path.stop {
         let own = scene.curve.iter().map(|probe| probe.name.as_str());
         let known: Vec<&str> = scene.analysis.columns().chain(own).collect();
         s.word(&at("stop.column"), column, &known)?;
         s.sized(&at("stop.above"), *above)?;
     }
-    s.positive(&at("radius"), path.radius)?;
-    s.within(&at("steps"), path.steps as f64, [1.0, MOST_STEPS], "a few hundred are usual")?;
-    check_branches(scene, path.branches)?;
-    check_newton(scene, "analysis.arc-length", path.tolerance, path.iterations)
-}
-
-fn check_newton(scene: &BodyInScene<'_>, at: &str, tolerance: f64, iterations: usize) -> Verdict {
-    let s = &scene.scope();
-    s.between(&format!("{at}.tolerance"), tolerance, [0.0, 1.0], "leave it out for the usual 1e-9")?;
-    let repair = "leave it out for the usual number";
-    s.within(&format!("{at}.iterations"), iterations as f64, [1.0, MOST_ITERATIONS], repair)
-}
-
-fn check_modes(scene: &BodyInScene<'_>, at: &str, modes: usize) -> Verdict {
-    scene.scope().within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
+    check_branches(scene, path.branches)
 }
 
 /// Whether the body is a shell by the published equations, which have no energy.

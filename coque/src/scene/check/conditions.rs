@@ -50,11 +50,10 @@ pub(super) fn check_support(scene: &BodyInScene<'_>, support: &OnSet<'_, Support
 
 fn check_spring(scene: &BodyInScene<'_>, at: &str, on: &str, spring: &Spring) -> Verdict {
     let s = &scene.scope();
-    let Spring { direction, axis, stiffness, to } = spring;
+    let Spring { direction, axis, to, .. } = spring;
     let known = ["direction", "axis"];
     let given = known.into_iter().zip([direction, axis]).filter_map(|(word, v)| v.map(|_| word));
     s.exactly_one(at, "direction or axis", &Vec::from_iter(given), &known)?;
-    s.positive(&format!("{at}.stiffness"), *stiffness)?;
     let Some(to) = to.as_ref().map(|to| scene.own_set(to)) else { return Ok(()) };
     let path = format!("{at}.to");
     if axis.is_some() {

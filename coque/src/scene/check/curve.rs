@@ -24,7 +24,7 @@ fn check_checkpoints(scene: &BodyInScene<'_>) -> Verdict {
         let repair = "remove it, or use [analysis.explicit], [analysis.static] or [analysis.relaxation]";
         return Err(scene.scope().value(path, every, &bound, repair));
     }
-    scene.scope().positive(path, every)
+    Ok(())
 }
 
 /// Refuses what the body has not, and a direction where there is nothing to take a component of.

@@ -33,7 +33,6 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
         if let Some(plane) = plane {
             s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
             s.direction(&format!("{at}.plane.normal"), plane.normal)?;
-            s.positive(&format!("{at}.plane.within"), plane.within.unwrap_or(1.0))?;
         }
         if let Some(layer) = layer {
             let at = |key: &str| format!("{at}.layer.{key}");
@@ -47,7 +46,6 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
                 return Err(SceneError::Choice(fault));
             }
             s.word(&at("face"), &layer.face, &built_in[1..])?;
-            s.positive(&at("depth"), layer.depth)?;
         }
         if let Some(region) = inside {
             s.sized_all(&format!("{at}.box.min"), &region.min)?;

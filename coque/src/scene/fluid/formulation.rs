@@ -1,5 +1,6 @@
 //! The particle method of a fluid.
 
+use crate::scene::bounded::{Courant, Diffusion, FluidSmoothing, Shared, Viscosity};
 use fluid_sph::Formulation;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -25,15 +26,15 @@ pub struct WeaklyCompressible {
     /// Who steps it; the other options take the defaults of the method.
     pub method: FluidMethod,
     /// Smoothing length in spacings; left out, 1.55, of the published method 1.3.
-    pub smoothing: Option<f64>,
+    pub smoothing: Option<FluidSmoothing>,
     /// Artificial viscosity α; left out, 0.02, of the published method 0.1.
-    pub viscosity: Option<f64>,
+    pub viscosity: Option<Viscosity>,
     /// Diffusion of density δ; left out, 0.1, of the published method none.
-    pub density_diffusion: Option<f64>,
+    pub density_diffusion: Option<Diffusion>,
     /// Share of the neighbours' velocity with which particles drift; left out, none, of the published method 0.5.
-    pub xsph: Option<f64>,
+    pub xsph: Option<Shared>,
     /// Courant number; left out, 0.3.
-    pub courant: Option<f64>,
+    pub courant: Option<Courant>,
     /// What wall particles do; left out, `extrapolated`, of the published method `dynamic`.
     pub walls: Option<WallMethod>,
     /// Pressure at the start.
@@ -81,7 +82,7 @@ impl WeaklyCompressible {
             FluidMethod::KickDriftKick => Formulation::default(),
             FluidMethod::Source => Formulation::published(),
         };
-        self.smoothing.unwrap_or(usual.smoothing)
+        self.smoothing.map_or(usual.smoothing, |smoothing| smoothing.get())
     }
 }
 

@@ -3,6 +3,7 @@
 pub(crate) mod formulation;
 pub(crate) mod geometry;
 
+use crate::scene::bounded::{NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -38,12 +39,12 @@ pub enum FluidMaterial {
 #[serde(deny_unknown_fields)]
 pub struct Liquid {
     /// Density at rest \[F T²/L⁴\].
-    pub density: f64,
+    pub density: Positive,
     /// Speed of sound of the model, ten times the greatest speed of the flow: seven times at least \[L/T\].
-    pub sound_speed: f64,
+    pub sound_speed: Positive,
     /// Kinematic viscosity; left out, none \[L²/T\].
     #[serde(default)]
-    pub kinematic_viscosity: f64,
+    pub kinematic_viscosity: NotNegative,
 }
 
 impl FluidScene {

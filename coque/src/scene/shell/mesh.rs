@@ -1,5 +1,6 @@
 //! The mid-surface from a file.
 
+use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -11,12 +12,12 @@ pub struct Mesh {
     pub file: String,
     /// Factor on all lengths of the file, such as 0.001 from mm to m.
     #[serde(default = "unscaled")]
-    pub scale: f64,
+    pub scale: Positive,
     /// Whether to turn the normals to the other side.
     #[serde(default)]
     pub flip: bool,
 }
 
-fn unscaled() -> f64 {
-    1.0
+fn unscaled() -> Positive {
+    Positive::usual(1.0)
 }

@@ -1,5 +1,6 @@
 //! Parts of a shell: cells with a material, section or height of their own; masses lumped at particles; edges tied to cells; rigid sets.
 
+use crate::scene::bounded::{NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -74,7 +75,7 @@ pub struct LumpedMass {
     /// Particle set, which shares it equally.
     pub on: String,
     /// The whole mass \[F T²/L\].
-    pub mass: f64,
+    pub mass: Positive,
 }
 
 /// An edge that hangs on the cells of another sheet, whose particles may stand elsewhere: it goes where they go and turns with them.
@@ -100,7 +101,7 @@ pub struct RigidBody {
     pub at: Option<[f64; 3]>,
     /// Mass at the reference point beside that of the particles \[F T²/L\]; it weighs under gravity on all.
     #[serde(default)]
-    pub mass: f64,
+    pub mass: NotNegative,
     /// Moments of inertia of that mass about the reference point, along x, y and z or one for all \[F T² L\].
     pub inertia: Option<PerAxis>,
     /// Off-diagonal terms xy, yz, zx of the same tensor, `−∫xy dm` and so on \[F T² L\].

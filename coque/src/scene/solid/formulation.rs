@@ -1,5 +1,6 @@
 //! How a solid is carried: by bonds, or by shape functions on its nodes.
 
+use crate::scene::bounded::Horizon;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -25,7 +26,7 @@ pub enum SolidFormulation {
 pub struct Bonds {
     /// Horizon over the greatest spacing of nodes \[–\].
     #[serde(default = "usual_horizon")]
-    pub horizon: f64,
+    pub horizon: Horizon,
     /// What acts across the plane of a block of two lengths, which must give it.
     pub plane: Option<Plane>,
     /// How much a bond counts by its length.
@@ -42,7 +43,7 @@ pub struct Bonds {
 pub struct TwoSheets {
     /// Horizon over the greatest spacing of nodes \[–\].
     #[serde(default = "horizon_of_sheets")]
-    pub horizon: f64,
+    pub horizon: Horizon,
     /// How much a bond counts by its length.
     #[serde(default = "inverse")]
     pub influence: Influence,
@@ -110,8 +111,8 @@ impl SolidFormulation {
     /// Horizon over the greatest spacing of nodes \[–\]; zero without bonds.
     pub fn horizon(&self) -> f64 {
         match self {
-            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon,
-            Self::TwoSheets(sheets) => sheets.horizon,
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon.get(),
+            Self::TwoSheets(sheets) => sheets.horizon.get(),
             Self::Galerkin(_) => 0.0,
         }
     }
@@ -169,13 +170,13 @@ impl SolidFormulation {
 }
 
 /// The fraction keeps nodes at three spacings inside.
-fn usual_horizon() -> f64 {
-    3.015
+fn usual_horizon() -> Horizon {
+    Horizon::usual(3.015)
 }
 
 /// Eight neighbours: larger horizons are worse on plates.
-fn horizon_of_sheets() -> f64 {
-    1.5
+fn horizon_of_sheets() -> Horizon {
+    Horizon::usual(1.5)
 }
 
 fn linear() -> Influence {

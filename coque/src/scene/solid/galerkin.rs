@@ -1,5 +1,6 @@
 //! How a solid is carried without bonds: an element-free Galerkin method on strain and rotation.
 
+use crate::scene::bounded::GaussPoints;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -30,7 +31,7 @@ pub struct Galerkin {
     pub tangent: GalerkinTangent,
     /// Gauss points along an edge of a cell, 1 to 4.
     #[serde(default = "three")]
-    pub gauss: usize,
+    pub gauss: GaussPoints,
     /// How supports are imposed.
     #[serde(default)]
     pub essential: GalerkinEssential,
@@ -218,6 +219,6 @@ fn csrbf2() -> String {
     "csrbf2".into()
 }
 
-fn three() -> usize {
-    3
+fn three() -> GaussPoints {
+    GaussPoints::usual(3)
 }

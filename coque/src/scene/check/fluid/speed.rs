@@ -17,7 +17,7 @@ pub(in crate::scene::check) fn check_sound_speed(scene: &Scene) -> Verdict {
     let (fall, start) = (greatest_fall(scene, name, fluid), fluid.greatest_velocity());
     let speed = fall.max(start);
     let sound = fluid.liquid().sound_speed;
-    if sound >= LEAST * speed {
+    if sound.get() >= LEAST * speed {
         return Ok(());
     }
     let from = match fall >= start {

@@ -32,7 +32,6 @@ impl WallsScene {
             }
             WallGeometry::Surface(surface) => {
                 s.sized_all("geometry.surface.inside", &surface.inside)?;
-                s.positive("geometry.surface.scale", surface.scale)?;
             }
         }
         self.check_motion(scene, s)
@@ -49,7 +48,7 @@ impl WallsScene {
             WallGeometry::Basin(basin) => {
                 faces(basin.min.iter().zip(&basin.max).map(|(a, b)| b - a).collect())
             }
-            WallGeometry::Block(block) => faces(block.lengths.clone()),
+            WallGeometry::Block(block) => faces(block.lengths.iter().map(|length| length.get()).collect()),
             WallGeometry::Polyline(line) => {
                 let length = |pair: &[[f64; 2]]| {
                     ((pair[1][0] - pair[0][0]).powi(2) + (pair[1][1] - pair[0][1]).powi(2)).sqrt()
@@ -134,9 +133,6 @@ fn check_obstacle(block: &Obstacle, s: &Scope<'_>) -> Verdict {
         let value = format!("a list of {dimensions} numbers");
         let repair = "two lengths make plane walls, three walls in space";
         return Err(s.value(&at("lengths"), value, "a list of 2 or 3", repair));
-    }
-    for (i, &length) in block.lengths.iter().enumerate() {
-        s.positive(&at(&format!("lengths[{i}]")), length)?;
     }
     block.origin.as_ref().map_or(Ok(()), |origin| s.coordinates(&at("origin"), origin, dimensions))
 }

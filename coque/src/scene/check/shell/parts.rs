@@ -73,10 +73,9 @@ pub(in crate::scene::check) fn check_parts(
     shell: &ShellScene,
     s: &Scope<'_>,
 ) -> Verdict {
-    for (i, LumpedMass { on, mass }) in shell.masses.iter().enumerate() {
+    for (i, LumpedMass { on, .. }) in shell.masses.iter().enumerate() {
         let own = s.below(&format!("masses[{i}]"));
         check_set_name(scene, &own.path("on"), on)?;
-        own.positive("mass", *mass)?;
     }
     check_ties(scene, shell, s)?;
     check_rigid(scene, shell, s)?;

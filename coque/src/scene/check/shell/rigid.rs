@@ -11,11 +11,10 @@ use crate::scene::shell::parts::RigidBody;
 
 /// Refuses bodies of negative mass or inertia, other formulations than by cells, and a fluid.
 pub(super) fn check_rigid(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
-    for (i, RigidBody { on, at, mass, inertia, products }) in shell.rigid.iter().enumerate() {
+    for (i, RigidBody { on, at, inertia, products, .. }) in shell.rigid.iter().enumerate() {
         let own = s.below(&format!("rigid[{i}]"));
         check_set_name(scene, &own.path("on"), on)?;
         own.sized_all("at", at.as_ref().map_or(&[][..], |at| at))?;
-        own.not_negative("mass", *mass)?;
         own.sized_all("products", products.as_ref().map_or(&[][..], |products| products))?;
         match inertia {
             Some(PerAxis::Each(list)) if list.len() != 3 => {

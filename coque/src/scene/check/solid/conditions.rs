@@ -104,13 +104,10 @@ pub(in super::super) fn check_traction(scene: &BodyInScene<'_>, load: &OnSet<'_,
             (format!("{at}.traction.depth"), "remove it: a shell has one layer of particles");
         return Err(SceneError::Choice(s.fault(&path, "a depth", "none on a shell", repair)));
     };
-    if let Some(depth) = traction.depth {
-        s.positive(&format!("{at}.traction.depth"), depth)?;
-        if solid.galerkin().is_some() {
-            let repair = "remove it: a Galerkin solid takes a traction on the face itself";
-            let path = format!("{at}.traction.depth");
-            return Err(SceneError::Choice(s.fault(&path, "a depth", "none without bonds", repair)));
-        }
+    if traction.depth.is_some() && solid.galerkin().is_some() {
+        let repair = "remove it: a Galerkin solid takes a traction on the face itself";
+        let path = format!("{at}.traction.depth");
+        return Err(SceneError::Choice(s.fault(&path, "a depth", "none without bonds", repair)));
     }
     check_face(scene, load, "traction")
 }
