@@ -23,7 +23,6 @@ use super::walls::WallsScene;
 
 /// A problem: bodies, conditions, analysis, and what to record.
 ///
-/// Plain data; [`Scene::check`] makes a [`Checked`](super::Checked) of it, which alone can be built.
 /// Dimensions are in the scene's own units.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]

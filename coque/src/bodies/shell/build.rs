@@ -6,6 +6,7 @@ use sph_shell::{
     AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of,
 };
 
+use super::balance::warning_of_start;
 use super::cells::CellSets;
 use super::describe::describe;
 use super::edges::free_edges;
@@ -13,7 +14,6 @@ use super::imported::{Imported, Provenance};
 use super::places;
 use super::rigid::free_motions;
 use super::sections::Sections;
-use super::stress::warning_of_start;
 use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::memory::{check_memory, particles_asked};
 use crate::bodies::refusal::{amplitude, not_a, refuse_dof, refuse_free_motion};

@@ -1,7 +1,8 @@
 //! Checks of supports and loads that need no particles.
 
+use super::amplitude::check_amplitude;
 use super::fluid::{check_load_of_fluid, check_unsupported};
-use super::sets::check_set_name;
+use super::sets::{check_set_name, only_on};
 use super::solid::{check_face, check_solid_load, check_solid_support, check_traction};
 use crate::scene::amplitude::Amplitude;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
@@ -173,47 +174,5 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
     match &load.amplitude {
         None => Ok(()),
         Some(amplitude) => check_amplitude(scene, &format!("{at}.amplitude"), amplitude),
-    }
-}
-
-pub(super) fn only_on<T>(scene: &BodyInScene<'_>, item: &OnSet<'_, T>, why: &str, fit: &[&str]) -> Verdict {
-    let on = item.on;
-    // Whether a set of a mesh is an edge is known when its file has been read.
-    let of_mesh = || scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some());
-    if fit.contains(&on) || (fit == EDGES && of_mesh()) {
-        return Ok(());
-    }
-    let repair = format!("use one of {}", fit.join(", "));
-    Err(SceneError::Set(scene.scope().fault(
-        &item.at("on"),
-        &format!("\"{on}\""),
-        &format!("but {why}"),
-        &repair,
-    )))
-}
-
-pub(super) fn check_amplitude(scene: &BodyInScene<'_>, at: &str, amplitude: &Amplitude) -> Verdict {
-    let s = &scene.scope();
-    if !scene.analysis.kind().passes_time {
-        let what = scene.analysis.kind().name;
-        let repair = format!("remove it: in {what} the load level takes its place");
-        let fault = s.fault(at, "a course in time", &format!("none in {what}"), &repair);
-        return Err(SceneError::Choice(fault));
-    }
-    match amplitude {
-        Amplitude::Constant => Ok(()),
-        Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
-        Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
-        Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
-        Amplitude::Table(points) => {
-            for (i, point) in points.iter().enumerate() {
-                s.sized_all(&format!("{at}.table[{i}]"), point)?;
-            }
-            if !points.is_empty() && points.windows(2).all(|w| w[0][0] < w[1][0]) {
-                return Ok(());
-            }
-            let bound = "a list of [time, factor] with ascending times";
-            Err(s.value(&format!("{at}.table"), "empty or out of order", bound, "sort it by time"))
-        }
     }
 }

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::conditions::only_on;
 use super::gauges::check_gauge;
-use super::sets::check_set_name;
+use super::sets::{check_set_name, only_on};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};

@@ -1,5 +1,6 @@
 //! The checks of a scene that need no particles, first to last.
 
+mod amplitude;
 mod analysis;
 mod conditions;
 mod curve;

@@ -1,9 +1,9 @@
 //! Checks of named sets, and of names of sets.
 
-use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
-use crate::scene::sets::{BUILT_IN, OF_FLUIDS, OF_SOLIDS, OF_WALLS, Region};
+use crate::scene::sets::{BUILT_IN, EDGES, OF_FLUIDS, OF_SOLIDS, OF_WALLS, Region};
 use crate::scene::source::suggest;
 use crate::scene::walls::WallGeometry;
 
@@ -99,4 +99,21 @@ fn is_open_side(body: &BodyScene, name: &str) -> bool {
         },
         _ => false,
     }
+}
+
+/// Refuses other sets than those on which something acts.
+pub(super) fn only_on<T>(scene: &BodyInScene<'_>, item: &OnSet<'_, T>, why: &str, fit: &[&str]) -> Verdict {
+    let on = item.on;
+    // Whether a set of a mesh is an edge is known when its file has been read.
+    let of_mesh = || scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some());
+    if fit.contains(&on) || (fit == EDGES && of_mesh()) {
+        return Ok(());
+    }
+    let repair = format!("use one of {}", fit.join(", "));
+    Err(SceneError::Set(scene.scope().fault(
+        &item.at("on"),
+        &format!("\"{on}\""),
+        &format!("but {why}"),
+        &repair,
+    )))
 }

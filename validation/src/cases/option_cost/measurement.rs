@@ -184,7 +184,7 @@ fn run(model: Model, row: &Row, watch: &mut Stopwatch) -> Result<(), String> {
     let mut files = files.transpose().map_err(|error| error.to_string())?;
     let mut checkpoints = output.checkpoint_every.map(|every| {
         let origin = Origin::new(SCENE, row.name.into(), row.set.clone(), row.threads);
-        Checkpoints::new(&folder.0, origin, every)
+        Checkpoints::new(&folder.0, origin, every.get())
     });
     let options = RunOptions {
         progress: watch,

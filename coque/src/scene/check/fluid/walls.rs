@@ -2,7 +2,7 @@
 
 use crate::scene::amplitude::Amplitude;
 use crate::scene::body_in_scene::BodyInScene;
-use crate::scene::check::conditions::check_amplitude;
+use crate::scene::check::amplitude::check_amplitude;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::sets::OF_WALLS;

@@ -1,8 +1,7 @@
 //! Checks of supports, loads and the velocity of a solid.
 
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
-use crate::scene::check::conditions::only_on;
-use crate::scene::check::sets::built_in;
+use crate::scene::check::sets::{built_in, only_on};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Load, LoadKind};
 use crate::scene::solid::SolidScene;
