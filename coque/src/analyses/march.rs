@@ -13,7 +13,7 @@ use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
 use crate::run::progress::ProgressReport;
 use crate::run::record::{Energies, LevelSummary, RunRecord};
-use crate::scene::{Damping, Explicit, QuasiStatic, Transient};
+use crate::scene::{Explicit, QuasiStatic, Transient};
 
 /// A march under way: from the start, or from where an earlier one stood.
 pub(super) struct Marching {
@@ -178,10 +178,7 @@ fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
         period: path.period.as_deref().copied(),
         ramp: path.ramp.get(),
         hold: path.hold.get(),
-        damping: match path.damping {
-            Damping::Ratio(ratio) => explicit_dynamics::Damping::Ratio(ratio),
-            Damping::Kinetic => explicit_dynamics::Damping::Kinetic,
-        },
+        damping: path.damping,
         tolerance: path.tolerance.get(),
         accuracy: path.accuracy.get(),
         safety,

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    Branches, Control, CriticalOptions, End, EquilibriumError, Increment, Newton, NewtonOptions, Path,
-    PathOptions, Point, Start, follow, linear_response,
+    Control, CriticalOptions, End, EquilibriumError, Increment, Newton, NewtonOptions, Path, PathOptions,
+    Point, Start, follow, linear_response,
 };
 
 use super::breaking::{at_rest, note_breaches};
@@ -14,7 +14,7 @@ use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
 use crate::run::record::{Energies, LevelSummary};
-use crate::scene::{self, ArcLength, Measured, Static};
+use crate::scene::{ArcLength, Measured, Static};
 
 /// Width of the bracket of a critical point in units of the step: within it the eigenvalue is interpolated, which
 /// leaves the square of this.
@@ -186,7 +186,7 @@ pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &
     let control = Control::ArcLength { first, range: (f64::NEG_INFINITY, until) };
     let mut options = options(control, &newton(wanted.tolerance.get(), wanted.iterations.get()));
     options.steps = wanted.steps.get();
-    options.critical.iter_mut().for_each(|critical| critical.branches = branches(wanted.branches));
+    options.critical.iter_mut().for_each(|critical| critical.branches = wanted.branches);
     let unit = run.force_unit.clone();
     let mut interrupted = false;
     let path = follow(system, &Start::default(), &options, |point, system| {
@@ -212,14 +212,6 @@ pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &
         Ok(End::Reached | End::Stopped) => Ended::Done,
         Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps.get(), level, repair: MORE }),
         Err(cause) => Ended::Diverged(Failure::Balance { points: run.record.steps, level, cause, unit }),
-    }
-}
-
-fn branches(wanted: scene::Branches) -> Branches {
-    match wanted {
-        scene::Branches::Primary => Branches::Primary,
-        scene::Branches::Stable => Branches::Stable,
-        scene::Branches::StableReversed => Branches::StableReversed,
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::source::Source;
-use crate::scene::{self, Analysis, BodyScene};
+use crate::scene::{Analysis, BodyScene};
 
 /// Refusal of a body of another kind than a program asks for.
 pub(super) fn not_a(scene: &BodyInScene<'_>, wanted: &str) -> SceneError {
@@ -67,16 +67,4 @@ pub(super) fn model_error(source: &Source, path: &str, message: &str) -> SceneEr
 /// The same for a key of the body.
 pub(super) fn body_error(scene: &BodyInScene<'_>, path: &str, message: &str) -> SceneError {
     model_error(scene.source, &scene.body_scope().path(path), message)
-}
-
-/// The course of a load or a motion in time.
-pub(super) fn amplitude(course: Option<&scene::Amplitude>) -> explicit_dynamics::Amplitude {
-    use explicit_dynamics::Amplitude;
-    match course {
-        None | Some(scene::Amplitude::Constant) => Amplitude::Constant,
-        Some(scene::Amplitude::Ramp(time)) => Amplitude::Ramp(*time),
-        Some(scene::Amplitude::Smooth(time)) => Amplitude::Smooth(*time),
-        Some(scene::Amplitude::Table(points)) => Amplitude::Table(points.clone()),
-        Some(scene::Amplitude::Sine { period }) => Amplitude::Sine { period: *period },
-    }
 }

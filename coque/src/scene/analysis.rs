@@ -1,8 +1,9 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
+pub use explicit_dynamics::Damping;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::levels::Levels;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
@@ -55,7 +56,7 @@ pub struct QuasiStatic {
     #[serde(default = "usual_hold")]
     pub hold: Positive,
     /// How the motion dies.
-    #[serde(default)]
+    #[serde(default = "critical")]
     pub damping: Damping,
     /// The motion has died when kinetic over internal energy falls below this \[–\].
     #[serde(default = "usual_tolerance")]
@@ -67,16 +68,6 @@ pub struct QuasiStatic {
     /// Whether the negative pivots of the tangent are counted at settled levels; left out, where that costs less than 1 %
     /// of the run or a tenth of a second.
     pub stability: Option<bool>,
-}
-
-/// How a quasi-static run comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Damping {
-    /// Mass-proportional, this fraction of critical for the lowest mode \[–\].
-    Ratio(f64),
-    /// Velocities are stopped whenever the kinetic energy passes a peak.
-    Kinetic,
 }
 
 /// A run in real time.
@@ -92,10 +83,8 @@ pub struct Transient {
     pub damping: NotNegative,
 }
 
-impl Default for Damping {
-    fn default() -> Self {
-        Self::Ratio(1.0)
-    }
+fn critical() -> Damping {
+    Damping::Ratio(1.0)
 }
 
 /// The stable step is an estimate from below 1 % sharp; membrane stiffening takes the rest.

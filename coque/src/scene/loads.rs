@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use super::amplitude::Amplitude;
+use explicit_dynamics::Amplitude;
 
 /// A load: exactly one kind is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

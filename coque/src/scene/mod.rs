@@ -1,7 +1,6 @@
 //! A scene: a problem as plain, validated data.
 
 mod absent;
-mod amplitude;
 mod analysis;
 mod analysis_kind;
 pub(crate) mod body_in_scene;
@@ -40,13 +39,13 @@ pub(crate) mod units;
 mod velocity;
 mod walls;
 
-pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
 pub use checked::Checked;
 pub use coupling::{Coupling, CouplingOrder};
 pub(crate) use curve::mean_of;
 pub use curve::{Measured, Probe, ShellFace, Take, Through};
+pub use explicit_dynamics::Amplitude;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
 pub use fluid::{FluidMaterial, FluidScene, Liquid};

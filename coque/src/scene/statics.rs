@@ -4,6 +4,7 @@ use crate::scene::bounded::{
     GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
     Residual, Steps,
 };
+pub use implicit_statics::{Branches, Damping as RelaxationDamping, Prebuckling, Sign as LevelSign};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -79,20 +80,6 @@ pub struct ArcLength {
     pub branches: Branches,
 }
 
-/// Which branch of equilibria a path takes at a bifurcation.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Branches {
-    /// The one it is on: a perfect body stays flat or straight beyond its critical load.
-    #[default]
-    Primary,
-    /// Where a stable path loses its stability in one mode, the branch that leaves it along the mode: the body buckles without an
-    /// imperfection. Limit points are passed, and unstable paths stay on their branch.
-    Stable,
-    /// The same branch to the other side, against the mode.
-    StableReversed,
-}
-
 /// Ends a path when a column of its curve exceeds a bound.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -125,17 +112,6 @@ pub struct Relaxation {
     pub iterations: RelaxationIterations,
 }
 
-/// How a relaxation comes to rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum RelaxationDamping {
-    /// The motion is stopped whenever its kinetic energy passes a peak.
-    #[default]
-    Kinetic,
-    /// Mass-proportional, near critical for the lowest frequency that the motion shows.
-    Rayleigh,
-}
-
 /// Modes of free vibration of the unloaded shell, or of the preloaded one; `moved` supports stand still.
 ///
 /// Rigid motions that no support holds are modes too, of frequency zero within rounding.
@@ -158,30 +134,6 @@ pub struct Buckling {
     /// What K_g = dK/dλ holds of the state before buckling.
     #[serde(default)]
     pub prebuckling: Prebuckling,
-}
-
-/// Which buckling levels are wanted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LevelSign {
-    /// Of the load as it is.
-    #[default]
-    Positive,
-    /// Of the load reversed.
-    Negative,
-    /// The nearest of both.
-    Either,
-}
-
-/// What a linearised buckling analysis holds of the state before buckling.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Prebuckling {
-    /// The linear response as it is: the change of shape as well as the stresses, in directions that turn along.
-    #[default]
-    Rotations,
-    /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
-    Stress,
 }
 
 impl Static {

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_core::Vec3;
 
-use super::amplitude::Amplitude;
+use explicit_dynamics::Amplitude;
 
 /// A support: exactly one of its conditions is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

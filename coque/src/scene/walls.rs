@@ -4,7 +4,7 @@ use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::amplitude::Amplitude;
+use explicit_dynamics::Amplitude;
 
 /// Rigid walls of a fluid: rows of particles behind their faces, as deep as the kernel of the fluid reaches.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

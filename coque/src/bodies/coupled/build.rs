@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use explicit_dynamics::{BoundaryState, Dynamics, Order, TwoClocks};
+use explicit_dynamics::{BoundaryState, Dynamics, TwoClocks};
 use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall, lattice_moduli};
 use sph_core::{Cell, Vec3};
 
@@ -93,10 +93,7 @@ pub(in crate::bodies) fn coupled_model(
         judges.iter().flat_map(look).collect()
     };
     let mut clocks = TwoClocks::new(fluid, structures);
-    clocks.order = match coupling.order {
-        CouplingOrder::StructureFirst => Order::StructureFirst,
-        CouplingOrder::FluidFirst => Order::FluidFirst,
-    };
+    clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;
     let basins = basins(scene, wanted.geometry.spacing());
@@ -157,7 +154,7 @@ fn coupled_fluid(
         liquid: parts::liquid(wanted),
         formulation: parts::formulation(wanted),
         gravity: gravity_on(scene.scene, scene.name),
-        start: parts::start(wanted),
+        start: wanted.formulation.options().start,
         walls: pieces.collect(),
         structures: wets.iter().map(structure).collect(),
         domain: None,

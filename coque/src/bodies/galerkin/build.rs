@@ -5,7 +5,7 @@ use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
-use super::parts::{axes, basis, essential, material, support, tangent, weight};
+use super::parts::{axes, basis, material, support, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
 use super::warnings::warnings_of;
@@ -97,7 +97,7 @@ fn galerkin(
     let read =
         scene.curve.iter().any(|probe| probe.of == Measured::Reaction) || scene.output.fields.is_some();
     let mirrors = mirrors(scene, &places, &sets)?;
-    let essential = essential(options);
+    let essential = options.essential;
     let material = material(solid, options)
         .map_err(|error| body_error(scene, material_path(solid), &error.to_string()))?;
     let parts = |support: Support| Parts {
@@ -114,7 +114,7 @@ fn galerkin(
         conditions: conditions.clone(),
         essential,
         loads: loads.clone(),
-        tangent: tangent(options),
+        tangent: options.tangent,
         volumes: Volumes::Shared,
         threads: threads.max(1),
     };

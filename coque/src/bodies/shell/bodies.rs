@@ -5,7 +5,6 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::{Holds, Preloaded, RigidLoad, RigidSet, Support};
 
 use super::build::Builder;
-use crate::bodies::refusal::amplitude;
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, LoadKind, RigidBody};
@@ -38,7 +37,7 @@ impl Builder<'_> {
         let mut all = Vec::new();
         for support in self.scene.supports.iter().filter(|support| support.on == on) {
             for (_, kind) in support.kinds() {
-                let course = amplitude(support.amplitude.as_ref());
+                let course = support.amplitude.clone().unwrap_or_default();
                 let Some(found) = self.support(kind, course) else { continue };
                 all.push(if support.preload { Preloaded(found).holds() } else { found.holds() });
             }

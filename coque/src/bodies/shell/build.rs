@@ -1,5 +1,6 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
+use explicit_dynamics::Amplitude;
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
 use sph_shell::{
@@ -16,7 +17,7 @@ use super::rigid::free_motions;
 use super::sections::Sections;
 use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::memory::{check_memory, particles_asked};
-use crate::bodies::refusal::{amplitude, not_a, refuse_dof, refuse_free_motion};
+use crate::bodies::refusal::{not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::sets::{self, Sets};
 use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::body_in_scene::ShellInScene;
@@ -103,7 +104,7 @@ pub(super) fn assemble(
     let driven = builder.driven(&sets, driver, &supports)?;
     if let Some(PrescribedPoint { particle, direction, .. }) = driven {
         let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
-        loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
+        loads.push(AppliedLoad { load: Box::new(force), amplitude: Amplitude::Constant });
     }
     let rigid = builder.rigid(&sets, &cloud)?;
     let springs = builder.springs(&sets, &cloud)?;
@@ -207,7 +208,7 @@ impl Builder<'_> {
                 if driver == Some(i) && matches!(kind, SupportKind::Moved(_)) {
                     continue; // its direction is left free for the force that brings it about
                 }
-                let course = amplitude(support.amplitude.as_ref());
+                let course = support.amplitude.clone().unwrap_or_default();
                 let Some(mut found) = self.support(kind, course) else { continue };
                 if support.preload {
                     found = Box::new(sph_shell::Preloaded(found));
@@ -254,7 +255,7 @@ impl Builder<'_> {
     pub(super) fn support(
         &self,
         kind: SupportKind,
-        amplitude: explicit_dynamics::Amplitude,
+        amplitude: Amplitude,
     ) -> Option<Box<dyn sph_shell::Support>> {
         Some(match kind {
             SupportKind::Clamped => Box::new(sph_shell::Clamped),
@@ -310,7 +311,7 @@ impl Builder<'_> {
             };
             let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
-                let amplitude = amplitude(load.amplitude.as_ref());
+                let amplitude = load.amplitude.clone().unwrap_or_default();
                 let found = match self.load_on_body(&kind, load.on) {
                     Some(on_body) => Some(Box::new(on_body) as _),
                     None => self.load(kind, shares.clone()),
@@ -372,7 +373,7 @@ impl Builder<'_> {
                 LoadKind::Couple(_) => return None,
             })
         };
-        let amplitude = || amplitude(load.amplitude.as_ref());
+        let amplitude = || load.amplitude.clone().unwrap_or_default();
         let loads = load.kinds().into_iter().filter_map(of);
         loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
     }

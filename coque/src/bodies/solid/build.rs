@@ -1,5 +1,6 @@
 //! From a scene to a solid ready to move: nodes, sets, supports, loads.
 
+use explicit_dynamics::Amplitude;
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
@@ -10,7 +11,7 @@ use super::sets::NodeSets;
 use super::warnings::warnings_of;
 use crate::bodies::imperfect::{deflection, of_modes};
 use crate::bodies::memory::check_memory;
-use crate::bodies::refusal::{amplitude, body_error, model_error, not_a, refuse_dof, refuse_free_motion};
+use crate::bodies::refusal::{body_error, model_error, not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::rigid::free_of;
 use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready};
 use crate::scene::body_in_scene::BodyInScene;
@@ -89,7 +90,7 @@ fn assemble_solid(
     let driven = driver.map(|driver| driver.point(&supports)).transpose();
     let driven = driven.map_err(|error| solid_refusal(scene, wanted, &error))?;
     if let Some(PrescribedPoint { particle, direction, .. }) = driven {
-        let (forces, amplitude) = (vec![(particle, direction)], amplitude(None));
+        let (forces, amplitude) = (vec![(particle, direction)], Amplitude::Constant);
         loads.push(AppliedLoad { forces, amplitude });
     }
     refuse_free_motion(scene, || {

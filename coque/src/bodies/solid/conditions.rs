@@ -4,7 +4,6 @@ use peridynamics::{AppliedLoad, Mirror, Solid, SolidError, Support, Supported};
 use sph_core::{Block, BlockLattice, Vec3};
 
 use super::sets::NodeSets;
-use crate::bodies::refusal::amplitude;
 use crate::bodies::rigid::Hold;
 use crate::bodies::{PrescribedPoint, Probe};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
@@ -79,7 +78,7 @@ pub(super) fn supports(
                 OnNodes::Moved(moved) => Support::Moved {
                     direction: Vec3::from(moved.direction),
                     by: moved.by,
-                    amplitude: amplitude(support.amplitude.as_ref()),
+                    amplitude: support.amplitude.clone().unwrap_or_default(),
                 },
             };
             supports.push(Supported { nodes: nodes.to_vec(), support });
@@ -149,7 +148,7 @@ pub(super) fn loads(
             force
                 .chain(gravity)
                 .chain(traction)
-                .map(|forces| AppliedLoad { forces, amplitude: amplitude(load.amplitude.as_ref()) }),
+                .map(|forces| AppliedLoad { forces, amplitude: load.amplitude.clone().unwrap_or_default() }),
         );
     }
     Ok(loads)

@@ -1,7 +1,7 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Influence, Law, Sheets, Volumes,
+    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Law, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
@@ -34,17 +34,8 @@ fn law(formulation: &SolidFormulation) -> Law {
 /// How bonds carry the solid.
 pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisation {
     let law = law(&solid.formulation);
-    let influence = match solid.formulation.influence() {
-        scene::Influence::Constant => Influence::Constant,
-        scene::Influence::Inverse => Influence::Inverse,
-        scene::Influence::Linear => Influence::Linear,
-    };
-    let correction = match solid.correction() {
-        scene::Correction::None => peridynamics::Correction::None,
-        scene::Correction::Even => peridynamics::Correction::Even,
-        scene::Correction::Balanced => peridynamics::Correction::Balanced,
-        scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
-    };
+    let influence = solid.formulation.influence();
+    let correction = solid.correction();
     let horizon = solid.formulation.horizon();
     let formulation =
         Formulation { space: solid.space(), law, horizon, volumes: Volumes::Partial, influence, correction };

@@ -4,12 +4,12 @@ use super::amplitude::check_amplitude;
 use super::fluid::{check_load_of_fluid, check_unsupported};
 use super::sets::{check_set_name, only_on};
 use super::solid::{check_face, check_solid_load, check_solid_support, check_traction};
-use crate::scene::amplitude::Amplitude;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Axis, Load, LoadKind};
 use crate::scene::sets::EDGES;
 use crate::scene::supports::{Held, Spring, Support, SupportKind};
+use explicit_dynamics::Amplitude;
 use sph_core::Vec3;
 
 /// Directions this close to the span of others are the same but for rounding or a slip.

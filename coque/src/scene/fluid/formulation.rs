@@ -2,6 +2,7 @@
 
 use crate::scene::bounded::{Courant, Diffusion, FluidSmoothing, Shared, Viscosity};
 use fluid_sph::Formulation;
+pub use fluid_sph::{Start as FluidStart, WallRule as WallMethod};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -52,27 +53,6 @@ pub enum FluidMethod {
     KickDriftKick,
     /// The published predictor and corrector: two sweeps a step.
     Source,
-}
-
-/// What wall particles do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum WallMethod {
-    /// Their pressure is that of the fluid before them, shifted hydrostatically.
-    Extrapolated,
-    /// Their density follows the equation of continuity, as in the published method.
-    Dynamic,
-}
-
-/// Pressure at the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FluidStart {
-    /// Hydrostatic under the highest particle of each connected body of fluid.
-    #[default]
-    Hydrostatic,
-    /// None.
-    Uniform,
 }
 
 impl WeaklyCompressible {

@@ -1,6 +1,7 @@
 //! How a solid is carried: by bonds, or by shape functions on its nodes.
 
 use crate::scene::bounded::Horizon;
+pub use peridynamics::{Correction, Influence};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -59,34 +60,6 @@ pub enum Plane {
     Stress,
     /// No strain: a slice of a long body.
     Strain,
-}
-
-/// How much a bond counts by its length r.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Influence {
-    /// All bonds alike.
-    Constant,
-    /// As 1/r.
-    Inverse,
-    /// Falling along a straight line to zero at the reach of a family.
-    Linear,
-}
-
-/// What corrects the moduli of nodes whose family is a lattice's, or cut by a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Correction {
-    /// Weights for which the energy of the six unit strains is exact at every node.
-    #[default]
-    Even,
-    /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
-    /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
-    Balanced,
-    /// One factor a bond, from the energies of unit strains along the axes.
-    EnergyFactor,
-    /// Nothing.
-    None,
 }
 
 impl SolidFormulation {
