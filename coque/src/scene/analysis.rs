@@ -1,12 +1,12 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
-use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 pub use explicit_dynamics::Damping;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::levels::Levels;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
+use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 
 /// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,8 +1,9 @@
 //! What bends a body before anything acts on it.
 
-use crate::scene::bounded::ModeNumber;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::ModeNumber;
 
 /// Deflection of the unstrained body: the shape of a buckling mode, or of a plate of two sheets half-waves of sines.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]

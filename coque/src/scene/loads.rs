@@ -1,12 +1,12 @@
 //! Loads, each on a named set of particles.
 
-use crate::scene::bounded::Positive;
+use explicit_dynamics::Amplitude;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use explicit_dynamics::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// A load: exactly one kind is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

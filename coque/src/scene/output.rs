@@ -1,8 +1,9 @@
 //! Further results: a plot, frames of fields, checkpoints.
 
-use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::Positive;
 
 /// Further results.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]

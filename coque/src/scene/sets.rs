@@ -1,8 +1,9 @@
 //! Named sets of particles: those that every scene has, and regions.
 
-use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::Positive;
 
 /// Sets that every shell has.
 pub(crate) const BUILT_IN: [&str; 11] =

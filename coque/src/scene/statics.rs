@@ -1,14 +1,14 @@
 //! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
-use crate::scene::bounded::{
-    GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
-    Residual, Steps,
-};
 pub use implicit_statics::{Branches, Damping as RelaxationDamping, Prebuckling, Sign as LevelSign};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::levels::Levels;
+use crate::scene::bounded::{
+    GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
+    Residual, Steps,
+};
 
 /// Equilibria at load levels, by Newton's method.
 ///

@@ -1,11 +1,11 @@
 //! Supports and prescribed motions, each on a named set of particles.
 
-use crate::scene::bounded::Positive;
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_core::Vec3;
 
-use explicit_dynamics::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// A support: exactly one of its conditions is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

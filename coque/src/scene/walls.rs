@@ -1,10 +1,10 @@
 //! Walls in a scene: rigid boundaries of a fluid, at rest or in a given motion.
 
-use crate::scene::bounded::Positive;
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use explicit_dynamics::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// Rigid walls of a fluid: rows of particles behind their faces, as deep as the kernel of the fluid reaches.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

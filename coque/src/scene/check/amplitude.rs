@@ -1,8 +1,9 @@
 //! Checks of courses in time.
 
+use explicit_dynamics::Amplitude;
+
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
-use explicit_dynamics::Amplitude;
 
 /// Refuses a course where no time passes, and one out of bounds.
 pub(super) fn check_amplitude(scene: &BodyInScene<'_>, at: &str, amplitude: &Amplitude) -> Verdict {

@@ -1,5 +1,8 @@
 //! Checks of supports and loads that need no particles.
 
+use explicit_dynamics::Amplitude;
+use sph_core::Vec3;
+
 use super::amplitude::check_amplitude;
 use super::fluid::{check_load_of_fluid, check_unsupported};
 use super::sets::{check_set_name, only_on};
@@ -9,8 +12,6 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Axis, Load, LoadKind};
 use crate::scene::sets::EDGES;
 use crate::scene::supports::{Held, Spring, Support, SupportKind};
-use explicit_dynamics::Amplitude;
-use sph_core::Vec3;
 
 /// Directions this close to the span of others are the same but for rounding or a slip.
 const PARALLEL: f64 = 1e-6;

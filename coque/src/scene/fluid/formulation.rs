@@ -1,10 +1,11 @@
 //! The particle method of a fluid.
 
-use crate::scene::bounded::{Courant, Diffusion, FluidSmoothing, Shared, Viscosity};
 use fluid_sph::Formulation;
 pub use fluid_sph::{Start as FluidStart, WallRule as WallMethod};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::{Courant, Diffusion, FluidSmoothing, Shared, Viscosity};
 
 /// How particles carry a fluid.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,8 +1,9 @@
 //! Where a fluid is at the start: one block or several, a disc, an annulus.
 
-use crate::scene::bounded::{NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::{NotNegative, Positive};
 
 /// Where a fluid is at the start; particles stand half a spacing inside its faces.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -3,11 +3,11 @@
 pub(crate) mod formulation;
 pub(crate) mod geometry;
 
-use crate::scene::bounded::{NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::velocity::Velocity;
+use crate::scene::bounded::{NotNegative, Positive};
 use formulation::FluidFormulation;
 use geometry::FluidGeometry;
 

@@ -1,9 +1,10 @@
 //! The particle method: where strains are sampled and how wide the corrected kernel reaches.
 
-use crate::scene::bounded::{NotNegative, Order, Smoothing};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
+
+use crate::scene::bounded::{NotNegative, Order, Smoothing};
 
 /// The particle method.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

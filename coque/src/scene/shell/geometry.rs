@@ -1,10 +1,10 @@
 //! Shapes of the mid-surface, how particles are placed on them, orientation.
 
-use crate::scene::bounded::{Angle, Displaced, Grading, Polar, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::mesh::Mesh;
+use crate::scene::bounded::{Angle, Displaced, Grading, Polar, Positive};
 
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,8 +1,9 @@
 //! What the shell is made of and how it fills the thickness, as a scene says it.
 
-use crate::scene::bounded::{Angle, Positive, ThroughThickness};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::{Angle, Positive, ThroughThickness};
 
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,8 +1,9 @@
 //! The mid-surface from a file.
 
-use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::Positive;
 
 /// Triangles and quadrangles, or points, from a file; particles at its nodes.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

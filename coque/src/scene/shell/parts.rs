@@ -1,11 +1,11 @@
 //! Parts of a shell: cells with a material, section or height of their own; masses lumped at particles; edges tied to cells; rigid sets.
 
-use crate::scene::bounded::{NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::material::{Material, Section};
+use crate::scene::bounded::{NotNegative, Positive};
 use crate::scene::per_axis::PerAxis;
 
 /// Cells of a shell with something of their own; what a part leaves out is that of the shell.

@@ -1,11 +1,11 @@
 //! How a solid is carried: by bonds, or by shape functions on its nodes.
 
-use crate::scene::bounded::Horizon;
 pub use peridynamics::{Correction, Influence};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::galerkin::Galerkin;
+use crate::scene::bounded::Horizon;
 
 /// Formulations of solids.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

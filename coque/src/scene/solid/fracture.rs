@@ -1,8 +1,9 @@
 //! When bonds break, cracks that are there at the start, contact of what has come apart.
 
-use crate::scene::bounded::{Near, Positive, Shortening};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::{Near, Positive, Shortening};
 
 /// When bonds break: exactly one of `energy` and `stretch` is given.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]

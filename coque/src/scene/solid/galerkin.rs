@@ -1,11 +1,11 @@
 //! How a solid is carried without bonds: an element-free Galerkin method on strain and rotation.
 
-use crate::scene::bounded::GaussPoints;
 use schemars::JsonSchema;
 use serde::Deserialize;
 pub use solid_kinematics::{Tangent as GalerkinTangent, Update as GalerkinUpdate};
 pub use sr_galerkin::Essential as GalerkinEssential;
 
+use crate::scene::bounded::GaussPoints;
 use crate::scene::per_axis::PerAxis;
 
 /// Options of the element-free Galerkin method.

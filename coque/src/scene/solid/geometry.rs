@@ -1,9 +1,9 @@
 //! The nodes of a solid: a box in rows, straight or bent, and what is cut out of it.
 
-use crate::scene::bounded::{BlockGrading, Displaced, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::{BlockGrading, Displaced, Positive};
 use crate::scene::per_axis::PerAxis;
 
 /// The nodes of a solid: exactly one of `block` and `arc` is given.

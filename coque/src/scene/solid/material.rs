@@ -1,11 +1,11 @@
 //! What a solid is made of.
 
-use crate::scene::bounded::Positive;
 use schemars::JsonSchema;
 use serde::Deserialize;
-
-use crate::scene::shell::material::Elastic;
 use solid_kinematics::Orthotropic;
+
+use crate::scene::bounded::Positive;
+use crate::scene::shell::material::Elastic;
 
 /// Materials of solids.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

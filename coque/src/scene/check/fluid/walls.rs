@@ -1,12 +1,13 @@
 //! Checks of walls: their shape and their motion.
 
+use explicit_dynamics::Amplitude;
+
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::amplitude::check_amplitude;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::sets::OF_WALLS;
 use crate::scene::walls::{Basin, Obstacle, WallGeometry, WallsScene};
-use explicit_dynamics::Amplitude;
 
 impl WallsScene {
     /// Refuses the first of its own keys that is out of bounds.
