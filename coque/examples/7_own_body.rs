@@ -23,6 +23,9 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use chain::Chain;
+use coque::scene::bounded::{
+    Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual, Residual, Safety,
+};
 use coque::scene::{
     Analysis, Explicit, Levels, Measured, Modal, Output, Relaxation, RelaxationDamping, Static, Transient,
 };
@@ -45,7 +48,11 @@ fn curve(analysis: Analysis) -> Curve {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let levels = || Levels::Equal(1);
-    let march = Transient { duration: 500.0, record_every: 100.0, damping: 0.2 };
+    let march = Transient {
+        duration: Positive::new(500.0)?,
+        record_every: Positive::new(100.0)?,
+        damping: NotNegative::new(0.2)?,
+    };
     let damping = RelaxationDamping::Kinetic;
     let exact = BEADS as f64;
     let omega = 2.0 * libm::sin(PI / (2.0 * (2 * BEADS + 1) as f64));
@@ -53,25 +60,29 @@ fn main() -> Result<(), Box<dyn Error>> {
         (
             "static",
             "u_end",
-            Analysis::Static(Static { tolerance: 1e-9, iterations: 10, ..Static::at(levels()) }),
+            Analysis::Static(Static { tolerance: Residual::new(1e-9)?, ..Static::at(levels()) }),
         ),
         (
             "relaxed",
             "u_end",
             Analysis::Relaxation(Relaxation {
-                force: 0.0,
+                force: NotNegative::default(),
                 levels: levels(),
-                tolerance: 1e-9,
+                tolerance: RelaxedResidual::new(1e-9)?,
                 damping,
-                iterations: 10_000,
+                iterations: RelaxationIterations::new(10_000)?,
             }),
         ),
         (
             "marched, damped",
             "u_end",
-            Analysis::Explicit(Explicit { safety: 0.8, quasi_static: None, transient: Some(march) }),
+            Analysis::Explicit(Explicit {
+                safety: Safety::new(0.8)?,
+                quasi_static: None,
+                transient: Some(march),
+            }),
         ),
-        ("first mode", "circular_frequency", Analysis::Modal(Modal { modes: 1 })),
+        ("first mode", "circular_frequency", Analysis::Modal(Modal { modes: Modes::new(1)? })),
     ];
     println!("{:18}{:>14}{:>14}{:>10}", "analysis", "found", "exact", "off");
     let mut worst = 0.0_f64;

@@ -27,12 +27,13 @@
 //! | where is | look in |
 //! |---|---|
 //! | what a scene may say, its two forms | [`scene`], `scene/problem.rs`, `scene/forms.rs` |
-//! | what is refused, and why | `scene/check/` |
+//! | numbers with a bound, refused as they are read | `scene/bounded.rs` |
+//! | what is refused, and why; what alone is built | `scene/check/`; [`Checked`], `scene/checked.rs` |
 //! | the lists, the schema, the page of all keys | `scene/catalogue.rs`, `scene/schema.rs`, `scene/reference.rs` |
 //! | what any body offers, columns of the curve | [`Body`], `bodies/body.rs`; `bodies/probe.rs` |
 //! | which kind of body is built | `bodies/build.rs` |
 //! | scene → shell; scene → solid; scene → fluid and walls | `bodies/shell/build.rs`, `bodies/solid/build.rs`, `bodies/fluid/` and their neighbours |
-//! | a fluid with the structures in it: the scene of each alone; one body of all | `scene/single_body.rs`; `bodies/coupled/` |
+//! | a fluid with the structures in it: each in its scene; one body of all | `scene/body_in_scene.rs`; `bodies/coupled/` |
 //! | files of surfaces | [`mesh`], that is `mesh-io`; into a scene: `bodies/shell/imported.rs` |
 //! | fields of a body; which frames, and where they go | `bodies/shell/fields.rs`, `bodies/solid/fields.rs`; `fields/` |
 //! | the run, its figures, what it goes on from | `run/active_run.rs`, `run/record.rs`, `run/checkpoint/` |
@@ -182,7 +183,6 @@ pub use run::outcome::{Ended, Failure, Outcome};
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;
-pub use scene::Scene;
 pub use scene::catalogue::{CatalogueEntry, catalogue};
 pub use scene::error::{Fault, Place, SceneError};
 pub use scene::reference::reference_page;
@@ -190,4 +190,5 @@ pub use scene::render::{Rendering, render};
 pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
+pub use scene::{Checked, Scene};
 pub use warning::{Warning, WarningKind};

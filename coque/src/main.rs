@@ -28,8 +28,8 @@ use commands::stderr::{Refused, say};
 use commands::stop::{Stop, outlive_file_limits};
 use commands::{check, mesh, plot, resume, sweep, templates};
 use coque::{
-    Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model, Origin,
-    Outcome, RunOptions, Scene, Task, Warning, Written, read_text,
+    Checked, Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model,
+    Origin, Outcome, RunOptions, Scene, Task, Warning, Written, read_text,
 };
 
 const DONE: u8 = 0;
@@ -187,14 +187,14 @@ fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
 }
 
 /// Reads a scene, and its text; errors underline it.
-fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Scene, String), Refused> {
+fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Checked, String), Refused> {
     let file = path.display().to_string();
     let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
     let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
     Ok((scene, text))
 }
 
-fn build(scene: &Scene, threads: usize) -> Result<Model, Refused> {
+fn build(scene: &Checked, threads: usize) -> Result<Model, Refused> {
     let model = scene.build(threads).map_err(|e| Refused::scene(&e))?;
     if let Some(warning) = model.memory.warning() {
         say(&format!("warning: {warning}"));
@@ -217,7 +217,8 @@ fn launch(
     let early = model.warnings().to_vec();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let replaced = origin.replaced.clone();
-    let mut checkpoints = task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every));
+    let mut checkpoints =
+        task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every.get()));
     let mut files = fields(&task, &model, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
     let curve = GrowingCurve::new(&out.join(CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use common::scene;
-use coque::Scene;
+use coque::Checked;
 use coque::accuracy::{Asked, Forecast, Rung};
 
 /// Four lattices of each method, so that what is finer is predicted.
@@ -16,12 +16,12 @@ fn asked(accuracy: f64) -> Asked {
     Asked { accuracy, within: Duration::from_secs(600), lattices: 4, threads: 1 }
 }
 
-fn forecast(scene: &Scene, accuracy: f64) -> Vec<Forecast> {
+fn forecast(scene: &Checked, accuracy: f64) -> Vec<Forecast> {
     scene.forecast(&asked(accuracy), &mut |_, _| {}).unwrap()
 }
 
 /// Particles of a lattice that is so many times as fine.
-fn lattice(scene: &Scene, fineness: f64) -> String {
+fn lattice(scene: &Checked, fineness: f64) -> String {
     scene.refined(fineness).unwrap().lattice
 }
 

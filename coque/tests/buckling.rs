@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use common::{Replaced, column, run, scene};
-use coque::{Ended, Outcome, Progress, ProgressReport, Scene, WarningKind};
+use coque::{Checked, Ended, Outcome, Progress, ProgressReport, Scene, WarningKind};
 
 const STRESS: (&str, &str) = ("analysis.buckling.prebuckling", "\"stress\"");
 
@@ -104,7 +104,7 @@ fn analyses_by_one_factor_end_when_asked() {
 }
 
 /// An eighth of a sphere as n² triangles, with its three symmetry planes, under the classical pressure.
-fn octant(n: usize, radius_over_thickness: f64) -> Scene {
+fn octant(n: usize, radius_over_thickness: f64) -> Checked {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("octant");
     fs::create_dir_all(&folder).unwrap();
     let mut mesh = String::new();

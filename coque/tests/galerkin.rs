@@ -7,11 +7,11 @@ mod common;
 use common::galerkin::{ARC, BAR};
 use common::{column, last};
 use coque::{
-    FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray, Warning,
-    WarningKind,
+    Checked, FieldError, FieldSink, Frame, Part, Ready, RunOptions, Scene, Sheet, Silent, StateArray,
+    Warning, WarningKind,
 };
 
-fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
+fn scene(text: &str, replaced: &[(&str, &str)]) -> Checked {
     let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     Scene::with_overrides(text, "galerkin.toml", &pairs).unwrap()
 }

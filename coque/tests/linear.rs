@@ -5,9 +5,9 @@
 mod common;
 
 use common::{Replaced, last, ran, scene};
-use coque::{Ended, Outcome, Rendering, Scene, SceneError, WarningKind, render};
+use coque::{Checked, Ended, Outcome, Rendering, Scene, SceneError, WarningKind, render};
 
-fn solved(scene: Result<Scene, SceneError>) -> Outcome {
+fn solved(scene: Result<Checked, SceneError>) -> Outcome {
     let outcome = ran(scene);
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     outcome

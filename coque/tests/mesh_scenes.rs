@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 use coque::mesh::report;
-use coque::{Outcome, Rendering, Scene, SceneError, Silent, WarningKind, render};
+use coque::{Checked, Outcome, Rendering, Scene, SceneError, Silent, WarningKind, render};
 use meshes::{PLATES, folder, plate, square_with_a_hole};
 use sph_core::{EndWeights, Plate, lattice};
 
@@ -27,7 +27,7 @@ fn cantilever(geometry: &str, more: &str) -> String {
 const CONDITIONS: &str = "supports = [{ on = \"fixed\", clamped = {} }]\n\
     loads = [{ on = \"tip\", force = { total = [0.0, 0.0, 300.0] } }]\n";
 
-fn scene(text: &str) -> Result<Scene, SceneError> {
+fn scene(text: &str) -> Result<Checked, SceneError> {
     // Relative, as cargo runs tests in the folder of the package: messages are the same on every machine.
     Scene::parse(text, "../mesh-io/tests/meshes/scene.toml")
 }

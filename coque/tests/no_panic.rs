@@ -10,8 +10,9 @@ use std::path::Path;
 use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::galerkin;
 use common::solids::{BAR, PLATE, SHEETS};
+use coque::scene::bounded::Positive;
 use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
-use coque::{Rendering, Scene, SceneError, render};
+use coque::{Checked, Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 
 const SCENES: [&str; 5] =
@@ -126,20 +127,20 @@ fn replace_number(text: &str, at: usize, by: &str) -> String {
 }
 
 /// Whether a body is built in a moment.
-fn is_small(scene: &Scene, body: &BodyScene) -> bool {
+fn is_small(scene: &Checked, body: &BodyScene) -> bool {
     let spacing = scene.fluid().map_or(1.0, |(_, fluid)| fluid.geometry.spacing());
     match body {
         BodyScene::Shell(shell) => shell.geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 500),
         BodyScene::Solid(solid) => match &solid.geometry.block {
             Some(block) => {
-                let along = |(axis, length): (usize, &f64)| length / block.spacing.along(axis);
+                let along = |(axis, length): (usize, &Positive)| length.get() / block.spacing.along(axis);
                 block.lengths.iter().enumerate().map(along).product::<f64>() <= 500.0
             }
             None => solid.geometry.arc.is_some_and(|arc| arc.cells.iter().product::<usize>() <= 500),
         },
         BodyScene::Fluid(fluid) => match &fluid.geometry {
             FluidGeometry::Block(block) => {
-                block.lengths.iter().map(|length| length / spacing).product::<f64>() <= 500.0
+                block.lengths.iter().map(|length| length.get() / spacing).product::<f64>() <= 500.0
             }
             _ => false,
         },

@@ -10,6 +10,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use chain::Chain;
+use coque::scene::bounded::{
+    Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual, Residual, Safety,
+};
 use coque::scene::{
     Analysis, Explicit, Fields, Levels, Linear, Measured, Modal, Output, Relaxation, RelaxationDamping,
     Static, Transient,
@@ -34,8 +37,16 @@ fn model(analysis: Analysis) -> Model {
 }
 
 fn transient() -> Analysis {
-    let run = Transient { duration: 400.0, record_every: 10.0, damping: 0.25 };
-    Analysis::Explicit(Explicit { safety: 0.5, quasi_static: None, transient: Some(run) })
+    let run = Transient {
+        duration: Positive::new(400.0).unwrap(),
+        record_every: Positive::new(10.0).unwrap(),
+        damping: NotNegative::new(0.25).unwrap(),
+    };
+    Analysis::Explicit(Explicit {
+        safety: Safety::new(0.5).unwrap(),
+        quasi_static: None,
+        transient: Some(run),
+    })
 }
 
 fn last(outcome: &Outcome, column: &str) -> f64 {
@@ -47,9 +58,16 @@ fn last(outcome: &Outcome, column: &str) -> f64 {
 #[test]
 fn every_analysis_finds_the_stretched_chain() {
     let levels = || Levels::Equal(4);
-    let statics = Analysis::Static(Static { tolerance: 1e-12, iterations: 10, ..Static::at(levels()) });
+    let statics =
+        Analysis::Static(Static { tolerance: Residual::new(1e-12).unwrap(), ..Static::at(levels()) });
     let damping = RelaxationDamping::Kinetic;
-    let relaxed = Relaxation { levels: levels(), tolerance: 1e-8, damping, iterations: 10_000, force: 0.0 };
+    let relaxed = Relaxation {
+        levels: levels(),
+        tolerance: RelaxedResidual::new(1e-8).unwrap(),
+        damping,
+        iterations: RelaxationIterations::new(10_000).unwrap(),
+        force: NotNegative::default(),
+    };
     for (name, analysis, bound) in [
         ("static", statics, 1e-12),
         ("relaxation", Analysis::Relaxation(relaxed), 1e-6),
@@ -61,7 +79,7 @@ fn every_analysis_finds_the_stretched_chain() {
         assert!((u / BEADS as f64 - 1.0).abs() < bound, "{name}: {u}");
         assert!((stored / (0.5 * BEADS as f64) - 1.0).abs() < 2.0 * bound, "{name}: {stored}");
     }
-    let outcome = model(Analysis::Modal(Modal { modes: 2 })).run(&mut Silent);
+    let outcome = model(Analysis::Modal(Modal { modes: Modes::new(2).unwrap() })).run(&mut Silent);
     let found = outcome.curve.column("circular_frequency").unwrap();
     for (k, omega) in found.iter().enumerate() {
         let angle = (2 * k + 1) as f64 * std::f64::consts::PI / (2.0 * (2 * BEADS + 1) as f64);
@@ -117,6 +135,6 @@ fn what_it_costs_is_estimated() {
     let estimate = model(transient()).estimate();
     assert_eq!(estimate.steps, Some([800.0; 2]));
     let levels = Levels::Equal(4);
-    let statics = Analysis::Static(Static { tolerance: 1e-12, iterations: 10, ..Static::at(levels) });
+    let statics = Analysis::Static(Static { tolerance: Residual::new(1e-12).unwrap(), ..Static::at(levels) });
     assert!(model(statics).estimate().seconds.unwrap()[1] > 0.0);
 }

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use coque::{Rendering, Scene, SceneError, render};
+use coque::{Checked, Rendering, Scene, SceneError, render};
 
 fn text(name: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)).unwrap()
@@ -18,7 +18,7 @@ fn broken(from: &str, to: &str) -> String {
     refused(Scene::parse(&text.replacen(from, to, 1), "ring.toml"))
 }
 
-fn refused(scene: Result<Scene, SceneError>) -> String {
+fn refused(scene: Result<Checked, SceneError>) -> String {
     match scene.and_then(|scene| scene.build(1)) {
         Ok(_) => "not refused".into(),
         Err(error) => render(&error, Rendering { width: 100, colour: false }),

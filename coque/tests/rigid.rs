@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run};
-use coque::{Ended, Outcome, Scene};
+use coque::{Checked, Ended, Outcome};
 
 fn done(outcome: Outcome) -> Outcome {
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
@@ -147,7 +147,7 @@ fn a_tension_through_a_body_raises_its_frequencies() {
 
 fn refused(replaced: Replaced) -> String {
     let text = overridden(STRIP, "strip.toml", replaced);
-    text.and_then(|scene: Scene| scene.build(1)).map(|_| ()).unwrap_err().to_string()
+    text.and_then(|scene: Checked| scene.build(1)).map(|_| ()).unwrap_err().to_string()
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use coque::scene::{Analysis, Formulation, Geometry, LoadKind, RelaxationDamping};
-use coque::{Scene, Silent};
+use coque::{Checked, Scene, Silent};
 
 fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
@@ -24,7 +24,7 @@ fn ring() -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/ring.toml")).unwrap()
 }
 
-fn set(pairs: &[(&str, &str)]) -> Result<Scene, coque::SceneError> {
+fn set(pairs: &[(&str, &str)]) -> Result<Checked, coque::SceneError> {
     let pairs: Vec<_> = pairs.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     Scene::with_overrides(&ring(), "ring.toml", &pairs)
 }
@@ -58,9 +58,9 @@ fn in_the_long_form(text: &str) -> String {
 }
 
 /// All that a scene says, exactly.
-fn said(scene: Scene) -> String {
+fn said(scene: Checked) -> String {
     let Scene { title, units, bodies, sets, supports, loads, analysis, coupling, curve, output, source: _ } =
-        scene;
+        scene.into_scene();
     format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }
 
@@ -71,7 +71,7 @@ fn both_forms_say_the_same() {
         let (text, name) = (fs::read_to_string(&path).unwrap(), path.to_string_lossy());
         let long = in_the_long_form(&text);
         let [short, long] = [&text, &long].map(|text| Scene::parse(text, &name).unwrap());
-        assert_eq!(short.body_name(), "shell");
+        assert_eq!(short.bodies.keys().next().unwrap(), "shell");
         assert_eq!(said(short), said(long), "{name}");
     }
     let text = fs::read_to_string(scenes()[0].with_file_name("patch-test.toml")).unwrap();
@@ -105,7 +105,7 @@ fn overrides_replace_values_in_tables_and_lists() {
         ("title", "coarse"),
     ])
     .unwrap();
-    assert_eq!(scene.shell().geometry.particles(), Some([25, 3]));
+    assert_eq!(scene.as_shell().and_then(|shell| shell.geometry.particles()), Some([25, 3]));
     assert_eq!(scene.title, "coarse");
     assert_eq!(scene.supports[1].symmetry.unwrap().normal, [0.0, 2.0, 0.0]);
     match scene.loads[0].kinds()[..] {
@@ -141,10 +141,10 @@ fn overrides_append_to_lists() {
 
 #[test]
 fn a_relaxation_has_defaults() {
-    match set(&[("analysis.relaxation.levels", "4")]).unwrap().analysis {
+    match set(&[("analysis.relaxation.levels", "4")]).unwrap().into_scene().analysis {
         Analysis::Relaxation(path) => {
             assert_eq!(
-                (path.levels.list().len(), path.tolerance, path.damping, path.iterations),
+                (path.levels.list().len(), path.tolerance.get(), path.damping, path.iterations.get()),
                 (4, 1e-6, RelaxationDamping::Kinetic, 100_000)
             );
         }
@@ -156,20 +156,20 @@ fn a_relaxation_has_defaults() {
 fn naming_another_alternative_drops_the_first() {
     let scene =
         set(&[("formulation.nodal.order", "3"), ("formulation.nodal.kernel", "wendland-c2")]).unwrap();
-    match &scene.shell().formulation {
-        Formulation::Nodal(nodal) => assert_eq!((nodal.order, nodal.smoothing_length()), (3, 1.5)),
+    match &scene.as_shell().unwrap().formulation {
+        Formulation::Nodal(nodal) => assert_eq!((nodal.order.get(), nodal.smoothing_length()), (3, 1.5)),
         other => panic!("{other:?}"),
     }
     let cylinder = "{ radius = 50.0, angles = [0.0, 10.0], length = 1.0, particles = [9, 3] }";
     let scene = set(&[("geometry.cylinder", cylinder)]).unwrap();
-    assert!(matches!(scene.shell().geometry, Geometry::Cylinder(_)));
+    assert!(matches!(scene.as_shell().unwrap().geometry, Geometry::Cylinder(_)));
 }
 
 #[test]
 fn a_last_override_wins() {
     let scene = set(&[("analysis.explicit.safety", "0.5"), ("analysis.explicit.safety", "0.6")]).unwrap();
-    match scene.analysis {
-        Analysis::Explicit(explicit) => assert_eq!(explicit.safety, 0.6),
+    match scene.into_scene().analysis {
+        Analysis::Explicit(explicit) => assert_eq!(explicit.safety.get(), 0.6),
         other => panic!("{other:?}"),
     }
 }
@@ -177,8 +177,8 @@ fn a_last_override_wins() {
 #[test]
 fn naming_another_analysis_drops_the_first() {
     let scene = set(&[("analysis.static.levels", "10"), ("analysis.static.iterations", "40")]).unwrap();
-    match scene.analysis {
-        Analysis::Static(path) => assert_eq!((path.levels.list().len(), path.iterations), (10, 40)),
+    match scene.into_scene().analysis {
+        Analysis::Static(path) => assert_eq!((path.levels.list().len(), path.iterations.get()), (10, 40)),
         other => panic!("{other:?}"),
     }
     let back = set(&[("analysis.modal.modes", "3"), ("analysis.explicit.transient.duration", "1.0")]);

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{column, last, overridden, ran};
-use coque::{Outcome, Scene, Silent, WarningKind};
+use coque::{Checked, Outcome, Silent, WarningKind};
 
 /// A bar between mirror planes, pulled at its end: uniform tension.
 const BAR: &str = r#"title = "Bar"
@@ -58,7 +58,7 @@ cracks = [{ from = [0.0, 0.01], to = [0.02, 0.01] }]
 unbreakable = ["lower", "upper"]
 "#;
 
-fn scene(text: &str, replaced: &[(&str, &str)]) -> Scene {
+fn scene(text: &str, replaced: &[(&str, &str)]) -> Checked {
     overridden(text, "scene.toml", replaced).unwrap()
 }
 

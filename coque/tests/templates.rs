@@ -243,7 +243,7 @@ fn every_scene_is_a_template_that_checks() {
         let written = coque(&folder, &["new", &name]);
         assert_eq!(written.status.code(), Some(0), "{}", said(&written));
         let copy = fs::read_to_string(folder.join(format!("{name}.toml"))).unwrap();
-        let title = |text: &str| Scene::parse(text, &name).unwrap().title;
+        let title = |text: &str| Scene::parse(text, &name).unwrap().into_scene().title;
         assert_eq!(title(&copy), title(&text));
         assert!(copy.contains(&format!("coque run {name}.toml")), "{copy}");
     }

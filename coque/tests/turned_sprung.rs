@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Replaced, column, last, overridden, ran, run};
-use coque::{Ended, Outcome, Rendering, Scene, render};
+use coque::{Checked, Ended, Outcome, Rendering, render};
 
 fn done(outcome: Outcome) -> Outcome {
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
@@ -215,7 +215,7 @@ fn springs_from_end_to_end_bear_half_of_the_force() {
 #[test]
 fn what_no_spring_or_turn_can_be_is_refused() {
     let refused = |replaced: Replaced| match overridden(PLATE, "plate.toml", replaced)
-        .and_then(|s: Scene| s.build(1))
+        .and_then(|s: Checked| s.build(1))
     {
         Ok(_) => panic!("{replaced:?} is not refused"),
         Err(error) => render(&error, Rendering { width: 200, colour: false }),

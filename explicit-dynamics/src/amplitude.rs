@@ -2,22 +2,23 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A factor of time.
+/// Variation of a load in time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "scene", derive(schemars::JsonSchema))]
 pub enum Amplitude {
-    /// One at all times.
+    /// One throughout.
     #[default]
     Constant,
-    /// Linear from zero at time 0 to one at the given time \[T\], one after.
+    /// Linear from zero to one over this time, one after \[T\].
     Ramp(f64),
-    /// `s³(10 − 15s + 6s²)`, `s = t/T`: the quintic with no velocity and no acceleration at its ends.
+    /// Quintic from zero to one over this time, without velocity and acceleration at its ends, `s³(10 − 15s + 6s²)` \[T\].
     Smooth(f64),
     /// Straight lines between `[time, factor]`, times ascending; constant before and after.
     Table(Vec<[f64; 2]>),
-    /// `sin(2πt/T)`.
+    /// Sine of time, `sin(2πt/T)`.
     Sine {
-        /// Period T \[T\].
+        /// Period \[T\].
         period: f64,
     },
 }

@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How a quasi-static march comes to rest.
+/// How a quasi-static run comes to rest.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "scene", derive(schemars::JsonSchema))]
 pub enum Damping {
-    /// Mass-proportional with this ratio ζ to the critical damping of the mode whose period the march is given: `c = 4πζ/T₁`.
+    /// Mass-proportional, this fraction ζ of critical for the lowest mode, whose period the march is given: `c = 4πζ/T₁` \[–\].
     Ratio(f64),
-    /// Velocities are set to zero whenever the kinetic energy passes a peak.
+    /// Velocities are stopped whenever the kinetic energy passes a peak.
     Kinetic,
 }
 

@@ -13,10 +13,16 @@ pub enum Scheme {
 
 /// Which pressure a particle of a wall has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "WallMethod")
+)]
 pub enum WallRule {
-    /// The mean of the fluid near it, carried there by gravity \[adami2012\].
+    /// Their pressure is that of the fluid before them, shifted hydrostatically \[adami2012\].
     Extrapolated,
-    /// That of a density of its own, which the equation of continuity changes \[crespo2007\].
+    /// Their density follows the equation of continuity, as in the published method \[crespo2007\].
     Dynamic,
 }
 

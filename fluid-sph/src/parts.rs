@@ -38,9 +38,16 @@ pub struct Rotation {
 }
 
 /// Pressures at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "FluidStart")
+)]
 pub enum Start {
-    /// That of the water above, under the highest particle of each connected body of water and half a spacing.
+    /// Hydrostatic under the highest particle of each connected body of fluid and half a spacing.
+    #[default]
     Hydrostatic,
     /// None.
     Uniform,

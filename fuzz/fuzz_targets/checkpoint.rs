@@ -74,7 +74,7 @@ fn go_on(folder: &Path) {
     let Ok((checkpoint, text)) = Checkpoint::read(folder) else { return };
     let origin = checkpoint.origin.clone();
     let Ok(scene) = Scene::with_overrides(&text, &origin.file, &origin.replaced) else { return };
-    if !scene.shell().geometry.particles().is_some_and(|[n1, n2]| n1 * n2 <= 100) {
+    if !scene.as_shell().and_then(|shell| shell.geometry.particles()).is_some_and(|[n1, n2]| n1 * n2 <= 100) {
         return;
     }
     let Ok(model) = scene.build(1) else { return };

@@ -25,7 +25,7 @@ fn model(scene: &str, text: &str) -> Result<(), SceneError> {
     let pairs = text.lines().filter_map(|line| line.split_once('='));
     let replaced: Vec<_> = pairs.map(|(path, value)| (path.to_owned(), value.to_owned())).collect();
     let scene = Scene::with_overrides(scene, "fuzz.toml", &replaced)?;
-    match scene.shell().geometry.particles() {
+    match scene.as_shell().and_then(|shell| shell.geometry.particles()) {
         Some([n1, n2]) if n1 * n2 <= 100 => scene.build(1).map(|_| ()),
         _ => Ok(()),
     }

@@ -53,13 +53,18 @@ impl BucklingOptions {
 
 /// Which critical levels are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Sign {
-    /// Those above the base state.
+    /// Of the load as it is: those above the base state.
     #[default]
     Positive,
-    /// Those below it: the load reversed.
+    /// Of the load reversed.
     Negative,
-    /// The nearest on either side.
+    /// The nearest of both.
     Either,
 }
 

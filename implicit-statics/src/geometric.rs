@@ -22,8 +22,13 @@ const TRIALS: usize = 8;
 /// The first two terms are the change of shape before buckling, in unknowns that turn with the structure: where they
 /// vanish, as in flat plates and straight columns under loads in their plane, the two agree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Prebuckling {
-    /// All that changes along the linear response: its displacements and rotations as well as its stresses.
+    /// The linear response as it is: the change of shape as well as the stresses, in directions that turn along.
     #[default]
     Rotations,
     /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.

@@ -123,14 +123,20 @@ impl PathOptions {
 
 /// Which branch a path takes where it bifurcates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Branches {
-    /// The one it is on.
+    /// The one it is on: a perfect body stays flat or straight beyond its critical load.
     #[default]
     Primary,
-    /// Where a stable path loses its stability in one mode: the branch that leaves along the mode, whose first greatest entry,
-    /// each times the root of its mass, is positive.
+    /// Where a stable path loses its stability in one mode, the branch that leaves it along the mode, whose first greatest entry, each
+    /// times the root of its mass, is positive: the body buckles without an imperfection. Limit points are passed, and unstable paths
+    /// stay on their branch.
     Stable,
-    /// The same to the other side.
+    /// The same branch to the other side, against the mode.
     StableReversed,
 }
 
@@ -164,11 +170,17 @@ impl Default for CriticalOptions {
 
 /// What takes the energy out of a fictitious motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "RelaxationDamping")
+)]
 pub enum Damping {
-    /// Nothing, until the kinetic energy has passed a peak: then the motion starts again from rest.
+    /// The motion is stopped whenever its kinetic energy passes a peak.
     #[default]
     Kinetic,
-    /// Forces in proportion to mass and velocity, critical for the frequency that Rayleigh's quotient finds.
+    /// Mass-proportional, near critical for the lowest frequency that the motion shows, which Rayleigh's quotient finds.
     Rayleigh,
 }
 

@@ -43,24 +43,35 @@ pub enum Volumes {
 
 /// The influence w of a bond by its length r, `δ' = δ + ½Δx`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Influence {
-    /// 1.
+    /// All bonds alike.
     Constant,
-    /// `1/r`.
+    /// As 1/r.
     Inverse,
-    /// `1 − r/δ'`.
+    /// Falling along a straight line to zero at the reach of a family, `1 − r/δ'`.
     Linear,
 }
 
 /// What corrects the moduli of nodes whose family is a lattice's, or cut by a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Correction {
     /// Nothing: whole partial volumes alone.
     None,
-    /// Weights of bonds for which the energy of the six unit strains is exact at every node.
+    /// Weights for which the energy of the six unit strains is exact at every node.
+    #[default]
     Even,
-    /// Those, changed so that uniform strains are in balance with the tractions on faces at every node: for blocks whose nodes stand
-    /// on their faces.
+    /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
+    /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
     Balanced,
     /// One factor a bond, from the energies of unit strains along the axes.
     EnergyFactor,

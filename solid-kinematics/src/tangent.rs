@@ -11,11 +11,17 @@ pub type PointTangent = [[f64; 9]; 9];
 
 /// Which derivative of the stress is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "GalerkinTangent")
+)]
 pub enum Tangent {
-    /// Of the rate equation at the present state, symmetric; exact where a step begins.
+    /// That of the rate equation at the present state, symmetric, exact where a step begins.
     #[default]
     Continuum,
-    /// Of the update over the whole step; not symmetric within a step.
+    /// That of the update over the step; not symmetric within it.
     Consistent,
 }
 

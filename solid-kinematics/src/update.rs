@@ -10,8 +10,14 @@ use crate::voigt::{strains, stress_tensor};
 
 /// Where in a step strain and rotation of an increment are taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "GalerkinUpdate")
+)]
 pub enum Update {
-    /// In the middle of the step: second order in its size.
+    /// In its middle: second order in the step.
     #[default]
     Midpoint,
     /// At its start, the decomposition to the letter: first order.

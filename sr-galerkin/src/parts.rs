@@ -77,11 +77,17 @@ pub enum Volumes {
 
 /// How conditions are imposed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "GalerkinEssential")
+)]
 pub enum Essential {
-    /// Displacements at the nodes have the prescribed values.
+    /// Displacements of nodes have the prescribed values.
     #[default]
     Collocation,
-    /// Nodal parameters have them, as in the source: displacements leak. Only to reproduce it.
+    /// Nodal parameters have them, as in the source: displacements leak.
     Direct,
 }
 

@@ -6,11 +6,11 @@ use std::time::Instant;
 use super::Asked;
 use super::answers::{Answer, Step, answers};
 use super::convergence::Convergence;
-use super::refined::Refined;
+use super::refined::{Refined, coarsest, finer};
 use crate::Warning;
 use crate::run::progress::{Progress, ProgressReport};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, Scene};
+use crate::scene::{Analysis, Checked};
 
 /// Lattices that a ladder has at least if time allows.
 const FEWEST: usize = 4;
@@ -44,7 +44,7 @@ impl Rung {
     ///
     /// # Errors
     /// [`SceneError`] of the scene; words for a run that failed.
-    pub fn at(scene: &Scene, fineness: f64, threads: usize) -> Result<Self, ClimbError> {
+    pub fn at(scene: &Checked, fineness: f64, threads: usize) -> Result<Self, ClimbError> {
         run(scene, fineness, threads, None)?.ok_or_else(|| ClimbError::Silent("the run was ended".into()))
     }
 
@@ -83,11 +83,11 @@ impl Ladder {
     ///
     /// # Errors
     /// [`SceneError`] of the scene on its own lattice or a finer one; words for a run that failed there.
-    pub fn climb(scene: &Scene, asked: &Asked, tell: &mut dyn FnMut(&Rung)) -> Result<Self, ClimbError> {
+    pub fn climb(scene: &Checked, asked: &Asked, tell: &mut dyn FnMut(&Rung)) -> Result<Self, ClimbError> {
         let Asked { accuracy, within, lattices, threads } = *asked;
         let begun = Instant::now();
         let mut ladder = Self::default();
-        let mut fineness = scene.coarsest();
+        let mut fineness = coarsest(scene);
         while ladder.rungs.len() < lattices {
             let left = within.saturating_sub(begun.elapsed());
             let next = ladder.rungs.last().map_or(1.0, |last| fineness * last.spacing);
@@ -113,7 +113,7 @@ impl Ladder {
             if reached && ladder.rungs.len() >= FEWEST {
                 break;
             }
-            fineness = scene.finer(fineness);
+            fineness = finer(scene, fineness);
         }
         Ok(ladder)
     }
@@ -191,7 +191,7 @@ pub enum ClimbError {
 
 /// Builds and runs the scene on a lattice; none if the time was over before it ended.
 fn run(
-    scene: &Scene,
+    scene: &Checked,
     fineness: f64,
     threads: usize,
     end: Option<Instant>,

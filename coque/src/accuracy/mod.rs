@@ -18,7 +18,8 @@ pub use convergence::Convergence;
 pub use ladder::{ClimbError, Ladder, Rung};
 pub use refined::Refined;
 
-use crate::scene::Scene;
+use crate::bodies::memory::memory;
+use crate::scene::Checked;
 
 /// Particles beyond which nothing is predicted, as no scene may have more.
 const MOST_PARTICLES: f64 = 1e7;
@@ -66,7 +67,7 @@ pub struct Needed {
     pub ran: bool,
 }
 
-impl Scene {
+impl Checked {
     /// What its own method and others with the same answer will take for an accuracy; `tell` hears of every run.
     ///
     /// # Errors
@@ -77,7 +78,7 @@ impl Scene {
         tell: &mut dyn FnMut(&str, &Rung),
     ) -> Result<Vec<Forecast>, ClimbError> {
         let mut forecasts = Vec::new();
-        for (method, scene) in self.methods() {
+        for (method, scene) in methods::methods(self) {
             match Ladder::climb(&scene, asked, &mut |rung| tell(&method, rung)) {
                 Ok(ladder) => {
                     let needed = needed(&scene, &ladder, asked.accuracy);
@@ -92,7 +93,7 @@ impl Scene {
 }
 
 /// The coarsest lattice from which on all reach the accuracy; else the one on which the order of convergence has it.
-fn needed(scene: &Scene, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
+fn needed(scene: &Checked, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
     let reaches = |rung: &&Rung| rung.error.is_some_and(|error| error <= accuracy);
     if let Some(rung) = ladder.rungs.iter().rev().take_while(reaches).last() {
         return Some(Needed {
@@ -109,14 +110,15 @@ fn needed(scene: &Scene, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
     let last = ladder.rungs.last()?;
     let refined = scene.refined(1.0 / (last.spacing * found.spacing_for(accuracy))).ok()?;
     let finer = last.spacing / refined.spacing;
-    let particles = last.particles as f64 * libm::pow(finer, scene.dimensions());
+    let body = scene.bodies.values().next()?;
+    let particles = last.particles as f64 * libm::pow(finer, refined::dimensions(scene));
     (particles <= MOST_PARTICLES).then(|| Needed {
         lattice: refined.lattice,
         spacing: refined.spacing,
         particles,
         error: found.error * libm::pow(finer, -found.order),
         seconds: ladder.seconds_at(finer),
-        memory: scene.memory(particles),
+        memory: memory(&scene.analysis, body, particles),
         ran: false,
     })
 }

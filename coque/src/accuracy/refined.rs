@@ -1,7 +1,8 @@
 //! The same scene on a coarser or finer lattice.
 
+use crate::scene::bounded::Positive;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, Geometry, PerAxis, Scene, SolidGeometry};
+use crate::scene::{BodyScene, Checked, Geometry, PerAxis, Scene, SolidGeometry};
 
 /// Fewest cells along the direction that has most, and along the one that has fewest, of a coarse lattice.
 const LEAST: [f64; 2] = [8.0, 2.0];
@@ -12,21 +13,22 @@ const LEAST_LAYERS: [f64; 2] = [8.0, 3.0];
 #[derive(Clone, Debug)]
 pub struct Refined {
     /// The scene.
-    pub scene: Scene,
+    pub scene: Checked,
     /// Spacing over that of the scene as it was given \[–\].
     pub spacing: f64,
     /// The lattice in words, such as `21×21`.
     pub lattice: String,
 }
 
-impl Scene {
+impl Checked {
     /// The scene with its spacing divided by `fineness`, as nearly as whole numbers of cells allow; even numbers stay even,
     /// so that a particle in the middle stays there.
     ///
     /// # Errors
-    /// [`SceneError::Choice`] for what has no lattice to refine: a surface from a file, a fluid, several bodies.
+    /// [`SceneError::Choice`] for what has no lattice to refine: a surface from a file, a fluid, several bodies; what the checks
+    /// refuse of the finer lattice.
     pub fn refined(&self, fineness: f64) -> Result<Refined, SceneError> {
-        let mut scene = self.clone();
+        let mut scene = Scene::clone(self);
         let repair =
             "compare runs of your own with `coque sweep`, or give meshes of several spacings in turn";
         let refused = |path: &str, value: &str| {
@@ -42,8 +44,8 @@ impl Scene {
             _ => return refused("bodies", "a fluid"),
         };
         match refined {
-            Some((spacing, lattice)) => Ok(Refined { scene, spacing, lattice }),
-            None => Err(SceneError::Choice(self.body_scope().fault(
+            Some((spacing, lattice)) => Ok(Refined { scene: scene.check()?, spacing, lattice }),
+            None => Err(SceneError::Choice(self.first_body()?.body_scope().fault(
                 "geometry.mesh",
                 "a surface from a file",
                 "one shell on a lattice or one solid, whose spacing can be changed",
@@ -51,58 +53,60 @@ impl Scene {
             ))),
         }
     }
+}
 
-    /// Fineness of the coarsest lattice on which answers are worth comparing, at most one.
-    pub(super) fn coarsest(&self) -> f64 {
-        let cells = self.cells();
-        if cells.is_empty() {
-            // Scattered particles: the checks have kept the spacing well below the extent.
-            return 0.5;
+/// Fineness of the coarsest lattice on which answers are worth comparing, at most one.
+pub(super) fn coarsest(scene: &Scene) -> f64 {
+    let cells = cells(scene);
+    if cells.is_empty() {
+        // Scattered particles: the checks have kept the spacing well below the extent.
+        return 0.5;
+    }
+    let bonds = scene.as_solid().is_some_and(|solid| solid.galerkin().is_none());
+    let [most, fewest] = if bonds { LEAST_LAYERS } else { LEAST };
+    let greatest = cells.iter().copied().fold(1.0, f64::max);
+    let least = cells.iter().copied().fold(f64::INFINITY, f64::min).max(1.0);
+    (most / greatest).max(fewest / least).min(1.0)
+}
+
+/// A fineness above another by √2, or as near to it as the direction of fewest cells allows: lattices whose cells keep their
+/// shape converge as a power of the spacing. Fewer than four cells there are too few to follow.
+pub(super) fn finer(scene: &Scene, fineness: f64) -> f64 {
+    let wanted = std::f64::consts::SQRT_2 * fineness;
+    let fewest = cells(scene).into_iter().fold(f64::INFINITY, f64::min);
+    if !(4.0..1e9).contains(&fewest) {
+        return wanted;
+    }
+    let step = step(fewest as usize) as f64;
+    let now = (fewest * fineness / step).round();
+    let next = (fewest * wanted / step).round().max(now + 1.0);
+    step * next / fewest
+}
+
+/// Cells along each direction; none of scattered particles.
+fn cells(scene: &Scene) -> Vec<f64> {
+    match scene.bodies.values().next() {
+        Some(BodyScene::Shell(shell)) => {
+            let particles = shell.geometry.particles();
+            particles.map_or(Vec::new(), |particles| particles.map(|n| (n - 1) as f64).to_vec())
         }
-        let bonds = self.as_solid().is_some_and(|solid| solid.galerkin().is_none());
-        let [most, fewest] = if bonds { LEAST_LAYERS } else { LEAST };
-        let greatest = cells.iter().copied().fold(1.0, f64::max);
-        let least = cells.iter().copied().fold(f64::INFINITY, f64::min).max(1.0);
-        (most / greatest).max(fewest / least).min(1.0)
+        Some(BodyScene::Solid(solid)) => cells_of(&solid.geometry),
+        _ => Vec::new(),
     }
+}
 
-    /// A fineness above another by √2, or as near to it as the direction of fewest cells allows: lattices whose cells keep their
-    /// shape converge as a power of the spacing. Fewer than four cells there are too few to follow.
-    pub(super) fn finer(&self, fineness: f64) -> f64 {
-        let wanted = std::f64::consts::SQRT_2 * fineness;
-        let fewest = self.cells().into_iter().fold(f64::INFINITY, f64::min);
-        if !(4.0..1e9).contains(&fewest) {
-            return wanted;
-        }
-        let step = step(fewest as usize) as f64;
-        let now = (fewest * fineness / step).round();
-        let next = (fewest * wanted / step).round().max(now + 1.0);
-        step * next / fewest
-    }
-
-    /// Cells along each direction; none of scattered particles.
-    fn cells(&self) -> Vec<f64> {
-        match self.body() {
-            BodyScene::Shell(shell) => {
-                let particles = shell.geometry.particles();
-                particles.map_or(Vec::new(), |particles| particles.map(|n| (n - 1) as f64).to_vec())
-            }
-            BodyScene::Solid(solid) => cells_of(&solid.geometry),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Dimensions in which a lattice grows as it is refined.
-    pub(super) fn dimensions(&self) -> f64 {
-        self.as_solid().map_or(2.0, |solid| solid.dimensions() as f64)
-    }
+/// Dimensions in which a lattice grows as it is refined.
+pub(super) fn dimensions(scene: &Scene) -> f64 {
+    scene.as_solid().map_or(2.0, |solid| solid.dimensions() as f64)
 }
 
 /// Cells along each axis.
 fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
     match (&geometry.block, &geometry.arc) {
         (Some(block), _) => {
-            let cells = |(axis, length): (usize, &f64)| (length / block.spacing.along(axis)).round().max(1.0);
+            let cells = |(axis, length): (usize, &Positive)| {
+                (length.get() / block.spacing.along(axis)).round().max(1.0)
+            };
             block.lengths.iter().enumerate().map(cells).collect()
         }
         (None, Some(arc)) => arc.cells.map(|n| n as f64).to_vec(),
@@ -126,7 +130,7 @@ fn whole(cells: usize, fineness: f64) -> usize {
 fn refine_shell(geometry: &mut Geometry, fineness: f64) -> Option<(f64, String)> {
     let (particles, scattered) = geometry.placing_mut()?;
     if let Some(scattered) = scattered {
-        scattered.spacing /= fineness;
+        scattered.spacing = Positive::new(scattered.spacing.get() / fineness).ok()?;
         return Some((1.0 / fineness, format!("scattered at {:.4}", scattered.spacing)));
     }
     let particles = particles.as_mut()?;
@@ -145,7 +149,7 @@ fn refine_solid(geometry: &mut SolidGeometry, fineness: f64) -> (f64, String) {
         arc.cells.copy_from_slice(&after);
     }
     if let Some(block) = &mut geometry.block {
-        let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length / cells as f64);
+        let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length.get() / cells as f64);
         block.spacing = PerAxis::Each(spacing.collect());
     }
     let most = (0..before.len()).max_by_key(|&axis| before[axis]).unwrap_or(0);

@@ -66,7 +66,7 @@ impl Course {
                 ControlFlow::Break(arc_length(wanted, body.as_mut(), run))
             }
             (Self::Modal(wanted), Ready::Static(body)) => {
-                ControlFlow::Break(modes::modal(wanted.modes, body.as_mut(), run))
+                ControlFlow::Break(modes::modal(wanted.modes.get(), body.as_mut(), run))
             }
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))

@@ -51,7 +51,7 @@ impl Model {
 
 fn of_march(explicit: &Explicit, body: &mut dyn DynamicBody, threads: usize, bytes: f64) -> Estimate {
     let stable_step = reference_step(body);
-    let dt = explicit.safety * stable_step;
+    let dt = explicit.safety.get() * stable_step;
     let seconds_a_step = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
         Ok(pool) if threads > 1 => pool.install(|| time_steps(body, dt)),
         _ => time_steps(body, dt),
@@ -63,10 +63,10 @@ fn of_march(explicit: &Explicit, body: &mut dyn DynamicBody, threads: usize, byt
 
 fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Estimate {
     let steps = match analysis {
-        Analysis::Modal(wanted) => return Work::of_vibration(wanted.modes).estimate(body, bytes),
+        Analysis::Modal(wanted) => return Work::of_vibration(wanted.modes.get()).estimate(body, bytes),
         Analysis::Buckling(wanted) => {
             let sides = if wanted.sign == LevelSign::Either { 2.0 } else { 1.0 };
-            return Work::of_buckling(wanted.modes, sides).estimate(body, bytes);
+            return Work::of_buckling(wanted.modes.get(), sides).estimate(body, bytes);
         }
         Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
         // A path by arc length tells nothing beforehand; a relaxation takes no factors.
@@ -144,10 +144,12 @@ impl Work {
 fn steps(explicit: &Explicit, body: &mut dyn DynamicBody, dt: f64) -> Option<[f64; 2]> {
     if let Some(path) = &explicit.quasi_static {
         let levels = path.levels.list().len() as f64;
-        let period = path.period.or_else(|| period_of_deflection(body))?;
-        return Some([SHORTEST_HOLD, path.hold].map(|hold| levels * (path.ramp + hold) * period / dt));
+        let period = path.period.as_deref().copied().or_else(|| period_of_deflection(body))?;
+        return Some(
+            [SHORTEST_HOLD, path.hold.get()].map(|hold| levels * (path.ramp.get() + hold) * period / dt),
+        );
     }
-    let duration = explicit.transient.map_or(0.0, |run| run.duration);
+    let duration = explicit.transient.map_or(0.0, |run| run.duration.get());
     Some([duration / dt; 2])
 }
 

@@ -126,8 +126,10 @@ pub(super) fn solved(
         }
         LinearSolver::ConjugateGradients => {
             let usual = ConjugateOptions::default();
-            let options =
-                ConjugateOptions { iterations: wanted.iterations.unwrap_or(usual.iterations), ..usual };
+            let options = ConjugateOptions {
+                iterations: wanted.iterations.map_or(usual.iterations, |most| most.get()),
+                ..usual
+            };
             let found = conjugate_response(system, 0.0, &options)?;
             let (iterations, residual, unknowns) = (found.iterations as u64, found.residual, found.levels);
             Ok((found.response, Way::Iterated(ConjugateSummary { iterations, residual, unknowns })))

@@ -13,7 +13,7 @@ use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
 use crate::run::progress::ProgressReport;
 use crate::run::record::{Energies, LevelSummary, RunRecord};
-use crate::scene::{Damping, Explicit, QuasiStatic, Transient};
+use crate::scene::{Explicit, QuasiStatic, Transient};
 
 /// A march under way: from the start, or from where an earlier one stood.
 pub(super) struct Marching {
@@ -31,13 +31,13 @@ impl Marching {
         let path = explicit.quasi_static.clone();
         let stability = Stability::new(path.as_ref().and_then(|path| path.stability), tangent, particles);
         let plan = match (&explicit.quasi_static, explicit.transient) {
-            (Some(path), _) => Some(settle(path, explicit.safety).into()),
-            (None, Some(wanted)) => Some(move_on(wanted, explicit.safety).into()),
+            (Some(path), _) => Some(settle(path, explicit.safety.get()).into()),
+            (None, Some(wanted)) => Some(move_on(wanted, explicit.safety.get()).into()),
             (None, None) => None,
         };
         Self {
             plan,
-            safety: explicit.safety,
+            safety: explicit.safety.get(),
             from: from.and_then(|stage| if let Stage::March(state) = stage { Some(state) } else { None }),
             march: None,
             watch: Watch { path, stability, settled: false },
@@ -175,15 +175,12 @@ pub(crate) fn reference_step(body: &mut dyn DynamicBody) -> f64 {
 fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
     explicit_dynamics::QuasiStatic {
         levels: path.levels.list(),
-        period: path.period,
-        ramp: path.ramp,
-        hold: path.hold,
-        damping: match path.damping {
-            Damping::Ratio(ratio) => explicit_dynamics::Damping::Ratio(ratio),
-            Damping::Kinetic => explicit_dynamics::Damping::Kinetic,
-        },
-        tolerance: path.tolerance,
-        accuracy: path.accuracy,
+        period: path.period.as_deref().copied(),
+        ramp: path.ramp.get(),
+        hold: path.hold.get(),
+        damping: path.damping,
+        tolerance: path.tolerance.get(),
+        accuracy: path.accuracy.get(),
         safety,
     }
 }
@@ -191,7 +188,12 @@ fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
 /// In real time.
 fn move_on(wanted: Transient, safety: f64) -> explicit_dynamics::Transient {
     let Transient { duration, record_every, damping } = wanted;
-    explicit_dynamics::Transient { duration, record_every, damping, safety }
+    explicit_dynamics::Transient {
+        duration: duration.get(),
+        record_every: record_every.get(),
+        damping: damping.get(),
+        safety,
+    }
 }
 
 /// Fills the curve, keeps shapes, offers frames.

@@ -131,7 +131,7 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
             Damping::Ratio(ratio) => Some(format!("mass-proportional damping, ratio {ratio}")),
             Damping::Kinetic => Some("kinetic damping".into()),
         },
-        (None, Some(run)) if run.damping > 0.0 => {
+        (None, Some(run)) if run.damping.get() > 0.0 => {
             Some(format!("mass-proportional damping, {} per unit of time", run.damping))
         }
         _ => None,

@@ -15,7 +15,7 @@ use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::progress::ProgressReport;
 use crate::run::record::CountSummary;
-use crate::scene::{self, Buckling, LevelSign};
+use crate::scene::Buckling;
 
 /// Largest displacement of a shape of free size in units of the extent.
 const SCALE: f64 = 0.1;
@@ -84,20 +84,10 @@ fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
 /// Finds the buckling levels nearest to zero.
 pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
-    let options = BucklingOptions {
-        count: wanted.modes,
-        sign: match wanted.sign {
-            LevelSign::Positive => Sign::Positive,
-            LevelSign::Negative => Sign::Negative,
-            LevelSign::Either => Sign::Either,
-        },
-        prebuckling: match wanted.prebuckling {
-            scene::Prebuckling::Rotations => Prebuckling::Rotations,
-            scene::Prebuckling::Stress => Prebuckling::Stress,
-        },
-    };
+    let options =
+        BucklingOptions { count: wanted.modes.get(), sign: wanted.sign, prebuckling: wanted.prebuckling };
     let spectrum = linear_buckling(system, 0.0, &options, &mut watch(run));
-    let modes = match taken(spectrum, wanted.modes, "levels", run) {
+    let modes = match taken(spectrum, wanted.modes.get(), "levels", run) {
         Ok(modes) => modes,
         Err(ended) => return *ended,
     };
@@ -107,7 +97,7 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut
             (true, true) => None,
             (below, _) => Some(if below { "positive" } else { "negative" }),
         });
-    if let (LevelSign::Either, Some(side)) = (wanted.sign, side) {
+    if let (Sign::Either, Some(side)) = (wanted.sign, side) {
         let message = format!(
             "{side} levels were not found to within rounding, and none is in the curve, though one may be nearer than those that are; ask \
              for fewer `modes`, or for sign = \"{side}\" alone to see what ended the search"

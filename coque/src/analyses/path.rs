@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    Branches, Control, CriticalOptions, End, EquilibriumError, Increment, Newton, NewtonOptions, Path,
-    PathOptions, Point, Start, follow, linear_response,
+    Control, CriticalOptions, End, EquilibriumError, Increment, Newton, NewtonOptions, Path, PathOptions,
+    Point, Start, follow, linear_response,
 };
 
 use super::breaking::{at_rest, note_breaches};
@@ -14,7 +14,7 @@ use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
 use crate::run::record::{Energies, LevelSummary};
-use crate::scene::{self, ArcLength, Measured, Static};
+use crate::scene::{ArcLength, Measured, Static};
 
 /// Width of the bracket of a critical point in units of the step: within it the eigenvalue is interpolated, which
 /// leaves the square of this.
@@ -44,7 +44,7 @@ impl Levels {
             }
             _ => (0, Start::default()),
         };
-        let newton = newton(wanted.tolerance, wanted.iterations);
+        let newton = newton(wanted.tolerance.get(), wanted.iterations.get());
         Self { list: wanted.levels.list(), newton, found, start, solver: None }
     }
 
@@ -174,24 +174,24 @@ fn keep(run: &mut Run<'_>, levels: usize, start: &Start, system: &dyn StaticBody
 pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
     let first = match run.driven.map(|driven| (driven, stiffness(system, &driven))) {
-        None => wanted.radius,
-        Some((driven, Ok(stiffness))) => wanted.radius * driven.by * stiffness,
+        None => wanted.radius.get(),
+        Some((driven, Ok(stiffness))) => wanted.radius.get() * driven.by * stiffness,
         Some((_, Err(cause))) => return run.unbalanced(0, 0.0, cause),
     };
     let stop = wanted.stop.as_ref().and_then(|stop| {
         let at = run.curve.columns.iter().position(|column| column.name == stop.column)?;
         Some((at, stop.above))
     });
-    let until = wanted.until.unwrap_or(f64::INFINITY);
+    let until = wanted.until.map_or(f64::INFINITY, |until| until.get());
     let control = Control::ArcLength { first, range: (f64::NEG_INFINITY, until) };
-    let mut options = options(control, &newton(wanted.tolerance, wanted.iterations));
-    options.steps = wanted.steps;
-    options.critical.iter_mut().for_each(|critical| critical.branches = branches(wanted.branches));
+    let mut options = options(control, &newton(wanted.tolerance.get(), wanted.iterations.get()));
+    options.steps = wanted.steps.get();
+    options.critical.iter_mut().for_each(|critical| critical.branches = wanted.branches);
     let unit = run.force_unit.clone();
     let mut interrupted = false;
     let path = follow(system, &Start::default(), &options, |point, system| {
         let row = read(run, system, point, point.converged.iterations);
-        let done = (point.level() / until).max(point.step as f64 / wanted.steps as f64);
+        let done = (point.level() / until).max(point.step as f64 / wanted.steps.get() as f64);
         let reported = run.tell(done.clamp(0.0, 1.0), point.step as u64, point.level(), row[1]);
         interrupted = reported.is_break();
         run.record.energies = Energies::at_rest(row[1]);
@@ -210,16 +210,8 @@ pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &
     match path.end {
         Ok(End::Stopped) if interrupted => Ended::Interrupted { time: 0.0, level },
         Ok(End::Reached | End::Stopped) => Ended::Done,
-        Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps, level, repair: MORE }),
+        Ok(End::Steps) => Ended::Diverged(Failure::Steps { steps: wanted.steps.get(), level, repair: MORE }),
         Err(cause) => Ended::Diverged(Failure::Balance { points: run.record.steps, level, cause, unit }),
-    }
-}
-
-fn branches(wanted: scene::Branches) -> Branches {
-    match wanted {
-        scene::Branches::Primary => Branches::Primary,
-        scene::Branches::Stable => Branches::Stable,
-        scene::Branches::StableReversed => Branches::StableReversed,
     }
 }
 

@@ -36,7 +36,8 @@ pub(crate) fn preload(
         Analysis::ArcLength(wanted) => (wanted.tolerance, wanted.iterations),
         _ => (usual.tolerance, usual.iterations),
     };
-    let options = options(Control::Load { step: 1.0, until: 1.0 }, &newton(tolerance, iterations));
+    let options =
+        options(Control::Load { step: 1.0, until: 1.0 }, &newton(tolerance.get(), iterations.get()));
     let mut internal = 0.0;
     let path = follow(system, &Start::default(), &options, |point, system| {
         // Every point is read: rotations are counted on from one reading to the next.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use implicit_statics::{Damping, EquilibriumError, Relaxation, RelaxationMemory, RelaxationOptions};
+use implicit_statics::{EquilibriumError, Relaxation, RelaxationMemory, RelaxationOptions};
 
 use super::breaking::{at_rest, note_breaches};
 use super::criticality::note_snap;
@@ -11,7 +11,7 @@ use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
 use crate::run::record::LevelSummary;
-use crate::scene::{self, RelaxationDamping};
+use crate::scene;
 
 /// Levels relaxed to, one after the other.
 pub(super) struct RelaxedLevels {
@@ -31,13 +31,10 @@ impl RelaxedLevels {
     /// From the start, or from where an earlier run stood.
     pub fn new(wanted: &scene::Relaxation, from: Option<Stage>) -> Self {
         let options = RelaxationOptions {
-            tolerance: wanted.tolerance,
-            force: wanted.force,
-            iterations: wanted.iterations,
-            damping: match wanted.damping {
-                RelaxationDamping::Kinetic => Damping::Kinetic,
-                RelaxationDamping::Rayleigh => Damping::Rayleigh,
-            },
+            tolerance: wanted.tolerance.get(),
+            force: wanted.force.get(),
+            iterations: wanted.iterations.get(),
+            damping: wanted.damping,
             ..RelaxationOptions::default()
         };
         let (found, memory) = match from {

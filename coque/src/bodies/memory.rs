@@ -1,8 +1,9 @@
 //! Memory: what a scene will need, held against what the machine has, before anything large is made.
 
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{
-    Analysis, BodyScene, Formulation, Geometry, Linear, LinearSolver, Reach, Scene, ShellScene, SolidScene,
+    Analysis, BodyScene, Formulation, Geometry, Linear, LinearSolver, Reach, ShellScene, SolidScene,
 };
 
 /// Memory for the program itself, its stacks and its results \[bytes\].
@@ -62,103 +63,101 @@ impl Memory {
     }
 }
 
-impl Scene {
-    /// Memory for so many particles, refused if the machine has less.
-    ///
-    /// # Errors
-    /// [`SceneError::Value`] at what sets the number of particles.
-    pub(crate) fn check_memory(&self, particles: f64) -> Result<Memory, SceneError> {
-        let memory = Memory { needed: self.memory(particles), available: available() };
-        let Some(available) = memory.available.filter(|&available| memory.needed > available) else {
-            return Ok(memory);
-        };
-        let key = match self.body() {
-            BodyScene::Solid(solid) => match solid.geometry.arc {
-                None => "block.spacing".into(),
-                Some(_) => "arc.cells".into(),
-            },
-            BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
-            BodyScene::Walls(walls) => walls.geometry.word().into(),
-            BodyScene::Shell(ShellScene { geometry, .. }) => {
-                let key = match geometry {
-                    Geometry::Mesh(_) => "file",
-                    _ if geometry.placing().scattered.is_some() => "scattered.spacing",
-                    _ => "particles",
-                };
-                format!("{}.{key}", geometry.word())
-            }
-        };
-        let value = format!("{particles:.0} particles, which need about {}", amount(memory.needed));
-        let bound = format!("few enough for the {} of memory that are free", amount(available));
-        let repair = match (&self.analysis, self.body()) {
-            (Analysis::Linear(Linear { solver: LinearSolver::Direct, .. }), BodyScene::Shell(_)) => {
-                "take fewer particles, analysis.linear.solver = \"conjugate-gradients\", or raise the limit of the process (ulimit -v, memory.max)"
-            }
-            _ => "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)",
-        };
-        Err(self.body_scope().value(&format!("geometry.{key}"), value, &bound, repair))
-    }
-
-    /// Particles that the geometry asks for; none before a mesh is read.
-    pub(crate) fn particles_asked(&self) -> Option<f64> {
-        if let Some([n1, n2]) = self.shell().geometry.particles() {
-            return Some(n1 as f64 * n2 as f64);
+/// Memory for so many particles, refused if the machine has less.
+///
+/// # Errors
+/// [`SceneError::Value`] at what sets the number of particles.
+pub(crate) fn check_memory(scene: &BodyInScene<'_>, particles: f64) -> Result<Memory, SceneError> {
+    let memory = Memory { needed: memory(scene.analysis, scene.body, particles), available: available() };
+    let Some(available) = memory.available.filter(|&available| memory.needed > available) else {
+        return Ok(memory);
+    };
+    let key = match scene.body {
+        BodyScene::Solid(solid) => match solid.geometry.arc {
+            None => "block.spacing".into(),
+            Some(_) => "arc.cells".into(),
+        },
+        BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
+        BodyScene::Walls(walls) => walls.geometry.word().into(),
+        BodyScene::Shell(ShellScene { geometry, .. }) => {
+            let key = match geometry {
+                Geometry::Mesh(_) => "file",
+                _ if geometry.placing().scattered.is_some() => "scattered.spacing",
+                _ => "particles",
+            };
+            format!("{}.{key}", geometry.word())
         }
-        let spacing = self.shell().geometry.placing().scattered?.spacing;
-        let area = match &self.shell().geometry {
-            Geometry::Plate(plate) => plate.lengths[0] * plate.lengths[1],
-            Geometry::Cylinder(c) => c.radius * (c.angles[1] - c.angles[0]).to_radians() * c.length,
-            Geometry::Sphere(s) => {
-                let [top, bottom] = s.polar.map(|angle| libm::cos(angle.to_radians()));
-                s.radius * s.radius * (top - bottom) * (s.azimuth[1] - s.azimuth[0]).to_radians()
-            }
-            Geometry::Twisted(s) => s.length * s.width,
-            Geometry::Mesh(_) => return None,
-        };
-        // More than any scene may have is refused where particles are placed, in the same words everywhere.
-        Some((area / (spacing * spacing)).abs()).filter(|&particles| particles <= MOST_PARTICLES)
-    }
-
-    fn multigrid(&self) -> f64 {
-        match &self.shell().formulation {
-            Formulation::StressPoint(f) if f.support == Reach::Cell => MULTIGRID,
-            _ => KERNEL_MULTIGRID,
+    };
+    let value = format!("{particles:.0} particles, which need about {}", amount(memory.needed));
+    let bound = format!("few enough for the {} of memory that are free", amount(available));
+    let repair = match (scene.analysis, scene.body) {
+        (Analysis::Linear(Linear { solver: LinearSolver::Direct, .. }), BodyScene::Shell(_)) => {
+            "take fewer particles, analysis.linear.solver = \"conjugate-gradients\", or raise the limit of the process (ulimit -v, memory.max)"
         }
-    }
-
-    /// Greatest memory of such a run \[bytes\].
-    pub(crate) fn memory(&self, particles: f64) -> f64 {
-        let (each, factor) = match self.body() {
-            BodyScene::Shell(shell) => memory_of_shell(shell),
-            BodyScene::Solid(solid) => memory_of_solid(solid),
-            BodyScene::Fluid(_) | BodyScene::Walls(_) => (FLUID, 0.0),
-        };
-        let factor = match &self.analysis {
-            Analysis::Explicit(_) => 0.0,
-            Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }) => self.multigrid(),
-            _ => factor * libm::log2(particles.max(2.0)),
-        };
-        PROGRAM + particles * (each + factor)
-    }
+        _ => "take fewer particles, or raise the limit of the process (ulimit -v, memory.max)",
+    };
+    Err(scene.body_scope().value(&format!("geometry.{key}"), value, &bound, repair))
 }
 
-/// Greatest memory of a particle of a shell, and of its share of a tangent \[bytes\].
-fn memory_of_shell(shell: &ShellScene) -> (f64, f64) {
-    let (each, factor) = match &shell.formulation {
-        Formulation::StressPoint(f) if f.support == Reach::Cell => (CELLS, FACTOR),
-        _ => (CELLS + KERNEL, KERNEL_FACTOR),
+/// Particles that the geometry asks for; none before a mesh is read.
+pub(crate) fn particles_asked(geometry: &Geometry) -> Option<f64> {
+    if let Some([n1, n2]) = geometry.particles() {
+        return Some(n1 as f64 * n2 as f64);
+    }
+    let spacing = geometry.placing().scattered?.spacing;
+    let area = match geometry {
+        Geometry::Plate(plate) => plate.lengths[0].get() * plate.lengths[1].get(),
+        Geometry::Cylinder(c) => c.radius.get() * (c.angles[1] - c.angles[0]).to_radians() * c.length.get(),
+        Geometry::Sphere(s) => {
+            let [top, bottom] = s.polar.map(|angle| libm::cos(angle.to_radians()));
+            s.radius.get() * s.radius.get() * (top - bottom) * (s.azimuth[1] - s.azimuth[0]).to_radians()
+        }
+        Geometry::Twisted(s) => s.length.get() * s.width.get(),
+        Geometry::Mesh(_) => return None,
+    };
+    // More than any scene may have is refused where particles are placed, in the same words everywhere.
+    Some((area / (spacing.get() * spacing.get())).abs()).filter(|&particles| particles <= MOST_PARTICLES)
+}
+
+/// Greatest memory of such a run \[bytes\].
+pub(crate) fn memory(analysis: &Analysis, body: &BodyScene, particles: f64) -> f64 {
+    let Shares { each, factor, multigrid } = match body {
+        BodyScene::Shell(shell) => shares_of_shell(shell),
+        BodyScene::Solid(solid) => shares_of_solid(solid),
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => Shares { each: FLUID, ..Shares::default() },
+    };
+    let solver = match analysis {
+        Analysis::Explicit(_) => 0.0,
+        Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }) => multigrid,
+        _ => factor * libm::log2(particles.max(2.0)),
+    };
+    PROGRAM + particles * (each + solver)
+}
+
+/// Greatest memory of a particle \[bytes\]: of itself, of its share of a factor, and of its share of multigrid, which shells alone have.
+#[derive(Default)]
+struct Shares {
+    each: f64,
+    factor: f64,
+    multigrid: f64,
+}
+
+fn shares_of_shell(shell: &ShellScene) -> Shares {
+    let (each, factor, multigrid) = match &shell.formulation {
+        Formulation::StressPoint(f) if f.support == Reach::Cell => (CELLS, FACTOR, MULTIGRID),
+        _ => (CELLS + KERNEL, KERNEL_FACTOR, KERNEL_MULTIGRID),
     };
     let placing = shell.geometry.placing();
     let lattice = placing.particles.is_some() && placing.disorder.is_none();
-    (if lattice { each } else { each + DISORDER }, factor)
+    Shares { each: if lattice { each } else { each + DISORDER }, factor, multigrid }
 }
 
-/// Greatest memory of a node of a solid, and of its share of a tangent \[bytes\].
-fn memory_of_solid(solid: &SolidScene) -> (f64, f64) {
+fn shares_of_solid(solid: &SolidScene) -> Shares {
     if let Some(galerkin) = solid.galerkin() {
         let near = galerkin.neighbours();
-        let points = (galerkin.gauss as f64).powi(3);
-        return (points * (GAUSS + SHAPE * near), BLOCK * 8.0 * near);
+        let points = (galerkin.gauss.get() as f64).powi(3);
+        let each = points * (GAUSS + SHAPE * near);
+        return Shares { each, factor: BLOCK * 8.0 * near, ..Shares::default() };
     }
     let reach = solid.formulation.horizon() + 0.5;
     let within = |reach: f64| match solid.dimensions() {
@@ -166,7 +165,8 @@ fn memory_of_solid(solid: &SolidScene) -> (f64, f64) {
         _ => 4.0 / 3.0 * std::f64::consts::PI * reach.powi(3),
     };
     // A node feels the families of its neighbours: blocks of the tangent go twice as far.
-    (NODE + BOND * within(reach), BLOCK * within(2.0 * reach))
+    let each = NODE + BOND * within(reach);
+    Shares { each, factor: BLOCK * within(2.0 * reach), ..Shares::default() }
 }
 
 /// An amount of memory for people.

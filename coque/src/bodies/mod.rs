@@ -6,7 +6,7 @@
 //! | a body with its task, ready to run | `model.rs` |
 //! | columns of the curve | `probe.rs` |
 //! | what fields show of it | `shown.rs` |
-//! | which kind is built, what all kinds refuse | `build.rs` |
+//! | which kind is built; what all kinds refuse | `build.rs`; `refusal.rs` |
 //! | what loads and supports amount to | `resultants.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
@@ -21,9 +21,10 @@ mod figures;
 mod fluid;
 mod galerkin;
 mod imperfect;
-mod memory;
+pub(crate) mod memory;
 pub(crate) mod model;
 pub(crate) mod probe;
+mod refusal;
 mod resultants;
 mod rigid;
 mod sampled;

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use sph_core::{Cloud, EndWeights, Lattice, Side, Vec3};
 
+use crate::scene::Region;
+use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::sets::BUILT_IN;
-use crate::scene::{Region, Scene};
 
 /// The particle sets of a cloud, by name.
 #[derive(Clone, Debug)]
@@ -17,7 +18,7 @@ pub(crate) struct Sets {
 impl Sets {
     /// Finds every set that the scene uses or declares; `cloud` is not rotated yet, `brought` are those of its file.
     pub(crate) fn find(
-        scene: &Scene,
+        scene: &ShellInScene<'_>,
         cloud: &Cloud,
         brought: Option<BTreeMap<String, Vec<u32>>>,
     ) -> Result<Self, SceneError> {
@@ -33,19 +34,19 @@ impl Sets {
             if particles.is_empty() {
                 return Err(empty(scene, name, &cloud.positions));
             }
-            members.insert(name.clone(), particles);
+            members.insert((*name).into(), particles);
         }
         Ok(Self { members })
     }
 
     /// Particles of the set that the scene names at `path`.
-    pub(crate) fn at(&self, scene: &Scene, path: &str, name: &str) -> Result<&[u32], SceneError> {
+    pub(crate) fn at(&self, scene: &ShellInScene<'_>, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {
-            if scene.shell().geometry.mesh().is_some() {
+            if scene.shell.geometry.mesh().is_some() {
                 return no_such_set(scene, path, name, &Vec::from_iter(self.members.keys()));
             }
             let (direction, i) = if name == "centre-row" { ("v", 1) } else { ("u", 0) };
-            let (bound, repair) = match scene.shell().geometry.particles() {
+            let (bound, repair) = match scene.shell.geometry.particles() {
                 Some(counts) => (
                     format!("but there is no middle one among {} particles along {direction}", counts[i]),
                     format!("use an odd number of particles along {direction}"),
@@ -117,7 +118,7 @@ pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u
     }
     if let Some(plane) = region.plane {
         let normal = Vec3::from(plane.normal).normalize();
-        let within = plane.within.unwrap_or(1e-3 * spacing);
+        let within = plane.within.map_or(1e-3 * spacing, |within| within.get());
         let on = |x: &Vec3| (x - Vec3::from(plane.point)).dot(&normal).abs() <= within;
         return numbered().filter(|(_, x)| on(x)).map(|(a, _)| a).collect();
     }
@@ -129,9 +130,9 @@ pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u
 }
 
 /// Refusal of a declared set without particles.
-pub(super) fn empty(scene: &Scene, name: &str, positions: &[Vec3]) -> SceneError {
+pub(super) fn empty(scene: &BodyInScene<'_>, name: &str, positions: &[Vec3]) -> SceneError {
     let [least, greatest] = [f64::min, f64::max].map(|pick| corner(positions, pick));
-    let repair = format!("the {} lies between {least} and {greatest}", scene.body().word());
+    let repair = format!("the {} lies between {least} and {greatest}", scene.body.word());
     let bound = "its region holds no particle";
     SceneError::Set(scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair))
 }
@@ -169,7 +170,7 @@ pub(crate) fn edge(
 }
 
 /// Refusal of a set that neither the file nor the scene has.
-fn no_such_set(scene: &Scene, path: &str, name: &str, known: &[&String]) -> SceneError {
+fn no_such_set(scene: &ShellInScene<'_>, path: &str, name: &str, known: &[&String]) -> SceneError {
     let known: Vec<&str> = known.iter().map(|name| name.as_str()).collect();
     let mut repair = crate::scene::source::suggest(name, &known);
     if BUILT_IN.contains(&name) {

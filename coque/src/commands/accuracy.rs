@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use coque::Scene;
+use coque::Checked;
 use coque::accuracy::{Asked, ClimbError, Forecast, Ladder, Needed};
 
 use super::bar::clock;
@@ -29,7 +29,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the lattices and prints what they tell.
-pub fn carry_out(scene: &Scene, accuracy: f64, within: f64, threads: usize) -> Result<(), Refused> {
+pub fn carry_out(scene: &Checked, accuracy: f64, within: f64, threads: usize) -> Result<(), Refused> {
     let asked = Asked { accuracy, within: Duration::from_secs_f64(within), lattices: LATTICES, threads };
     let reported = scene.forecast(&asked, &mut |method, rung| {
         say(&format!("{method}: {} in {}", rung.lattice, time(rung.seconds)));

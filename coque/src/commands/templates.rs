@@ -152,7 +152,7 @@ fn write_new(file: &Path, text: &str) -> Result<(), Refused> {
 
 /// Name and title of each template.
 fn templates() -> String {
-    let title = |text| Scene::parse(text, "template").map_or(String::new(), |scene| scene.title);
+    let title = |text| Scene::parse(text, "template").map_or(String::new(), |scene| scene.title.clone());
     table(TEMPLATES.iter().map(|(name, text)| (name.to_string(), title(text))))
 }
 

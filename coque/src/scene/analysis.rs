@@ -1,10 +1,12 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
+pub use explicit_dynamics::Damping;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::levels::Levels;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
+use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 
 /// How to find answers; exactly one of the tables is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -32,7 +34,7 @@ pub enum Analysis {
 pub struct Explicit {
     /// Fraction of the stable step \[–\].
     #[serde(default = "usual_safety")]
-    pub safety: f64,
+    pub safety: Safety,
     /// Equilibria along a load path, by damped marching: ramp, then hold until the motion has died.
     pub quasi_static: Option<QuasiStatic>,
     /// Motion in real time.
@@ -46,36 +48,26 @@ pub struct QuasiStatic {
     /// Load levels to stop at.
     pub levels: Levels,
     /// Period of the lowest mode that the loads excite \[T\]; left out, it is found on the way.
-    pub period: Option<f64>,
+    pub period: Option<Positive>,
     /// Ramp to each level, in periods.
     #[serde(default = "usual_ramp")]
-    pub ramp: f64,
+    pub ramp: Positive,
     /// Longest hold, in periods.
     #[serde(default = "usual_hold")]
-    pub hold: f64,
+    pub hold: Positive,
     /// How the motion dies.
-    #[serde(default)]
+    #[serde(default = "critical")]
     pub damping: Damping,
     /// The motion has died when kinetic over internal energy falls below this \[–\].
     #[serde(default = "usual_tolerance")]
-    pub tolerance: f64,
+    pub tolerance: Rest,
     /// … and when no more than this share of the answer is missing: force out of balance over load, remaining displacement over
     /// displacement \[–\].
     #[serde(default = "usual_accuracy")]
-    pub accuracy: f64,
+    pub accuracy: Missing,
     /// Whether the negative pivots of the tangent are counted at settled levels; left out, where that costs less than 1 %
     /// of the run or a tenth of a second.
     pub stability: Option<bool>,
-}
-
-/// How a quasi-static run comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Damping {
-    /// Mass-proportional, this fraction of critical for the lowest mode \[–\].
-    Ratio(f64),
-    /// Velocities are stopped whenever the kinetic energy passes a peak.
-    Kinetic,
 }
 
 /// A run in real time.
@@ -83,39 +75,37 @@ pub enum Damping {
 #[serde(deny_unknown_fields)]
 pub struct Transient {
     /// Length of the run \[T\].
-    pub duration: f64,
+    pub duration: Positive,
     /// Time between rows of the curve \[T\].
-    pub record_every: f64,
+    pub record_every: Positive,
     /// Mass-proportional damping \[1/T\].
     #[serde(default)]
-    pub damping: f64,
+    pub damping: NotNegative,
 }
 
-impl Default for Damping {
-    fn default() -> Self {
-        Self::Ratio(1.0)
-    }
+fn critical() -> Damping {
+    Damping::Ratio(1.0)
 }
 
 /// The stable step is an estimate from below 1 % sharp; membrane stiffening takes the rest.
-fn usual_safety() -> f64 {
-    0.8
+fn usual_safety() -> Safety {
+    Safety::usual(0.8)
 }
 
-fn usual_ramp() -> f64 {
-    1.0
+fn usual_ramp() -> Positive {
+    Positive::usual(1.0)
 }
 
 /// Long enough for the slow modes near a limit point.
-fn usual_hold() -> f64 {
-    8.0
+fn usual_hold() -> Positive {
+    Positive::usual(8.0)
 }
 
-fn usual_tolerance() -> f64 {
-    1e-8
+fn usual_tolerance() -> Rest {
+    Rest::usual(1e-8)
 }
 
 /// Half of the 1 % that an answer may be off: what the softness of a few modes at once hides is less than as much again.
-fn usual_accuracy() -> f64 {
-    5e-3
+fn usual_accuracy() -> Missing {
+    Missing::usual(5e-3)
 }

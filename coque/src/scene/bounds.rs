@@ -1,19 +1,13 @@
 //! Bounds on single numbers and vectors of a scene, each with its repair.
 
-use super::error::SceneError;
+use super::bounded::{GREATEST, LEAST};
+use super::error::{SceneError, Verdict};
 use super::scope::Scope;
 use super::source::suggest;
 
-type Checked = Result<(), SceneError>;
-
-/// Beyond these, products of five numbers leave the range of `f64`. Inside lie the densities, F T²/L⁴, that units of length,
-/// force and time nine powers of ten away ask for.
-const LEAST: f64 = 1e-60;
-const GREATEST: f64 = 1e60;
-
 impl Scope<'_> {
     /// Positive, and of a size that arithmetic can hold.
-    pub(crate) fn positive(&self, path: &str, x: f64) -> Checked {
+    pub(crate) fn positive(&self, path: &str, x: f64) -> Verdict {
         if x > 0.0 {
             return self.sized(path, x);
         }
@@ -21,7 +15,7 @@ impl Scope<'_> {
     }
 
     /// Zero, or of a size that arithmetic can hold.
-    pub(crate) fn sized(&self, path: &str, x: f64) -> Checked {
+    pub(crate) fn sized(&self, path: &str, x: f64) -> Verdict {
         if x == 0.0 || (LEAST..=GREATEST).contains(&x.abs()) {
             return Ok(());
         }
@@ -30,12 +24,12 @@ impl Scope<'_> {
     }
 
     /// Each component of a size that arithmetic can hold.
-    pub(crate) fn sized_all(&self, path: &str, v: &[f64]) -> Checked {
+    pub(crate) fn sized_all(&self, path: &str, v: &[f64]) -> Verdict {
         v.iter().enumerate().try_for_each(|(i, &x)| self.sized(&format!("{path}[{i}]"), x))
     }
 
     /// Not below zero.
-    pub(crate) fn not_negative(&self, path: &str, x: f64) -> Checked {
+    pub(crate) fn not_negative(&self, path: &str, x: f64) -> Verdict {
         if x >= 0.0 {
             return self.sized(path, x);
         }
@@ -43,7 +37,7 @@ impl Scope<'_> {
     }
 
     /// Strictly between two numbers.
-    pub(crate) fn between(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Checked {
+    pub(crate) fn between(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Verdict {
         if low < x && x < high {
             return Ok(());
         }
@@ -51,7 +45,7 @@ impl Scope<'_> {
     }
 
     /// From one number to another, both included.
-    pub(crate) fn within(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Checked {
+    pub(crate) fn within(&self, path: &str, x: f64, [low, high]: [f64; 2], repair: &str) -> Verdict {
         if low <= x && x <= high {
             return Ok(());
         }
@@ -59,7 +53,7 @@ impl Scope<'_> {
     }
 
     /// A vector with a direction.
-    pub(crate) fn direction(&self, path: &str, v: [f64; 3]) -> Checked {
+    pub(crate) fn direction(&self, path: &str, v: [f64; 3]) -> Verdict {
         self.sized_all(path, &v)?;
         if v != [0.0; 3] {
             return Ok(());
@@ -69,7 +63,7 @@ impl Scope<'_> {
     }
 
     /// First and last of a range, in this order.
-    pub(crate) fn range(&self, path: &str, [first, last]: [f64; 2], widest: f64) -> Checked {
+    pub(crate) fn range(&self, path: &str, [first, last]: [f64; 2], widest: f64) -> Verdict {
         if first < last && last - first < widest {
             return Ok(());
         }
@@ -79,7 +73,7 @@ impl Scope<'_> {
     }
 
     /// One of a list of words.
-    pub(crate) fn word(&self, path: &str, word: &str, known: &[&str]) -> Checked {
+    pub(crate) fn word(&self, path: &str, word: &str, known: &[&str]) -> Verdict {
         if known.contains(&word) {
             return Ok(());
         }
@@ -89,7 +83,7 @@ impl Scope<'_> {
     }
 
     /// Exactly one of several alternative keys.
-    pub(crate) fn exactly_one(&self, path: &str, what: &str, given: &[&str], known: &[&str]) -> Checked {
+    pub(crate) fn exactly_one(&self, path: &str, what: &str, given: &[&str], known: &[&str]) -> Verdict {
         if given.len() == 1 {
             return Ok(());
         }

@@ -1,5 +1,6 @@
 //! How a fluid and structures take turns.
 
+pub use explicit_dynamics::Order as CouplingOrder;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -11,17 +12,6 @@ pub struct Coupling {
     pub order: CouplingOrder,
     /// Whether the load on a wet face follows its velocity within a step, as the pressure of a plane wave.
     pub impedance: bool,
-}
-
-/// Who goes first through a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CouplingOrder {
-    /// The structures: the fluid follows their velocity over the step.
-    #[default]
-    StructureFirst,
-    /// The fluid, with the velocity of the step before: the published order, which feeds energy into light structures.
-    FluidFirst,
 }
 
 impl Default for Coupling {

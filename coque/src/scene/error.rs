@@ -29,6 +29,9 @@ pub struct Fault {
     pub place: Place,
 }
 
+/// What a check says.
+pub(crate) type Verdict = Result<(), SceneError>;
+
 /// Why a scene was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {

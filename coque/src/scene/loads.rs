@@ -1,11 +1,12 @@
 //! Loads, each on a named set of particles.
 
+use explicit_dynamics::Amplitude;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use super::amplitude::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// A load: exactly one kind is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -89,7 +90,7 @@ pub struct Traction {
     pub value: [f64; 3],
     /// Depth of the layer under the face over which it is spread by volume, of nodes with bonds \[L\]; left out, it acts on the
     /// outermost nodes.
-    pub depth: Option<f64>,
+    pub depth: Option<Positive>,
 }
 
 /// The one kind of a [`Load`].

@@ -1,12 +1,14 @@
 //! A scene: a problem as plain, validated data.
 
 mod absent;
-mod amplitude;
 mod analysis;
 mod analysis_kind;
+pub(crate) mod body_in_scene;
+pub mod bounded;
 mod bounds;
 pub(crate) mod catalogue;
 mod check;
+mod checked;
 mod compatibility;
 mod coupling;
 mod curve;
@@ -28,7 +30,6 @@ pub(crate) mod schema;
 pub(crate) mod scope;
 pub(crate) mod sets;
 mod shell;
-pub(crate) mod single_body;
 pub(crate) mod solid;
 pub(crate) mod source;
 mod statics;
@@ -38,12 +39,13 @@ pub(crate) mod units;
 mod velocity;
 mod walls;
 
-pub use amplitude::Amplitude;
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind};
+pub use checked::Checked;
 pub use coupling::{Coupling, CouplingOrder};
 pub(crate) use curve::mean_of;
 pub use curve::{Measured, Probe, ShellFace, Take, Through};
+pub use explicit_dynamics::Amplitude;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
@@ -81,7 +83,7 @@ pub use statics::{
     ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
     RelaxationDamping, Static, Stop,
 };
-pub use supports::{Diaphragm, Fixed, Held, Moved, Rotated, Spring, Support, SupportKind, Symmetry, Turned};
+pub use supports::*;
 pub use velocity::{Spin, Velocity};
 pub use walls::{
     Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::Positive;
+
 /// Further results.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -12,7 +14,7 @@ pub struct Output {
     /// Frames for ParaView, in the folder `fields`.
     pub fields: Option<Fields>,
     /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
-    pub checkpoint_every: Option<f64>,
+    pub checkpoint_every: Option<Positive>,
 }
 
 /// Which frames are written, and what stands in them beside the motion of the particles.

@@ -9,7 +9,6 @@ use super::analysis::Analysis;
 use super::coupling::Coupling;
 use super::curve::Probe;
 use super::fluid::FluidScene;
-use super::imperfection::Imperfection;
 use super::loads::Load;
 use super::output::Output;
 use super::scope::Scope;
@@ -24,7 +23,6 @@ use super::walls::WallsScene;
 
 /// A problem: bodies, conditions, analysis, and what to record.
 ///
-/// A `Scene` in hand has passed every check that needs no particles; [`Scene::build`] makes the others.
 /// Dimensions are in the scene's own units.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -97,38 +95,19 @@ impl BodyScene {
 }
 
 impl Scene {
-    /// The one body, by name, of several the first: the checks leave no scene without.
-    ///
-    /// # Panics
-    /// If `bodies` has been emptied since.
-    fn named_body(&self) -> (&String, &BodyScene) {
-        self.bodies.first_key_value().expect("a checked scene has a body")
-    }
-
-    /// The one body; of several the first by name.
-    pub fn body(&self) -> &BodyScene {
-        self.named_body().1
-    }
-
-    /// Name of the body; `shell` where the scene does not give one.
-    pub fn body_name(&self) -> &str {
-        self.named_body().0
-    }
-
-    /// The shell, if the body is one.
+    /// The shell, if the one body is one; of several the first by name.
     pub fn as_shell(&self) -> Option<&ShellScene> {
-        match self.body() {
-            BodyScene::Shell(shell) => Some(shell),
-            _ => None,
-        }
+        if let Some(BodyScene::Shell(shell)) = self.bodies.values().next() { Some(shell) } else { None }
     }
 
-    /// The solid, if the body is one.
+    /// The solid, if the one body is one; of several the first by name.
     pub fn as_solid(&self) -> Option<&SolidScene> {
-        match self.body() {
-            BodyScene::Solid(solid) => Some(solid),
-            _ => None,
-        }
+        if let Some(BodyScene::Solid(solid)) = self.bodies.values().next() { Some(solid) } else { None }
+    }
+
+    /// Whether bodies are built together: a fluid with its walls and the structures in it.
+    pub(crate) fn is_coupled(&self) -> bool {
+        self.bodies.len() > 1 || self.fluid().is_some()
     }
 
     /// Whether all bodies lie in a plane and none has a thickness of its own: forces and energies are then those of a unit of depth.
@@ -144,15 +123,6 @@ impl Scene {
         })
     }
 
-    /// The deflection of the one body before it is strained.
-    pub(crate) fn imperfection(&self) -> Option<Imperfection> {
-        match self.body() {
-            BodyScene::Shell(shell) => shell.imperfection,
-            BodyScene::Solid(solid) => solid.imperfection,
-            BodyScene::Fluid(_) | BodyScene::Walls(_) => None,
-        }
-    }
-
     /// The fluid with its name, of whatever other bodies there are.
     pub fn fluid(&self) -> Option<(&str, &FluidScene)> {
         self.bodies.iter().find_map(|(name, body)| match body {
@@ -161,33 +131,10 @@ impl Scene {
         })
     }
 
-    /// The shell of a scene that is known to have one.
-    ///
-    /// # Panics
-    /// If the body is of another kind; [`Scene::as_shell`] asks.
-    pub fn shell(&self) -> &ShellScene {
-        self.as_shell().expect("the body is a shell")
-    }
-
-    /// The same, to change it; [`Scene::build`] checks it anew.
-    ///
-    /// # Panics
-    /// If the body is of another kind.
-    pub fn shell_mut(&mut self) -> &mut ShellScene {
-        match self.bodies.values_mut().next() {
-            Some(BodyScene::Shell(shell)) => shell,
-            _ => panic!("the body is a shell"),
-        }
-    }
-
-    /// Number of the support whose motion is all that drives an analysis that seeks the force along it.
-    ///
-    /// That it acts on one particle is known only after building; on more their displacement is prescribed.
-    pub(crate) fn sole_motion(&self) -> Option<usize> {
-        let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
-        let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
-        let alone = self.loads.is_empty() && motions.next().is_none();
-        first.filter(|_| alone && self.analysis.kind().seeks_force)
+    /// Bodies that a fluid wets.
+    pub(crate) fn structures(&self) -> impl Iterator<Item = (&str, &BodyScene)> {
+        let wet = |body: &BodyScene| matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
+        self.bodies.iter().filter(move |(_, body)| wet(body)).map(|(name, body)| (name.as_str(), body))
     }
 
     /// Takes the name of the one body off the sets that are named with it: `strip.u1` becomes `u1`.
@@ -207,11 +154,5 @@ impl Scene {
     /// Where the keys of the scene stand.
     pub(crate) fn scope(&self) -> Scope<'_> {
         self.source.scope("")
-    }
-
-    /// Where the keys of the body stand.
-    pub(crate) fn body_scope(&self) -> Scope<'_> {
-        let (name, body) = self.named_body();
-        self.source.body(name, body.word())
     }
 }

@@ -4,6 +4,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::DeTable;
 
+use super::checked::Checked;
 use super::error::SceneError;
 use super::problem::Scene;
 use super::source::Source;
@@ -14,7 +15,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError`] for the first thing that is wrong.
-    pub fn parse(text: &str, origin: &str) -> Result<Self, SceneError> {
+    pub fn parse(text: &str, origin: &str) -> Result<Checked, SceneError> {
         Self::with_overrides(text, origin, &[])
     }
 
@@ -30,7 +31,7 @@ impl Scene {
         text: &str,
         origin: &str,
         replaced: &[(String, String)],
-    ) -> Result<Self, SceneError> {
+    ) -> Result<Checked, SceneError> {
         let document = overrides::shown(text, replaced);
         let mut source = Source::new(origin, &document);
         let whole = source.text();
@@ -44,7 +45,6 @@ impl Scene {
             Self::deserialize(toml::de::Deserializer::from(table)).map_err(|e| source.refusal(&e))?;
         scene.source = source;
         scene.drop_body_names();
-        scene.check()?;
-        Ok(scene)
+        scene.check()
     }
 }

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::Positive;
+
 /// Sets that every shell has.
 pub(crate) const BUILT_IN: [&str; 11] =
     ["all", "u0", "u1", "v0", "v1", "u0v0", "u1v0", "u0v1", "u1v1", "centre-row", "centre-column"];
@@ -43,7 +45,7 @@ pub struct Layer {
     /// The face, one of `x0`, `x1`, `y0`, `y1`, `z0`, `z1`.
     pub face: String,
     /// Its depth from the face \[L\].
-    pub depth: f64,
+    pub depth: Positive,
 }
 
 /// Axis-parallel box.
@@ -65,5 +67,5 @@ pub struct OnPlane {
     /// Its normal; the length does not matter.
     pub normal: [f64; 3],
     /// Greatest distance from the plane \[L\]; a thousandth of the spacing without.
-    pub within: Option<f64>,
+    pub within: Option<Positive>,
 }

@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::absent::{Absent, absent};
+use super::bounded::MARK;
 use super::error::{Fault, Place, SceneError};
 use super::nearest::nearest;
 
@@ -29,38 +30,17 @@ pub struct Source {
     origin: Arc<str>,
     text: Arc<str>,
     entries: BTreeMap<String, Entry>,
-    /// Of the scene of one body among several: its items with their places in the text, such as `supports[0]` at `supports[3]`.
-    renumbered: Option<BTreeMap<String, String>>,
 }
 
 impl Source {
     /// A text of which nothing is known yet.
     pub(crate) fn new(origin: &str, text: &str) -> Self {
-        Self { origin: origin.into(), text: text.into(), entries: BTreeMap::new(), renumbered: None }
+        Self { origin: origin.into(), text: text.into(), entries: BTreeMap::new() }
     }
 
     /// No text at all.
     pub(crate) fn none() -> Self {
         Self::new("", "")
-    }
-
-    /// The same text for a part of its scene, some of whose items have other numbers in the text.
-    pub(super) fn renumbered(&self, renumbered: BTreeMap<String, String>) -> Self {
-        Self { renumbered: Some(renumbered), ..self.clone() }
-    }
-
-    /// Whether this is the text of a scene of several bodies, and stands for one of them.
-    pub(crate) fn is_part(&self) -> bool {
-        self.renumbered.is_some()
-    }
-
-    /// The path in the text of a path in the part of a scene that this stands for.
-    fn in_text(&self, path: &str) -> String {
-        let end = path.find(']').map_or(path.len(), |end| end + 1);
-        match self.renumbered.as_ref().and_then(|items| items.get(&path[..end])) {
-            Some(item) => format!("{item}{}", &path[end..]),
-            None => path.into(),
-        }
     }
 
     /// Notes the place of everything in a document; refuses numbers that are not finite.
@@ -136,9 +116,14 @@ impl Source {
 
     /// Everything that a refusal of the value at `path` carries.
     pub(crate) fn fault(&self, path: &str, value: &str, bound: &str, repair: &str) -> Box<Fault> {
-        let key = self.in_text(path);
-        let place = self.place(&key);
-        Box::new(Fault { key, value: value.into(), bound: bound.into(), repair: repair.into(), place })
+        let place = self.place(path);
+        Box::new(Fault {
+            key: path.into(),
+            value: value.into(),
+            bound: bound.into(),
+            repair: repair.into(),
+            place,
+        })
     }
 
     /// Refusal of a value.
@@ -177,6 +162,8 @@ impl Source {
                 false => "keep one of the alternatives, such as [material.elastic]".to_string(),
             };
             SceneError::Choice(fault(key, "none or several tables".into(), bound, repair))
+        } else if let [_, value, bound, repair] = Vec::from_iter(message.split(MARK))[..] {
+            SceneError::Value(fault(key, value.into(), bound.into(), repair.into()))
         } else if let Some((found, expected)) = mismatch(message) {
             let repair = format!("write {expected} here");
             SceneError::Type(fault(key, found, expected, repair))

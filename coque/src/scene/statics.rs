@@ -1,9 +1,14 @@
 //! Analyses without time: the linear answer, equilibria at levels, paths by arc length, vibration and buckling modes.
 
+pub use implicit_statics::{Branches, Damping as RelaxationDamping, Prebuckling, Sign as LevelSign};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::levels::Levels;
+use crate::scene::bounded::{
+    GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
+    Residual, Steps,
+};
 
 /// Equilibria at load levels, by Newton's method.
 ///
@@ -15,10 +20,10 @@ pub struct Static {
     pub levels: Levels,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "usual_tolerance")]
-    pub tolerance: f64,
+    pub tolerance: Residual,
     /// Iterations allowed before the way to a level is cut in halves.
     #[serde(default = "usual_iterations")]
-    pub iterations: usize,
+    pub iterations: Iterations,
     /// Makes one linear answer of each level and lets what is out of balance go into the next; how far each is from its equilibrium is reported.
     /// For comparison with incremental schemes that do not iterate. `tolerance` and `iterations` then count for a preload alone.
     #[serde(default)]
@@ -33,7 +38,7 @@ pub struct Linear {
     #[serde(default)]
     pub solver: LinearSolver,
     /// Iterations allowed to conjugate gradients; left out, 5000.
-    pub iterations: Option<usize>,
+    pub iterations: Option<GradientIterations>,
 }
 
 /// How a linear answer is solved.
@@ -55,38 +60,24 @@ pub enum LinearSolver {
 #[serde(deny_unknown_fields)]
 pub struct ArcLength {
     /// Largest level, met exactly.
-    pub until: Option<f64>,
+    pub until: Option<Positive>,
     /// A column of the curve that ends the path.
     pub stop: Option<Stop>,
     /// First step: what a linear answer to this part of the full load (or of `by`) would be \[–\].
     #[serde(default = "usual_radius")]
-    pub radius: f64,
+    pub radius: Positive,
     /// Steps allowed.
     #[serde(default = "usual_steps")]
-    pub steps: usize,
+    pub steps: Steps,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "usual_tolerance")]
-    pub tolerance: f64,
+    pub tolerance: Residual,
     /// Iterations allowed before a step is cut in halves.
     #[serde(default = "usual_iterations")]
-    pub iterations: usize,
+    pub iterations: Iterations,
     /// Which branch is taken where the path bifurcates.
     #[serde(default)]
     pub branches: Branches,
-}
-
-/// Which branch of equilibria a path takes at a bifurcation.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Branches {
-    /// The one it is on: a perfect body stays flat or straight beyond its critical load.
-    #[default]
-    Primary,
-    /// Where a stable path loses its stability in one mode, the branch that leaves it along the mode: the body buckles without an
-    /// imperfection. Limit points are passed, and unstable paths stay on their branch.
-    Stable,
-    /// The same branch to the other side, against the mode.
-    StableReversed,
 }
 
 /// Ends a path when a column of its curve exceeds a bound.
@@ -109,27 +100,16 @@ pub struct Relaxation {
     pub levels: Levels,
     /// Residual over load at which an equilibrium counts as found \[–\].
     #[serde(default = "relaxed")]
-    pub tolerance: f64,
+    pub tolerance: RelaxedResidual,
     /// Residual that is small enough at any level, whatever the load; of the two bounds the greater counts \[F\].
     #[serde(default)]
-    pub force: f64,
+    pub force: NotNegative,
     /// How the motion dies.
     #[serde(default)]
     pub damping: RelaxationDamping,
     /// Iterations allowed to a level.
     #[serde(default = "usual_relaxation")]
-    pub iterations: usize,
-}
-
-/// How a relaxation comes to rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum RelaxationDamping {
-    /// The motion is stopped whenever its kinetic energy passes a peak.
-    #[default]
-    Kinetic,
-    /// Mass-proportional, near critical for the lowest frequency that the motion shows.
-    Rayleigh,
+    pub iterations: RelaxationIterations,
 }
 
 /// Modes of free vibration of the unloaded shell, or of the preloaded one; `moved` supports stand still.
@@ -139,7 +119,7 @@ pub enum RelaxationDamping {
 #[serde(deny_unknown_fields)]
 pub struct Modal {
     /// Number of modes, the lowest ones.
-    pub modes: usize,
+    pub modes: Modes,
 }
 
 /// Buckling levels, linearised about the unloaded shell, or about the preloaded one: `(K + μ K_g) φ = 0`.
@@ -147,37 +127,13 @@ pub struct Modal {
 #[serde(deny_unknown_fields)]
 pub struct Buckling {
     /// Number of modes, those of the levels nearest to zero.
-    pub modes: usize,
+    pub modes: Modes,
     /// On which side of zero the levels lie.
     #[serde(default)]
     pub sign: LevelSign,
     /// What K_g = dK/dλ holds of the state before buckling.
     #[serde(default)]
     pub prebuckling: Prebuckling,
-}
-
-/// Which buckling levels are wanted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LevelSign {
-    /// Of the load as it is.
-    #[default]
-    Positive,
-    /// Of the load reversed.
-    Negative,
-    /// The nearest of both.
-    Either,
-}
-
-/// What a linearised buckling analysis holds of the state before buckling.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Prebuckling {
-    /// The linear response as it is: the change of shape as well as the stresses, in directions that turn along.
-    #[default]
-    Rotations,
-    /// The stresses of the linear response alone, in the undeformed shape, as most finite-element programs have it.
-    Stress,
 }
 
 impl Static {
@@ -188,30 +144,30 @@ impl Static {
 }
 
 /// As Newton's method has it.
-fn usual_tolerance() -> f64 {
-    implicit_statics::NewtonOptions::default().tolerance
+fn usual_tolerance() -> Residual {
+    Residual::usual(implicit_statics::NewtonOptions::default().tolerance)
 }
 
 /// What a relaxation reaches in sensible time.
-fn relaxed() -> f64 {
-    1e-6
+fn relaxed() -> RelaxedResidual {
+    RelaxedResidual::usual(1e-6)
 }
 
 /// Thin shells take some ten thousand.
-fn usual_relaxation() -> usize {
-    100_000
+fn usual_relaxation() -> RelaxationIterations {
+    RelaxationIterations::usual(100_000)
 }
 
 /// A thin strip that rolls up takes some fifteen an eighth of a turn: its tangent holds the stretch of the last guess.
-fn usual_iterations() -> usize {
-    30
+fn usual_iterations() -> Iterations {
+    Iterations::usual(30)
 }
 
 /// A twentieth of the load: steps adapt from there on.
-fn usual_radius() -> f64 {
-    0.05
+fn usual_radius() -> Positive {
+    Positive::usual(0.05)
 }
 
-fn usual_steps() -> usize {
-    1000
+fn usual_steps() -> Steps {
+    Steps::usual(1000)
 }

@@ -1,9 +1,11 @@
 //! Supports and prescribed motions, each on a named set of particles.
 
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use sph_core::Vec3;
 
-use super::amplitude::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// A support: exactly one of its conditions is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -119,7 +121,7 @@ pub struct Spring {
     /// Axis of the turn from rest that is resisted, below half a turn; its length does not matter.
     pub axis: Option<[f64; 3]>,
     /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
-    pub stiffness: f64,
+    pub stiffness: Positive,
     /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
     /// their reference points. Left out, the ground.
     pub to: Option<String>,
@@ -146,6 +148,74 @@ pub enum SupportKind {
     Turned(Turned),
     /// See [`Support::spring`].
     Spring(Spring),
+}
+
+/// What a condition is on nodes, none of which turns; directors are those of plates of two sheets.
+#[derive(Clone, Debug)]
+pub(crate) enum OnNodes {
+    /// Directions that do not move, and planes in which directors stay.
+    Held(Held),
+    /// A mirror plane.
+    Symmetry(Symmetry),
+    /// A prescribed motion.
+    Moved(Moved),
+}
+
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl SupportKind {
+    /// Its vectors that have a direction, with their keys.
+    pub(crate) fn vectors(&self) -> Vec<(String, [f64; 3])> {
+        let numbered = |key: &str, list: &[[f64; 3]]| {
+            list.iter().enumerate().map(|(i, &v)| (format!("{key}[{i}]"), v)).collect::<Vec<_>>()
+        };
+        match self {
+            Self::Clamped | Self::Hinged => Vec::new(),
+            Self::Symmetry(plane) => vec![("normal".into(), plane.normal)],
+            Self::Diaphragm(plane) => vec![("axis".into(), plane.axis)],
+            Self::Held(Held { displacement, director }) => {
+                [numbered("displacement", displacement), numbered("director", director)].concat()
+            }
+            Self::Moved(moved) => vec![("direction".into(), moved.direction)],
+            Self::Rotated(rotated) => vec![("axis".into(), rotated.axis)],
+            Self::Turned(turned) => vec![("axis".into(), turned.axis)],
+            Self::Spring(spring) => {
+                let direction = spring.direction.map(|direction| ("direction".into(), direction));
+                direction.into_iter().chain(spring.axis.map(|axis| ("axis".into(), axis))).collect()
+            }
+        }
+    }
+
+    /// What it is on the nodes of a solid; none of what turns or leaves a director.
+    pub(crate) fn on_nodes(&self) -> Option<OnNodes> {
+        match self {
+            Self::Clamped => {
+                let (displacement, director) = (AXES.to_vec(), AXES[..2].to_vec());
+                Some(OnNodes::Held(Held { displacement, director }))
+            }
+            Self::Symmetry(plane) => Some(OnNodes::Symmetry(*plane)),
+            Self::Held(held) => Some(OnNodes::Held(held.clone())),
+            Self::Moved(moved) => Some(OnNodes::Moved(*moved)),
+            Self::Hinged | Self::Diaphragm(_) | Self::Rotated(_) | Self::Turned(_) | Self::Spring(_) => None,
+        }
+    }
+
+    /// Directions along which it keeps a place from going.
+    pub(crate) fn keeps(&self) -> Vec<Vec3> {
+        match self {
+            Self::Clamped | Self::Hinged | Self::Turned(_) => AXES.map(Vec3::from).to_vec(),
+            Self::Symmetry(plane) => vec![plane.normal.into()],
+            Self::Diaphragm(plane) => {
+                let axis = Vec3::from(plane.axis);
+                let across = axis.cross(&Vec3::ith(axis.iamin(), 1.0));
+                vec![across, axis.cross(&across)]
+            }
+            Self::Held(held) => held.displacement.iter().map(|&v| v.into()).collect(),
+            Self::Moved(moved) => vec![moved.direction.into()],
+            Self::Rotated(_) => Vec::new(),
+            Self::Spring(spring) => spring.direction.iter().map(|&v| v.into()).collect(),
+        }
+    }
 }
 
 impl Support {

@@ -1,9 +1,10 @@
 //! Walls in a scene: rigid boundaries of a fluid, at rest or in a given motion.
 
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::amplitude::Amplitude;
+use crate::scene::bounded::Positive;
 
 /// Rigid walls of a fluid: rows of particles behind their faces, as deep as the kernel of the fluid reaches.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -50,7 +51,7 @@ pub struct Basin {
 pub struct Obstacle {
     /// Edges along x, y and, in space, z \[L\].
     #[schemars(length(min = 2, max = 3))]
-    pub lengths: Vec<f64>,
+    pub lengths: Vec<Positive>,
     /// The corner of least coordinates \[L\]; left out, the origin.
     #[schemars(length(min = 2, max = 3))]
     pub origin: Option<Vec<f64>>,
@@ -86,7 +87,7 @@ pub struct WallSurface {
     pub inside: [f64; 3],
     /// Factor on the coordinates of the file.
     #[serde(default = "one")]
-    pub scale: f64,
+    pub scale: Positive,
 }
 
 /// A rigid motion, each part a course in time that starts at zero.
@@ -146,6 +147,6 @@ impl WallGeometry {
     }
 }
 
-fn one() -> f64 {
-    1.0
+fn one() -> Positive {
+    Positive::usual(1.0)
 }

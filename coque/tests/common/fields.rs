@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coque::scene::Fields;
-use coque::{FieldSink, Outcome, RunOptions, Scene, Silent};
+use coque::{Checked, FieldSink, Outcome, RunOptions, Scene, Silent};
 use sph_core::Vec3;
 
 pub const EVERYTHING: Fields = Fields { every: 1, extruded: true, points: false, stresses: true };
 
-pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Scene {
+pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Checked {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name);
     let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     Scene::with_overrides(&fs::read_to_string(path).unwrap(), name, &pairs).unwrap()
@@ -30,7 +30,7 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
-pub fn run(scene: &Scene, sink: &mut dyn FieldSink) -> Outcome {
+pub fn run(scene: &Checked, sink: &mut dyn FieldSink) -> Outcome {
     let options = RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(sink), from: None };
     scene.build(1).unwrap().run_with(options).unwrap()
 }

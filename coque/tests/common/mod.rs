@@ -14,7 +14,7 @@ pub mod torn;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::{Outcome, Scene, SceneError, Silent};
+use coque::{Checked, Outcome, Scene, SceneError, Silent};
 
 /// Overrides of a scene: paths and values.
 pub type Replaced<'a> = &'a [(&'a str, &'a str)];
@@ -30,18 +30,18 @@ pub fn text(name: &str) -> String {
 }
 
 /// A scene of some text with values replaced.
-pub fn overridden(text: &str, origin: &str, replaced: Replaced) -> Result<Scene, SceneError> {
+pub fn overridden(text: &str, origin: &str, replaced: Replaced) -> Result<Checked, SceneError> {
     let pairs: Vec<_> = replaced.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     Scene::with_overrides(text, origin, &pairs)
 }
 
 /// A scene of the repository with values replaced.
-pub fn scene(name: &str, replaced: Replaced) -> Result<Scene, SceneError> {
+pub fn scene(name: &str, replaced: Replaced) -> Result<Checked, SceneError> {
     overridden(&text(name), name, replaced)
 }
 
 /// Runs a scene on one thread.
-pub fn ran(scene: Result<Scene, SceneError>) -> Outcome {
+pub fn ran(scene: Result<Checked, SceneError>) -> Outcome {
     scene.unwrap().build(1).unwrap().run(&mut Silent)
 }
 

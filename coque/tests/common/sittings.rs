@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use coque::{
-    Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, Origin, Outcome, Progress, ProgressReport,
-    RunOptions, SCENE_COPY, Scene, Silent,
+    Checked, Checkpoint, Checkpoints, Ended, FieldFiles, FieldSink, Origin, Outcome, Progress,
+    ProgressReport, RunOptions, SCENE_COPY, Scene, Silent,
 };
 
 /// A folder of its own, empty.
@@ -57,7 +57,7 @@ pub fn go_on(folder: &Path, progress: &mut dyn Progress) -> Outcome {
 /// A sitting.
 pub fn sit(
     folder: &Path,
-    scene: &Scene,
+    scene: &Checked,
     origin: Origin,
     progress: &mut dyn Progress,
     from: Option<Checkpoint>,

@@ -26,13 +26,18 @@ pub struct TwoClocks<F, S: ?Sized> {
 
 /// Who moves first in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "CouplingOrder")
+)]
 pub enum Order {
-    /// The structures, under the loads of the start of the step; the fluid then has the velocities of this very step.
+    /// The structures, under the loads of the start of the step: the fluid follows their velocity over the step.
     #[default]
     StructureFirst,
-    /// The fluid, with the velocities that structures had in the step before, as published couplings have it. The
-    /// pressure then answers a motion too late, and pumps energy into structures whose periods are a few steps of the
-    /// fluid.
+    /// The fluid, with the velocity of the step before: the published order. The pressure then answers a motion too late, and feeds
+    /// energy into light structures, whose periods are a few steps of the fluid.
     FluidFirst,
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use coque::{Model, Rendering, Scene, SceneError, Silent, render, warnings};
+use coque::{Checked, Model, Rendering, Scene, SceneError, Silent, render, warnings};
 use explicit_dynamics::{Clock, LinearisedDynamics, MarchError, Record, largest_eigenvalue};
 use nalgebra::DMatrix;
 use sph_core::Vec3;
@@ -30,7 +30,7 @@ pub fn shell(variant: &Variant) -> Result<Shell, String> {
 }
 
 /// The scene of a variant.
-fn scene(variant: &Variant) -> Result<Scene, String> {
+fn scene(variant: &Variant) -> Result<Checked, String> {
     let Problem::Scene { text, set } = &variant.source else { return Err("no scene".into()) };
     Scene::with_overrides(text, "scene of a study", set).map_err(|error| shown(&error))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use explicit_dynamics::{BoundaryState, Dynamics, Order, TwoClocks};
+use explicit_dynamics::{BoundaryState, Dynamics, TwoClocks};
 use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall, lattice_moduli};
 use sph_core::{Cell, Vec3};
 
@@ -16,165 +16,167 @@ use crate::bodies::fluid::escaped::basins;
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
+use crate::bodies::memory::check_memory;
+use crate::bodies::refusal::model_error;
 use crate::bodies::{BuiltBody, Description, Identity, Memory, Model, Ready, Shape};
+use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene, Scene};
+use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene};
 use crate::warning::{Warning, WarningKind};
 
-impl Scene {
-    /// Builds a fluid with its walls and the structures in it.
-    pub(in crate::bodies) fn model_together(&self, threads: usize) -> Result<Model, SceneError> {
-        let Some((name, wanted)) = self.fluid() else { return Err(self.not_a("fluid")) };
-        let alone = self.single_body(name)?;
-        let memory = alone.check_memory(wanted.particles_asked())?;
-        let walls = self.walls_together(wanted)?;
-        let mut wets = Vec::new();
-        for (structure, _) in self.structures() {
-            wets.extend(wet(self, structure, wanted, threads)?.map(|wet| (structure.as_str(), wet)));
-        }
-        let mut fluid = self.fluid_together(name, wanted, &walls, &wets, threads)?;
-        let safety = if let Analysis::Explicit(explicit) = &self.analysis { explicit.safety } else { 1.0 };
-        let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
-        let liquid = wanted.liquid();
-        let mass = |wet: &WettedBody| liquid.density * liquid.sound_speed * step / wet.area_density;
-        let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
-        let mut built = CoupledParts::new(name, &fluid, &walls, &wets);
-        let (watch, unseen) = watched(self, wanted, &fluid, &walls, &wets, &built.layout)?;
-        let probes = {
-            let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
-            let measuring =
-                Measuring { scene: self, fluid: &fluid, walls: &walls, layout: &mut built.layout };
-            probes(measuring, own)?
-        };
-        let mut description = describe::of_fluid(&alone, wanted, &fluid);
-        let mut warnings = leaks(&walls);
-        let coupling = self.coupling.unwrap_or_default();
-        warnings.extend(fluid_first(coupling));
-        warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
-        warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
-        warnings.extend(unseen);
-        warnings.extend(soft(&fluid, &walls));
-        let mut made = Vec::new();
-        for (name, wet) in wets {
-            let own = wet.made.warnings.iter();
-            warnings.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
-            made.push((name, wet.made));
-        }
-        let (bodies, total) = described(name, &description, &walls, &made, wanted.dimensions() == 2);
-        if !made.is_empty() {
-            description = total;
-        }
-        description.bodies = bodies;
-        let memory = together(memory, &made);
-        let identity = identity(&made);
-        let mut structures: Vec<Box<dyn Structure>> = Vec::new();
-        let mut judges = Vec::new();
-        for ((_, made), range) in made.into_iter().zip(&built.layout.structures) {
-            let cells = made.body.configuration().cells.to_vec();
-            judges.extend(made.judge.map(|judge| (judge, range.clone(), cells)));
-            structures.push(made.body);
-        }
-        let judge = move |_: &[Cell], shapes: &[Shape]| -> Vec<Warning> {
-            let look = |(judge, range, cells): &(
-                crate::bodies::model::ShapeJudge,
-                std::ops::Range<usize>,
-                Vec<Cell>,
-            )| {
-                let own =
-                    |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
-                judge(cells, &shapes.iter().map(own).collect::<Vec<_>>())
-            };
-            judges.iter().flat_map(look).collect()
-        };
-        let mut clocks = TwoClocks::new(fluid, structures);
-        clocks.order = match coupling.order {
-            CouplingOrder::StructureFirst => Order::StructureFirst,
-            CouplingOrder::FluidFirst => Order::FluidFirst,
-        };
-        clocks.impedance = coupling.impedance;
-        let CoupledParts { layout, rest, cells } = built;
-        let basins = basins(self, wanted.geometry.spacing());
-        let body =
-            Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
-        let made = BuiltBody {
-            body: Ready::Dynamic(Box::new(body)),
-            description,
-            memory,
-            identity,
-            probes,
-            driven: None,
-            warnings,
-            judge: Some(Box::new(judge)),
-        };
-        Ok(made.model(self, threads))
+/// Builds a fluid with its walls and the structures in it.
+pub(in crate::bodies) fn coupled_model(
+    bodies: &[BodyInScene<'_>],
+    of_fluid: &BodyInScene<'_>,
+    wanted: &FluidScene,
+    threads: usize,
+) -> Result<Model, SceneError> {
+    let (scene, name) = (of_fluid.scene, of_fluid.name);
+    let memory = check_memory(of_fluid, wanted.particles_asked())?;
+    let walls = coupled_walls(bodies, wanted)?;
+    let mut wets = Vec::new();
+    for body in bodies {
+        wets.extend(wet(body, wanted, threads)?.map(|wet| (body.name, wet)));
     }
+    let mut fluid = coupled_fluid(of_fluid, wanted, &walls, &wets, threads)?;
+    let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety.get() } else { 1.0 };
+    let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
+    let liquid = wanted.liquid();
+    let mass =
+        |wet: &WettedBody<'_>| liquid.density.get() * liquid.sound_speed.get() * step / wet.area_density;
+    let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
+    let mut built = CoupledParts::new(name, &fluid, &walls, &wets);
+    let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
+    let probes = {
+        let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
+        let layout = &mut built.layout;
+        let measuring = Measuring { of_fluid, fluid: &fluid, walls: &walls, layout };
+        probes(measuring, own)?
+    };
+    let mut description = describe::of_fluid(of_fluid, wanted, &fluid);
+    let mut warnings = leaks(&walls);
+    let coupling = scene.coupling.unwrap_or_default();
+    warnings.extend(fluid_first(coupling));
+    warnings.extend(stiff(wanted.dimensions(), &parts::formulation(wanted)));
+    warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
+    warnings.extend(unseen);
+    warnings.extend(soft(&fluid, &walls));
+    let mut made = Vec::new();
+    for (name, wet) in wets {
+        let own = wet.made.warnings.iter();
+        warnings.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
+        made.push((name, wet.made));
+    }
+    let (bodies, total) = described(name, &description, &walls, &made, wanted.dimensions() == 2);
+    if !made.is_empty() {
+        description = total;
+    }
+    description.bodies = bodies;
+    let memory = together(memory, &made);
+    let identity = identity(&made);
+    let mut structures: Vec<Box<dyn Structure>> = Vec::new();
+    let mut judges = Vec::new();
+    for ((_, made), range) in made.into_iter().zip(&built.layout.structures) {
+        let cells = made.body.configuration().cells.to_vec();
+        judges.extend(made.judge.map(|judge| (judge, range.clone(), cells)));
+        structures.push(made.body);
+    }
+    let judge = move |_: &[Cell], shapes: &[Shape]| -> Vec<Warning> {
+        let look = |(judge, range, cells): &(
+            crate::bodies::model::ShapeJudge,
+            std::ops::Range<usize>,
+            Vec<Cell>,
+        )| {
+            let own = |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
+            judge(cells, &shapes.iter().map(own).collect::<Vec<_>>())
+        };
+        judges.iter().flat_map(look).collect()
+    };
+    let mut clocks = TwoClocks::new(fluid, structures);
+    clocks.order = coupling.order;
+    clocks.impedance = coupling.impedance;
+    let CoupledParts { layout, rest, cells } = built;
+    let basins = basins(scene, wanted.geometry.spacing());
+    let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
+    let made = BuiltBody {
+        body: Ready::Dynamic(Box::new(body)),
+        description,
+        memory,
+        identity,
+        probes,
+        driven: None,
+        warnings,
+        judge: Some(Box::new(judge)),
+    };
+    Ok(made.model(scene, threads))
+}
 
-    /// The rows of all walls.
-    fn walls_together(&self, fluid: &FluidScene) -> Result<Vec<BuiltWalls<'_>>, SceneError> {
-        let deep = parts::rows_deep(fluid);
-        let mut all = Vec::new();
-        for (name, body) in &self.bodies {
-            let BodyScene::Walls(scene) = body else { continue };
-            let rows = rows(&self.single_body(name)?, scene, fluid.geometry.spacing(), deep)?;
-            all.push(BuiltWalls { name, scene, rows });
-        }
-        Ok(all)
+/// The rows of all walls.
+fn coupled_walls<'a>(
+    bodies: &'a [BodyInScene<'a>],
+    fluid: &FluidScene,
+) -> Result<Vec<BuiltWalls<'a>>, SceneError> {
+    let deep = parts::rows_deep(fluid);
+    let mut all = Vec::new();
+    for view in bodies {
+        let BodyScene::Walls(scene) = view.body else { continue };
+        let rows = rows(view, scene, fluid.geometry.spacing(), deep)?;
+        all.push(BuiltWalls { view, scene, rows });
     }
+    Ok(all)
+}
 
-    /// The fluid between its walls and around structures.
-    fn fluid_together(
-        &self,
-        name: &str,
-        wanted: &FluidScene,
-        walls: &[BuiltWalls<'_>],
-        wets: &[(&str, WettedBody)],
-        threads: usize,
-    ) -> Result<Fluid, SceneError> {
-        let positions = places::places(wanted);
-        let velocities = places::velocities(wanted, &positions);
-        let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
-            points: points.to_vec(),
-            motion: body.scene.motion.as_ref().map(parts::motion),
-        };
-        let pieces =
-            walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
-        let structure = |(_, wet): &(&str, WettedBody)| {
-            let mut state = BoundaryState::default();
-            wet.made.body.boundary(&mut state);
-            fluid_sph::Structure { layout: wet.made.body.boundary_layout().clone(), state }
-        };
-        let all = Parts {
-            dimensions: wanted.dimensions(),
-            spacing: wanted.geometry.spacing(),
-            positions,
-            velocities,
-            liquid: parts::liquid(wanted),
-            formulation: parts::formulation(wanted),
-            gravity: self.gravity_on(name),
-            start: parts::start(wanted),
-            walls: pieces.collect(),
-            structures: wets.iter().map(structure).collect(),
-            domain: None,
-            threads: threads.max(1),
-        };
-        Fluid::new(all).map_err(|error| self.fluid_refusal(name, wanted, &error))
-    }
+/// The fluid between its walls and around structures.
+fn coupled_fluid(
+    scene: &BodyInScene<'_>,
+    wanted: &FluidScene,
+    walls: &[BuiltWalls<'_>],
+    wets: &[(&str, WettedBody<'_>)],
+    threads: usize,
+) -> Result<Fluid, SceneError> {
+    let positions = places::places(wanted);
+    let velocities = places::velocities(wanted, &positions);
+    let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
+        points: points.to_vec(),
+        motion: body.scene.motion.as_ref().map(parts::motion),
+    };
+    let pieces = walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
+    let structure = |(_, wet): &(&str, WettedBody<'_>)| {
+        let mut state = BoundaryState::default();
+        wet.made.body.boundary(&mut state);
+        fluid_sph::Structure { layout: wet.made.body.boundary_layout().clone(), state }
+    };
+    let all = Parts {
+        dimensions: wanted.dimensions(),
+        spacing: wanted.geometry.spacing(),
+        positions,
+        velocities,
+        liquid: parts::liquid(wanted),
+        formulation: parts::formulation(wanted),
+        gravity: gravity_on(scene.scene, scene.name),
+        start: wanted.formulation.options().start,
+        walls: pieces.collect(),
+        structures: wets.iter().map(structure).collect(),
+        domain: None,
+        threads: threads.max(1),
+    };
+    Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))
+}
 
-    /// Puts a refusal of the fluid where the scene causes it.
-    fn fluid_refusal(&self, name: &str, fluid: &FluidScene, error: &FluidError) -> SceneError {
-        let key = match error {
-            FluidError::Option { key, .. } => format!("formulation.{}.{key}", fluid.formulation.word()),
-            _ => format!("geometry.{}", fluid.geometry.word()),
-        };
-        let path = self.source.body(name, "fluid").path(&key);
-        // What is to be done stands behind the last colon of some messages.
-        let message = error.to_string();
-        let message = match message.contains("; ") {
-            true => message,
-            false => message.replacen(": ", "; ", 1),
-        };
-        self.model_error(&path, &message)
-    }
+/// Puts a refusal of the fluid where the scene causes it.
+fn fluid_refusal(scene: &BodyInScene<'_>, fluid: &FluidScene, error: &FluidError) -> SceneError {
+    let key = match error {
+        FluidError::Option { key, .. } => format!("formulation.{}.{key}", fluid.formulation.word()),
+        _ => format!("geometry.{}", fluid.geometry.word()),
+    };
+    let path = scene.body_scope().path(&key);
+    // What is to be done stands behind the last colon of some messages.
+    let message = error.to_string();
+    let message = match message.contains("; ") {
+        true => message,
+        false => message.replacen(": ", "; ", 1),
+    };
+    model_error(scene.source, &path, &message)
 }
 
 /// The bodies one behind the other.
@@ -185,7 +187,7 @@ struct CoupledParts {
 }
 
 impl CoupledParts {
-    fn new(name: &str, fluid: &Fluid, walls: &[BuiltWalls<'_>], wets: &[(&str, WettedBody)]) -> Self {
+    fn new(name: &str, fluid: &Fluid, walls: &[BuiltWalls<'_>], wets: &[(&str, WettedBody<'_>)]) -> Self {
         let mut layout = Layout { names: vec![name.into()], fluid: fluid.len(), ..Layout::default() };
         let (mut rest, mut cells) = (fluid.rest().to_vec(), Vec::new());
         for (name, wet) in wets {
@@ -208,7 +210,7 @@ impl CoupledParts {
             }
             layout.walls.push(piece..layout.pieces.len());
             layout.shares.extend(shares(body, piece));
-            layout.names.push(body.name.into());
+            layout.names.push(body.view.name.into());
         }
         Self { layout, rest, cells }
     }
@@ -238,7 +240,7 @@ fn leaks(walls: &[BuiltWalls<'_>]) -> Vec<Warning> {
         let message = format!(
             "{} has gaps wider than 1.2 spacings between its particles at {} places, where it is thinner than a spacing or \
              folded: fluid may leak; use a narrower spacing",
-            body.name, body.rows.leaks
+            body.view.name, body.rows.leaks
         );
         Warning::new(WarningKind::LeakyWall, message)
     };
@@ -291,7 +293,7 @@ fn described(
 ) -> (BTreeMap<String, Description>, Description) {
     let mut bodies = BTreeMap::from([(name.to_string(), fluid.clone())]);
     for body in walls {
-        bodies.insert(body.name.into(), describe::of_walls(body.scene, &body.rows, fluid.spacing));
+        bodies.insert(body.view.name.into(), describe::of_walls(body.scene, &body.rows, fluid.spacing));
     }
     bodies.extend(made.iter().map(|(name, made)| ((*name).to_string(), made.description.clone())));
     let moving = || [fluid].into_iter().chain(made.iter().map(|(_, made)| &made.description));

@@ -12,6 +12,7 @@ use sph_core::{CellList, Vec3};
 use super::dry::corners;
 use crate::bodies::fluid::walls::BuiltWalls;
 use crate::scene::WallGeometry;
+use crate::scene::bounded::numbers;
 use crate::scene::sets::OF_WALLS;
 
 /// Depth up to which nothing is in a wall, in spacings of the fluid; and way beyond which what began in a wall moves in it.
@@ -86,7 +87,7 @@ impl Watched {
             WallGeometry::Block(block) => {
                 let plane = block.lengths.len() == 2;
                 let mut origin = corner(block.origin.as_deref().unwrap_or_default(), 0.0);
-                let mut end = origin + corner(&block.lengths, 0.0);
+                let mut end = origin + corner(&numbers(&block.lengths), 0.0);
                 if plane {
                     (origin.z, end.z) = (f64::NEG_INFINITY, f64::INFINITY);
                 }
@@ -94,7 +95,7 @@ impl Watched {
             }
             WallGeometry::Polyline(_) | WallGeometry::Surface(_) => Shape::Rows,
         };
-        Self { name: body.name.into(), shape, pieces, moves: body.scene.motion.is_some() }
+        Self { name: body.view.name.into(), shape, pieces, moves: body.scene.motion.is_some() }
     }
 
     /// How deep each of some places is in it \[L\], those no deeper than what counts left out.

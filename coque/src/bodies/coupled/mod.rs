@@ -1,7 +1,7 @@
 //! Bodies built together: a fluid, its walls, the structures in it.
 
 mod body;
-mod build;
+pub(super) mod build;
 mod contact;
 mod dry;
 mod gauges;

@@ -8,13 +8,13 @@ use super::layout::Layout;
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
+use crate::scene::body_in_scene::{BodyInScene, Owner};
 use crate::scene::error::SceneError;
-use crate::scene::single_body::Owner;
-use crate::scene::{Measured, Probe as Column, Scene};
+use crate::scene::{Measured, Probe as Column};
 
 /// What columns are found from; gauges are added to the layout.
 pub(super) struct Measuring<'a> {
-    pub scene: &'a Scene,
+    pub of_fluid: &'a BodyInScene<'a>,
     pub fluid: &'a Fluid,
     pub walls: &'a [BuiltWalls<'a>],
     pub layout: &'a mut Layout,
@@ -24,13 +24,14 @@ pub(super) struct Measuring<'a> {
 pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<Probe>, SceneError> {
     let mut own: Vec<_> = own.into_iter().map(Vec::into_iter).collect();
     let mut all = Vec::new();
-    for (i, column) in of.scene.curve.iter().enumerate() {
-        let Owner::Of(body, set) = of.scene.owner(&format!("curve[{i}].on"), &column.on)? else { continue };
+    let scene = of.of_fluid.scene;
+    for (i, column) in scene.curve.iter().enumerate() {
+        let Owner::Of(body, set) = Owner::of(scene, &format!("curve[{i}].on"), &column.on)? else { continue };
         let structures = of.layout.structures.len();
         let number = of.layout.names.iter().position(|name| *name == body);
         let contact = column.of.is_of_contact();
         let particles = match number.unwrap_or_default() {
-            0 => of.on_fluid(column, &body, &set)?,
+            0 => of.on_fluid(column, set)?,
             number if number <= structures && contact => vec![of.layout.whole(number - 1)],
             number if number <= structures => {
                 let first = of.layout.structures[number - 1].start as u32;
@@ -40,7 +41,7 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
                 }
                 continue;
             }
-            number => of.on_walls(number - structures - 1, column, &body, &set)?,
+            number => of.on_walls(number - structures - 1, column, set)?,
         };
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
         let mut probe = Probe::new(&column.name, column.of, particles, direction);
@@ -62,12 +63,11 @@ impl Measuring<'_> {
     }
 
     /// Numbers of what is measured on a set of the fluid: a gauge at a point or through a section, else particles.
-    fn on_fluid(&mut self, column: &Column, body: &str, set: &str) -> Result<Vec<u32>, SceneError> {
+    fn on_fluid(&mut self, column: &Column, set: &str) -> Result<Vec<u32>, SceneError> {
         if let Some(point) = column.at {
             return Ok(self.gauge(Gauge::InSpace(point.into())));
         }
-        let alone = self.scene.single_body(body)?;
-        let particles = of_fluid(&alone, set, self.fluid.rest(), self.fluid.spacing())?;
+        let particles = of_fluid(self.of_fluid, set, self.fluid.rest(), self.fluid.spacing())?;
         Ok(match &column.through {
             Some(through) => self.gauge(Gauge::Section(section(through), particles)),
             None => particles,
@@ -87,21 +87,14 @@ impl Measuring<'_> {
     }
 
     /// Numbers of what is measured on a set of walls: pieces for forces, a gauge at a point, else particles.
-    fn on_walls(
-        &mut self,
-        walls: usize,
-        column: &Column,
-        body: &str,
-        set: &str,
-    ) -> Result<Vec<u32>, SceneError> {
+    fn on_walls(&mut self, walls: usize, column: &Column, set: &str) -> Result<Vec<u32>, SceneError> {
         if let Some(point) = column.at {
             let gauge = self.beside(walls, point.into());
             return Ok(self.gauge(gauge));
         }
-        let alone = self.scene.single_body(body)?;
         let first = self.layout.walls[walls].start;
         let OnWalls { particles, pieces, point } =
-            of_walls(&alone, set, &self.walls[walls].rows.pieces, self.fluid.spacing())?;
+            of_walls(self.walls[walls].view, set, &self.walls[walls].rows.pieces, self.fluid.spacing())?;
         let place = |&(piece, a): &(usize, usize)| (self.layout.pieces[first + piece].start + a) as u32;
         match (column.of, point) {
             (Measured::Force | Measured::Moment, _) => {

@@ -3,15 +3,14 @@
 use sph_core::{CellList, Vec3};
 
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::scene::single_body::Owner;
-use crate::scene::{Analysis, BodyScene, FluidScene, Scene, SupportKind};
+use crate::scene::body_in_scene::{BodyInScene, gravity_on};
+use crate::scene::{Analysis, BodyScene, FluidScene, SupportKind};
 use crate::warning::{Warning, WarningKind};
 
 /// What nothing holds, where it is.
 pub(super) struct Loose<'a> {
-    pub scene: &'a Scene,
-    /// Its name, and its particles in the plane of the fluid \[L\].
-    pub name: &'a str,
+    pub scene: &'a BodyInScene<'a>,
+    /// Its particles in the plane of the fluid \[L\].
     pub places: &'a [Vec3],
     /// Mean distance of its particles \[L\].
     pub apart: f64,
@@ -21,43 +20,24 @@ impl Loose<'_> {
     /// Whether a support keeps it from going along a direction; from going anywhere without.
     pub fn held(&self, along: Option<&Vec3>) -> bool {
         const LEAST: f64 = 1e-6;
-        let has = |direction: &[f64; 3]| {
-            let direction = Vec3::from(*direction).normalize();
-            along.is_none_or(|along| along.dot(&direction).abs() > LEAST * along.norm())
+        let has = |direction: &Vec3| {
+            along.is_none_or(|along| along.dot(&direction.normalize()).abs() > LEAST * along.norm())
         };
-        self.scene.supports.iter().enumerate().any(|(i, support)| {
-            let owner = self.scene.owner(&format!("supports[{i}].on"), &support.on);
-            if !owner.is_ok_and(|owner| matches!(&owner, Owner::Of(body, _) if body == self.name)) {
-                return false;
-            }
-            support.kinds().iter().any(|(_, kind)| match kind {
-                SupportKind::Clamped | SupportKind::Hinged | SupportKind::Turned(_) => true,
-                SupportKind::Held(held) => held.displacement.iter().any(has),
-                SupportKind::Moved(moved) => has(&moved.direction),
-                // A plane of symmetry leaves the others free.
-                SupportKind::Symmetry(plane) => along.is_some() && has(&plane.normal),
-                SupportKind::Diaphragm(diaphragm) => {
-                    let axis = Vec3::from(diaphragm.axis).normalize();
-                    along.is_none_or(|along| along.cross(&axis).norm() > LEAST * along.norm())
-                }
-                SupportKind::Spring(spring) => spring.direction.as_ref().is_some_and(has),
-                SupportKind::Rotated(_) => false,
-            })
-        })
+        let keeps = |kind: &SupportKind| {
+            // A plane of symmetry leaves the others free.
+            (along.is_some() || !matches!(kind, SupportKind::Symmetry(_))) && kind.keeps().iter().any(has)
+        };
+        self.scene.supports.iter().any(|support| support.kinds().iter().any(|(_, kind)| keeps(kind)))
     }
 
     /// Whether a load but gravity acts on it.
     fn driven(&self) -> bool {
-        self.scene.loads.iter().enumerate().any(|(i, load)| {
-            let owner = self.scene.owner(&format!("loads[{i}].on"), &load.on);
-            load.gravity.is_none()
-                && owner.is_ok_and(|owner| matches!(&owner, Owner::Of(body, _) if body == self.name))
-        })
+        self.scene.loads.iter().any(|load| load.gravity.is_none())
     }
 
     /// Its density, where all of it is wet.
     fn density(&self) -> Option<f64> {
-        match self.scene.bodies.get(self.name)? {
+        match self.scene.body {
             BodyScene::Solid(solid) => Some(solid.material.density()),
             BodyScene::Shell(shell) if shell.wets_both() => shell.material.density(),
             _ => None,
@@ -71,7 +51,7 @@ impl Loose<'_> {
         fluid: &[Vec3],
         walls: &[BuiltWalls<'_>],
     ) -> Option<Warning> {
-        let gravity = self.scene.gravity_on(self.name);
+        let gravity = gravity_on(self.scene.scene, self.scene.name);
         let down = gravity.try_normalize(0.0)?;
         if self.held(Some(&gravity)) || self.driven() {
             return None;
@@ -95,27 +75,27 @@ impl Loose<'_> {
             let points = body.rows.pieces.iter().flat_map(|piece| &piece.points);
             points.filter_map(below).min_by(f64::total_cmp)
         };
-        let nearest = walls.iter().filter_map(|body| Some((body.name, wall(body, &mut below)?)));
+        let nearest = walls.iter().filter_map(|body| Some((body.view.name, wall(body, &mut below)?)));
         let (wall, way) = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
         // Faces lie half a spacing before the first row.
         let way = way - 0.5 * wanted.geometry.spacing();
-        let time = match &self.scene.analysis {
+        let time = match self.scene.analysis {
             Analysis::Explicit(explicit) => {
-                explicit.transient.as_ref().map_or(0.0, |transient| transient.duration)
+                explicit.transient.as_ref().map_or(0.0, |transient| transient.duration.get())
             }
             _ => 0.0,
         };
-        let thrown = self.scene.bodies.get(self.name).is_some_and(|body| body.velocity().is_some());
+        let thrown = self.scene.body.velocity().is_some();
         if !thrown && way > 0.5 * gravity.norm() * time * time {
             return None;
         }
-        let denser = self.density().filter(|density| *density > wanted.liquid().density);
+        let denser = self.density().filter(|density| *density > wanted.liquid().density.get());
         let why = match denser {
             Some(density) => format!("is denser than the fluid ({density} for {})", wanted.liquid().density),
             None if fluid.iter().all(|x| below(x).is_none()) => "has no fluid below it".into(),
             None => return None,
         };
-        let name = self.name;
+        let name = self.scene.name;
         let message = format!(
             "{name}: nothing holds it along gravity, and it {why}: it may get to `{wall}`, {way:.4} below it, within the run. \
              Structures and walls do not feel each other, so that it would go on through the wall; hold it, or end the run \

@@ -5,25 +5,27 @@ use sph_shell::{Sides, Wetting};
 use super::body::Structure;
 use crate::bodies::BuiltBody;
 use crate::bodies::fluid::parts::rows_deep;
+use crate::bodies::shell::build::shell_made;
+use crate::bodies::solid::build::solid_made;
+use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, FluidScene, Scene, SolidScene, WetFaces};
+use crate::scene::{BodyScene, FluidScene, SolidScene, WetFaces};
 
 /// A structure with what the fluid asks of it.
-pub(super) struct WettedBody {
+pub(super) struct WettedBody<'a> {
+    pub scene: &'a BodyInScene<'a>,
     pub made: BuiltBody<Box<dyn Structure>>,
     /// Mass by area of its surface, ρ_s t \[F T²/L³\].
     pub area_density: f64,
 }
 
-/// Builds one of the structures of a scene, alone, and wets it.
-pub(super) fn wet(
-    scene: &Scene,
-    name: &str,
+/// Builds a body, if it is a structure, and wets it.
+pub(super) fn wet<'a>(
+    scene: &'a BodyInScene<'a>,
     fluid: &FluidScene,
     threads: usize,
-) -> Result<Option<WettedBody>, SceneError> {
-    let alone = scene.single_body(name)?;
-    match alone.body() {
+) -> Result<Option<WettedBody<'a>>, SceneError> {
+    match scene.body {
         BodyScene::Shell(shell) => {
             let sides = match shell.wet {
                 None | Some(WetFaces::Both) => Sides::Both,
@@ -40,13 +42,14 @@ pub(super) fn wet(
             // The checks leave a shell in a fluid no material or section of a file.
             let area_density =
                 shell.material.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
-            let made = alone.shell_made(threads, Some(wetting))?.map(|shell| Box::new(shell) as _);
-            Ok(Some(WettedBody { made, area_density }))
+            let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?
+                .map(|shell| Box::new(shell) as _);
+            Ok(Some(WettedBody { scene, made, area_density }))
         }
         BodyScene::Solid(solid) => {
             let area_density = thickness(solid) * solid.material.density();
-            let made = alone.solid_made(solid, threads, true)?.map(|solid| Box::new(solid) as _);
-            Ok(Some(WettedBody { made, area_density }))
+            let made = solid_made(scene, solid, threads, true)?.map(|solid| Box::new(solid) as _);
+            Ok(Some(WettedBody { scene, made, area_density }))
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
     }

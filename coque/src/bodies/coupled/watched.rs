@@ -11,8 +11,9 @@ use super::reach::Loose;
 use super::structures::WettedBody;
 use super::watch::{Watch, in_plane};
 use crate::bodies::fluid::walls::BuiltWalls;
+use crate::scene::FluidScene;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, FluidScene, Scene};
 use crate::warning::Warning;
 
 /// What is watched of the structures, and what is doubtful about them at the start.
@@ -20,11 +21,10 @@ use crate::warning::Warning;
 /// # Errors
 /// [`SceneError::Value`] for water at a dry face, and for a structure in a wall that nothing holds there.
 pub(super) fn watched(
-    scene: &Scene,
     wanted: &FluidScene,
     fluid: &Fluid,
     walls: &[BuiltWalls<'_>],
-    wets: &[(&str, WettedBody)],
+    wets: &[(&str, WettedBody<'_>)],
     layout: &Layout,
 ) -> Result<(Watch, Vec<Warning>), SceneError> {
     if wets.is_empty() {
@@ -35,11 +35,11 @@ pub(super) fn watched(
         .collect();
     let contact = Contact::new(walls, &layout.walls, fluid, &places);
     let (mut all_dry, mut warnings) = (Vec::new(), Vec::new());
-    for (number, ((name, wet), places)) in wets.iter().zip(&places).enumerate() {
-        all_dry.extend(dry(scene, (number, name), wet, fluid)?);
-        let loose = Loose { scene, name, places, apart: wet.made.description.spacing };
+    for (number, ((_, wet), places)) in wets.iter().zip(&places).enumerate() {
+        all_dry.extend(dry(number, wet, fluid)?);
+        let loose = Loose { scene: wet.scene, places, apart: wet.made.description.spacing };
         if let Some(inside) = contact.at_start(fluid, places).filter(|_| !loose.held(None)) {
-            return Err(in_wall(scene, name, &contact, inside));
+            return Err(in_wall(wet.scene, &contact, inside));
         }
         warnings.extend(loose.may_reach(wanted, fluid.positions(), walls));
     }
@@ -48,13 +48,8 @@ pub(super) fn watched(
 }
 
 /// The dry face of a shell, if it has one; refused where water stands at it.
-fn dry(
-    scene: &Scene,
-    (number, name): (usize, &str),
-    wet: &WettedBody,
-    fluid: &Fluid,
-) -> Result<Option<Dry>, SceneError> {
-    let Some(BodyScene::Shell(shell)) = scene.bodies.get(name) else { return Ok(None) };
+fn dry(number: usize, wet: &WettedBody<'_>, fluid: &Fluid) -> Result<Option<Dry>, SceneError> {
+    let Some(shell) = wet.scene.as_shell() else { return Ok(None) };
     let thin = wet.made.body.boundary_layout().thin.as_ref();
     let Some(dry) = Dry::new(number, shell.wet, thin, fluid.spacing(), fluid.dimensions()) else {
         return Ok(None);
@@ -75,15 +70,14 @@ fn dry(
         0 => format!("use wet = \"{}\", or turn the shell over (`placed`)", dry.word()),
         _ => "use wet = \"both\"".into(),
     };
-    Err(scene.source.body(name, "shell").value("wet", format!("\"{other}\""), &bound, &repair))
+    Err(wet.scene.body_scope().value("wet", format!("\"{other}\""), &bound, &repair))
 }
 
 /// The refusal of a structure in a wall.
-fn in_wall(scene: &Scene, name: &str, contact: &Contact, inside: Inside) -> SceneError {
-    let word = scene.bodies.get(name).map_or("", BodyScene::word);
+fn in_wall(scene: &BodyInScene<'_>, contact: &Contact, inside: Inside) -> SceneError {
     let wall = contact.wall(inside.wall);
     let value = format!("a body that reaches {:.4} deep into `{wall}`", inside.depth);
     let bound = "one outside the walls, or held: structures and walls do not feel each other";
     let repair = format!("move it out of `{wall}`, or hold what is in there by a support");
-    scene.source.body(name, word).value("geometry", value, bound, &repair)
+    scene.body_scope().value("geometry", value, bound, &repair)
 }

@@ -4,10 +4,15 @@ use fluid_sph::{Fluid, Scheme, WallRule};
 
 use super::walls::Rows;
 use crate::bodies::Description;
-use crate::scene::{FluidScene, FluidStart, Scene, WallsScene};
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::{FluidScene, FluidStart, WallsScene};
 
 /// What the fluid of a scene is; `scene` is that of the fluid alone.
-pub(in crate::bodies) fn of_fluid(scene: &Scene, wanted: &FluidScene, fluid: &Fluid) -> Description {
+pub(in crate::bodies) fn of_fluid(
+    scene: &BodyInScene<'_>,
+    wanted: &FluidScene,
+    fluid: &Fluid,
+) -> Description {
     let method = fluid.formulation();
     let scheme = match method.scheme {
         Scheme::KickDriftKick => "kick, drift, kick",

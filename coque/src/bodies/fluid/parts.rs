@@ -1,15 +1,14 @@
 //! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
 
-use fluid_sph::{Formulation, Liquid, Motion, Rotation, Scheme, Start, WallRule};
+use fluid_sph::{Formulation, Liquid, Motion, Rotation, Scheme};
 use sph_core::Vec3;
 
-use crate::bodies::build::amplitude;
-use crate::scene::{FluidMethod, FluidScene, FluidStart, WallMethod, WallMotion};
+use crate::scene::{FluidMethod, FluidScene, WallMotion};
 
 /// The liquid.
 pub(in crate::bodies) fn liquid(fluid: &FluidScene) -> Liquid {
     let liquid = fluid.liquid();
-    Liquid { density: liquid.density, sound_speed: liquid.sound_speed }
+    Liquid { density: liquid.density.get(), sound_speed: liquid.sound_speed.get() }
 }
 
 /// The method: what the scene leaves out is that of its integrator.
@@ -23,20 +22,15 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
         FluidMethod::KickDriftKick => Scheme::KickDriftKick,
         FluidMethod::Source => Scheme::PredictorCorrector,
     };
-    let walls = match wanted.walls {
-        None => usual.walls,
-        Some(WallMethod::Extrapolated) => WallRule::Extrapolated,
-        Some(WallMethod::Dynamic) => WallRule::Dynamic,
-    };
     Formulation {
         smoothing: wanted.smoothing(),
-        viscosity: wanted.viscosity.unwrap_or(usual.viscosity),
-        kinematic_viscosity: fluid.liquid().kinematic_viscosity,
-        density_diffusion: wanted.density_diffusion.unwrap_or(usual.density_diffusion),
-        xsph: wanted.xsph.unwrap_or(usual.xsph),
-        courant: wanted.courant.unwrap_or(usual.courant),
+        viscosity: wanted.viscosity.map_or(usual.viscosity, |given| given.get()),
+        kinematic_viscosity: fluid.liquid().kinematic_viscosity.get(),
+        density_diffusion: wanted.density_diffusion.map_or(usual.density_diffusion, |given| given.get()),
+        xsph: wanted.xsph.map_or(usual.xsph, |given| given.get()),
+        courant: wanted.courant.map_or(usual.courant, |given| given.get()),
         scheme,
-        walls,
+        walls: wanted.walls.unwrap_or(usual.walls),
         confined: wanted.confined,
     }
 }
@@ -47,25 +41,17 @@ pub(in crate::bodies) fn rows_deep(fluid: &FluidScene) -> usize {
     libm::round(2.0 * formulation(fluid).smoothing) as usize
 }
 
-/// Pressures at the start.
-pub(in crate::bodies) fn start(fluid: &FluidScene) -> Start {
-    match fluid.formulation.options().start {
-        FluidStart::Hydrostatic => Start::Hydrostatic,
-        FluidStart::Uniform => Start::Uniform,
-    }
-}
-
 /// The motion of walls.
 pub(in crate::bodies) fn motion(wanted: &WallMotion) -> Motion {
     let translation = wanted.translation.as_ref();
     let rotation = wanted.rotation.as_ref();
     Motion {
-        translation: translation.map(|motion| (Vec3::from(motion.by), amplitude(Some(&motion.amplitude)))),
+        translation: translation.map(|motion| (Vec3::from(motion.by), motion.amplitude.clone())),
         rotation: rotation.map(|motion| Rotation {
             centre: Vec3::from(motion.centre),
             axis: Vec3::from(motion.axis).normalize(),
             by: motion.by.to_radians(),
-            angle: amplitude(Some(&motion.amplitude)),
+            angle: motion.amplitude.clone(),
         }),
     }
 }

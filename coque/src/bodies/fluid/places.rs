@@ -13,7 +13,7 @@ pub(in crate::bodies) fn places(fluid: &FluidScene) -> Vec<Vec3> {
     let mut all = Vec::new();
     for (_, lengths, origin) in fluid.geometry.boxes() {
         let count =
-            |axis: usize| lengths.get(axis).map_or(1, |length| libm::round(length / spacing) as usize);
+            |axis: usize| lengths.get(axis).map_or(1, |length| libm::round(length.get() / spacing) as usize);
         let [nx, ny, nz] = [0, 1, 2].map(count);
         let least = [0, 1, 2].map(|axis| origin.and_then(|origin| origin.get(axis)).copied().unwrap_or(0.0));
         let at = |axis: usize, i: usize| match axis < lengths.len() {
@@ -33,10 +33,10 @@ pub(in crate::bodies) fn places(fluid: &FluidScene) -> Vec<Vec3> {
 /// its share of the circumference at most.
 fn rings(annulus: &Annulus) -> Vec<Vec3> {
     let Annulus { centre, inner, outer, spacing } = *annulus;
-    let count = libm::round((outer - inner) / spacing) as usize;
+    let count = libm::round((outer.get() - inner.get()) / spacing.get()) as usize;
     let ring = |k: usize| {
-        let radius = inner + (k as f64 + 0.5) * spacing;
-        let particles = libm::round(std::f64::consts::TAU * radius / spacing).max(1.0) as usize;
+        let radius = inner.get() + (k as f64 + 0.5) * spacing.get();
+        let particles = libm::round(std::f64::consts::TAU * radius / spacing.get()).max(1.0) as usize;
         (0..particles).map(move |i| {
             let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i as f64 + 0.5) / particles as f64);
             Vec3::new(centre[0] + radius * cos, centre[1] + radius * sin, 0.0)
@@ -58,10 +58,12 @@ pub(in crate::bodies) fn velocities(fluid: &FluidScene, places: &[Vec3]) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::bounded::{NotNegative, Positive};
 
     #[test]
     fn rings_fill_their_area() {
-        let annulus = Annulus { centre: [1.0, 2.0], inner: 0.5, outer: 1.0, spacing: 0.05 };
+        let [outer, spacing] = [1.0, 0.05].map(Positive::usual);
+        let annulus = Annulus { centre: [1.0, 2.0], inner: NotNegative::usual(0.5), outer, spacing };
         let rings = rings(&annulus);
         let area = std::f64::consts::PI * 0.75;
         // Each of ten rings rounds its number by half a particle at most.

@@ -4,7 +4,7 @@ use sph_core::Vec3;
 
 use super::walls::Piece;
 use crate::bodies::sets::{empty, inside};
-use crate::scene::Scene;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 
 /// Particles of the set that the scene of a fluid alone names.
@@ -12,7 +12,7 @@ use crate::scene::error::SceneError;
 /// # Errors
 /// [`SceneError::Set`] for a declared set without particles.
 pub(in crate::bodies) fn of_fluid(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     name: &str,
     positions: &[Vec3],
     spacing: f64,
@@ -38,7 +38,7 @@ pub(in crate::bodies) struct OnWalls {
 /// # Errors
 /// [`SceneError::Set`] for a declared set without particles.
 pub(in crate::bodies) fn of_walls(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     name: &str,
     pieces: &[Piece],
     spacing: f64,

@@ -8,9 +8,12 @@ use sph_core::{
     surface_first_row, surface_rows,
 };
 
+use crate::bodies::refusal::body_error;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::bounded::numbers;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_WALLS;
-use crate::scene::{Basin, LineSide, Obstacle, Scene, WallGeometry, WallSurface, WallsScene};
+use crate::scene::{Basin, LineSide, Obstacle, WallGeometry, WallSurface, WallsScene};
 
 /// Part of a spacing behind a face up to which a particle belongs to the first row.
 const FIRST: f64 = 0.75;
@@ -62,8 +65,8 @@ pub(in crate::bodies) struct Rows {
 
 /// Walls of one body with their rows.
 pub(in crate::bodies) struct BuiltWalls<'a> {
-    /// Name of the body.
-    pub name: &'a str,
+    /// The body in its scene.
+    pub view: &'a BodyInScene<'a>,
     /// What its scene says.
     pub scene: &'a WallsScene,
     /// Its rows.
@@ -72,13 +75,13 @@ pub(in crate::bodies) struct BuiltWalls<'a> {
 
 /// Rows of wall particles, `rows` deep; `scene` is that of the walls alone.
 pub(in crate::bodies) fn rows(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     walls: &WallsScene,
     spacing: f64,
     rows: usize,
 ) -> Result<Rows, SceneError> {
     let refused = |error: SpaceError| {
-        scene.body_error(&format!("geometry.{}", walls.geometry.word()), &error.to_string())
+        body_error(scene, &format!("geometry.{}", walls.geometry.word()), &error.to_string())
     };
     match &walls.geometry {
         WallGeometry::Basin(basin) => of_basin(basin, spacing, rows).map_err(refused),
@@ -147,7 +150,7 @@ fn of_basin(basin: &Basin, spacing: f64, rows: usize) -> Result<Rows, SpaceError
 }
 
 fn of_obstacle(block: &Obstacle, spacing: f64, rows: usize) -> Result<Rows, SpaceError> {
-    let (lengths, dimensions) = (vector(&block.lengths), block.lengths.len());
+    let (lengths, dimensions) = (vector(&numbers(&block.lengths)), block.lengths.len());
     let origin = vector(block.origin.as_deref().unwrap_or_default());
     let points = block_rows(lengths.into(), &origin, dimensions, spacing, rows)?;
     let depth = |x: &Vec3| {
@@ -166,7 +169,10 @@ fn whole(points: Vec<Vec3>, wanted: &[Vec3], dimensions: usize, spacing: f64) ->
 }
 
 /// Vertices and triangles of a surface from a file.
-fn triangles(scene: &Scene, surface: &WallSurface) -> Result<(Vec<Vec3>, Vec<[u32; 3]>), SceneError> {
+fn triangles(
+    scene: &BodyInScene<'_>,
+    surface: &WallSurface,
+) -> Result<(Vec<Vec3>, Vec<[u32; 3]>), SceneError> {
     let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
     let read = read(&folder.join(&surface.file)).map_err(|error| {
         let mut said = error.clone();
@@ -176,7 +182,7 @@ fn triangles(scene: &Scene, surface: &WallSurface) -> Result<(Vec<Vec3>, Vec<[u3
         let fault = scene.body_scope().fault("geometry.surface.file", value, "a sound surface", &repair);
         SceneError::Mesh(fault)
     })?;
-    let read = read.scaled(surface.scale);
+    let read = read.scaled(surface.scale.get());
     let halves = read.faces.iter().flat_map(|face| {
         let [a, b, c, d] = face.corners;
         let second = (face.count == 4).then_some([a, c, d]);

@@ -5,20 +5,37 @@ use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
-use super::parts::{axes, basis, essential, material, support, tangent, weight};
+use super::parts::{axes, basis, material, support, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
 use super::warnings::warnings_of;
 use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
 use crate::bodies::memory::Memory;
+use crate::bodies::memory::check_memory;
 use crate::bodies::probe::Probe;
+use crate::bodies::refusal::{body_error, model_error, not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;
 use crate::bodies::{BuiltBody, Identity, Model, Ready};
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, BodyScene, Measured, Scene, SolidMaterial, SolidScene};
+use crate::scene::{self, Checked, Measured, SolidMaterial, SolidScene};
+
+impl Checked {
+    /// Builds the Galerkin solid alone, for programs that lead it themselves.
+    ///
+    /// # Errors
+    /// As [`Checked::build`], and for a body of another kind.
+    pub fn build_galerkin(&self, threads: usize) -> Result<Galerkin, SceneError> {
+        let scene = &self.first_body()?;
+        let solid = scene.as_solid().ok_or_else(|| not_a(scene, "solid"))?;
+        let options = solid.formulation.galerkin();
+        let options = options.ok_or_else(|| not_a(scene, "solid with formulation.galerkin"))?;
+        galerkin(scene, solid, options, threads).map(|built| built.galerkin)
+    }
+}
 
 /// A Galerkin solid with what an analysis asks of it.
 struct GalerkinParts {
@@ -32,146 +49,135 @@ struct GalerkinParts {
     widened: f64,
 }
 
-impl Scene {
-    /// Builds a Galerkin solid with what is asked of it.
-    pub(in crate::bodies) fn galerkin_model(
-        &self,
-        solid: &SolidScene,
-        options: &scene::Galerkin,
-        threads: usize,
-    ) -> Result<Model, SceneError> {
-        let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened } =
-            self.galerkin(solid, options, threads)?;
-        let body = GalerkinSolid::new(galerkin, &places, supports);
-        self.refuse_dof(body.dof())?;
-        let description = describe(self, solid, options, (&body, widened), places.block.greatest_spacing());
-        let warnings = warnings_of(self, options, places.lattice.lengths, &places.block);
-        let (identity, judge) = (Identity::default(), None);
-        let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge };
-        Ok(made.map(|body| Ready::Static(Box::new(body))).model(self, threads))
-    }
+/// Builds a Galerkin solid with what is asked of it.
+pub(in crate::bodies) fn galerkin_model(
+    scene: &BodyInScene<'_>,
+    solid: &SolidScene,
+    options: &scene::Galerkin,
+    threads: usize,
+) -> Result<Model, SceneError> {
+    let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened } =
+        galerkin(scene, solid, options, threads)?;
+    let body = GalerkinSolid::new(galerkin, &places, supports);
+    refuse_dof(scene, body.dof())?;
+    let description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
+    let warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
+    let (identity, judge) = (Identity::default(), None);
+    let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge };
+    Ok(made.map(|body| Ready::Static(Box::new(body))).model(scene.scene, threads))
+}
 
-    /// Builds the Galerkin solid alone, for programs that lead it themselves.
-    ///
-    /// # Errors
-    /// As [`Scene::build`], and for a body of another kind.
-    pub fn build_galerkin(&self, threads: usize) -> Result<Galerkin, SceneError> {
-        self.check()?;
-        let BodyScene::Solid(solid) = self.body() else { return Err(self.not_a("solid")) };
-        let options = solid.formulation.galerkin();
-        let options = options.ok_or_else(|| self.not_a("solid with formulation.galerkin"))?;
-        self.galerkin(solid, options, threads).map(|built| built.galerkin)
+fn galerkin(
+    scene: &BodyInScene<'_>,
+    solid: &SolidScene,
+    options: &scene::Galerkin,
+    threads: usize,
+) -> Result<GalerkinParts, SceneError> {
+    let nodes: f64 =
+        solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
+    let memory = check_memory(scene, nodes)?;
+    refuse_few_layers(scene, solid, options)?;
+    let places = Places::new(scene, solid)?;
+    let sets = NodeSets::find(scene, &places.lattice, &places.block, &places.straight)?;
+    let probes = probes(scene, &sets)?;
+    let driven = driven(scene, &sets)?;
+    let conditions = conditions(scene, &sets, driven.map(|(support, _)| support))?;
+    refuse_free_motion(scene, || {
+        let all = Vec::from_iter(0..places.block.len() as u32);
+        free_of(&places.block.positions, &all, holds(&conditions))
+    })?;
+    let mut cells = places.cells.clone();
+    let mut loads = loads(scene, solid.material.density(), &places, &mut cells, &sets)?;
+    let driven = driven.map(|(_, point)| point);
+    loads.extend(driven.map(|point| Load::Point {
+        place: places.block.positions[point.particle as usize],
+        force: point.direction,
+    }));
+    // Nobody pays for reactions that nobody reads.
+    let read =
+        scene.curve.iter().any(|probe| probe.of == Measured::Reaction) || scene.output.fields.is_some();
+    let mirrors = mirrors(scene, &places, &sets)?;
+    let essential = options.essential;
+    let material = material(solid, options)
+        .map_err(|error| body_error(scene, material_path(solid), &error.to_string()))?;
+    let parts = |support: Support| Parts {
+        nodes: places.block.positions.clone(),
+        cells: cells.clone(),
+        rule: options.gauss.get(),
+        basis: basis(options),
+        support,
+        weight: weight(options),
+        material: material.clone(),
+        axes: axes(solid),
+        density: solid.material.density(),
+        mirrors: mirrors.clone(),
+        conditions: conditions.clone(),
+        essential,
+        loads: loads.clone(),
+        tangent: options.tangent,
+        volumes: Volumes::Shared,
+        threads: threads.max(1),
+    };
+    let support = support(solid, options, &places);
+    let (galerkin, widened) = wide_enough(&support, |support| Galerkin::new(parts(support)))
+        .map_err(|error| galerkin_refusal(scene, solid, &error))?;
+    if widened > 1.0 && options.support.is_some() {
+        return Err(too_narrow(scene, options, widened));
     }
+    let sought = driven.map(|point| (point.particle, point.direction));
+    let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
+    Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened })
+}
 
-    fn galerkin(
-        &self,
-        solid: &SolidScene,
-        options: &scene::Galerkin,
-        threads: usize,
-    ) -> Result<GalerkinParts, SceneError> {
-        let nodes: f64 =
-            solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
-        let memory = self.check_memory(nodes)?;
-        self.refuse_few_layers(solid, options)?;
-        let places = Places::new(self, solid)?;
-        let sets = NodeSets::find(self, &places.lattice, &places.block, &places.straight)?;
-        let probes = probes(self, &sets)?;
-        let driven = driven(self, &sets)?;
-        let conditions = conditions(self, &sets, driven.map(|(support, _)| support))?;
-        self.refuse_free_motion(|| {
-            let all = Vec::from_iter(0..places.block.len() as u32);
-            free_of(&places.block.positions, &all, holds(&conditions))
-        })?;
-        let mut cells = places.cells.clone();
-        let mut loads = loads(self, solid.material.density(), &places, &mut cells, &sets)?;
-        let driven = driven.map(|(_, point)| point);
-        loads.extend(driven.map(|point| Load::Point {
-            place: places.block.positions[point.particle as usize],
-            force: point.direction,
-        }));
-        // Nobody pays for reactions that nobody reads.
-        let read =
-            self.curve.iter().any(|probe| probe.of == Measured::Reaction) || self.output.fields.is_some();
-        let mirrors = mirrors(self, &places, &sets)?;
-        let essential = essential(options);
-        let material = material(solid, options)
-            .map_err(|error| self.body_error(material_path(solid), &error.to_string()))?;
-        let parts = |support: Support| Parts {
-            nodes: places.block.positions.clone(),
-            cells: cells.clone(),
-            rule: options.gauss,
-            basis: basis(options),
-            support,
-            weight: weight(options),
-            material: material.clone(),
-            axes: axes(solid),
-            density: solid.material.density(),
-            mirrors: mirrors.clone(),
-            conditions: conditions.clone(),
-            essential,
-            loads: loads.clone(),
-            tangent: tangent(options),
-            volumes: Volumes::Shared,
-            threads: threads.max(1),
-        };
-        let support = support(solid, options, &places);
-        let (galerkin, widened) = wide_enough(&support, |support| Galerkin::new(parts(support)))
-            .map_err(|error| self.galerkin_refusal(solid, &error))?;
-        if widened > 1.0 && options.support.is_some() {
-            return Err(self.too_narrow(options, widened));
+/// Refuses a support that was asked for and is too narrow by a factor.
+fn too_narrow(scene: &BodyInScene<'_>, options: &scene::Galerkin, factor: f64) -> SceneError {
+    let (word, given) = options.support().said();
+    let list = |factor: f64| {
+        let radii: Vec<String> =
+            given.iter().map(|radius| format!("{}", (1e3 * factor * radius).ceil() / 1e3)).collect();
+        if radii.len() == 1 { radii[0].clone() } else { format!("[{}]", radii.join(", ")) }
+    };
+    let wide = list(factor);
+    let bound = format!("about {wide} at least: nodes in less do not determine the basis at every point");
+    let repair = format!("use {word} = {wide}, or leave the support out: it is then as wide as it has to be");
+    let path = format!("formulation.galerkin.support.{word}");
+    scene.body_scope().value(&path, list(1.0), &bound, &repair)
+}
+
+/// Refuses fewer layers of nodes along an axis than its powers in the basis ask for, whatever the support.
+fn refuse_few_layers(
+    scene: &BodyInScene<'_>,
+    solid: &SolidScene,
+    options: &scene::Galerkin,
+) -> Result<(), SceneError> {
+    let lattice = solid.lattice();
+    let Ok(cells) = lattice.cells() else { return Ok(()) };
+    let enough = [0, 1, 2].map(|axis| cells[axis].max(options.least_cells(axis)));
+    let Some(axis) = (0..3).find(|&axis| cells[axis] < enough[axis]) else { return Ok(()) };
+    let why = format!("the basis asks for {} nodes along {}", enough[axis] + 1, ["x", "y", "z"][axis]);
+    let (key, given, bound, wide) = if solid.geometry.arc.is_some() {
+        ("geometry.arc.cells", format!("{cells:?}"), "at least", format!("{enough:?}"))
+    } else {
+        let spacing = [0, 1, 2].map(|axis| lattice.lengths[axis] / enough[axis] as f64);
+        ("geometry.block.spacing", format!("{:?}", lattice.spacing), "at most", format!("{spacing:?}"))
+    };
+    let repair = format!("use {wide}; basis = \"linear\" does with one cell, but locks in bending");
+    Err(scene.body_scope().value(key, given, &format!("{wide} {bound}: {why}"), &repair))
+}
+
+/// Puts a refusal of the solid where the scene causes it.
+fn galerkin_refusal(scene: &BodyInScene<'_>, solid: &SolidScene, error: &GalerkinError) -> SceneError {
+    let of_body = |path: &str| scene.body_scope().path(path);
+    let path = match error {
+        GalerkinError::Shape(_) => of_body("formulation.galerkin"),
+        GalerkinError::Cells(_) | GalerkinError::Coincident(..) | GalerkinError::NotFinite { .. } => {
+            of_body("geometry")
         }
-        let sought = driven.map(|point| (point.particle, point.direction));
-        let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
-        Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened })
-    }
-
-    /// Refuses a support that was asked for and is too narrow by a factor.
-    fn too_narrow(&self, options: &scene::Galerkin, factor: f64) -> SceneError {
-        let (word, given) = options.support().said();
-        let list = |factor: f64| {
-            let radii: Vec<String> =
-                given.iter().map(|radius| format!("{}", (1e3 * factor * radius).ceil() / 1e3)).collect();
-            if radii.len() == 1 { radii[0].clone() } else { format!("[{}]", radii.join(", ")) }
-        };
-        let wide = list(factor);
-        let bound = format!("about {wide} at least: nodes in less do not determine the basis at every point");
-        let repair =
-            format!("use {word} = {wide}, or leave the support out: it is then as wide as it has to be");
-        let path = format!("formulation.galerkin.support.{word}");
-        self.body_scope().value(&path, list(1.0), &bound, &repair)
-    }
-
-    /// Refuses fewer layers of nodes along an axis than its powers in the basis ask for, whatever the support.
-    fn refuse_few_layers(&self, solid: &SolidScene, options: &scene::Galerkin) -> Result<(), SceneError> {
-        let lattice = solid.lattice();
-        let Ok(cells) = lattice.cells() else { return Ok(()) };
-        let enough = [0, 1, 2].map(|axis| cells[axis].max(options.least_cells(axis)));
-        let Some(axis) = (0..3).find(|&axis| cells[axis] < enough[axis]) else { return Ok(()) };
-        let why = format!("the basis asks for {} nodes along {}", enough[axis] + 1, ["x", "y", "z"][axis]);
-        let (key, given, bound, wide) = if solid.geometry.arc.is_some() {
-            ("geometry.arc.cells", format!("{cells:?}"), "at least", format!("{enough:?}"))
-        } else {
-            let spacing = [0, 1, 2].map(|axis| lattice.lengths[axis] / enough[axis] as f64);
-            ("geometry.block.spacing", format!("{:?}", lattice.spacing), "at most", format!("{spacing:?}"))
-        };
-        let repair = format!("use {wide}; basis = \"linear\" does with one cell, but locks in bending");
-        Err(self.body_scope().value(key, given, &format!("{wide} {bound}: {why}"), &repair))
-    }
-
-    /// Puts a refusal of the solid where the scene causes it.
-    fn galerkin_refusal(&self, solid: &SolidScene, error: &GalerkinError) -> SceneError {
-        let of_body = |path: &str| self.body_scope().path(path);
-        let path = match error {
-            GalerkinError::Shape(_) => of_body("formulation.galerkin"),
-            GalerkinError::Cells(_) | GalerkinError::Coincident(..) | GalerkinError::NotFinite { .. } => {
-                of_body("geometry")
-            }
-            GalerkinError::Density(_) | GalerkinError::Axes(_) => of_body(material_path(solid)),
-            GalerkinError::Contradiction { .. } | GalerkinError::Direction(_) => "supports".into(),
-            GalerkinError::EmptySet(_) | GalerkinError::NoSuchNode { .. } => "sets".into(),
-        };
-        self.model_error(&path, &error.to_string())
-    }
+        GalerkinError::Density(_) | GalerkinError::Axes(_) => of_body(material_path(solid)),
+        GalerkinError::Contradiction { .. } | GalerkinError::Direction(_) => "supports".into(),
+        GalerkinError::EmptySet(_) | GalerkinError::NoSuchNode { .. } => "sets".into(),
+    };
+    model_error(scene.source, &path, &error.to_string())
 }
 
 /// Key of the material of a solid.

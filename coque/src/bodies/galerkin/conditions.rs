@@ -5,10 +5,12 @@ use sr_galerkin::{Condition, Load, Mirror};
 
 use super::places::Places;
 use crate::bodies::PrescribedPoint;
+use crate::bodies::refusal::model_error;
 use crate::bodies::rigid::Hold;
 use crate::bodies::solid::sets::NodeSets;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{LoadKind, Scene, SupportKind};
+use crate::scene::{OnNodes, Traction};
 
 /// Nodes nearer to a plane than this part of the spacing lie on it.
 const ON_PLANE: f64 = 1e-9;
@@ -17,30 +19,23 @@ const OPPOSED: f64 = 1e-9;
 
 /// The supports, but that of the motion that is sought.
 pub(super) fn conditions(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     sets: &NodeSets<'_>,
     sought: Option<usize>,
 ) -> Result<Vec<Condition>, SceneError> {
     let mut out = Vec::new();
-    for (i, support) in scene.supports.iter().enumerate().filter(|(i, _)| sought != Some(*i)) {
-        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+    for (_, support) in scene.supports.iter().enumerate().filter(|(i, _)| sought != Some(*i)) {
+        let nodes = sets.at(&support.at("on"), support.on)?;
         let held = |direction: Vec3| Condition::held(nodes.to_vec(), direction);
-        for (_, kind) in support.kinds() {
-            match kind {
-                SupportKind::Clamped => out.extend(Condition::fixed(nodes)),
-                SupportKind::Symmetry(mirror) => out.push(held(Vec3::from(mirror.normal))),
-                SupportKind::Held(given) => {
+        for condition in support.kinds().iter().filter_map(|(_, kind)| kind.on_nodes()) {
+            match condition {
+                OnNodes::Symmetry(mirror) => out.push(held(Vec3::from(mirror.normal))),
+                OnNodes::Held(given) => {
                     out.extend(given.displacement.iter().map(|&v| held(Vec3::from(v))));
                 }
-                SupportKind::Moved(moved) => {
+                OnNodes::Moved(moved) => {
                     out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
                 }
-                // The checks refuse these on a solid.
-                SupportKind::Hinged
-                | SupportKind::Diaphragm(_)
-                | SupportKind::Rotated(_)
-                | SupportKind::Turned(_)
-                | SupportKind::Spring(_) => {}
             }
         }
     }
@@ -50,26 +45,22 @@ pub(super) fn conditions(
 /// Planes of symmetry that whole cuts of the body lie in: behind them the solid goes on. A traction along a cut bends what a whole has
 /// there, and its plane is left out.
 pub(super) fn mirrors(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     places: &Places,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<Mirror>, SceneError> {
     let mut out = Vec::new();
-    for (i, support) in scene.supports.iter().enumerate() {
-        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
-        let symmetries = support.kinds().into_iter().filter_map(|(_, kind)| match kind {
-            SupportKind::Symmetry(mirror) => Some(Vec3::from(mirror.normal).normalize()),
-            _ => None,
-        });
-        for normal in symmetries {
+    for support in &scene.supports {
+        let nodes = sets.at(&support.at("on"), support.on)?;
+        for normal in support.symmetry.iter().map(|mirror| Vec3::from(mirror.normal).normalize()) {
             let all = &places.block.positions;
             let point = all[nodes[0] as usize];
             let on = |x: &Vec3| (x - point).dot(&normal).abs() <= ON_PLANE * places.block.greatest_spacing();
             let flat = nodes.iter().all(|&node| on(&all[node as usize]));
             let whole = all.iter().filter(|x| on(x)).count() == nodes.len();
             let mut pulled = false;
-            for (j, load) in scene.loads.iter().enumerate().filter(|(_, load)| load.traction.is_some()) {
-                let loaded = sets.at(&format!("loads[{j}].on"), &load.on)?;
+            for load in scene.loads.iter().filter(|load| load.traction.is_some()) {
+                let loaded = sets.at(&load.at("on"), load.on)?;
                 pulled |= loaded.iter().all(|&node| on(&all[node as usize]));
             }
             if flat && whole && !pulled {
@@ -94,22 +85,23 @@ pub(super) fn holds(conditions: &[Condition]) -> Vec<Hold> {
 /// # Errors
 /// [`SceneError::Model`] where another support opposes it.
 pub(super) fn driven(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     sets: &NodeSets<'_>,
 ) -> Result<Option<(usize, PrescribedPoint)>, SceneError> {
     let Some(number) = scene.sole_motion() else { return Ok(None) };
-    let nodes = sets.at(&format!("supports[{number}].on"), &scene.supports[number].on)?;
-    let (&[node], Some(moved)) = (nodes, scene.supports[number].moved) else { return Ok(None) };
+    let support = &scene.supports[number];
+    let nodes = sets.at(&support.at("on"), support.on)?;
+    let (&[node], Some(moved)) = (nodes, support.moved) else { return Ok(None) };
     let (direction, by) = (Vec3::from(moved.direction).normalize() * moved.by.signum(), moved.by.abs());
     for condition in conditions(scene, sets, Some(number))? {
         let along = direction.dot(&condition.direction.normalize());
         if condition.nodes.contains(&node) && along.abs() > OPPOSED {
-            let path = format!("supports[{number}].moved");
+            let path = support.at("moved");
             let message = format!(
                 "node {node} is moved by {by} along a direction that another support holds; move another node, \
                                    or hold it less"
             );
-            return Err(scene.model_error(&path, &message));
+            return Err(model_error(scene.source, &path, &message));
         }
     }
     Ok(Some((number, PrescribedPoint { particle: node, direction, by })))
@@ -117,34 +109,28 @@ pub(super) fn driven(
 
 /// The loads at level one; faces that a set cuts add their corners to the cells.
 pub(super) fn loads(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     density: f64,
     places: &Places,
     cells: &mut Hexahedra,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<Load>, SceneError> {
     let mut out = Vec::new();
-    for (i, load) in scene.loads.iter().enumerate() {
-        let path = format!("loads[{i}].on");
-        for (_, kind) in load.kinds() {
-            match kind {
-                LoadKind::Force(force) => {
-                    out.extend(shared(places, sets.at(&path, &load.on)?, Vec3::from(force.total)))
-                }
-                LoadKind::Gravity(gravity) => {
-                    out.push(Load::Body(Vec3::from(gravity.acceleration) * density))
-                }
-                LoadKind::Traction(traction) => out.push(Load::Traction {
-                    faces: places.faces(cells, sets, &path, &load.on)?,
-                    traction: Vec3::from(traction.value),
-                }),
-                LoadKind::Pressure(pressure) => out.push(Load::Pressure {
-                    faces: places.faces(cells, sets, &path, &load.on)?,
-                    pressure: pressure.value,
-                }),
-                // The checks refuse it on a solid.
-                LoadKind::Couple(_) => {}
-            }
+    for load in &scene.loads {
+        let path = load.at("on");
+        if let Some(force) = load.force {
+            out.extend(shared(places, sets.at(&path, load.on)?, Vec3::from(force.total)));
+        }
+        if let Some(gravity) = load.gravity {
+            out.push(Load::Body(Vec3::from(gravity.acceleration) * density));
+        }
+        if let Some(Traction { value, .. }) = load.traction {
+            let faces = places.faces(cells, sets, &path, load.on)?;
+            out.push(Load::Traction { faces, traction: Vec3::from(value) });
+        }
+        if let Some(pressure) = load.pressure {
+            let faces = places.faces(cells, sets, &path, load.on)?;
+            out.push(Load::Pressure { faces, pressure: pressure.value });
         }
     }
     Ok(out)

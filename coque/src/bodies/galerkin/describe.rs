@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::solid::GalerkinSolid;
 use crate::bodies::{Description, TangentCost};
-use crate::scene::{Galerkin, GalerkinLaw, Scene, SolidMaterial, SolidScene};
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::{Galerkin, GalerkinLaw, SolidMaterial, SolidScene};
 
 /// Bytes of a number.
 const NUMBER: f64 = 8.0;
@@ -13,7 +14,7 @@ const POINT: f64 = 90.0;
 
 /// What the Galerkin solid of a scene is; `spacing` is the greatest between its nodes \[L\].
 pub(super) fn describe(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     solid: &SolidScene,
     options: &Galerkin,
     (body, widened): (&GalerkinSolid, f64),
@@ -43,7 +44,7 @@ pub(super) fn describe(
 
 /// Lines of what is modelled, and of what is not.
 fn lists(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     solid: &SolidScene,
     options: &Galerkin,
     dependent: usize,

@@ -35,7 +35,7 @@ impl Places {
         if let Some(number) = OF_SOLIDS[1..].iter().position(|known| *known == name) {
             return Ok(self.cells.faces[number].clone());
         }
-        let region = sets.scene().sets.get(name);
+        let region = sets.scene().sets.get(name).copied();
         if region.is_none() {
             return Ok(self.cells.faces.iter().flatten().copied().collect()); // `all`
         }
@@ -70,8 +70,11 @@ impl Places {
                 let side = OF_SOLIDS[1..].iter().position(|known| *known == layer.face).unwrap_or_default();
                 let (low, axis) = (side % 2 == 0, side / 2);
                 let start = self.lattice.origin[axis];
-                let reach =
-                    if low { start + layer.depth } else { layer.depth - start - self.lattice.lengths[axis] };
+                let reach = if low {
+                    start + layer.depth.get()
+                } else {
+                    layer.depth.get() - start - self.lattice.lengths[axis]
+                };
                 let normal = Vec3::ith(axis, if low { 1.0 } else { -1.0 });
                 (&self.even, vec![HalfSpace { normal, reach }])
             }
@@ -118,7 +121,10 @@ fn bounds(region: &Region) -> Vec<HalfSpace> {
     let Some(OnPlane { point, normal, within: Some(within) }) = region.plane else { return Vec::new() };
     let normal = Vec3::from(normal).normalize();
     let at = normal.dot(&Vec3::from(point));
-    vec![HalfSpace { normal, reach: at + within }, HalfSpace { normal: -normal, reach: within - at }]
+    vec![
+        HalfSpace { normal, reach: at + within.get() },
+        HalfSpace { normal: -normal, reach: within.get() - at },
+    ]
 }
 
 impl HalfSpace {

@@ -1,7 +1,7 @@
 //! Galerkin solids: from the scene's words to `sr-galerkin`.
 
 mod body;
-mod build;
+pub(super) mod build;
 mod conditions;
 mod describe;
 mod faces;

@@ -1,31 +1,20 @@
 //! Material, shape functions and options of a Galerkin solid, from the scene's words to those of `sr-galerkin`.
 
-use solid_kinematics::{
-    ElasticError, Formulation, Material, Moduli, Orthotropic, StressMeasure, Tangent, Tensor, Update,
-};
+use solid_kinematics::{ElasticError, Formulation, Material, Moduli, StressMeasure, Tensor};
 use sph_core::{Basis, Support, Vec3, Weight, kernels};
-use sr_galerkin::Essential;
 
 use super::places::Places;
 use crate::scene::{
-    Arc, Galerkin, GalerkinBasis, GalerkinEssential, GalerkinLaw, GalerkinSupport, GalerkinTangent,
-    GalerkinUpdate, PerAxis, SolidMaterial, SolidScene,
+    Arc, Galerkin, GalerkinBasis, GalerkinLaw, GalerkinSupport, PerAxis, SolidMaterial, SolidScene,
 };
 
 /// Moduli and the way in which stress follows deformation.
 pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Material, ElasticError> {
     let moduli = match &solid.material {
-        SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young, elastic.poisson)?,
-        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&Orthotropic {
-            young: given.young,
-            poisson: given.poisson,
-            shear: given.shear,
-        })?,
+        SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young.get(), elastic.poisson)?,
+        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&given.constants())?,
     };
-    let update = match galerkin.update.unwrap_or_default() {
-        GalerkinUpdate::Midpoint => Update::Midpoint,
-        GalerkinUpdate::StepStart => Update::StepStart,
-    };
+    let update = galerkin.update.unwrap_or_default();
     let formulation = match galerkin.law {
         GalerkinLaw::StrainRotation => {
             Formulation::StrainRotation { update, measure: StressMeasure::Kirchhoff }
@@ -85,18 +74,4 @@ fn angles_of(arc: &Arc) -> Vec<f64> {
 pub(super) fn weight(galerkin: &Galerkin) -> Weight {
     let kernel = kernels().into_iter().find(|kernel| kernel.name() == galerkin.kernel);
     kernel.map_or(Weight::Csrbf2, Weight::Kernel)
-}
-
-pub(super) fn essential(galerkin: &Galerkin) -> Essential {
-    match galerkin.essential {
-        GalerkinEssential::Collocation => Essential::Collocation,
-        GalerkinEssential::Direct => Essential::Direct,
-    }
-}
-
-pub(super) fn tangent(galerkin: &Galerkin) -> Tangent {
-    match galerkin.tangent {
-        GalerkinTangent::Continuum => Tangent::Continuum,
-        GalerkinTangent::Consistent => Tangent::Consistent,
-    }
 }

@@ -2,8 +2,10 @@
 
 use sph_core::{Block, BlockLattice, Cell, Hexahedra, Vec3};
 
+use crate::bodies::refusal::body_error;
+use crate::scene::SolidScene;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Scene, SolidScene};
 
 /// Nodes and background cells; corner and node of one number stand at one place, but for the disorder of nodes.
 pub(super) struct Places {
@@ -24,8 +26,8 @@ impl Places {
     ///
     /// # Errors
     /// [`SceneError::Model`] for what the lattice refuses.
-    pub fn new(scene: &Scene, solid: &SolidScene) -> Result<Self, SceneError> {
-        let refusal = |error: &dyn std::fmt::Display| scene.body_error("geometry", &error.to_string());
+    pub fn new(scene: &BodyInScene<'_>, solid: &SolidScene) -> Result<Self, SceneError> {
+        let refusal = |error: &dyn std::fmt::Display| body_error(scene, "geometry", &error.to_string());
         let lattice = solid.lattice();
         let mut block = lattice.block().map_err(|error| refusal(&error))?;
         let lattice_nodes =

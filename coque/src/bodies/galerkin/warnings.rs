@@ -2,13 +2,14 @@
 
 use sph_core::{Block, Vec3};
 
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Scene, Support};
+use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Support};
 use crate::warning::{Warning, WarningKind};
 
 /// What is doubtful before anything is solved.
 pub(super) fn warnings_of(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     options: &Galerkin,
     lengths: [f64; 3],
     block: &Block,
@@ -28,7 +29,7 @@ const SLENDER: f64 = 4.0;
 /// A face at the end of a thin part that is held along its thickness and free along its normal turns by straining across. What that
 /// takes grows with the square of the turn, as what the middle surface stretches by does: the part of the one in the other stays, 3.4 % of the
 /// deflection of a plate between a half and two thicknesses (h/a = .01).
-fn cannot_turn(scene: &Scene, lengths: [f64; 3]) -> Option<Warning> {
+fn cannot_turn(scene: &BodyInScene<'_>, lengths: [f64; 3]) -> Option<Warning> {
     if !matches!(scene.analysis, Analysis::Static(_) | Analysis::ArcLength(_) | Analysis::Relaxation(_)) {
         return None;
     }
@@ -87,7 +88,7 @@ fn locks(options: &Galerkin, lengths: [f64; 3], block: &Block) -> Option<Warning
 const FEW: f64 = 4.5;
 
 /// Few cells along a body that loads or motions across it bend; a plane of symmetry doubles them.
-fn few_cells(scene: &Scene, lengths: [f64; 3], block: &Block) -> Option<Warning> {
+fn few_cells(scene: &BodyInScene<'_>, lengths: [f64; 3], block: &Block) -> Option<Warning> {
     let long = (0..3).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
     let across = |v: [f64; 3]| {
         let v = Vec3::from(v);
@@ -102,7 +103,7 @@ fn few_cells(scene: &Scene, lengths: [f64; 3], block: &Block) -> Option<Warning>
         return None;
     }
     let ends = [2 * long, 2 * long + 1].map(|face| OF_SOLIDS[1 + face]);
-    let mirrored = scene.supports.iter().any(|s| s.symmetry.is_some() && ends.contains(&s.on.as_str()));
+    let mirrored = scene.supports.iter().any(|s| s.symmetry.is_some() && ends.contains(&s.on));
     let cells = lengths[long] / block.spacing[long] * if mirrored { 2.0 } else { 1.0 };
     (cells < FEW).then(|| {
         let message = format!(

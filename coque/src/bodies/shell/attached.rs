@@ -12,10 +12,10 @@ impl Builder<'_> {
     /// Lumped masses, shared equally by the particles of their sets.
     pub(super) fn masses(&self, sets: &Sets) -> Result<Vec<(u32, f64)>, SceneError> {
         let mut all = Vec::new();
-        for (i, lumped) in self.scene.shell().masses.iter().enumerate() {
+        for (i, lumped) in self.scene.shell.masses.iter().enumerate() {
             let path = self.scene.body_scope().path(&format!("masses[{i}].on"));
             let particles = sets.at(self.scene, &path, &lumped.on)?;
-            let share = lumped.mass / particles.len() as f64;
+            let share = lumped.mass.get() / particles.len() as f64;
             all.extend(particles.iter().map(|&a| (a, share)));
         }
         Ok(all)
@@ -28,6 +28,6 @@ impl Builder<'_> {
             let edge = sets.at(self.scene, &own.path("edge"), edge)?.to_vec();
             Ok(Tie { edge, host: cells.at(&own.path("to"), to)? })
         };
-        self.scene.shell().ties.iter().enumerate().map(tie).collect()
+        self.scene.shell.ties.iter().enumerate().map(tie).collect()
     }
 }

@@ -5,7 +5,6 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::{Holds, Preloaded, RigidLoad, RigidSet, Support};
 
 use super::build::Builder;
-use crate::bodies::build::amplitude;
 use crate::bodies::sets::Sets;
 use crate::scene::error::SceneError;
 use crate::scene::{Axis, LoadKind, RigidBody};
@@ -24,13 +23,13 @@ impl Builder<'_> {
             let tensor = Matrix3::new(moment(0), xy, zx, xy, moment(1), yz, zx, yz, moment(2));
             Ok(RigidSet {
                 at: body.at.map_or(mean, |at| self.turned(at)),
-                mass: body.mass,
+                mass: body.mass.get(),
                 inertia: turn * tensor * turn.transpose(),
                 holds: self.holds_of_body(&body.on),
                 particles,
             })
         };
-        self.scene.shell().rigid.iter().enumerate().map(body).collect()
+        self.scene.shell.rigid.iter().enumerate().map(body).collect()
     }
 
     /// What each support on a set asks of its body.
@@ -38,7 +37,7 @@ impl Builder<'_> {
         let mut all = Vec::new();
         for support in self.scene.supports.iter().filter(|support| support.on == on) {
             for (_, kind) in support.kinds() {
-                let course = amplitude(support.amplitude.as_ref());
+                let course = support.amplitude.clone().unwrap_or_default();
                 let Some(found) = self.support(kind, course) else { continue };
                 all.push(if support.preload { Preloaded(found).holds() } else { found.holds() });
             }
@@ -48,7 +47,7 @@ impl Builder<'_> {
 
     /// A force or a couple about a fixed axis on a rigid set, as a load on its body.
     pub(super) fn load_on_body(&self, kind: &LoadKind, on: &str) -> Option<RigidLoad> {
-        let set = self.scene.shell().rigid_body(on)?;
+        let set = self.scene.shell.rigid_body(on)?;
         match kind {
             LoadKind::Force(force) => {
                 Some(RigidLoad { set, force: self.turned(force.total), couple: Vec3::zeros() })

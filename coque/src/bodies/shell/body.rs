@@ -6,9 +6,9 @@ use explicit_dynamics::Dynamics;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
+use super::balance::unbalanced;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
-use super::stress::unbalanced;
 use super::warnings::{among_preloaded_modes, between_lines};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};

@@ -1,163 +1,167 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
+use explicit_dynamics::Amplitude;
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
 use sph_shell::{
     AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of,
 };
 
+use super::balance::warning_of_start;
 use super::cells::CellSets;
 use super::describe::describe;
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
+use super::places;
 use super::rigid::free_motions;
 use super::sections::Sections;
 use super::warnings::{warnings_of, warnings_of_shapes};
-use crate::bodies::build::amplitude;
+use crate::bodies::memory::{check_memory, particles_asked};
+use crate::bodies::refusal::{not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::sets::{self, Sets};
 use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
+use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, Axis, LoadKind, Scene, SupportKind};
+use crate::scene::{self, Axis, Checked, LoadKind, SupportKind};
 use crate::warning::{Warning, WarningKind};
 
-impl Scene {
-    /// Builds a shell with what is asked of it.
-    pub(in crate::bodies) fn shell_model(&self, threads: usize) -> Result<Model, SceneError> {
-        let ready = |shell| match &self.analysis {
-            scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
-            _ => Ready::Static(Box::new(StaticShell::new(shell))),
-        };
-        Ok(self.shell_made(threads, None)?.map(ready).model(self, threads))
-    }
-
-    /// Builds a shell, wets it if that is wanted, and looks at it.
-    pub(in crate::bodies) fn shell_made(
-        &self,
-        threads: usize,
-        wetting: Option<Wetting>,
-    ) -> Result<BuiltBody<Shell>, SceneError> {
-        let ShellParts { mut shell, probes, driven, surface, turn, memory, said } =
-            self.assemble(threads, wetting)?;
-        let description = describe(self, &shell, surface.as_ref(), said);
-        let mut warnings = warnings_of(self, turn, &shell);
-        let poor = surface.iter().filter_map(|surface| surface.poor.clone());
-        warnings.extend(poor.map(|message| Warning::new(WarningKind::PoorMesh, message)));
-        warnings.extend(self.warning_of_start(&mut shell));
-        let cloud = &shell.reference().cloud;
-        let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
-        let judge = move |cells: &[Cell], shapes: &[Shape]| warnings_of_shapes(cells, loss, area, shapes);
-        let identity = surface.map_or_else(Identity::default, |surface| Identity {
-            file: Some(surface.file),
-            checksum: Some(surface.checksum),
-        });
-        let judge = Some(Box::new(judge) as _);
-        Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge })
-    }
-
+impl Checked {
     /// Builds the shell alone, for programs that march or solve it themselves.
     ///
     /// # Errors
-    /// As [`Scene::build`], and for a body of another kind.
+    /// As [`Checked::build`], and for a body of another kind.
     pub fn build_shell(&self, threads: usize) -> Result<Shell, SceneError> {
-        self.check()?;
-        if self.as_shell().is_none() {
-            return Err(self.not_a("shell"));
-        }
-        self.assemble(threads, None).map(|built| built.shell)
+        let scene = &self.first_body()?;
+        let shell = scene.as_shell().ok_or_else(|| not_a(scene, "shell"))?;
+        assemble(&ShellInScene::new(scene, shell), threads, None).map(|built| built.shell)
     }
+}
 
-    pub(super) fn assemble(
-        &self,
-        threads: usize,
-        wetting: Option<Wetting>,
-    ) -> Result<ShellParts, SceneError> {
-        let builder = Builder { scene: self, turn: self.turn() };
-        let weights = self.end_weights();
-        let asked = self.particles_asked().map(|particles| self.check_memory(particles)).transpose()?;
-        let mut imported = Imported::read(self)?;
-        if let Some(imported) = &mut imported {
-            imported.cloud = self.placed(imported.cloud.clone());
-        }
-        let memory = match (asked, &imported) {
-            (Some(memory), _) => memory,
-            (None, Some(imported)) => self.check_memory(imported.cloud.len() as f64)?,
-            (None, None) => self.check_memory(0.0)?,
-        };
-        let flat = match &imported {
-            Some(imported) => imported.cloud.clone(),
-            None => self.placed(self.place(weights)?),
-        };
-        let brought = imported.as_ref().map(|imported| imported.sets(self)).transpose()?;
-        let sets = Sets::find(self, &flat, brought)?;
-        let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(self, &sets))?;
-        let cloud = builder.bent(flat.transformed(&builder.turn, &Vec3::zeros()), threads)?;
-        let driver = builder.driver(&sets)?;
-        let supports = builder.supports(&sets, driver)?;
-        let cells = CellSets::new(self, &flat, &sets, imported.as_ref());
-        let sections = builder.sections(&flat, &cells, imported.as_ref())?;
-        let mut loads = builder.loads(&sets, &cells, &sections, &cloud, weights, imported.as_ref())?;
-        let driven = builder.driven(&sets, driver, &supports)?;
-        if let Some(PrescribedPoint { particle, direction, .. }) = driven {
-            let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
-            loads.push(AppliedLoad { load: Box::new(force), amplitude: amplitude(None) });
-        }
-        let rigid = builder.rigid(&sets, &cloud)?;
-        let springs = builder.springs(&sets, &cloud)?;
-        let ties = builder.ties(&sets, &cells)?;
-        imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(self, &ties))?;
-        self.refuse_free_motion(|| {
-            let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
-            free_motions(&cloud, &held.collect::<Vec<_>>(), &ties, &rigid, &springs)
-        })?;
-        let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
-        let masses = builder.masses(&sets)?;
-        let stresses = builder.stresses(&cells)?;
-        let parts = Parts {
-            cloud,
-            section: sections.base,
-            strain: sections.strain,
-            material_axis: sections.axis,
-            density: sections.density,
-            formulation: builder.formulation(),
-            supports,
-            loads,
-            threads,
-        };
-        // Files may stand anywhere, and a part of several bodies shares its places with the others.
-        let far = imported.is_some() && !self.source.is_part();
-        let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
-        let mut shell = Shell::builder(parts)
-            .regions(sections.regions)
-            .origin(origin)
-            .ties(ties)
-            .masses(masses)
-            .rigid(rigid)
-            .springs(springs)
-            .stresses(stresses);
-        if self.stress_drives() {
-            shell = shell.stress_by_level();
-        }
-        if let Some(wetting) = wetting {
-            shell = shell.wetted(wetting);
-        }
-        let mut shell = shell.build().map_err(|e| builder.refusal(&e))?;
-        builder.refuse_stress_alone(&mut shell)?;
-        let probes = builder.probes(&sets, &cells, &shell)?;
-        builder.set_out(&sets, &mut shell)?;
-        self.refuse_dof(shell.dof())?;
-        let surface = imported.map(|imported| imported.provenance());
-        let (turn, said) = (builder.turn, sections.said);
-        Ok(ShellParts { shell, probes, driven, surface, turn, memory, said })
-    }
+/// Builds a shell with what is asked of it.
+pub(in crate::bodies) fn shell_model(scene: &ShellInScene<'_>, threads: usize) -> Result<Model, SceneError> {
+    let ready = |shell| match scene.analysis {
+        scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
+        _ => Ready::Static(Box::new(StaticShell::new(shell))),
+    };
+    Ok(shell_made(scene, threads, None)?.map(ready).model(scene.scene, threads))
+}
 
-    fn turn(&self) -> Rotation3<f64> {
-        self.shell().orientation.map_or_else(Rotation3::identity, |turn| {
-            // libm: the same bits on every machine.
-            let (sin, cos) = libm::sincos(turn.degrees.to_radians());
-            let k = Vec3::from(turn.axis).normalize().cross_matrix();
-            Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
-        })
+/// Builds a shell, wets it if that is wanted, and looks at it.
+pub(in crate::bodies) fn shell_made(
+    scene: &ShellInScene<'_>,
+    threads: usize,
+    wetting: Option<Wetting>,
+) -> Result<BuiltBody<Shell>, SceneError> {
+    let ShellParts { mut shell, probes, driven, surface, turn, memory, said } =
+        assemble(scene, threads, wetting)?;
+    let description = describe(scene, &shell, surface.as_ref(), said);
+    let mut warnings = warnings_of(scene, turn, &shell);
+    let poor = surface.iter().filter_map(|surface| surface.poor.clone());
+    warnings.extend(poor.map(|message| Warning::new(WarningKind::PoorMesh, message)));
+    warnings.extend(warning_of_start(scene, &mut shell));
+    let cloud = &shell.reference().cloud;
+    let (loss, area) = (shell.chord_loss(), cloud.areas.iter().sum());
+    let judge = move |cells: &[Cell], shapes: &[Shape]| warnings_of_shapes(cells, loss, area, shapes);
+    let identity = surface.map_or_else(Identity::default, |surface| Identity {
+        file: Some(surface.file),
+        checksum: Some(surface.checksum),
+    });
+    let judge = Some(Box::new(judge) as _);
+    Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge })
+}
+
+pub(super) fn assemble(
+    scene: &ShellInScene<'_>,
+    threads: usize,
+    wetting: Option<Wetting>,
+) -> Result<ShellParts, SceneError> {
+    let builder = Builder { scene, turn: turn(scene) };
+    let weights = places::end_weights(scene);
+    let asked =
+        particles_asked(&scene.shell.geometry).map(|particles| check_memory(scene, particles)).transpose()?;
+    let mut imported = Imported::read(scene)?;
+    if let Some(imported) = &mut imported {
+        imported.cloud = places::placed(scene, imported.cloud.clone());
     }
+    let memory = match (asked, &imported) {
+        (Some(memory), _) => memory,
+        (None, Some(imported)) => check_memory(scene, imported.cloud.len() as f64)?,
+        (None, None) => check_memory(scene, 0.0)?,
+    };
+    let flat = match &imported {
+        Some(imported) => imported.cloud.clone(),
+        None => places::placed(scene, places::place(scene, weights)?),
+    };
+    let brought = imported.as_ref().map(|imported| imported.sets(scene)).transpose()?;
+    let sets = Sets::find(scene, &flat, brought)?;
+    let flat = imported.as_ref().map_or(Ok(flat), |imported| imported.mirrored(scene, &sets))?;
+    let cloud = builder.bent(flat.transformed(&builder.turn, &Vec3::zeros()), threads)?;
+    let driver = builder.driver(&sets)?;
+    let supports = builder.supports(&sets, driver)?;
+    let cells = CellSets::new(scene, &flat, &sets, imported.as_ref());
+    let sections = builder.sections(&flat, &cells, imported.as_ref())?;
+    let mut loads = builder.loads(&sets, &cells, &sections, &cloud, weights, imported.as_ref())?;
+    let driven = builder.driven(&sets, driver, &supports)?;
+    if let Some(PrescribedPoint { particle, direction, .. }) = driven {
+        let force = sph_shell::Force { shares: vec![(particle, 1.0)], total: direction };
+        loads.push(AppliedLoad { load: Box::new(force), amplitude: Amplitude::Constant });
+    }
+    let rigid = builder.rigid(&sets, &cloud)?;
+    let springs = builder.springs(&sets, &cloud)?;
+    let ties = builder.ties(&sets, &cells)?;
+    imported.as_ref().map_or(Ok(()), |imported| imported.refuse_hanging(scene, &ties))?;
+    refuse_free_motion(scene, || {
+        let held = supports.iter().map(|s| (s.particles.clone(), s.support.holds()));
+        free_motions(&cloud, &held.collect::<Vec<_>>(), &ties, &rigid, &springs)
+    })?;
+    let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
+    let masses = builder.masses(&sets)?;
+    let stresses = builder.stresses(&cells)?;
+    let parts = Parts {
+        cloud,
+        section: sections.base,
+        strain: sections.strain,
+        material_axis: sections.axis,
+        density: sections.density,
+        formulation: builder.formulation(),
+        supports,
+        loads,
+        threads,
+    };
+    // Files may stand anywhere, and a part of several bodies shares its places with the others.
+    let far = imported.is_some() && !scene.coupled;
+    let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
+    let mut shell = Shell::builder(parts)
+        .regions(sections.regions)
+        .origin(origin)
+        .ties(ties)
+        .masses(masses)
+        .rigid(rigid)
+        .springs(springs)
+        .stresses(stresses);
+    if scene.stress_drives() {
+        shell = shell.stress_by_level();
+    }
+    if let Some(wetting) = wetting {
+        shell = shell.wetted(wetting);
+    }
+    let mut shell = shell.build().map_err(|e| builder.refusal(&e))?;
+    builder.refuse_stress_alone(&mut shell)?;
+    let probes = builder.probes(&sets, &cells, &shell)?;
+    builder.set_out(&sets, &mut shell)?;
+    refuse_dof(scene, shell.dof())?;
+    let surface = imported.map(|imported| imported.provenance());
+    let (turn, said) = (builder.turn, sections.said);
+    Ok(ShellParts { shell, probes, driven, surface, turn, memory, said })
+}
+
+fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
+    scene.shell.orientation.map_or_else(Rotation3::identity, |turn| {
+        // libm: the same bits on every machine.
+        let (sin, cos) = libm::sincos(turn.degrees.to_radians());
+        let k = Vec3::from(turn.axis).normalize().cross_matrix();
+        Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
+    })
 }
 
 /// A shell with what its curve measures.
@@ -174,7 +178,7 @@ pub(super) struct ShellParts {
 }
 
 pub(crate) struct Builder<'a> {
-    pub(crate) scene: &'a Scene,
+    pub(crate) scene: &'a ShellInScene<'a>,
     turn: Rotation3<f64>,
 }
 
@@ -196,15 +200,15 @@ impl Builder<'_> {
     fn supports(&self, sets: &Sets, driver: Option<usize>) -> Result<Vec<Supported>, SceneError> {
         let mut supports = Vec::new();
         for (i, support) in self.scene.supports.iter().enumerate() {
-            let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
-            if self.scene.shell().rigid_body(&support.on).is_some() {
+            let particles = sets.at(self.scene, &support.at("on"), support.on)?;
+            if self.scene.shell.rigid_body(support.on).is_some() {
                 continue; // it holds the body
             }
             for (_, kind) in support.kinds() {
                 if driver == Some(i) && matches!(kind, SupportKind::Moved(_)) {
                     continue; // its direction is left free for the force that brings it about
                 }
-                let course = amplitude(support.amplitude.as_ref());
+                let course = support.amplitude.clone().unwrap_or_default();
                 let Some(mut found) = self.support(kind, course) else { continue };
                 if support.preload {
                     found = Box::new(sph_shell::Preloaded(found));
@@ -219,7 +223,8 @@ impl Builder<'_> {
     /// one particle. Every other motion is prescribed.
     fn driver(&self, sets: &Sets) -> Result<Option<usize>, SceneError> {
         let Some(i) = self.scene.sole_motion() else { return Ok(None) };
-        let particles = sets.at(self.scene, &format!("supports[{i}].on"), &self.scene.supports[i].on)?;
+        let support = &self.scene.supports[i];
+        let particles = sets.at(self.scene, &support.at("on"), support.on)?;
         Ok((particles.len() == 1).then_some(i))
     }
 
@@ -230,12 +235,11 @@ impl Builder<'_> {
         driver: Option<usize>,
         supports: &[Supported],
     ) -> Result<Option<PrescribedPoint>, SceneError> {
-        let support = driver.map(|i| (i, &self.scene.supports[i]));
-        let Some((i, on, moved)) = support.and_then(|(i, support)| Some((i, &support.on, support.moved?)))
-        else {
+        let support = driver.map(|i| &self.scene.supports[i]);
+        let Some((support, moved)) = support.and_then(|support| Some((support, support.moved?))) else {
             return Ok(None);
         };
-        let &[particle] = sets.at(self.scene, &format!("supports[{i}].on"), on)? else { return Ok(None) };
+        let &[particle] = sets.at(self.scene, &support.at("on"), support.on)? else { return Ok(None) };
         let direction = self.turned(moved.direction).normalize() * moved.by.signum();
         let others = supports.iter().filter(|s| s.particles.contains(&particle));
         for held in others.flat_map(|s| s.support.holds().translations) {
@@ -251,7 +255,7 @@ impl Builder<'_> {
     pub(super) fn support(
         &self,
         kind: SupportKind,
-        amplitude: explicit_dynamics::Amplitude,
+        amplitude: Amplitude,
     ) -> Option<Box<dyn sph_shell::Support>> {
         Some(match kind {
             SupportKind::Clamped => Box::new(sph_shell::Clamped),
@@ -289,26 +293,26 @@ impl Builder<'_> {
         imported: Option<&Imported>,
     ) -> Result<Vec<AppliedLoad>, SceneError> {
         let mut loads = Vec::new();
-        for (i, load) in self.scene.loads.iter().enumerate() {
-            let path = format!("loads[{i}].on");
+        for load in &self.scene.loads {
+            let path = load.at("on");
             let of_case = |applied: AppliedLoad| match load.preload {
                 true => AppliedLoad { load: Box::new(sph_shell::Preloaded(applied.load)), ..applied },
                 false => applied,
             };
             if load.acts_on_cells() {
-                let found = self.load_on_cells(load, cells.at(&path, &load.on)?, sections, cloud);
+                let found = self.load_on_cells(load, cells.at(&path, load.on)?, sections, cloud);
                 loads.extend(found.into_iter().map(of_case));
                 continue;
             }
-            let particles = sets.at(self.scene, &path, &load.on)?;
+            let particles = sets.at(self.scene, &path, load.on)?;
             let edge = match imported {
-                None => sets::edge(&load.on, particles, cloud, weights),
+                None => sets::edge(load.on, particles, cloud, weights),
                 Some(imported) => imported.edge(self.scene, &path, load, particles)?,
             };
             let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
             for (_, kind) in load.kinds() {
-                let amplitude = amplitude(load.amplitude.as_ref());
-                let found = match self.load_on_body(&kind, &load.on) {
+                let amplitude = load.amplitude.clone().unwrap_or_default();
+                let found = match self.load_on_body(&kind, load.on) {
                     Some(on_body) => Some(Box::new(on_body) as _),
                     None => self.load(kind, shares.clone()),
                 };
@@ -369,7 +373,7 @@ impl Builder<'_> {
                 LoadKind::Couple(_) => return None,
             })
         };
-        let amplitude = || amplitude(load.amplitude.as_ref());
+        let amplitude = || load.amplitude.clone().unwrap_or_default();
         let loads = load.kinds().into_iter().filter_map(of);
         loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
     }

@@ -4,12 +4,12 @@ use sph_core::{Cell, Cloud, Vec3};
 
 use super::imported::Imported;
 use crate::bodies::sets::{Sets, inside};
-use crate::scene::Scene;
+use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::error::SceneError;
 
 /// The cells of a shell, to be picked by name.
 pub(crate) struct CellSets<'a> {
-    scene: &'a Scene,
+    scene: &'a ShellInScene<'a>,
     /// Not turned yet.
     cloud: &'a Cloud,
     sets: &'a Sets,
@@ -18,7 +18,7 @@ pub(crate) struct CellSets<'a> {
 
 impl<'a> CellSets<'a> {
     pub(crate) fn new(
-        scene: &'a Scene,
+        scene: &'a ShellInScene<'a>,
         cloud: &'a Cloud,
         sets: &'a Sets,
         imported: Option<&'a Imported>,

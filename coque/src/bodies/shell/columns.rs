@@ -9,6 +9,7 @@ use crate::bodies::Probe;
 use crate::bodies::sampled::{PointAtRest, Sampled};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
+use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
 
 impl Builder<'_> {
@@ -18,33 +19,32 @@ impl Builder<'_> {
         cells: &CellSets<'_>,
         shell: &Shell,
     ) -> Result<Vec<Probe>, SceneError> {
-        let probe = |(i, column): (usize, &scene::Probe)| {
-            let path = format!("curve[{i}].on");
+        let probe = |column: &OnSet<'_, scene::Probe>| {
+            let path = column.at("on");
             let in_cells =
                 column.of.is_of_strains() && matches!(shell.formulation(), Formulation::StressPoint(_));
             let on = match in_cells {
-                true => cells.at(&path, &column.on)?,
+                true => cells.at(&path, column.on)?,
                 false => {
                     let cloud = &shell.reference().cloud;
-                    sets::places(cloud, sets.at(self.scene, &path, &column.on)?).collect()
+                    sets::places(cloud, sets.at(self.scene, &path, column.on)?).collect()
                 }
             };
             // Only a number leaves out its direction.
             let direction = column.direction.map_or_else(Vec3::zeros, |v| self.turned(v).normalize());
             let sampled =
-                if column.of.is_of_strains() { Some(self.sampled(i, column, &on, shell)?) } else { None };
+                if column.of.is_of_strains() { Some(self.sampled(column, &on, shell)?) } else { None };
             let about = self.turned(column.about.unwrap_or_default());
             let probe = Probe::new(&column.name, column.of, on, direction);
             Ok(Probe { take: column.taken(), factor: column.factor, about, sampled, ..probe })
         };
-        self.scene.curve.iter().enumerate().map(probe).collect()
+        self.scene.curve.iter().map(probe).collect()
     }
 
     /// What is known at rest of the points of a column.
     fn sampled(
         &self,
-        number: usize,
-        column: &scene::Probe,
+        column: &OnSet<'_, scene::Probe>,
         points: &[u32],
         shell: &Shell,
     ) -> Result<Sampled, SceneError> {
@@ -64,7 +64,7 @@ impl Builder<'_> {
                         "along the surface, on which it stands at [{:.4}, {:.4}, {:.4}]: what strains make has components in it",
                         x.x, x.y, x.z
                     );
-                    let path = format!("curve[{number}].direction");
+                    let path = column.at("direction");
                     let repair = "take a direction in the surface, or a set on which it lies so";
                     let value = format!("{direction:?}");
                     return Err(self.scene.source.value(&path, value, &bound, repair));

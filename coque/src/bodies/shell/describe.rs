@@ -7,7 +7,8 @@ use sph_shell::Shell;
 
 use super::imported::Provenance;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
-use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Scene, Section};
+use crate::scene::body_in_scene::ShellInScene;
+use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Section};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
 /// of degrees of freedom n (a step takes a time that grows as n, a factor on a surface as n^1.5). Measured on lattices of
@@ -16,7 +17,7 @@ const STEPS: [f64; 2] = [60.0, 0.5];
 
 /// What the shell of a scene is.
 pub(crate) fn describe(
-    scene: &Scene,
+    scene: &ShellInScene<'_>,
     shell: &Shell,
     surface: Option<&Provenance>,
     parts: Vec<String>,
@@ -25,7 +26,7 @@ pub(crate) fn describe(
     let dof = shell.dof();
     Description {
         kind: "shell",
-        method: scene.shell().formulation.describe(),
+        method: scene.shell.formulation.describe(),
         particles: shell.len(),
         points: shell.reference().operator.points.len(),
         dof,
@@ -41,7 +42,7 @@ pub(crate) fn describe(
         modelled,
         left_out,
         resultants: (!scene.loads.is_empty()).then(|| resultants(scene, shell)),
-        tangent: match &scene.shell().formulation {
+        tangent: match &scene.shell.formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {
                 TangentCost::Steps(STEPS[0] + STEPS[1] * (dof as f64).sqrt())
@@ -53,12 +54,12 @@ pub(crate) fn describe(
 }
 
 /// What each load of the scene amounts to.
-fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
+fn resultants(scene: &ShellInScene<'_>, shell: &Shell) -> LoadResultants {
     let about = shell.centroid();
     let named = scene.loads.iter().flat_map(|load| {
         load.kinds()
             .into_iter()
-            .map(move |(word, kind)| line(&describe_load(word, &kind), &load.on, load.preload))
+            .map(move |(word, kind)| line(&describe_load(word, &kind), load.on, load.preload))
     });
     let reduced = shell.load_resultants(about).into_iter();
     let loads = reduced.map(|found| Resultant { force: found.force.into(), moment: found.moment.into() });
@@ -70,18 +71,19 @@ fn resultants(scene: &Scene, shell: &Shell) -> LoadResultants {
 }
 
 /// Lines of what is modelled, and of what is not.
-fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Vec<String>, Vec<String>) {
+fn lists(
+    scene: &ShellInScene<'_>,
+    surface: Option<&Provenance>,
+    parts: Vec<String>,
+) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
-        format!("one director a particle, finite rotations, {}", scene.shell().formulation.describe()),
-        format!(
-            "strains: Green-Lagrange membrane, {} curvature, shear",
-            scene.shell().formulation.curvature()
-        ),
+        format!("one director a particle, finite rotations, {}", scene.shell.formulation.describe()),
+        format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell.formulation.curvature()),
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
     let mut left_out: Vec<String> =
         ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
-    match &scene.shell().section {
+    match &scene.shell.section {
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
@@ -94,11 +96,10 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
         }
     }
     modelled.extend(parts);
-    modelled.extend(
-        scene.shell().masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)),
-    );
-    modelled.extend(scene.shell().ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
-    modelled.extend(scene.shell().rigid.iter().map(|body| match body.mass > 0.0 {
+    modelled
+        .extend(scene.shell.masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)));
+    modelled.extend(scene.shell.ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
+    modelled.extend(scene.shell.rigid.iter().map(|body| match body.mass.get() > 0.0 {
         true => format!("{} rigid, with a mass of {}", body.on, body.mass),
         false => format!("{} rigid", body.on),
     }));
@@ -107,19 +108,18 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
         () if scene.analysis.kind().passes_time => "let go at the start",
         () => "balanced before the analysis",
     };
-    let stresses = &scene.shell().initial_stress;
+    let stresses = &scene.shell.initial_stress;
     modelled.extend(stresses.iter().map(|stress| format!("initial stress of {}, {course}", stress.on)));
     for support in &scene.supports {
-        modelled.extend(support.kinds().iter().map(|(word, _)| line(word, &support.on, support.preload)));
+        modelled.extend(support.kinds().iter().map(|(word, _)| line(word, support.on, support.preload)));
     }
     for load in &scene.loads {
         let kinds = load.kinds();
-        modelled.extend(
-            kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), &load.on, load.preload)),
-        );
+        modelled
+            .extend(kinds.iter().map(|(word, kind)| line(&describe_load(word, kind), load.on, load.preload)));
     }
-    modelled.extend(scene.shell().imperfection.map(|_| "deflection of the unstrained body".into()));
-    modelled.extend(scene.shell().velocity.as_ref().map(|velocity| match &velocity.on {
+    modelled.extend(scene.shell.imperfection.map(|_| "deflection of the unstrained body".into()));
+    modelled.extend(scene.shell.velocity.as_ref().map(|velocity| match &velocity.on {
         Some(on) => format!("velocity of {on} at the start"),
         None => "velocity at the start".into(),
     }));
@@ -129,7 +129,7 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
     if scene.output.fields.is_some_and(|fields| fields.stresses) {
         if scene.analysis.kind().gives_modes {
             left_out.push("stresses of modes, which have a shape but no size".into());
-        } else if !scene.shell().section.homogeneous() {
+        } else if !scene.shell.section.homogeneous() {
             left_out.push("stresses of the plies: the fields hold resultants".into());
         }
     }
@@ -139,8 +139,8 @@ fn lists(scene: &Scene, surface: Option<&Provenance>, parts: Vec<String>) -> (Ve
 /// Angles from the lowest ply to the highest, and the thickness of each where they differ.
 fn describe_plies(section: &Layered) -> String {
     let list = |of: fn(&Ply) -> f64| section.plies.iter().map(|p| of(p).to_string()).collect::<Vec<_>>();
-    let angles = list(|ply| ply.angle).join("/");
-    let mut thicknesses = list(|ply| ply.thickness);
+    let angles = list(|ply| ply.angle.get()).join("/");
+    let mut thicknesses = list(|ply| ply.thickness.get());
     thicknesses.dedup();
     let [x, y, z] = section.axis;
     format!(

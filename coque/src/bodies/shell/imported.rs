@@ -7,8 +7,9 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::Tie;
 
 use crate::bodies::sets::Sets;
+use crate::scene::body_in_scene::{OnSet, ShellInScene};
 use crate::scene::error::SceneError;
-use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Scene, Section};
+use crate::scene::{Axis, Formulation, Load, Mesh, Reach, Section};
 use mesh_io::surface::{
     Cells, FileMaterial, FileSection, MeshError, Surface, boundary_edges, chains, quality, read,
     read_to_be_tied,
@@ -61,13 +62,13 @@ struct CellLists {
 
 impl Imported {
     /// Reads the file of a scene, if it names one.
-    pub(crate) fn read(scene: &Scene) -> Result<Option<Self>, SceneError> {
-        let Some(Mesh { file, scale, flip }) = scene.shell().geometry.mesh() else { return Ok(None) };
+    pub(crate) fn read(scene: &ShellInScene<'_>) -> Result<Option<Self>, SceneError> {
+        let Some(Mesh { file, scale, flip }) = scene.shell.geometry.mesh() else { return Ok(None) };
         let refuse = |error: &MeshError| refuse(scene, error);
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
         let path = folder.join(file);
-        let surface = if scene.shell().ties.is_empty() { read(&path) } else { read_to_be_tied(&path) };
-        let surface = surface.map_err(|error| refuse(&error))?.scaled(*scale);
+        let surface = if scene.shell.ties.is_empty() { read(&path) } else { read_to_be_tied(&path) };
+        let surface = surface.map_err(|error| refuse(&error))?.scaled(scale.get());
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;
         let surface =
@@ -87,7 +88,7 @@ impl Imported {
     }
 
     /// Refuses a node on a foreign edge that no tie takes up.
-    pub(super) fn refuse_hanging(&self, scene: &Scene, ties: &[Tie]) -> Result<(), SceneError> {
+    pub(super) fn refuse_hanging(&self, scene: &ShellInScene<'_>, ties: &[Tie]) -> Result<(), SceneError> {
         let places = |tie: &Tie| -> Vec<Vec3> {
             tie.edge.iter().map(|&a| self.surface.positions[a as usize]).collect()
         };
@@ -115,7 +116,7 @@ impl Imported {
     }
 
     /// The sets that the file brings: all particles, its groups, its boundary loops.
-    pub(crate) fn sets(&self, scene: &Scene) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
+    pub(crate) fn sets(&self, scene: &ShellInScene<'_>) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
         if let Some(name) = scene.sets.keys().find(|name| self.surface.set(name).is_some()) {
             let bound = format!("but {} has a set of that name", self.surface.file);
             let fault =
@@ -134,9 +135,9 @@ impl Imported {
     /// Particles with tributary lengths \[L\] if the set lies along the boundary; a couple about the edge needs one line of it.
     pub(crate) fn edge(
         &self,
-        scene: &Scene,
+        scene: &ShellInScene<'_>,
         path: &str,
-        load: &Load,
+        load: &OnSet<'_, Load>,
         particles: &[u32],
     ) -> Result<Option<Vec<(u32, f64)>>, SceneError> {
         let lines = self.lines(particles);
@@ -161,15 +162,14 @@ impl Imported {
     /// The cloud with reconstructed normals turned into the symmetry planes of the scene.
     ///
     /// At a symmetry plane the faces of one side only are there, and their mean leans out of the plane.
-    pub(crate) fn mirrored(&self, scene: &Scene, sets: &Sets) -> Result<Cloud, SceneError> {
-        let planes: Vec<_> = scene.supports.iter().map(|support| support.symmetry).collect();
-        if self.surface.normals.is_some() || planes.iter().all(Option::is_none) {
+    pub(crate) fn mirrored(&self, scene: &ShellInScene<'_>, sets: &Sets) -> Result<Cloud, SceneError> {
+        if self.surface.normals.is_some() || scene.supports.iter().all(|support| support.symmetry.is_none()) {
             return Ok(self.cloud.clone());
         }
         let mut normals: Vec<Vec3> = self.cloud.frames.iter().map(|frame| frame.n).collect();
-        for (i, plane) in planes.into_iter().enumerate() {
-            let Some(plane) = plane else { continue };
-            let (path, on) = (format!("supports[{i}].on"), &scene.supports[i].on);
+        for support in &scene.supports {
+            let Some(plane) = support.symmetry else { continue };
+            let (path, on) = (support.at("on"), support.on);
             let across = Vec3::from(plane.normal).normalize();
             for &a in sets.at(scene, &path, on)? {
                 let normal = normals[a as usize];
@@ -216,21 +216,25 @@ fn warped(surface: &Surface) -> Option<String> {
 }
 
 /// Whether strains are sampled at cells, which keep the sheets of a junction apart.
-fn of_cells(scene: &Scene) -> bool {
-    matches!(&scene.shell().formulation, Formulation::StressPoint(f) if f.support == Reach::Cell)
+fn of_cells(scene: &ShellInScene<'_>) -> bool {
+    matches!(&scene.shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell)
 }
 
 /// Groups of faces that the scene uses as cells.
-fn groups_used(scene: &Scene, surface: &Surface) -> BTreeSet<String> {
-    let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| &load.on);
-    let parts = scene.shell().parts.iter().map(|part| &part.on);
-    let hosts = scene.shell().ties.iter().map(|tie| &tie.to);
-    loads.chain(parts).chain(hosts).filter(|name| surface.face_sets.contains_key(*name)).cloned().collect()
+fn groups_used(scene: &ShellInScene<'_>, surface: &Surface) -> BTreeSet<String> {
+    let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| load.on);
+    let parts = scene.shell.parts.iter().map(|part| part.on.as_str());
+    let hosts = scene.shell.ties.iter().map(|tie| tie.to.as_str());
+    let used = loads.chain(parts).chain(hosts).filter(|name| surface.face_sets.contains_key(*name));
+    used.map(Into::into).collect()
 }
 
 /// The sections of the file, if the scene asks for them: every face in one, each with a material that the file has.
-fn sections_used<'a>(scene: &Scene, surface: &'a Surface) -> Result<&'a [FileSection], SceneError> {
-    let shell = scene.shell();
+fn sections_used<'a>(
+    scene: &ShellInScene<'_>,
+    surface: &'a Surface,
+) -> Result<&'a [FileSection], SceneError> {
+    let shell = scene.shell;
     let in_parts = (0..shell.parts.len()).map(|i| (format!("parts[{i}]."), shell.in_part(i)));
     let mut all = in_parts.chain([(String::new(), shell.clone())]);
     let Some((at, asking)) = all.find(|(_, shell)| shell.takes_from_file()) else { return Ok(&[]) };
@@ -246,7 +250,7 @@ fn sections_used<'a>(scene: &Scene, surface: &'a Surface) -> Result<&'a [FileSec
         let value = format!("{file} gives no section to any group of faces");
         return refuse(value, "a homogeneous *Shell Section in an Abaqus file", repair);
     }
-    if shell.geometry.mesh().is_some_and(|mesh| mesh.scale != 1.0) && asking.material.density().is_none() {
+    if shell.geometry.mesh().is_some_and(|mesh| *mesh.scale != 1.0) && asking.material.density().is_none() {
         let value = format!("the moduli of {file} are in units of its own, and its lengths are scaled");
         return refuse(value, "moduli in the units of the scene", "write the scene in the units of the file");
     }
@@ -318,7 +322,7 @@ fn kinds(faces: usize, lists: &[&[u32]]) -> (Vec<u32>, Vec<BTreeSet<u32>>) {
 }
 
 /// A refusal of the file, shown at its name in the scene.
-fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
+fn refuse(scene: &ShellInScene<'_>, error: &MeshError) -> SceneError {
     let mut said = error.clone();
     let repair = std::mem::take(&mut said.repair);
     let value = said.to_string();
@@ -327,35 +331,31 @@ fn refuse(scene: &Scene, error: &MeshError) -> SceneError {
 }
 
 /// Points without faces have neither cells nor an edge: what needs them is refused.
-fn refuse_points(scene: &Scene, surface: &Surface) -> Result<(), SceneError> {
+fn refuse_points(scene: &ShellInScene<'_>, surface: &Surface) -> Result<(), SceneError> {
     if !surface.faces.is_empty() {
         return Ok(());
     }
-    let plain = matches!(&scene.shell().formulation, Formulation::Nodal(f) if !f.divergence_consistent());
+    let plain = matches!(&scene.shell.formulation, Formulation::Nodal(f) if !f.divergence_consistent());
     if !plain {
         let value = format!("{} has points without faces", surface.file);
         let repair = "set formulation.nodal.consistent = false, or bring a mesh with faces";
         let bound = "a surface with faces: cells and edges are found from them";
         return Err(SceneError::Mesh(scene.body_scope().fault("geometry.mesh.file", &value, bound, repair)));
     }
-    if let Some(i) = scene.loads.iter().position(|load| load.pressure.is_some()) {
-        let bound = "but pressure acts on faces, and the file has points only";
-        let fault = scene.source.fault(
-            &format!("loads[{i}].pressure"),
-            "a pressure",
-            bound,
-            "bring a mesh with faces",
-        );
+    if let Some(load) = scene.loads.iter().find(|load| load.pressure.is_some()) {
+        let (bound, repair) =
+            ("but pressure acts on faces, and the file has points only", "bring a mesh with faces");
+        let fault = scene.source.fault(&load.at("pressure"), "a pressure", bound, repair);
         return Err(SceneError::Set(fault));
     }
     // Without a thickness of its own the scene has been refused: the file gives no section.
-    let own = scene.shell().section.thickness().unwrap_or_default();
+    let own = scene.shell.section.thickness().unwrap_or_default();
     let other = |t: &&f64| (**t / own - 1.0).abs() > SAME_THICKNESS;
     if let Some(thickness) = surface.thicknesses.iter().find(other) {
         let bound =
             format!("{thickness} as in {}: one thickness for the whole shell is modelled", surface.file);
         let repair = "make them equal, or take the column out of the file";
-        let path = match &scene.shell().section {
+        let path = match &scene.shell.section {
             Section::Layered(_) => "section.layered.plies",
             _ => "section.homogeneous.thickness",
         };

@@ -7,6 +7,7 @@ use shell_kinematics::{
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Divergence, Formulation, Reach};
 
+use crate::bodies::refusal::model_error;
 use crate::bodies::shell::build::Builder;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
@@ -71,27 +72,29 @@ impl Builder<'_> {
     /// What a shell without parts is made of, or one of its parts, whose keys stand below `s`.
     pub(super) fn spec(&self, shell: &scene::ShellScene, s: &Scope<'_>) -> Result<SectionSpec, SceneError> {
         let refuse = |path: &'static str| {
-            move |e: MaterialError| self.scene.model_error(&s.path(path), &e.to_string())
+            move |e: MaterialError| model_error(self.scene.source, &s.path(path), &e.to_string())
         };
         match shell.material_section(s)? {
             MaterialSection::Homogeneous(elastic, section) => {
-                let moduli = [elastic.young, elastic.poisson];
-                SectionSpec::isotropic(moduli, section.thickness, section.gauss_points)
+                let moduli = [elastic.young.get(), elastic.poisson];
+                let points = section.gauss_points.as_deref().copied();
+                SectionSpec::isotropic(moduli, section.thickness.get(), points)
                     .map_err(refuse("material.elastic"))
             }
             MaterialSection::Layered(m, section) => {
                 let across = m.shear_across.unwrap_or(m.shear);
-                let material = Orthotropic::new(m.young_along, m.young_across, m.poisson, m.shear, across)
-                    .map_err(refuse("material.orthotropic"))?;
+                let material =
+                    Orthotropic::new(*m.young_along, *m.young_across, m.poisson, *m.shear, *across)
+                        .map_err(refuse("material.orthotropic"))?;
                 let ply = |ply: &scene::Ply| Ply {
                     material,
-                    thickness: ply.thickness,
+                    thickness: ply.thickness.get(),
                     angle: ply.angle.to_radians(),
                 };
                 Ok(SectionSpec::Layered(section.plies.iter().map(ply).collect()))
             }
             MaterialSection::OfFile(..) => {
-                Err(self.scene.model_error(&s.path("section"), "a file gives its sections to cells"))
+                Err(model_error(self.scene.source, &s.path("section"), "a file gives its sections to cells"))
             }
         }
     }
@@ -102,7 +105,7 @@ impl Builder<'_> {
             SectionSpec::Isotropic(..) => "section.homogeneous",
             SectionSpec::Layered(_) => "section.layered",
         };
-        spec.try_section().map_err(|e| self.scene.model_error(&s.path(path), &e.to_string()))
+        spec.try_section().map_err(|e| model_error(self.scene.source, &s.path(path), &e.to_string()))
     }
 
     /// Direction of angle zero of plies.
@@ -121,28 +124,28 @@ impl Builder<'_> {
     ) -> Result<&'static dyn StrainMeasure, SceneError> {
         let name = shell.formulation.curvature();
         let path = s.path(&format!("formulation.{}.curvature", shell.formulation.word()));
-        let unknown = || self.scene.model_error(&path, &format!("no strain measure is called {name}"));
+        let unknown =
+            || model_error(self.scene.source, &path, &format!("no strain measure is called {name}"));
         shell_kinematics::strain_measure(name).ok_or_else(unknown)
     }
 
     pub(crate) fn formulation(&self) -> Formulation {
         // The scene has been checked: an unknown kernel cannot come this far.
-        let kernel =
-            self.scene.shell().formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
-        match &self.scene.shell().formulation {
+        let kernel = self.scene.shell.formulation.kernel().and_then(sph_core::kernel).unwrap_or(&CubicSpline);
+        match &self.scene.shell.formulation {
             scene::Formulation::StressPoint(f) => Formulation::StressPoint(match f.support {
                 scene::Reach::Cell => Reach::Cell,
                 scene::Reach::Wide(reach) => Reach::Kernel(kernel, reach),
             }),
             scene::Formulation::Nodal(f) => Formulation::Nodal {
-                order: f.order,
+                order: f.order.get(),
                 smoothing: f.smoothing_length(),
                 consistent: f.divergence_consistent(),
                 kernel,
             },
             scene::Formulation::StrongForm(f) => Formulation::StrongForm {
                 smoothing: f.smoothing_length(),
-                viscosity: f.viscosity,
+                viscosity: f.viscosity.get(),
                 divergence: match f.divergence {
                     scene::Divergence::Sum => Divergence::Sum,
                     scene::Divergence::Difference => Divergence::Difference,

@@ -1,6 +1,7 @@
 //! Shells of one layer of particles: from the scene's words to `sph-shell`.
 
 mod attached;
+mod balance;
 mod bent;
 mod bodies;
 mod body;

@@ -11,6 +11,7 @@ use super::cells::CellSets;
 use super::imported::Imported;
 use super::material::SectionSpec;
 use super::sections::Sections;
+use crate::bodies::refusal::model_error;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{Analysis, MaterialSection, ShellScene};
@@ -38,7 +39,7 @@ impl Builder<'_> {
         sets: &CellSets<'_>,
         imported: Option<&Imported>,
     ) -> Result<Sections, SceneError> {
-        let (shell, scope) = (self.scene.shell(), self.scene.body_scope());
+        let (shell, scope) = (self.scene.shell, self.scene.body_scope());
         if !shell.has_parts() {
             let base = self.section(&self.spec(shell, &scope)?, &scope)?;
             let (density, axis) =
@@ -106,7 +107,7 @@ impl Builder<'_> {
         sets: &CellSets<'_>,
         scope: &Scope<'_>,
     ) -> Result<Vec<Vec<u32>>, SceneError> {
-        let parts = &self.scene.shell().parts;
+        let parts = &self.scene.shell.parts;
         let mut of_cell = vec![0; cloud.cells.len()];
         for (i, part) in parts.iter().enumerate() {
             let path = scope.path(&format!("parts[{i}].on"));
@@ -206,7 +207,7 @@ impl Builder<'_> {
             let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
             let needed = weighs || matches!(self.scene.analysis, Analysis::Explicit(_) | Analysis::Modal(_));
             let (moduli, density) = match (elastic, material.elastic) {
-                (Some(own), _) => ([own.young, own.poisson], own.density),
+                (Some(own), _) => ([own.young.get(), own.poisson], own.density.get()),
                 (None, None) => {
                     let value = format!("material \"{}\" has no isotropic *Elastic", given.material);
                     return refuse(&value, "Young's modulus and Poisson's ratio", "add them to the file");
@@ -221,10 +222,11 @@ impl Builder<'_> {
                     }
                 },
             };
-            let thickness = section.map_or(given.thickness, |section| section.thickness);
-            let gauss_points = section.and_then(|section| section.gauss_points);
+            let thickness = section.map_or(given.thickness, |section| section.thickness.get());
+            let gauss_points = section.and_then(|section| section.gauss_points.as_deref().copied());
             let spec = SectionSpec::isotropic(moduli, thickness, gauss_points);
-            let spec = spec.map_err(|error| self.scene.model_error(&at.path(key), &error.to_string()))?;
+            let spec =
+                spec.map_err(|error| model_error(self.scene.source, &at.path(key), &error.to_string()))?;
             let (group, height) = (Some(given.group.clone()), given.offset * thickness);
             all.push(UniformPart { group, cells, spec, density, height, axis: None, strain });
         }

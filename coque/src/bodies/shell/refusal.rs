@@ -4,20 +4,21 @@ use sph_core::SpaceError;
 use sph_shell::ShellError;
 
 use super::build::Builder;
+use crate::bodies::refusal::model_error;
+use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
 use crate::scene::{Formulation, Support};
 
 impl Builder<'_> {
     /// Puts a refusal of the shell where the scene causes it.
     pub(super) fn refusal(&self, error: &ShellError) -> SceneError {
-        let reach = match &self.scene.shell().formulation {
+        let reach = match &self.scene.shell.formulation {
             Formulation::StressPoint(_) => "formulation.stress-point.support",
             Formulation::Nodal(_) => "formulation.nodal.smoothing",
             Formulation::StrongForm(_) => "formulation.strong-form.smoothing",
         };
-        let supports = || self.scene.supports.iter().enumerate();
-        let motion =
-            supports().find_map(|(i, s)| s.motion().map(|(word, _)| format!("supports[{i}].{word}")));
+        let supports = || self.scene.supports.iter();
+        let motion = supports().find_map(|s| s.motion().map(|(word, _)| s.at(word)));
         let of_body = |path: &str| self.scene.body_scope().path(path);
         let path = match error {
             ShellError::Space(
@@ -30,23 +31,23 @@ impl Builder<'_> {
             | ShellError::WetSpacing(_)
             | ShellError::NoRows
             | ShellError::NotAStrip { .. } => {
-                of_body(&format!("geometry.{}", self.scene.shell().geometry.word()))
+                of_body(&format!("geometry.{}", self.scene.shell.geometry.word()))
             }
             ShellError::JunctionOfWideStencils => of_body("formulation"),
             ShellError::Density(_) => {
-                of_body(&format!("material.{}.density", self.scene.shell().material.word()))
+                of_body(&format!("material.{}.density", self.scene.shell.material.word()))
             }
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 motion.unwrap_or_else(|| "supports".into())
             }
             &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
-                let present = |(_, s): &(usize, &Support)| {
+                let present = |s: &&OnSet<'_, Support>| {
                     s.spring.is_none()
-                        && self.scene.shell().rigid_body(&s.on).is_none()
+                        && self.scene.shell.rigid_body(s.on).is_none()
                         && (s.moved.is_none() || self.scene.sole_motion().is_none())
                 };
-                let number = supports().filter(present).nth(support).map_or(0, |(i, _)| i);
-                format!("supports[{number}]")
+                let found = supports().filter(present).nth(support).or(supports().next());
+                found.map_or("supports".into(), |support| support.path.clone())
             }
             &(ShellError::TieTooFar { tie, .. }
             | ShellError::TieTooCoarse { tie, .. }
@@ -58,9 +59,9 @@ impl Builder<'_> {
                 of_body(&format!("rigid[{set}]"))
             }
             &ShellError::RigidOpposed { set, .. } => {
-                let on = self.scene.shell().rigid.get(set).map(|body| body.on.as_str());
-                let number = supports().find(|(_, s)| Some(s.on.as_str()) == on && s.motion().is_some());
-                number.map_or("supports".into(), |(i, _)| format!("supports[{i}]"))
+                let on = self.scene.shell.rigid.get(set).map(|body| body.on.as_str());
+                let found = supports().find(|s| Some(s.on) == on && s.motion().is_some());
+                found.map_or("supports".into(), |support| support.path.clone())
             }
             ShellError::RigidOfWideStencils
             | ShellError::RigidTwice { .. }
@@ -77,8 +78,8 @@ impl Builder<'_> {
             | ShellError::SpringOfBody { .. } => "supports".into(),
             ShellError::SpringAlongDirector { .. } => {
                 let turning = |s: &Support| s.spring.as_ref().is_some_and(|spring| spring.axis.is_some());
-                let number = supports().find(|(_, support)| turning(support));
-                number.map_or("supports".into(), |(i, _)| format!("supports[{i}].spring.axis"))
+                let found = supports().find(|support| turning(support));
+                found.map_or("supports".into(), |support| support.at("spring.axis"))
             }
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::WetFromAfar => of_body("geometry"),
@@ -87,6 +88,6 @@ impl Builder<'_> {
             | ShellError::EmptySet(_)
             | ShellError::NotAnEdge(_) => "loads".into(),
         };
-        self.scene.model_error(&path, &error.to_string())
+        model_error(self.scene.source, &path, &error.to_string())
     }
 }

@@ -14,16 +14,17 @@ impl Builder<'_> {
     /// Springs, spread evenly over the lines or areas of their sets; those that turn a rigid set or join two act on them as a whole.
     pub(super) fn springs(&self, sets: &Sets, cloud: &Cloud) -> Result<Springs, SceneError> {
         let mut all = Springs::default();
-        for (i, support) in self.scene.supports.iter().enumerate() {
+        for support in &self.scene.supports {
             let Some(spring) = &support.spring else { continue };
-            let stiffness = spring.stiffness;
-            let particles = sets.at(self.scene, &format!("supports[{i}].on"), &support.on)?;
-            let body = self.scene.shell().rigid_body(&support.on);
+            let stiffness = spring.stiffness.get();
+            let particles = sets.at(self.scene, &support.at("on"), support.on)?;
+            let body = self.scene.shell.rigid_body(support.on);
             if let (Some(axis), Some(body)) = (spring.axis, body) {
                 all.of_bodies.push(BodySpring::Turning { body, stiffness, axis: self.turned(axis) });
                 continue;
             }
-            let other = spring.to.as_ref().and_then(|to| self.scene.shell().rigid_body(to));
+            let to = spring.to.as_ref().map(|to| self.scene.own_set(to));
+            let other = to.and_then(|to| self.scene.shell.rigid_body(to));
             let direction = self.turned(spring.direction.unwrap_or_default());
             if let (Some(one), Some(two)) = (body, other) {
                 all.of_bodies.push(BodySpring::Between { bodies: [one, two], stiffness, direction });
@@ -32,7 +33,7 @@ impl Builder<'_> {
             let EvenBed { shares, pairs } = even_bed(cloud, particles);
             let shares: Vec<_> = shares.into_iter().map(|(a, share)| (a, stiffness * share)).collect();
             let too_much = pairs.into_iter().map(|(pair, part)| (pair, -stiffness * part));
-            match (spring, &spring.to) {
+            match (spring, to) {
                 (scene::Spring { axis: Some(axis), .. }, _) => {
                     all.turning.push(TurnSpring { stiffness: shares, axis: self.turned(*axis) });
                 }
@@ -41,7 +42,7 @@ impl Builder<'_> {
                     all.between.push(SpringBetween { stiffness: too_much.collect(), direction });
                 }
                 (_, Some(to)) => {
-                    let path = format!("supports[{i}].spring.to");
+                    let path = support.at("spring.to");
                     let others: Vec<u32> = sets::places(cloud, sets.at(self.scene, &path, to)?).collect();
                     let mut stiffness = self.paired(&path, to, cloud, shares, &others)?;
                     let opposite: BTreeMap<u32, u32> = stiffness.iter().map(|&([a, b], _)| (a, b)).collect();

@@ -1,21 +1,12 @@
-//! Initial stresses: from a scene to cells, whether anything is left to find, and whether a run sets out in balance.
+//! Initial stresses: from a scene to cells, and whether anything is left to find.
 
 use sph_shell::{Shell, StaticShell};
 
+use super::balance::unbalanced;
 use super::build::Builder;
 use super::cells::CellSets;
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, InitialStress, Scene};
-use crate::warning::{Warning, WarningKind};
-
-/// Part of the forces of an initial stress up to which it counts as balanced: rounding leaves 1e-14, and to Newton's method
-/// the rest would be little else.
-const BALANCED: f64 = 1e-7;
-
-/// Whether the supports of a shell leave a part of its initial stress without balance where it stands.
-pub(super) fn unbalanced<S: std::ops::DerefMut<Target = Shell>>(system: &mut StaticShell<S>) -> bool {
-    system.unbalanced_stress() > BALANCED
-}
+use crate::scene::{Analysis, InitialStress};
 
 impl Builder<'_> {
     /// The initial stresses of the scene.
@@ -23,7 +14,7 @@ impl Builder<'_> {
     /// # Errors
     /// [`SceneError`] for sets without cells.
     pub(super) fn stresses(&self, cells: &CellSets<'_>) -> Result<Vec<sph_shell::InitialStress>, SceneError> {
-        let all = &self.scene.shell().initial_stress;
+        let all = &self.scene.shell.initial_stress;
         let stress = |(i, stress): (usize, &InitialStress)| {
             let path = self.scene.body_scope().path(&format!("initial_stress[{i}].on"));
             Ok(sph_shell::InitialStress {
@@ -52,24 +43,5 @@ impl Builder<'_> {
             return Err(SceneError::Choice(fault));
         }
         Ok(())
-    }
-}
-
-impl Scene {
-    /// What is doubtful about a march that sets out under initial stress.
-    pub(super) fn warning_of_start(&self, shell: &mut Shell) -> Option<Warning> {
-        if !(shell.is_stressed() && self.analysis.kind().passes_time) {
-            return None;
-        }
-        let part = StaticShell::lent(shell).unbalanced_stress();
-        (part > BALANCED).then(|| {
-            let message = format!(
-                "at the start {:.1} % of the forces of the initial stress are balanced by nothing, at most {BALANCED:e} of them count as rest: \
-                 the shell springs from where it is drawn. If it is to set out at rest, find its balance with [analysis.static] and draw \
-                 that, or let damping take the motion away",
-                100.0 * part
-            );
-            Warning::new(WarningKind::NotAtRest, message)
-        })
     }
 }

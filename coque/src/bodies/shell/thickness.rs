@@ -30,7 +30,7 @@ impl Builder<'_> {
         cells: &[u32],
         cloud: &Cloud,
     ) -> Result<Vec<f64>, SceneError> {
-        let own = section.thickness;
+        let own = section.thickness.get();
         let centre = |cell: u32| cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
         let (key, repair, all) = match (&section.taper, &section.table) {
             (_, Some(table)) => {

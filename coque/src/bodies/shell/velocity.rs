@@ -10,7 +10,7 @@ use crate::scene::error::SceneError;
 impl Builder<'_> {
     /// Gives particles and directors of its set the velocity of the scene, `v + ω × (x − p)` and `ω × d`; held parts stay at rest.
     pub(super) fn set_out(&self, sets: &Sets, shell: &mut Shell) -> Result<(), SceneError> {
-        let Some(velocity) = &self.scene.shell().velocity else { return Ok(()) };
+        let Some(velocity) = &self.scene.shell.velocity else { return Ok(()) };
         let linear = self.turned(velocity.linear.unwrap_or_default());
         let (spin, point) = velocity.spin.map_or_else(Default::default, |spin| {
             (self.turned(spin.axis).normalize() * spin.rate, self.turned(spin.point))

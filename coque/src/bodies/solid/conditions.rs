@@ -4,12 +4,12 @@ use peridynamics::{AppliedLoad, Mirror, Solid, SolidError, Support, Supported};
 use sph_core::{Block, BlockLattice, Vec3};
 
 use super::sets::NodeSets;
-use crate::bodies::build::amplitude;
 use crate::bodies::rigid::Hold;
 use crate::bodies::{PrescribedPoint, Probe};
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{LoadKind, Measured, Moved, Scene, SolidScene, SupportKind, Traction};
+use crate::scene::{Held, Measured, Moved, OnNodes, SolidScene, Traction};
 
 /// A held direction with more than this along a motion opposes it.
 const OPPOSED: f64 = 1e-9;
@@ -25,9 +25,9 @@ pub(super) struct Driver {
 }
 
 /// All that drives an analysis by levels, if it is the motion of one node. Every other motion is prescribed.
-pub(super) fn driver(scene: &Scene, sets: &NodeSets<'_>) -> Result<Option<Driver>, SceneError> {
+pub(super) fn driver(scene: &BodyInScene<'_>, sets: &NodeSets<'_>) -> Result<Option<Driver>, SceneError> {
     let Some(support) = scene.sole_motion() else { return Ok(None) };
-    let nodes = sets.at(&format!("supports[{support}].on"), &scene.supports[support].on)?;
+    let nodes = sets.at(&scene.supports[support].at("on"), scene.supports[support].on)?;
     let moved = scene.supports[support].moved;
     Ok(moved.and_then(|moved| match nodes {
         &[node] => Some(Driver { support, node, moved }),
@@ -57,39 +57,29 @@ impl Driver {
 
 /// The supports, but that of the motion that is sought.
 pub(super) fn supports(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     directors: bool,
     sets: &NodeSets<'_>,
     driver: Option<&Driver>,
 ) -> Result<Vec<Supported>, SceneError> {
     let mut supports = Vec::new();
-    for (i, support) in
+    for (_, support) in
         scene.supports.iter().enumerate().filter(|(i, _)| driver.is_none_or(|driver| driver.support != *i))
     {
-        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
-        for (_, kind) in support.kinds() {
-            let held = |displacement: Vec<Vec3>, director: Vec<Vec3>| Support::Held {
-                displacement,
-                director: if directors { director } else { Vec::new() },
-            };
-            let support = match kind {
-                SupportKind::Clamped => {
-                    held(vec![Vec3::x(), Vec3::y(), Vec3::z()], vec![Vec3::x(), Vec3::y()])
-                }
+        let nodes = sets.at(&support.at("on"), support.on)?;
+        for condition in support.kinds().iter().filter_map(|(_, kind)| kind.on_nodes()) {
+            let support = match condition {
                 // Planes of symmetry mirror the bonds, and hold what lies on them.
-                SupportKind::Symmetry(_) => continue,
-                SupportKind::Held(given) => held(vectors(&given.displacement), vectors(&given.director)),
-                SupportKind::Moved(moved) => Support::Moved {
+                OnNodes::Symmetry(_) => continue,
+                OnNodes::Held(Held { displacement, director }) => Support::Held {
+                    displacement: vectors(&displacement),
+                    director: if directors { vectors(&director) } else { Vec::new() },
+                },
+                OnNodes::Moved(moved) => Support::Moved {
                     direction: Vec3::from(moved.direction),
                     by: moved.by,
-                    amplitude: amplitude(support.amplitude.as_ref()),
+                    amplitude: support.amplitude.clone().unwrap_or_default(),
                 },
-                // The checks refuse these on a solid.
-                SupportKind::Hinged
-                | SupportKind::Diaphragm(_)
-                | SupportKind::Rotated(_)
-                | SupportKind::Turned(_)
-                | SupportKind::Spring(_) => continue,
             };
             supports.push(Supported { nodes: nodes.to_vec(), support });
         }
@@ -139,29 +129,27 @@ pub(super) fn holds(
 
 /// The loads as forces on nodes \[F\].
 pub(super) fn loads(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     density: f64,
     block: &Block,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<AppliedLoad>, SceneError> {
     let mut loads = Vec::new();
-    for (i, load) in scene.loads.iter().enumerate() {
-        let nodes = sets.at(&format!("loads[{i}].on"), &load.on)?;
-        for (_, kind) in load.kinds() {
-            let forces = match kind {
-                LoadKind::Force(force) => by_volume(block, nodes, Vec3::from(force.total)),
-                LoadKind::Gravity(gravity) => {
-                    let acceleration = Vec3::from(gravity.acceleration);
-                    let weight =
-                        |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
-                    nodes.iter().map(weight).collect()
-                }
-                LoadKind::Traction(traction) => tractions(block, sets, &load.on, &traction),
-                // The checks refuse these on a solid.
-                LoadKind::Couple(_) | LoadKind::Pressure(_) => continue,
-            };
-            loads.push(AppliedLoad { forces, amplitude: amplitude(load.amplitude.as_ref()) });
-        }
+    for load in &scene.loads {
+        let nodes = sets.at(&load.at("on"), load.on)?;
+        let force = load.force.iter().map(|force| by_volume(block, nodes, Vec3::from(force.total)));
+        let gravity = load.gravity.iter().map(|gravity| {
+            let acceleration = Vec3::from(gravity.acceleration);
+            let weight = |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
+            nodes.iter().map(weight).collect()
+        });
+        let traction = load.traction.iter().map(|traction| tractions(block, sets, load.on, traction));
+        loads.extend(
+            force
+                .chain(gravity)
+                .chain(traction)
+                .map(|forces| AppliedLoad { forces, amplitude: load.amplitude.clone().unwrap_or_default() }),
+        );
     }
     Ok(loads)
 }
@@ -171,14 +159,14 @@ pub(super) fn loads(
 /// # Errors
 /// [`SceneError::Choice`] for a set that is no whole face, or another normal than that of the face.
 pub(super) fn mirrors(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     lattice: &BlockLattice,
     sets: &NodeSets<'_>,
 ) -> Result<Vec<Mirror>, SceneError> {
     let mut mirrors = Vec::new();
-    for (i, support) in scene.supports.iter().enumerate() {
+    for support in &scene.supports {
         let Some(symmetry) = support.symmetry else { continue };
-        let nodes = sets.at(&format!("supports[{i}].on"), &support.on)?;
+        let nodes = sets.at(&support.at("on"), support.on)?;
         let normal = Vec3::from(symmetry.normal).normalize();
         let face = (0..2 * lattice.dimensions).find(|&face| {
             let of_face = sets.face(OF_SOLIDS[1 + face]);
@@ -187,7 +175,7 @@ pub(super) fn mirrors(
                 && of_face.iter().zip(nodes).all(|((a, _), b)| a == b)
         });
         let Some(face) = face else {
-            let path = format!("supports[{i}].symmetry");
+            let path = support.at("symmetry");
             let found =
                 format!("a plane of symmetry normal to {:?} through `{}`", symmetry.normal, support.on);
             let bound =
@@ -215,15 +203,18 @@ fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction
         None => shares.iter().map(|&(node, area)| (node, value * area)).collect(),
         Some(depth) => {
             let area: f64 = shares.iter().map(|(_, area)| area).sum();
-            by_volume(block, &sets.layer(face, depth), value * area)
+            by_volume(block, &sets.layer(face, depth.get()), value * area)
         }
     }
 }
 
 /// The columns of the curve.
-pub(in crate::bodies) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Vec<Probe>, SceneError> {
-    let probe = |(i, column): (usize, &crate::scene::Probe)| {
-        let mut nodes = sets.at(&format!("curve[{i}].on"), &column.on)?.to_vec();
+pub(in crate::bodies) fn probes(
+    scene: &BodyInScene<'_>,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<Probe>, SceneError> {
+    let probe = |column: &OnSet<'_, crate::scene::Probe>| {
+        let mut nodes = sets.at(&column.at("on"), column.on)?.to_vec();
         if column.of == Measured::Pieces {
             nodes.truncate(1); // it is counted once, of the whole body
         }
@@ -231,7 +222,7 @@ pub(in crate::bodies) fn probes(scene: &Scene, sets: &NodeSets<'_>) -> Result<Ve
         let probe = Probe::new(&column.name, column.of, nodes, direction);
         Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
     };
-    scene.curve.iter().enumerate().map(probe).collect()
+    scene.curve.iter().map(probe).collect()
 }
 
 /// Gives nodes the velocity of the scene, `v + ω × (x − p)`; what is held stays at rest.

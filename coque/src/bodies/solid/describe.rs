@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use peridynamics::Solid;
 
 use crate::bodies::{Description, TangentCost};
-use crate::scene::{BondMeasure, Scene, SolidFormulation, SolidScene};
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::{BondMeasure, SolidFormulation, SolidScene};
 
 /// What the solid of a scene is.
-pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -> Description {
+pub(super) fn describe(scene: &BodyInScene<'_>, solid_scene: &SolidScene, solid: &Solid) -> Description {
     let (modelled, left_out) = lists(scene, solid_scene, solid);
     let block = solid.block();
     Description {
@@ -29,7 +30,7 @@ pub(super) fn describe(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -
 }
 
 /// Lines of what is modelled, and of what is not.
-fn lists(scene: &Scene, solid_scene: &SolidScene, solid: &Solid) -> (Vec<String>, Vec<String>) {
+fn lists(scene: &BodyInScene<'_>, solid_scene: &SolidScene, solid: &Solid) -> (Vec<String>, Vec<String>) {
     let word = match solid_scene.formulation {
         SolidFormulation::BondBased(_) => "pairwise forces",
         SolidFormulation::StateBased(_) => "pairwise forces and dilatation",

@@ -2,7 +2,7 @@
 
 mod bending;
 mod body;
-mod build;
+pub(super) mod build;
 pub(super) mod conditions;
 mod describe;
 mod ends;

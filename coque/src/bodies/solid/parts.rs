@@ -1,18 +1,21 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Influence, Law, Sheets, Volumes,
+    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Law, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
 use super::sets::NodeSets;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, BondMeasure, Scene, SolidFormulation, SolidScene};
+use crate::scene::{self, BondMeasure, SolidFormulation, SolidScene};
 
 /// The constants; Poisson's ratio of bonds that feel their own extension alone is that of pairwise forces, which scenes round.
 pub(super) fn material(solid: &SolidScene) -> Elastic {
-    let (young, poisson) =
-        solid.material.elastic().map_or_else(Default::default, |elastic| (elastic.young, elastic.poisson));
+    let (young, poisson) = solid
+        .material
+        .elastic()
+        .map_or_else(Default::default, |elastic| (elastic.young.get(), elastic.poisson));
     let density = solid.material.density();
     let poisson = law(&solid.formulation).poisson(solid.space(), poisson);
     Elastic { young, poisson, density }
@@ -31,17 +34,8 @@ fn law(formulation: &SolidFormulation) -> Law {
 /// How bonds carry the solid.
 pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisation {
     let law = law(&solid.formulation);
-    let influence = match solid.formulation.influence() {
-        scene::Influence::Constant => Influence::Constant,
-        scene::Influence::Inverse => Influence::Inverse,
-        scene::Influence::Linear => Influence::Linear,
-    };
-    let correction = match solid.correction() {
-        scene::Correction::None => peridynamics::Correction::None,
-        scene::Correction::Even => peridynamics::Correction::Even,
-        scene::Correction::Balanced => peridynamics::Correction::Balanced,
-        scene::Correction::EnergyFactor => peridynamics::Correction::EnergyFactor,
-    };
+    let influence = solid.formulation.influence();
+    let correction = solid.correction();
     let horizon = solid.formulation.horizon();
     let formulation =
         Formulation { space: solid.space(), law, horizon, volumes: Volumes::Partial, influence, correction };
@@ -53,19 +47,20 @@ pub(super) fn carrier(solid: &SolidScene, lattice: &BlockLattice) -> Idealisatio
 
 /// When bonds break.
 pub(super) fn fracture(
-    scene: &Scene,
+    scene: &BodyInScene<'_>,
     solid: &SolidScene,
     sets: &NodeSets<'_>,
 ) -> Result<Option<Fracture>, SceneError> {
     let Some(limits) = &solid.fracture else { return Ok(None) };
     let criterion = match (limits.energy, limits.stretch) {
         (Some(energy), _) => match limits.by.unwrap_or_default() {
-            BondMeasure::Stretch => Criterion::EnergyByStretch(energy),
-            BondMeasure::Work => Criterion::EnergyByWork(energy),
+            BondMeasure::Stretch => Criterion::EnergyByStretch(energy.get()),
+            BondMeasure::Work => Criterion::EnergyByWork(energy.get()),
         },
-        (None, Some(stretch)) => {
-            Criterion::Stretch { tension: stretch.tension, compression: stretch.compression }
-        }
+        (None, Some(stretch)) => Criterion::Stretch {
+            tension: stretch.tension.get(),
+            compression: stretch.compression.as_deref().copied(),
+        },
         // The checks leave one of the two.
         (None, None) => return Ok(None),
     };
@@ -95,7 +90,7 @@ pub(super) fn cracks(solid: &SolidScene, lattice: &BlockLattice) -> Vec<Crack> {
 pub(super) fn contact(solid: &SolidScene) -> Option<Contact> {
     let wall = |wall: &scene::Wall| [Vec3::from(wall.point), Vec3::from(wall.normal).normalize()];
     let contact = solid.contact.as_ref()?;
-    Some(Contact { distance: contact.distance, walls: contact.walls.iter().map(wall).collect() })
+    Some(Contact { distance: contact.distance.get(), walls: contact.walls.iter().map(wall).collect() })
 }
 
 /// What is cut out of the block.
@@ -103,11 +98,11 @@ pub(super) fn cut_outs(solid: &SolidScene, lattice: &BlockLattice) -> Vec<CutOut
     let z = lattice.origin.z;
     let point = |v: &[f64]| Vec3::new(v[0], v[1], v.get(2).copied().unwrap_or(z));
     let cut_out = |cut_out: &scene::CutOut| match cut_out {
-        scene::CutOut::Ball(ball) => CutOut::Ball { centre: point(&ball.centre), radius: ball.radius },
+        scene::CutOut::Ball(ball) => CutOut::Ball { centre: point(&ball.centre), radius: ball.radius.get() },
         scene::CutOut::Cylinder(hole) => CutOut::Cylinder {
             point: Vec3::from(hole.point),
             axis: Vec3::from(hole.axis).normalize(),
-            radius: hole.radius,
+            radius: hole.radius.get(),
         },
         scene::CutOut::Box(cuboid) => CutOut::Box { min: point(&cuboid.min), max: point(&cuboid.max) },
         scene::CutOut::Polygon(polygon) => CutOut::Prism(polygon.corners.clone()),

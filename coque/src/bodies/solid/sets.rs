@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use sph_core::{Block, BlockLattice, Vec3};
 
 use crate::bodies::sets::{empty, inside};
-use crate::scene::Scene;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
 
 /// The sets of a solid, by name.
 pub(in crate::bodies) struct NodeSets<'a> {
-    scene: &'a Scene,
+    scene: &'a BodyInScene<'a>,
     lattice: &'a BlockLattice,
     block: &'a Block,
     /// Nodes in the frame of the lattice \[L\]: an arc is that of a straight block.
@@ -25,7 +25,7 @@ impl<'a> NodeSets<'a> {
     /// # Errors
     /// [`SceneError::Set`] for a declared set without nodes.
     pub fn find(
-        scene: &'a Scene,
+        scene: &'a BodyInScene<'a>,
         lattice: &'a BlockLattice,
         block: &'a Block,
         straight: &'a [Vec3],
@@ -37,19 +37,19 @@ impl<'a> NodeSets<'a> {
         }
         for (name, region) in &scene.sets {
             let nodes = match &region.layer {
-                Some(layer) => out.layer(&layer.face, layer.depth),
+                Some(layer) => out.layer(&layer.face, layer.depth.get()),
                 None => inside(region, &block.positions, block.greatest_spacing()),
             };
             if nodes.is_empty() {
                 return Err(empty(scene, name, &block.positions));
             }
-            out.members.insert(name.clone(), nodes);
+            out.members.insert((*name).into(), nodes);
         }
         Ok(out)
     }
 
     /// The scene that names them.
-    pub fn scene(&self) -> &'a Scene {
+    pub fn scene(&self) -> &'a BodyInScene<'a> {
         self.scene
     }
 

@@ -6,8 +6,9 @@ use sph_core::{NodePlaces, Vec3};
 use super::bending::stiffness;
 use super::ends::excess;
 use super::sets::NodeSets;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{Analysis, Correction, Measured, Scene, SolidScene, Support};
+use crate::scene::{Analysis, Correction, Measured, SolidScene, Support};
 use crate::warning::{Warning, WarningKind};
 
 /// A rule: what is doubtful, and whether it is so.
@@ -24,13 +25,13 @@ const RULES: [Rule; 5] = [
 
 /// What the rules look at.
 struct Look<'a> {
-    scene: &'a Scene,
+    scene: &'a BodyInScene<'a>,
     body: &'a SolidScene,
     solid: &'a Solid,
 }
 
 /// What is doubtful about the solid of a scene.
-pub(super) fn warnings_of(scene: &Scene, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
+pub(super) fn warnings_of(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
     let look = Look { scene, body, solid };
     RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?))).collect()
 }
@@ -144,10 +145,10 @@ fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
         support.clamped.is_some() || held.map(|v| Vec3::from(*v).normalize()).any(|v| v[axis].abs() > 0.5)
     };
     let held = look.scene.supports.iter().filter(|support| holds(support, along) && holds(support, across));
-    let layers = held.filter_map(|support| look.scene.sets.get(&support.on)?.layer.as_ref());
+    let layers = held.filter_map(|support| look.scene.sets.get(support.on)?.layer.as_ref());
     let ends = [2 * along, 2 * along + 1].map(|face| OF_SOLIDS[1 + face]);
     let depths: Vec<f64> =
-        layers.filter(|layer| ends.contains(&layer.face.as_str())).map(|layer| layer.depth).collect();
+        layers.filter(|layer| ends.contains(&layer.face.as_str())).map(|layer| layer.depth.get()).collect();
     let free = lattice.lengths[along] - depths.iter().sum::<f64>();
     look.solid.block().spacing[along] * depths.len() as f64 / free
 }
@@ -230,7 +231,7 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
         (own < whole - 0.5 * spacing).then_some(own + spacing)
     };
     motions().find_map(|support| {
-        let nodes = sets.at("", &support.on).ok()?;
+        let nodes = sets.at("", support.on).ok()?;
         let depth = (0..block.dimensions).filter_map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
         // A layer as deep as the horizon holds the nodes whose places lie in it.
         (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {

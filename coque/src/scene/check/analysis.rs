@@ -1,271 +1,199 @@
 //! Checks of the analysis that need no particles.
 
 use crate::scene::analysis::{Analysis, Damping, Explicit};
-use crate::scene::error::SceneError;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
-use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::problem::BodyScene;
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::statics::{
-    ArcLength, Branches, Buckling, Linear, LinearSolver, Modal, Relaxation, Static, Stop,
-};
-
-type Checked = Result<(), SceneError>;
+use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
 
 /// Every level is a ramp and a hold; more than this is a mistake.
 const MOST_LEVELS: u64 = 100_000;
 /// Rows of a curve that still fit in memory and on a plot.
 const MOST_RECORDS: f64 = 1e7;
-/// Modes are found together and kept whole.
-const MOST_MODES: f64 = 1000.0;
-/// A path keeps every point.
-const MOST_STEPS: f64 = 1e6;
-/// Newton's method either converges in some ten iterations or not at all.
-const MOST_ITERATIONS: f64 = 1000.0;
-/// A relaxation that takes more does not come to rest.
-const MOST_RELAXATION: f64 = 1e9;
 
-impl Scene {
-    /// Refuses numbers out of bounds and what does not go with the analysis.
-    pub(super) fn check_analysis(&self) -> Checked {
-        match &self.analysis {
-            Analysis::Explicit(explicit) => self.check_explicit(explicit)?,
-            Analysis::Linear(wanted) => self.check_linear(wanted)?,
-            Analysis::Static(Static { levels, tolerance, iterations, one_solve }) => {
-                self.check_levels("analysis.static.levels", levels)?;
-                self.check_one_solve(*one_solve)?;
-                self.check_newton("analysis.static", *tolerance, *iterations)?;
-            }
-            Analysis::ArcLength(path) => self.check_arc_length(path)?,
-            Analysis::Relaxation(Relaxation { levels, tolerance, force, iterations, .. }) => {
-                let (s, at) = (&self.scope(), "analysis.relaxation");
-                self.check_levels(&format!("{at}.levels"), levels)?;
-                s.between(
-                    &format!("{at}.tolerance"),
-                    *tolerance,
-                    [0.0, 1.0],
-                    "leave it out for the usual 1e-6",
-                )?;
-                s.not_negative(&format!("{at}.force"), *force)?;
-                let repair = "leave it out for the usual 100000";
-                s.within(&format!("{at}.iterations"), *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
-            }
-            Analysis::Modal(Modal { modes }) => self.check_modes("analysis.modal.modes", *modes)?,
-            Analysis::Buckling(Buckling { modes, .. }) => {
-                self.check_modes("analysis.buckling.modes", *modes)?
-            }
+/// Refuses numbers out of bounds and what does not go with the analysis.
+pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
+    match &scene.analysis {
+        Analysis::Explicit(explicit) => check_explicit(scene, explicit)?,
+        Analysis::Linear(wanted) => check_linear(scene, wanted)?,
+        Analysis::Static(Static { levels, one_solve, .. }) => {
+            check_levels(scene, "analysis.static.levels", levels)?;
+            check_one_solve(scene, *one_solve)?;
         }
-        let kind = self.analysis.kind();
-        if kind.wants_tangent {
-            self.check_tangent()?;
+        Analysis::ArcLength(path) => check_arc_length(scene, path)?,
+        Analysis::Relaxation(Relaxation { levels, .. }) => {
+            check_levels(scene, "analysis.relaxation.levels", levels)?;
         }
-        if kind.wants_driver { self.check_driver() } else { Ok(()) }
+        Analysis::Modal(_) | Analysis::Buckling(_) => {}
     }
-
-    fn check_linear(&self, Linear { solver, iterations }: &Linear) -> Checked {
-        let at = "analysis.linear.iterations";
-        match (solver, iterations) {
-            (_, None) => {}
-            (LinearSolver::ConjugateGradients, Some(iterations)) => {
-                let repair = "leave it out for the usual 5000";
-                self.scope().within(at, *iterations as f64, [1.0, MOST_RELAXATION], repair)?;
-            }
-            (LinearSolver::Direct, Some(iterations)) => {
-                let bound = "left out where the solver is \"direct\": a factor does not iterate";
-                let repair = "leave it out, or add solver = \"conjugate-gradients\"";
-                return Err(self.scope().value(at, *iterations as f64, bound, repair));
-            }
-        }
-        self.check_solver(*solver)
+    let kind = scene.analysis.kind();
+    if kind.wants_tangent {
+        check_tangent(scene)?;
     }
+    if kind.wants_driver { check_driver(scene) } else { Ok(()) }
+}
 
-    /// What breaks does so in states of balance.
-    fn check_one_solve(&self, one_solve: bool) -> Checked {
-        if !(one_solve && self.has_fracture()) {
-            return Ok(());
-        }
-        let bound = "false where bonds break (`fracture`): they do so in states of balance, which one solve a step does not find";
-        let fault =
-            self.scope().fault("analysis.static.one_solve", "true", bound, "remove it, or `fracture`");
-        Err(SceneError::Choice(fault))
+fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {
+    let at = "analysis.linear.iterations";
+    if let (LinearSolver::Direct, Some(iterations)) = (solver, iterations) {
+        let bound = "left out where the solver is \"direct\": a factor does not iterate";
+        let repair = "leave it out, or add solver = \"conjugate-gradients\"";
+        return Err(scene.scope().value(at, iterations, bound, repair));
     }
+    check_solver(scene, *solver)
+}
 
-    /// What breaks has its limit met by steps along one branch.
-    fn check_branches(&self, branches: Branches) -> Checked {
-        let given = match branches {
-            Branches::Primary => return Ok(()),
-            Branches::Stable => "\"stable\"",
-            Branches::StableReversed => "\"stable-reversed\"",
-        };
-        if !self.has_fracture() {
-            return Ok(());
-        }
-        let bound = "\"primary\" where bonds break (`fracture`): the first step on a branch does not end where the first bond breaks";
-        let fault =
-            self.scope().fault("analysis.arc-length.branches", given, bound, "remove it, or `fracture`");
-        Err(SceneError::Choice(fault))
+/// What breaks does so in states of balance.
+fn check_one_solve(scene: &BodyInScene<'_>, one_solve: bool) -> Verdict {
+    if !(one_solve && has_fracture(scene)) {
+        return Ok(());
     }
+    let bound = "false where bonds break (`fracture`): they do so in states of balance, which one solve a step does not find";
+    let fault = scene.scope().fault("analysis.static.one_solve", "true", bound, "remove it, or `fracture`");
+    Err(SceneError::Choice(fault))
+}
 
-    fn has_fracture(&self) -> bool {
-        let breaks = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.fracture.is_some());
-        self.bodies.values().any(breaks)
+/// What breaks has its limit met by steps along one branch.
+fn check_branches(scene: &BodyInScene<'_>, branches: Branches) -> Verdict {
+    let given = match branches {
+        Branches::Primary => return Ok(()),
+        Branches::Stable => "\"stable\"",
+        Branches::StableReversed => "\"stable-reversed\"",
+    };
+    if !has_fracture(scene) {
+        return Ok(());
     }
+    let bound = "\"primary\" where bonds break (`fracture`): the first step on a branch does not end where the first bond breaks";
+    let fault = scene.scope().fault("analysis.arc-length.branches", given, bound, "remove it, or `fracture`");
+    Err(SceneError::Choice(fault))
+}
 
-    /// Coarser unknowns are built on rigid motions, which only shells tell.
-    fn check_solver(&self, solver: LinearSolver) -> Checked {
-        if solver == LinearSolver::Direct || matches!(self.body(), BodyScene::Shell(_)) {
-            return Ok(());
-        }
-        let (at, given) = ("analysis.linear.solver", "\"conjugate-gradients\"");
-        let bound = "\"direct\" where the body is no shell";
-        Err(SceneError::Choice(self.scope().fault(at, given, bound, "leave it out")))
+fn has_fracture(scene: &BodyInScene<'_>) -> bool {
+    let breaks = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.fracture.is_some());
+    breaks(scene.body)
+}
+
+/// Coarser unknowns are built on rigid motions, which only shells tell.
+fn check_solver(scene: &BodyInScene<'_>, solver: LinearSolver) -> Verdict {
+    if solver == LinearSolver::Direct || matches!(scene.body, BodyScene::Shell(_)) {
+        return Ok(());
     }
+    let (at, given) = ("analysis.linear.solver", "\"conjugate-gradients\"");
+    let bound = "\"direct\" where the body is no shell";
+    Err(SceneError::Choice(scene.scope().fault(at, given, bound, "leave it out")))
+}
 
-    fn check_explicit(&self, explicit: &Explicit) -> Checked {
-        let s = &self.scope();
-        let at = |key: &str| format!("analysis.explicit.{key}");
-        let repair = "0.8 is usual; at 1 the step is at the limit of stability";
-        s.between(&at("safety"), explicit.safety, [0.0, 1.0], repair)?;
-        let known = ["quasi-static", "transient"];
-        let mut given = Vec::new();
-        given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
-        given.extend(explicit.transient.map(|_| known[1]));
-        s.exactly_one("analysis.explicit", "table", &given, &known)?;
-        if let Some(path) = &explicit.quasi_static {
-            let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
-            self.check_levels(&at("levels"), &path.levels)?;
-            if let Some(period) = path.period {
-                s.positive(&at("period"), period)?;
-            }
-            s.positive(&at("ramp"), path.ramp)?;
-            s.positive(&at("hold"), path.hold)?;
-            s.between(&at("tolerance"), path.tolerance, [0.0, 1.0], "1e-8 is usual")?;
-            s.between(&at("accuracy"), path.accuracy, [0.0, 1.0], "5e-3 is usual")?;
-            if self.has_strong_form() && path.stability == Some(true) {
-                let repair =
-                    "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
-                let bound = "one with an energy, and so a tangent, to look at stability";
-                let fault = self.body_scope().fault(
-                    "formulation.strong-form",
-                    "a formulation without energy",
-                    bound,
-                    repair,
-                );
-                return Err(SceneError::Choice(fault));
-            }
-            if let Damping::Ratio(ratio) = path.damping {
-                s.positive(&at("damping.ratio"), ratio)?;
-            }
-        }
-        if let Some(run) = explicit.transient {
-            let at = |key: &str| format!("analysis.explicit.transient.{key}");
-            s.positive(&at("duration"), run.duration)?;
-            s.positive(&at("record_every"), run.record_every)?;
-            s.not_negative(&at("damping"), run.damping)?;
-            if run.record_every > run.duration || run.duration / run.record_every > MOST_RECORDS {
-                let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
-                let repair = "a hundredth of the duration gives a smooth curve";
-                return Err(s.value(&at("record_every"), run.record_every, &bound, repair));
-            }
-        }
-        Ok(())
-    }
-
-    fn check_levels(&self, at: &str, levels: &Levels) -> Checked {
-        let s = &self.scope();
-        match levels {
-            Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
-            Levels::Equal(count) => {
-                Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual"))
-            }
-            Levels::List(list) if list.is_empty() => Err(s.value(
-                at,
-                "empty",
-                "a list of at least one level",
-                "levels = [1.0] goes to the full load",
-            )),
-            Levels::List(list) => {
-                let mut last = 0.0;
-                for (i, &level) in list.iter().enumerate() {
-                    let path = format!("{at}[{i}]");
-                    s.sized(&path, level)?;
-                    if level <= last {
-                        let bound = format!("greater than the level {last} before it");
-                        return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
-                    }
-                    last = level;
-                }
-                Ok(())
-            }
-        }
-    }
-
-    fn check_arc_length(&self, path: &ArcLength) -> Checked {
-        let s = &self.scope();
-        let at = |key: &str| format!("analysis.arc-length.{key}");
-        let known = ["until", "stop"];
-        let mut given = Vec::new();
-        given.extend(path.until.map(|_| known[0]));
-        given.extend(path.stop.as_ref().map(|_| known[1]));
-        s.exactly_one("analysis.arc-length", "end of the path", &given, &known)?;
-        if let Some(until) = path.until {
-            s.positive(&at("until"), until)?;
-        }
-        if let Some(Stop { column, above }) = &path.stop {
-            let own = self.curve.iter().map(|probe| probe.name.as_str());
-            let known: Vec<&str> = self.analysis.columns().chain(own).collect();
-            s.word(&at("stop.column"), column, &known)?;
-            s.sized(&at("stop.above"), *above)?;
-        }
-        s.positive(&at("radius"), path.radius)?;
-        s.within(&at("steps"), path.steps as f64, [1.0, MOST_STEPS], "a few hundred are usual")?;
-        self.check_branches(path.branches)?;
-        self.check_newton("analysis.arc-length", path.tolerance, path.iterations)
-    }
-
-    fn check_newton(&self, at: &str, tolerance: f64, iterations: usize) -> Checked {
-        let s = &self.scope();
-        s.between(&format!("{at}.tolerance"), tolerance, [0.0, 1.0], "leave it out for the usual 1e-9")?;
-        let repair = "leave it out for the usual number";
-        s.within(&format!("{at}.iterations"), iterations as f64, [1.0, MOST_ITERATIONS], repair)
-    }
-
-    fn check_modes(&self, at: &str, modes: usize) -> Checked {
-        self.scope().within(at, modes as f64, [1.0, MOST_MODES], "the lowest few modes are usual")
-    }
-
-    /// Whether the body is a shell by the published equations, which have no energy.
-    fn has_strong_form(&self) -> bool {
-        self.as_shell().is_some_and(|shell| matches!(shell.formulation, Formulation::StrongForm(_)))
-    }
-
-    fn check_tangent(&self) -> Checked {
-        if !self.has_strong_form() {
-            return Ok(());
-        }
-        let bound = format!("one with an energy, and so a tangent, in {}", self.analysis.kind().name);
-        let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
-        let path = "formulation.strong-form";
-        Err(SceneError::Choice(self.body_scope().fault(path, "a formulation without energy", &bound, repair)))
-    }
-
-    /// One load level drives the analysis: loads, prescribed motions, or both.
-    fn check_driver(&self) -> Checked {
-        if self.stress_drives() {
-            return Ok(());
-        }
-        let (s, what) = (&self.scope(), self.analysis.kind().name);
-        let supports = self.supports.iter().enumerate().filter(|(_, support)| !support.preload);
-        let motions = || supports.clone().filter_map(|(i, support)| Some((i, support.motion()?)));
-        if self.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {
-            return Ok(());
-        }
-        let Some((i, (word, by))) = motions().next() else {
-            let repair = "add a load, or a support with `moved`";
-            let fault = s.fault("loads", "nothing", &format!("something that drives {what}"), repair);
+fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
+    let s = &scene.scope();
+    let known = ["quasi-static", "transient"];
+    let mut given = Vec::new();
+    given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
+    given.extend(explicit.transient.map(|_| known[1]));
+    s.exactly_one("analysis.explicit", "table", &given, &known)?;
+    if let Some(path) = &explicit.quasi_static {
+        let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
+        check_levels(scene, &at("levels"), &path.levels)?;
+        if has_strong_form(scene) && path.stability == Some(true) {
+            let repair = "use [formulation.stress-point] or [formulation.nodal], or leave `stability` out";
+            let bound = "one with an energy, and so a tangent, to look at stability";
+            let fault = scene.body_scope().fault(
+                "formulation.strong-form",
+                "a formulation without energy",
+                bound,
+                repair,
+            );
             return Err(SceneError::Choice(fault));
-        };
-        let bound = format!("other than zero: it drives {what}");
-        let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
-        Err(s.value(&format!("supports[{i}].{word}.by"), by, &bound, repair))
+        }
+        if let Damping::Ratio(ratio) = path.damping {
+            s.positive(&at("damping.ratio"), ratio)?;
+        }
     }
+    if let Some(run) = explicit.transient {
+        let (duration, every) = (run.duration.get(), run.record_every.get());
+        if every > duration || duration / every > MOST_RECORDS {
+            let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
+            let repair = "a hundredth of the duration gives a smooth curve";
+            return Err(s.value("analysis.explicit.transient.record_every", every, &bound, repair));
+        }
+    }
+    Ok(())
+}
+
+fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
+    let s = &scene.scope();
+    match levels {
+        Levels::Equal(count) if (1..=MOST_LEVELS).contains(count) => Ok(()),
+        Levels::Equal(count) => Err(s.value(at, count, &format!("from 1 to {MOST_LEVELS}"), "10 is usual")),
+        Levels::List(list) if list.is_empty() => {
+            Err(s.value(at, "empty", "a list of at least one level", "levels = [1.0] goes to the full load"))
+        }
+        Levels::List(list) => {
+            let mut last = 0.0;
+            for (i, &level) in list.iter().enumerate() {
+                let path = format!("{at}[{i}]");
+                s.sized(&path, level)?;
+                if level <= last {
+                    let bound = format!("greater than the level {last} before it");
+                    return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
+                }
+                last = level;
+            }
+            Ok(())
+        }
+    }
+}
+
+fn check_arc_length(scene: &BodyInScene<'_>, path: &ArcLength) -> Verdict {
+    let s = &scene.scope();
+    let at = |key: &str| format!("analysis.arc-length.{key}");
+    let known = ["until", "stop"];
+    let mut given = Vec::new();
+    given.extend(path.until.map(|_| known[0]));
+    given.extend(path.stop.as_ref().map(|_| known[1]));
+    s.exactly_one("analysis.arc-length", "end of the path", &given, &known)?;
+    if let Some(Stop { column, above }) = &path.stop {
+        let own = scene.curve.iter().map(|probe| probe.name.as_str());
+        let known: Vec<&str> = scene.analysis.columns().chain(own).collect();
+        s.word(&at("stop.column"), column, &known)?;
+        s.sized(&at("stop.above"), *above)?;
+    }
+    check_branches(scene, path.branches)
+}
+
+/// Whether the body is a shell by the published equations, which have no energy.
+fn has_strong_form(scene: &BodyInScene<'_>) -> bool {
+    scene.as_shell().is_some_and(|shell| matches!(shell.formulation, Formulation::StrongForm(_)))
+}
+
+fn check_tangent(scene: &BodyInScene<'_>) -> Verdict {
+    if !has_strong_form(scene) {
+        return Ok(());
+    }
+    let bound = format!("one with an energy, and so a tangent, in {}", scene.analysis.kind().name);
+    let repair = "use [formulation.stress-point] or [formulation.nodal], or [analysis.explicit]";
+    let path = "formulation.strong-form";
+    Err(SceneError::Choice(scene.body_scope().fault(path, "a formulation without energy", &bound, repair)))
+}
+
+/// One load level drives the analysis: loads, prescribed motions, or both.
+fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
+    if scene.stress_drives() {
+        return Ok(());
+    }
+    let (s, what) = (&scene.scope(), scene.analysis.kind().name);
+    let supports = scene.supports.iter().filter(|support| !support.preload);
+    let motions = || supports.clone().filter_map(|support| Some((support, support.motion()?)));
+    if scene.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {
+        return Ok(());
+    }
+    let Some((support, (word, by))) = motions().next() else {
+        let repair = "add a load, or a support with `moved`";
+        let fault = s.fault("loads", "nothing", &format!("something that drives {what}"), repair);
+        return Err(SceneError::Choice(fault));
+    };
+    let bound = format!("other than zero: it drives {what}");
+    let repair = "hold a direction by `symmetry`, `diaphragm` or `hinged`";
+    Err(s.value(&support.at(&format!("{word}.by")), by, &bound, repair))
 }

@@ -2,214 +2,204 @@
 
 use std::collections::BTreeSet;
 
+use super::gauges::check_gauge;
+use super::sets::{check_set_name, only_on};
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::{Measured, Probe};
-use crate::scene::error::SceneError;
-use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::error::{SceneError, Verdict};
+use crate::scene::output::Output;
+use crate::scene::problem::BodyScene;
+use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::solid::SolidScene;
 
-type Checked = Result<(), SceneError>;
-
-impl Scene {
-    fn check_checkpoints(&self) -> Checked {
-        let Some(every) = self.output.checkpoint_every else { return Ok(()) };
-        let path = "output.checkpoint_every";
-        let kind = self.analysis.kind();
-        if !kind.resumes {
-            let what = kind.name;
-            let bound = format!("left out in {what}, which cannot go on from its middle");
-            let repair = "remove it, or use [analysis.explicit], [analysis.static] or [analysis.relaxation]";
-            return Err(self.scope().value(path, every, &bound, repair));
-        }
-        self.scope().positive(path, every)
+fn check_checkpoints(scene: &BodyInScene<'_>) -> Verdict {
+    let Some(every) = scene.output.checkpoint_every else { return Ok(()) };
+    let path = "output.checkpoint_every";
+    let kind = scene.analysis.kind();
+    if !kind.resumes {
+        let what = kind.name;
+        let bound = format!("left out in {what}, which cannot go on from its middle");
+        let repair = "remove it, or use [analysis.explicit], [analysis.static] or [analysis.relaxation]";
+        return Err(scene.scope().value(path, every, &bound, repair));
     }
+    Ok(())
+}
 
-    /// Refuses what the body has not, and a direction where there is nothing to take a component of.
-    fn check_measured(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        let (s, word) = (&self.scope(), probe.of.word());
-        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
-            Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
+/// Refuses what the body has not, and a direction where there is nothing to take a component of.
+fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let (s, word) = (&scene.scope(), probe.of.word());
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
+    };
+    let known: Vec<&str> = measured(scene).iter().map(|of| of.word()).collect();
+    if !known.contains(&word) {
+        let body = match scene.body {
+            BodyScene::Walls(_) => "walls have",
+            BodyScene::Shell(_) => "a shell has",
+            BodyScene::Solid(_) => "a solid has",
+            BodyScene::Fluid(_) => "a fluid has",
         };
-        let known: Vec<&str> = self.measured().iter().map(|of| of.word()).collect();
-        if !known.contains(&word) {
-            let body = match self.body() {
-                BodyScene::Walls(_) => "walls have",
-                BodyScene::Shell(_) => "a shell has",
-                BodyScene::Solid(_) => "a solid has",
-                BodyScene::Fluid(_) => "a fluid has",
-            };
-            let bound = format!("what {body}: {}", known.join(", "));
-            return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
-        }
-        let walls = matches!(self.body(), BodyScene::Walls(_));
-        if walls
-            && matches!(probe.of, Measured::Force | Measured::Moment)
-            && self.sets.contains_key(&probe.on)
-        {
-            let bound =
-                format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
-            let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
-            return Err(SceneError::Set(s.fault(&at("on"), &value, &bound, repair)));
-        }
-        if probe.of == Measured::Velocity && !self.analysis.kind().passes_time {
-            let bound = format!("no velocity in {}", self.analysis.kind().name);
-            return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
-        }
-        self.check_face_of_stress(at, probe)?;
-        self.check_measured_alike(at, probe)
+        let bound = format!("what {body}: {}", known.join(", "));
+        return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
     }
+    let walls = matches!(scene.body, BodyScene::Walls(_));
+    if walls && matches!(probe.of, Measured::Force | Measured::Moment) && scene.sets.contains_key(probe.on) {
+        let bound =
+            format!("but the {word} of a fluid is that on all walls of a body, or on a side of a basin");
+        let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
+        return Err(SceneError::Set(s.fault(&probe.at("on"), &value, &bound, repair)));
+    }
+    if probe.of == Measured::Velocity && !scene.analysis.kind().passes_time {
+        let bound = format!("no velocity in {}", scene.analysis.kind().name);
+        return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
+    }
+    check_face_of_stress(scene, probe)?;
+    check_measured_alike(scene.body, s, probe)
+}
 
-    /// Stresses are those of a face, of a section whose stresses run linearly.
-    fn check_face_of_stress(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        let (s, word) = (&self.scope(), probe.of.word());
-        let stress = matches!(probe.of, Measured::Stress | Measured::VonMises);
-        if probe.face.is_some() && !stress {
-            let bound = format!("none: {word} is of no face");
-            return Err(SceneError::Choice(s.fault(&at("face"), "a face", &bound, "remove `face`")));
-        }
-        if probe.of == Measured::Stress && probe.face.is_none() {
-            let repair = "add face = \"top\", to which the directors point, or face = \"bottom\"";
-            let fault = s.fault(&at("face"), "nothing", "given: it has no default", repair);
-            return Err(SceneError::Missing(fault));
-        }
-        let layered = |shell: &ShellScene| !shell.section.homogeneous();
-        let of_shell = |shell: &ShellScene| {
-            layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
-        };
-        if stress && self.as_shell().is_some_and(of_shell) {
-            let bound = "`membrane-force`, `bending-moment` or `shear-force` on plies";
-            let repair = "measure section forces: stresses differ from ply to ply";
-            let value = format!("\"{word}\"");
-            return Err(SceneError::Choice(s.fault(&at("of"), &value, bound, repair)));
-        }
-        Ok(())
+/// Stresses are those of a face, of a section whose stresses run linearly.
+fn check_face_of_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let (s, word) = (&scene.scope(), probe.of.word());
+    let stress = matches!(probe.of, Measured::Stress | Measured::VonMises);
+    if probe.face.is_some() && !stress {
+        let bound = format!("none: {word} is of no face");
+        return Err(SceneError::Choice(s.fault(&probe.at("face"), "a face", &bound, "remove `face`")));
     }
+    if probe.of == Measured::Stress && probe.face.is_none() {
+        let repair = "add face = \"top\", to which the directors point, or face = \"bottom\"";
+        let fault = s.fault(&probe.at("face"), "nothing", "given: it has no default", repair);
+        return Err(SceneError::Missing(fault));
+    }
+    let layered = |shell: &ShellScene| !shell.section.homogeneous();
+    let of_shell = |shell: &ShellScene| {
+        layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
+    };
+    if stress && scene.as_shell().is_some_and(of_shell) {
+        let bound = "`membrane-force`, `bending-moment` or `shear-force` on plies";
+        let repair = "measure section forces: stresses differ from ply to ply";
+        let value = format!("\"{word}\"");
+        return Err(SceneError::Choice(s.fault(&probe.at("of"), &value, bound, repair)));
+    }
+    Ok(())
+}
 
-    /// Refuses a direction where there is nothing to take a component of, points and sections of what has none.
-    pub(super) fn check_measured_alike(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        self.check_gauge(at, probe)?;
-        let (s, word) = (&self.scope(), probe.of.word());
-        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
-            Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
-        };
-        if let Some(about) = &probe.about {
-            if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment) {
-                let bound = format!("none: {word} is about no point");
-                return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
-            }
-            s.sized_all(&at("about"), about)?;
+/// Refuses a direction where there is nothing to take a component of, points and sections of what has none.
+pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    check_gauge(body, s, probe)?;
+    let word = probe.of.word();
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
+    };
+    if let Some(about) = &probe.about {
+        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment) {
+            let bound = format!("none: {word} is about no point");
+            return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
         }
-        match probe.direction {
-            Some(_) if probe.of.is_scalar() => {
-                let bound = format!("none: {word} is a number");
-                refuse("direction", "a direction", &bound, "remove `direction`")
-            }
-            None if !probe.of.is_scalar() => {
-                let key = at("direction");
-                let parent = key.trim_end_matches(".direction");
-                let repair = format!("add `direction = …` in `{parent}`");
-                let bound = "given: it has no default";
-                Err(SceneError::Missing(s.fault(&key, "nothing", bound, &repair)))
-            }
-            None => Ok(()),
-            Some(direction) => s.direction(&at("direction"), direction),
-        }
+        s.sized_all(&probe.at("about"), about)?;
     }
+    match probe.direction {
+        Some(_) if probe.of.is_scalar() => {
+            let bound = format!("none: {word} is a number");
+            refuse("direction", "a direction", &bound, "remove `direction`")
+        }
+        None if !probe.of.is_scalar() => {
+            let key = probe.at("direction");
+            let parent = key.trim_end_matches(".direction");
+            let repair = format!("add `direction = …` in `{parent}`");
+            let bound = "given: it has no default";
+            Err(SceneError::Missing(s.fault(&key, "nothing", bound, &repair)))
+        }
+        None => Ok(()),
+        Some(direction) => s.direction(&probe.at("direction"), direction),
+    }
+}
 
-    /// What can be measured on the body.
-    fn measured(&self) -> Vec<Measured> {
-        use Measured::{
-            BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy,
-            Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation,
-            ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
-        };
-        match self.body() {
-            BodyScene::Fluid(_) => {
-                return vec![Displacement, Position, Velocity, Pressure, Density, Level, WetLength, Flux];
-            }
-            BodyScene::Walls(_) => {
-                return vec![Displacement, Position, Pressure, Level, WetLength, Force, Moment];
-            }
-            BodyScene::Shell(_) | BodyScene::Solid(_) => {}
+/// What can be measured on the body.
+fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
+    use Measured::{
+        BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy, Level,
+        MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce,
+        StrainEnergy, Stress, Velocity, VonMises, WetLength,
+    };
+    match scene.body {
+        BodyScene::Fluid(_) => {
+            return vec![Displacement, Position, Velocity, Pressure, Density, Level, WetLength, Flux];
         }
-        let solid = self.as_solid();
-        if solid.is_some_and(|solid| solid.galerkin().is_some()) {
-            return vec![Displacement, Position, Reaction];
+        BodyScene::Walls(_) => {
+            return vec![Displacement, Position, Pressure, Level, WetLength, Force, Moment];
         }
-        let mut known = vec![Displacement, Position, Reaction, Velocity];
-        if solid.is_none_or(SolidScene::has_directors) {
-            known.extend([Rotation, Director]);
-        }
-        if solid.is_some() {
-            known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
-        } else if !self.source.is_part() {
-            known.extend([
-                ReactionMoment,
-                VonMises,
-                Stress,
-                MembraneForce,
-                BendingMoment,
-                ShearForce,
-                Energy,
-            ]);
-        }
-        known
+        BodyScene::Shell(_) | BodyScene::Solid(_) => {}
     }
+    let solid = scene.as_solid();
+    if solid.is_some_and(|solid| solid.galerkin().is_some()) {
+        return vec![Displacement, Position, Reaction];
+    }
+    let mut known = vec![Displacement, Position, Reaction, Velocity];
+    if solid.is_none_or(SolidScene::has_directors) {
+        known.extend([Rotation, Director]);
+    }
+    if solid.is_some() {
+        known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
+    } else if !scene.coupled {
+        known.extend([ReactionMoment, VonMises, Stress, MembraneForce, BendingMoment, ShearForce, Energy]);
+    }
+    known
+}
 
-    pub(super) fn check_curve(&self) -> Checked {
-        let s = &self.scope();
-        let mut names: BTreeSet<&str> = self.analysis.columns().collect();
-        for (i, probe) in self.curve.iter().enumerate() {
-            let at = |key: &str| format!("curve[{i}].{key}");
-            self.check_column_name(&at("name"), &probe.name, &mut names)?;
-            self.check_set_name(&at("on"), &probe.on)?;
-            self.check_measured(&at, probe)?;
-            if probe.of == Measured::Pieces {
-                let why = "pieces are counted of the whole body";
-                self.only_on(&format!("curve[{i}]"), &probe.on, why, &["all"])?;
-            }
-            s.sized(&at("factor"), probe.factor)?;
+pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
+    let s = &scene.scope();
+    let mut names: BTreeSet<&str> = scene.analysis.columns().collect();
+    for probe in &scene.curve {
+        check_column_name(s, &probe.at("name"), &probe.name, &mut names)?;
+        check_set_name(scene, &probe.at("on"), probe.on)?;
+        check_measured(scene, probe)?;
+        if probe.of == Measured::Pieces {
+            let why = "pieces are counted of the whole body";
+            only_on(scene, probe, why, &["all"])?;
         }
-        if self.output.fields.is_some_and(|fields| fields.every == 0) {
-            return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
-        }
-        if self.output.fields.is_some_and(|fields| fields.points)
-            && self.as_solid().is_none_or(|solid| solid.galerkin().is_none())
-        {
-            let (value, bound) = ("quadrature points", "none but of a Galerkin solid");
-            let fault = s.fault("output.fields.points", value, bound, "remove it");
-            return Err(SceneError::Choice(fault));
-        }
-        self.check_plot(&names)?;
-        self.check_checkpoints()
+        s.sized(&probe.at("factor"), probe.factor)?;
     }
+    if scene.output.fields.is_some_and(|fields| fields.every == 0) {
+        return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
+    }
+    if scene.output.fields.is_some_and(|fields| fields.points)
+        && scene.as_solid().is_none_or(|solid| solid.galerkin().is_none())
+    {
+        let (value, bound) = ("quadrature points", "none but of a Galerkin solid");
+        let fault = s.fault("output.fields.points", value, bound, "remove it");
+        return Err(SceneError::Choice(fault));
+    }
+    if !scene.coupled {
+        check_plot(s, scene.output, &names)?;
+    }
+    check_checkpoints(scene)
+}
 
-    /// Refuses a name that is no word, and one that is taken.
-    pub(super) fn check_column_name<'a>(
-        &self,
-        path: &str,
-        name: &'a str,
-        names: &mut BTreeSet<&'a str>,
-    ) -> Checked {
-        let s = &self.scope();
-        let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
-        if name.is_empty() || !name.chars().all(plain) {
-            let repair = "it becomes a column name: use letters, digits, _ and -";
-            return Err(s.value(path, format!("\"{name}\""), "a plain word", repair));
-        }
-        if !names.insert(name) {
-            let taken = Vec::from_iter(names.iter().copied()).join(", ");
-            let repair = format!("rename it; taken already: {taken}");
-            return Err(s.value(path, format!("\"{name}\""), "a name of its own", &repair));
-        }
-        Ok(())
+/// Refuses a name that is no word, and one that is taken.
+pub(super) fn check_column_name<'a>(
+    s: &Scope<'_>,
+    path: &str,
+    name: &'a str,
+    names: &mut BTreeSet<&'a str>,
+) -> Verdict {
+    let plain = |c: char| c.is_alphanumeric() || "_-.'".contains(c);
+    if name.is_empty() || !name.chars().all(plain) {
+        let repair = "it becomes a column name: use letters, digits, _ and -";
+        return Err(s.value(path, format!("\"{name}\""), "a plain word", repair));
     }
+    if !names.insert(name) {
+        let taken = Vec::from_iter(names.iter().copied()).join(", ");
+        let repair = format!("rename it; taken already: {taken}");
+        return Err(s.value(path, format!("\"{name}\""), "a name of its own", &repair));
+    }
+    Ok(())
+}
 
-    /// A plot shows columns that there are.
-    pub(super) fn check_plot(&self, names: &BTreeSet<&str>) -> Checked {
-        let Some(plot) = &self.output.plot else { return Ok(()) };
-        let (s, known) = (&self.scope(), Vec::from_iter(names.iter().copied()));
-        s.word("output.plot.x", &plot.x, &known)?;
-        s.word("output.plot.y", &plot.y, &known)
-    }
+/// A plot shows columns that there are.
+pub(super) fn check_plot(s: &Scope<'_>, output: &Output, names: &BTreeSet<&str>) -> Verdict {
+    let Some(plot) = &output.plot else { return Ok(()) };
+    let known = Vec::from_iter(names.iter().copied());
+    s.word("output.plot.x", &plot.x, &known)?;
+    s.word("output.plot.y", &plot.y, &known)
 }

@@ -1,81 +1,78 @@
 //! Checks of gauges: points at which a fluid is looked at, sections through which it flows.
 
+use crate::scene::body_in_scene::OnSet;
 use crate::scene::curve::{Measured, Probe};
-use crate::scene::error::SceneError;
-use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::error::{SceneError, Verdict};
+use crate::scene::problem::BodyScene;
+use crate::scene::scope::Scope;
 
-type Checked = Result<(), SceneError>;
+/// Refuses a point and a section where nothing is measured at one, and what needs one without it.
+pub(super) fn check_gauge(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    check_point(body, s, probe)?;
+    check_section(body, s, probe)
+}
 
-impl Scene {
-    /// Refuses a point and a section where nothing is measured at one, and what needs one without it.
-    pub(super) fn check_gauge(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        self.check_point(at, probe)?;
-        self.check_section(at, probe)
-    }
-
-    fn check_point(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        let (s, word) = (&self.scope(), probe.of.word());
-        let reported = matches!(probe.of, Measured::Pressure | Measured::Level | Measured::WetLength);
-        let (fluid, walls) =
-            (matches!(self.body(), BodyScene::Fluid(_)), matches!(self.body(), BodyScene::Walls(_)));
-        let Some(point) = &probe.at else {
-            if !matches!(probe.of, Measured::Level | Measured::WetLength) || !fluid {
-                return Ok(());
-            }
-            let repair = "add the point over which it is measured, as in at = [0.1, 0.0, 0.0]";
-            let bound = "given for the level of a fluid and its wet length";
-            return Err(SceneError::Missing(s.fault(&at("at"), "nothing", bound, repair)));
-        };
-        if !reported || !(fluid || walls) {
-            let bound = format!("none: {word} is measured at no point");
-            let repair = "remove `at`, or measure a pressure, a level or a wet length of a fluid or of walls";
-            return Err(SceneError::Choice(s.fault(&at("at"), "a point", &bound, repair)));
+fn check_point(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let word = probe.of.word();
+    let reported = matches!(probe.of, Measured::Pressure | Measured::Level | Measured::WetLength);
+    let (fluid, walls) = (matches!(body, BodyScene::Fluid(_)), matches!(body, BodyScene::Walls(_)));
+    let Some(point) = &probe.at else {
+        if !matches!(probe.of, Measured::Level | Measured::WetLength) || !fluid {
+            return Ok(());
         }
-        if probe.on != "all" {
-            let bound = "but a point goes with all of its body";
-            let repair = "use on = \"NAME.all\": on a fluid the point stays, on walls it goes with them";
-            return Err(SceneError::Set(s.fault(&at("on"), &format!("\"{}\"", probe.on), bound, repair)));
-        }
-        s.sized_all(&at("at"), point)
+        let repair = "add the point over which it is measured, as in at = [0.1, 0.0, 0.0]";
+        let bound = "given for the level of a fluid and its wet length";
+        return Err(SceneError::Missing(s.fault(&probe.at("at"), "nothing", bound, repair)));
+    };
+    if !reported || !(fluid || walls) {
+        let bound = format!("none: {word} is measured at no point");
+        let repair = "remove `at`, or measure a pressure, a level or a wet length of a fluid or of walls";
+        return Err(SceneError::Choice(s.fault(&probe.at("at"), "a point", &bound, repair)));
     }
+    if probe.on != "all" {
+        let bound = "but a point goes with all of its body";
+        let repair = "use on = \"NAME.all\": on a fluid the point stays, on walls it goes with them";
+        return Err(SceneError::Set(s.fault(&probe.at("on"), &format!("\"{}\"", probe.on), bound, repair)));
+    }
+    s.sized_all(&probe.at("at"), point)
+}
 
-    fn check_section(&self, at: &dyn Fn(&str) -> String, probe: &Probe) -> Checked {
-        let (s, word) = (&self.scope(), probe.of.word());
-        let Some(through) = &probe.through else {
-            if probe.of != Measured::Flux {
-                return Ok(());
-            }
-            let repair = "add through = { point = [0.1, 0.0, 0.0], normal = [1, 0, 0] }";
-            let bound = "given: a flux is that through a line or a face";
-            return Err(SceneError::Missing(s.fault(&at("through"), "nothing", bound, repair)));
-        };
+fn check_section(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let word = probe.of.word();
+    let Some(through) = &probe.through else {
         if probe.of != Measured::Flux {
-            let bound = format!("none: {word} goes through nothing");
-            let repair = "remove `through`, or measure a flux";
-            return Err(SceneError::Choice(s.fault(&at("through"), "a section", &bound, repair)));
+            return Ok(());
         }
-        s.sized_all(&at("through.point"), &through.point)?;
-        s.direction(&at("through.normal"), through.normal)?;
-        let plane = matches!(self.body(), BodyScene::Fluid(fluid) if fluid.dimensions() == 2);
-        if plane && through.normal[2] != 0.0 {
-            let repair = "set its third component to zero: a plane fluid flows in its plane";
-            let value = format!("{:?}", through.normal);
-            return Err(s.value(&at("through.normal"), value, "in the plane of x and y", repair));
-        }
-        let (min, max) = (through.min, through.max);
-        for (key, bounds) in [("min", min), ("max", max)] {
-            bounds.map_or(Ok(()), |bounds| s.sized_all(&at(&format!("through.{key}")), &bounds))?;
-        }
-        let (Some(min), Some(max)) = (min, max) else { return Ok(()) };
-        // Across the plane of a plane fluid bounds say nothing.
-        let axes = if plane { 2 } else { 3 };
-        match (0..axes).find(|&axis| min[axis] >= max[axis]) {
-            None => Ok(()),
-            Some(axis) => {
-                let bound = format!("greater than the least, {}", min[axis]);
-                let path = at(&format!("through.max[{axis}]"));
-                Err(s.value(&path, max[axis], &bound, "swap the coordinates, or leave one of them out"))
-            }
+        let repair = "add through = { point = [0.1, 0.0, 0.0], normal = [1, 0, 0] }";
+        let bound = "given: a flux is that through a line or a face";
+        return Err(SceneError::Missing(s.fault(&probe.at("through"), "nothing", bound, repair)));
+    };
+    if probe.of != Measured::Flux {
+        let bound = format!("none: {word} goes through nothing");
+        let repair = "remove `through`, or measure a flux";
+        return Err(SceneError::Choice(s.fault(&probe.at("through"), "a section", &bound, repair)));
+    }
+    s.sized_all(&probe.at("through.point"), &through.point)?;
+    s.direction(&probe.at("through.normal"), through.normal)?;
+    let plane = matches!(body, BodyScene::Fluid(fluid) if fluid.dimensions() == 2);
+    if plane && through.normal[2] != 0.0 {
+        let repair = "set its third component to zero: a plane fluid flows in its plane";
+        let value = format!("{:?}", through.normal);
+        return Err(s.value(&probe.at("through.normal"), value, "in the plane of x and y", repair));
+    }
+    let (min, max) = (through.min, through.max);
+    for (key, bounds) in [("min", min), ("max", max)] {
+        bounds.map_or(Ok(()), |bounds| s.sized_all(&probe.at(&format!("through.{key}")), &bounds))?;
+    }
+    let (Some(min), Some(max)) = (min, max) else { return Ok(()) };
+    // Across the plane of a plane fluid bounds say nothing.
+    let axes = if plane { 2 } else { 3 };
+    match (0..axes).find(|&axis| min[axis] >= max[axis]) {
+        None => Ok(()),
+        Some(axis) => {
+            let bound = format!("greater than the least, {}", min[axis]);
+            let path = probe.at(&format!("through.max[{axis}]"));
+            Err(s.value(&path, max[axis], &bound, "swap the coordinates, or leave one of them out"))
         }
     }
 }

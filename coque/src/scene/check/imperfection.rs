@@ -1,52 +1,45 @@
 //! Checks of the deflection of the unstrained body.
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::imperfection::Imperfection;
-use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;
 
-/// Modes are found from the lowest up: further ones are expensive, and seldom what a body is bent like.
-const MOST: f64 = 100.0;
-
-impl Scene {
-    /// Refuses an imperfection that the body cannot have.
-    pub(super) fn check_imperfection(&self, s: &Scope<'_>) -> Checked {
-        let Some(Imperfection { mode, half_waves, amplitude }) = self.imperfection() else { return Ok(()) };
-        let mut given = Vec::new();
-        given.extend(mode.map(|_| "mode"));
-        given.extend(half_waves.map(|_| "half_waves"));
-        s.exactly_one("imperfection", "shape", &given, &["mode", "half_waves"])?;
-        s.sized("imperfection.amplitude", amplitude)?;
-        if let Some(mode) = mode {
-            s.within("imperfection.mode", mode as f64, [1.0, MOST], "1 is the first to buckle")?;
-            let refuse = |value: &str, bound: &str, repair: &str| {
-                Err(SceneError::Choice(s.fault("imperfection.mode", value, bound, repair)))
-            };
-            if self.source.is_part() {
-                let bound = "a body alone: where several act on each other its loads are not its own";
-                return refuse("a mode of one of several bodies", bound, "remove the imperfection");
-            }
-            if self.has_preload() {
-                let bound = "none beside a preload";
-                let repair = "remove `preload`, or give a mesh that has the deflection";
-                return refuse("a mode", bound, repair);
-            }
+/// Refuses an imperfection that the body cannot have.
+pub(super) fn check_imperfection(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
+    let Some(Imperfection { mode, half_waves, amplitude }) = scene.imperfection() else { return Ok(()) };
+    let mut given = Vec::new();
+    given.extend(mode.map(|_| "mode"));
+    given.extend(half_waves.map(|_| "half_waves"));
+    s.exactly_one("imperfection", "shape", &given, &["mode", "half_waves"])?;
+    s.sized("imperfection.amplitude", amplitude)?;
+    if mode.is_some() {
+        let refuse = |value: &str, bound: &str, repair: &str| {
+            Err(SceneError::Choice(s.fault("imperfection.mode", value, bound, repair)))
+        };
+        if scene.coupled {
+            let bound = "a body alone: where several act on each other its loads are not its own";
+            return refuse("a mode of one of several bodies", bound, "remove the imperfection");
         }
-        let Some(waves) = half_waves else { return Ok(()) };
-        if !self.as_solid().is_some_and(|solid| solid.has_directors()) {
-            let fault = s.fault(
-                "imperfection.half_waves",
-                "half-waves",
-                "none but of a plate of two sheets",
-                "use mode = 1 in their place, or [formulation.two-sheets]",
-            );
-            return Err(SceneError::Choice(fault));
+        if scene.has_preload() {
+            let bound = "none beside a preload";
+            let repair = "remove `preload`, or give a mesh that has the deflection";
+            return refuse("a mode", bound, repair);
         }
-        for (i, waves) in waves.into_iter().enumerate() {
-            let repair = "1 is one bulge from edge to edge";
-            s.within(&format!("imperfection.half_waves[{i}]"), f64::from(waves), [1.0, 1000.0], repair)?;
-        }
-        Ok(())
     }
+    let Some(waves) = half_waves else { return Ok(()) };
+    if !scene.as_solid().is_some_and(|solid| solid.has_directors()) {
+        let fault = s.fault(
+            "imperfection.half_waves",
+            "half-waves",
+            "none but of a plate of two sheets",
+            "use mode = 1 in their place, or [formulation.two-sheets]",
+        );
+        return Err(SceneError::Choice(fault));
+    }
+    for (i, waves) in waves.into_iter().enumerate() {
+        let repair = "1 is one bulge from edge to edge";
+        s.within(&format!("imperfection.half_waves[{i}]"), f64::from(waves), [1.0, 1000.0], repair)?;
+    }
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! The checks of a scene that need no particles, first to last.
 
+mod amplitude;
 mod analysis;
 mod conditions;
 mod curve;
@@ -13,117 +14,133 @@ mod solid;
 mod together;
 mod vectors;
 
-use crate::scene::error::SceneError;
+use self::analysis::check_analysis;
+use self::conditions::{check_load, check_support};
+use self::curve::check_curve;
+use self::fluid::check_velocity_of_fluid;
+use self::imperfection::check_imperfection;
+use self::preload::check_preload;
+use self::sets::{check_set_name, check_sets};
+use self::shell::{check_parts, check_wetting};
+use self::solid::check_solid;
+use self::together::{check_coupling, check_kinds, check_together};
+
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::scope::Scope;
 use crate::scene::velocity::Velocity;
 
-type Checked = Result<(), SceneError>;
-
-impl Scene {
-    /// Refuses the first thing that is out of bounds.
-    pub(crate) fn check(&self) -> Checked {
-        self.check_units()?;
-        self.check_bodies()?;
-        self.check_coupling()?;
-        match self.is_together() {
-            true => self.check_together(),
-            false => self.check_alone(),
-        }
+/// Refuses the first thing that is out of bounds.
+pub(super) fn check(scene: &Scene) -> Verdict {
+    check_units(scene)?;
+    let (name, body) = named_body(scene)?;
+    check_bodies(scene)?;
+    check_coupling(scene)?;
+    match scene.is_coupled() {
+        true => check_together(scene),
+        false => check_alone(&BodyInScene::new(scene, name, body)?),
     }
+}
 
-    /// Refuses the first thing that is out of bounds in the scene of one body.
-    fn check_alone(&self) -> Checked {
-        self.check_body()?;
-        self.check_sets()?;
-        for (i, support) in self.supports.iter().enumerate() {
-            self.check_support(&format!("supports[{i}]"), support)?;
-        }
-        for (i, load) in self.loads.iter().enumerate() {
-            self.check_load(&format!("loads[{i}]"), load)?;
-        }
-        if let Some(solid) = self.as_solid() {
-            self.check_solid(solid)?;
-        }
-        self.check_preload()?;
-        self.check_analysis()?;
-        self.check_curve()
-    }
+/// The first body by name, with all that the scene says of it.
+///
+/// # Errors
+/// [`SceneError`] for a scene without bodies, and for sets that name none.
+pub(super) fn first_body(scene: &Scene) -> Result<BodyInScene<'_>, SceneError> {
+    let (name, body) = named_body(scene)?;
+    BodyInScene::new(scene, name, body)
+}
 
-    fn check_units(&self) -> Checked {
-        if self.units.consistent() {
-            return Ok(());
-        }
-        let bound = "consistent: all three with a unit, or all three \"-\"";
-        let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
-        Err(self.scope().value("units", "a mixture of units and \"-\"", bound, repair))
+fn named_body(scene: &Scene) -> Result<(&String, &BodyScene), SceneError> {
+    if let Some(first) = scene.bodies.first_key_value() {
+        return Ok(first);
     }
+    let repair =
+        "add [geometry], [material] and [section] for a lone shell, or [bodies.NAME.shell] with them";
+    Err(SceneError::Choice(scene.scope().fault("bodies", "no body", "one body", repair)))
+}
 
-    fn check_bodies(&self) -> Checked {
-        let s = &self.scope();
-        let mut names = self.bodies.keys();
-        let Some(name) = names.next() else {
-            let repair =
-                "add [geometry], [material] and [section] for a lone shell, or [bodies.NAME.shell] with them";
-            return Err(SceneError::Choice(s.fault("bodies", "no body", "one body", repair)));
-        };
-        let plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || "_-".contains(c));
-        if let Some(name) = [name].into_iter().chain(names).find(|name| name.is_empty() || !plain(name)) {
-            let repair = "it names sets and files: use letters, digits, _ and -";
-            return Err(s.value(&format!("bodies.{name}"), format!("\"{name}\""), "a plain word", repair));
-        }
-        self.check_kinds()
+/// Refuses the first thing that is out of bounds in the scene of one body.
+fn check_alone(scene: &BodyInScene<'_>) -> Verdict {
+    check_body(scene)?;
+    check_sets(scene)?;
+    scene.supports.iter().try_for_each(|support| check_support(scene, support))?;
+    scene.loads.iter().try_for_each(|load| check_load(scene, load))?;
+    if let Some(solid) = scene.as_solid() {
+        check_solid(scene, solid)?;
     }
+    check_preload(scene)?;
+    check_analysis(scene)?;
+    check_curve(scene)
+}
 
-    /// Refuses what is out of bounds in the keys of the one body.
-    fn check_body(&self) -> Checked {
-        let s = &self.body_scope();
-        let body = self.body();
-        match body {
-            BodyScene::Shell(shell) => {
-                shell.check(s)?;
-                self.check_parts(shell, s)?;
-                self.check_wetting(shell, s)?;
-            }
-            BodyScene::Solid(solid) => solid.check(s)?,
-            BodyScene::Fluid(fluid) => {
-                fluid.check(s)?;
-                self.check_velocity_of_fluid(fluid, s)?;
-            }
-            BodyScene::Walls(walls) => walls.check(self, s)?,
-        }
-        self.check_imperfection(s)?;
-        body.velocity().map_or(Ok(()), |velocity| self.check_velocity(velocity, s))
+fn check_units(scene: &Scene) -> Verdict {
+    if scene.units.consistent() {
+        return Ok(());
     }
+    let bound = "consistent: all three with a unit, or all three \"-\"";
+    let repair = "units = { length = \"m\", force = \"N\", time = \"s\" }, or \"-\" for all three";
+    Err(scene.scope().value("units", "a mixture of units and \"-\"", bound, repair))
+}
 
-    fn check_velocity(&self, Velocity { on, linear, spin }: &Velocity, s: &Scope<'_>) -> Checked {
-        let kind = self.analysis.kind();
-        if !kind.passes_time {
-            let bound = format!("none in {}", kind.name);
-            let repair = "remove it, or use [analysis.explicit.transient]";
-            return Err(SceneError::Choice(s.fault("velocity", "a velocity at the start", &bound, repair)));
-        }
-        if linear.is_none() && spin.is_none() {
-            let repair = "velocity = { linear = [1, 0, 0] }, or spin = { axis = [0, 0, 1], rate = 1.0 }";
-            return Err(SceneError::Choice(s.fault(
-                "velocity",
-                "neither",
-                "`linear`, `spin` or both",
-                repair,
-            )));
-        }
-        if let Some(on) = on {
-            if self.as_shell().is_none() {
-                let bound = format!("none on a {}, all of which sets out", self.body().word());
-                let repair = "remove `on`: only parts of a shell set out alone";
-                return Err(SceneError::Choice(s.fault("velocity.on", &format!("\"{on}\""), &bound, repair)));
-            }
-            self.check_set_name(&s.path("velocity.on"), on)?;
-        }
-        s.sized_all("velocity.linear", &linear.unwrap_or_default())?;
-        let Some(spin) = spin else { return Ok(()) };
-        s.direction("velocity.spin.axis", spin.axis)?;
-        s.sized_all("velocity.spin.point", &spin.point)?;
-        s.sized("velocity.spin.rate", spin.rate)
+fn check_bodies(scene: &Scene) -> Verdict {
+    let plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || "_-".contains(c));
+    if let Some(name) = scene.bodies.keys().find(|name| name.is_empty() || !plain(name)) {
+        let repair = "it names sets and files: use letters, digits, _ and -";
+        let (path, value) = (format!("bodies.{name}"), format!("\"{name}\""));
+        return Err(scene.scope().value(&path, value, "a plain word", repair));
     }
+    check_kinds(scene)
+}
+
+/// Refuses what is out of bounds in the keys of the one body.
+fn check_body(scene: &BodyInScene<'_>) -> Verdict {
+    let s = &scene.body_scope();
+    let body = scene.body;
+    match body {
+        BodyScene::Shell(shell) => {
+            shell.check(s)?;
+            check_parts(scene, shell, s)?;
+            check_wetting(scene, shell, s)?;
+        }
+        BodyScene::Solid(solid) => solid.check(s)?,
+        BodyScene::Fluid(fluid) => {
+            fluid.check(s)?;
+            check_velocity_of_fluid(fluid, s)?;
+        }
+        BodyScene::Walls(walls) => walls.check(scene, s)?,
+    }
+    check_imperfection(scene, s)?;
+    body.velocity().map_or(Ok(()), |velocity| check_velocity(scene, velocity, s))
+}
+
+fn check_velocity(
+    scene: &BodyInScene<'_>,
+    Velocity { on, linear, spin }: &Velocity,
+    s: &Scope<'_>,
+) -> Verdict {
+    let kind = scene.analysis.kind();
+    if !kind.passes_time {
+        let bound = format!("none in {}", kind.name);
+        let repair = "remove it, or use [analysis.explicit.transient]";
+        return Err(SceneError::Choice(s.fault("velocity", "a velocity at the start", &bound, repair)));
+    }
+    if linear.is_none() && spin.is_none() {
+        let repair = "velocity = { linear = [1, 0, 0] }, or spin = { axis = [0, 0, 1], rate = 1.0 }";
+        return Err(SceneError::Choice(s.fault("velocity", "neither", "`linear`, `spin` or both", repair)));
+    }
+    if let Some(on) = on {
+        if scene.as_shell().is_none() {
+            let bound = format!("none on a {}, all of which sets out", scene.body.word());
+            let repair = "remove `on`: only parts of a shell set out alone";
+            return Err(SceneError::Choice(s.fault("velocity.on", &format!("\"{on}\""), &bound, repair)));
+        }
+        check_set_name(scene, &s.path("velocity.on"), on)?;
+    }
+    s.sized_all("velocity.linear", &linear.unwrap_or_default())?;
+    let Some(spin) = spin else { return Ok(()) };
+    s.direction("velocity.spin.axis", spin.axis)?;
+    s.sized_all("velocity.spin.point", &spin.point)?;
+    s.sized("velocity.spin.rate", spin.rate)
 }

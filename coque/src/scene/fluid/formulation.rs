@@ -1,8 +1,11 @@
 //! The particle method of a fluid.
 
 use fluid_sph::Formulation;
+pub use fluid_sph::{Start as FluidStart, WallRule as WallMethod};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::scene::bounded::{Courant, Diffusion, FluidSmoothing, Shared, Viscosity};
 
 /// How particles carry a fluid.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -25,15 +28,15 @@ pub struct WeaklyCompressible {
     /// Who steps it; the other options take the defaults of the method.
     pub method: FluidMethod,
     /// Smoothing length in spacings; left out, 1.55, of the published method 1.3.
-    pub smoothing: Option<f64>,
+    pub smoothing: Option<FluidSmoothing>,
     /// Artificial viscosity α; left out, 0.02, of the published method 0.1.
-    pub viscosity: Option<f64>,
+    pub viscosity: Option<Viscosity>,
     /// Diffusion of density δ; left out, 0.1, of the published method none.
-    pub density_diffusion: Option<f64>,
+    pub density_diffusion: Option<Diffusion>,
     /// Share of the neighbours' velocity with which particles drift; left out, none, of the published method 0.5.
-    pub xsph: Option<f64>,
+    pub xsph: Option<Shared>,
     /// Courant number; left out, 0.3.
-    pub courant: Option<f64>,
+    pub courant: Option<Courant>,
     /// What wall particles do; left out, `extrapolated`, of the published method `dynamic`.
     pub walls: Option<WallMethod>,
     /// Pressure at the start.
@@ -53,27 +56,6 @@ pub enum FluidMethod {
     Source,
 }
 
-/// What wall particles do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum WallMethod {
-    /// Their pressure is that of the fluid before them, shifted hydrostatically.
-    Extrapolated,
-    /// Their density follows the equation of continuity, as in the published method.
-    Dynamic,
-}
-
-/// Pressure at the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FluidStart {
-    /// Hydrostatic under the highest particle of each connected body of fluid.
-    #[default]
-    Hydrostatic,
-    /// None.
-    Uniform,
-}
-
 impl WeaklyCompressible {
     /// Smoothing length in spacings \[–\], that of the method where it is left out.
     pub fn smoothing(&self) -> f64 {
@@ -81,7 +63,7 @@ impl WeaklyCompressible {
             FluidMethod::KickDriftKick => Formulation::default(),
             FluidMethod::Source => Formulation::published(),
         };
-        self.smoothing.unwrap_or(usual.smoothing)
+        self.smoothing.map_or(usual.smoothing, |smoothing| smoothing.get())
     }
 }
 

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::{NotNegative, Positive};
+
 /// Where a fluid is at the start; particles stand half a spacing inside its faces.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -23,9 +25,9 @@ pub enum FluidGeometry {
 pub struct FluidBlock {
     /// Edges along x, y and, in space, z, each a whole number of spacings \[L\].
     #[schemars(length(min = 2, max = 3))]
-    pub lengths: Vec<f64>,
+    pub lengths: Vec<Positive>,
     /// Distance between particles \[L\].
-    pub spacing: f64,
+    pub spacing: Positive,
     /// The corner of least coordinates \[L\]; left out, the origin.
     #[schemars(length(min = 2, max = 3))]
     pub origin: Option<Vec<f64>>,
@@ -36,7 +38,7 @@ pub struct FluidBlock {
 #[serde(deny_unknown_fields)]
 pub struct FluidBlocks {
     /// Distance between particles \[L\].
-    pub spacing: f64,
+    pub spacing: Positive,
     /// The boxes.
     pub parts: Vec<FluidBox>,
 }
@@ -47,7 +49,7 @@ pub struct FluidBlocks {
 pub struct FluidBox {
     /// Edges along x, y and, in space, z, each a whole number of spacings \[L\].
     #[schemars(length(min = 2, max = 3))]
-    pub lengths: Vec<f64>,
+    pub lengths: Vec<Positive>,
     /// The corner of least coordinates \[L\]; left out, the origin.
     #[schemars(length(min = 2, max = 3))]
     pub origin: Option<Vec<f64>>,
@@ -60,9 +62,9 @@ pub struct Disc {
     /// Its centre \[L\].
     pub centre: [f64; 2],
     /// Its radius, a whole number of spacings \[L\].
-    pub radius: f64,
+    pub radius: Positive,
     /// Distance between particles \[L\].
-    pub spacing: f64,
+    pub spacing: Positive,
 }
 
 /// The fluid between two circles of the plane.
@@ -72,15 +74,15 @@ pub struct Annulus {
     /// Its centre \[L\].
     pub centre: [f64; 2],
     /// Inner radius \[L\].
-    pub inner: f64,
+    pub inner: NotNegative,
     /// Outer radius, a whole number of spacings from the inner \[L\].
-    pub outer: f64,
+    pub outer: Positive,
     /// Distance between particles \[L\].
-    pub spacing: f64,
+    pub spacing: Positive,
 }
 
 /// A box of fluid: its path below the fluid, its edges and, if it is given, its corner.
-pub(crate) type Part<'a> = (String, &'a [f64], Option<&'a [f64]>);
+pub(crate) type Part<'a> = (String, &'a [Positive], Option<&'a [f64]>);
 
 /// A box of fluid, in space; in a plane its last length is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,10 +116,10 @@ impl FluidGeometry {
     /// Distance between particles \[L\].
     pub fn spacing(&self) -> f64 {
         match self {
-            Self::Block(block) => block.spacing,
-            Self::Blocks(blocks) => blocks.spacing,
-            Self::Disc(disc) => disc.spacing,
-            Self::Annulus(annulus) => annulus.spacing,
+            Self::Block(block) => block.spacing.get(),
+            Self::Blocks(blocks) => blocks.spacing.get(),
+            Self::Disc(disc) => disc.spacing.get(),
+            Self::Annulus(annulus) => annulus.spacing.get(),
         }
     }
 
@@ -126,7 +128,7 @@ impl FluidGeometry {
         match *self {
             Self::Block(_) | Self::Blocks(_) => None,
             Self::Disc(Disc { centre, radius, spacing }) => {
-                Some(Annulus { centre, inner: 0.0, outer: radius, spacing })
+                Some(Annulus { centre, inner: NotNegative::default(), outer: radius, spacing })
             }
             Self::Annulus(annulus) => Some(annulus),
         }
@@ -150,13 +152,13 @@ impl FluidGeometry {
     /// Boxes that it fills, in rings the box round them.
     pub(crate) fn extents(&self) -> Vec<Extent> {
         if let Some(Annulus { centre, outer, .. }) = self.rings() {
-            let least = [centre[0] - outer, centre[1] - outer, 0.0];
-            return vec![Extent { least, lengths: [2.0 * outer, 2.0 * outer, 0.0] }];
+            let least = [centre[0] - outer.get(), centre[1] - outer.get(), 0.0];
+            return vec![Extent { least, lengths: [2.0 * outer.get(), 2.0 * outer.get(), 0.0] }];
         }
         let at = |list: &[f64], axis: usize| list.get(axis).copied().unwrap_or(0.0);
         let extent = |(_, lengths, origin): Part<'_>| Extent {
             least: [0, 1, 2].map(|axis| origin.map_or(0.0, |origin| at(origin, axis))),
-            lengths: [0, 1, 2].map(|axis| at(lengths, axis)),
+            lengths: [0, 1, 2].map(|axis| lengths.get(axis).map_or(0.0, |length| length.get())),
         };
         self.boxes().into_iter().map(extent).collect()
     }

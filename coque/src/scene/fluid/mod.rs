@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::velocity::Velocity;
+use crate::scene::bounded::{NotNegative, Positive};
 use formulation::FluidFormulation;
 use geometry::FluidGeometry;
 
@@ -38,12 +39,12 @@ pub enum FluidMaterial {
 #[serde(deny_unknown_fields)]
 pub struct Liquid {
     /// Density at rest \[F T²/L⁴\].
-    pub density: f64,
+    pub density: Positive,
     /// Speed of sound of the model, ten times the greatest speed of the flow: seven times at least \[L/T\].
-    pub sound_speed: f64,
+    pub sound_speed: Positive,
     /// Kinematic viscosity; left out, none \[L²/T\].
     #[serde(default)]
-    pub kinematic_viscosity: f64,
+    pub kinematic_viscosity: NotNegative,
 }
 
 impl FluidScene {

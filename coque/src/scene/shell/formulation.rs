@@ -4,6 +4,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
 
+use crate::scene::bounded::{NotNegative, Order, Smoothing};
+
 /// The particle method.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -46,9 +48,9 @@ pub enum Reach {
 pub struct Nodal {
     /// Degree of the polynomials that gradients reproduce, 1 to 3.
     #[serde(default = "first")]
-    pub order: usize,
+    pub order: Order,
     /// Smoothing length in spacings; 1.2, 1.3, 1.5 for order 1, 2, 3.
-    pub smoothing: Option<f64>,
+    pub smoothing: Option<Smoothing>,
     /// Corrects gradients so that constant stress has no divergence; default from order 2.
     pub consistent: Option<bool>,
     /// Kernel.
@@ -67,10 +69,10 @@ pub struct StrongForm {
     #[serde(default)]
     pub divergence: Divergence,
     /// Smoothing length in spacings; 1.2 with the sum, 0.85 with the difference.
-    pub smoothing: Option<f64>,
+    pub smoothing: Option<Smoothing>,
     /// Coefficient of the artificial viscosity \[–\].
     #[serde(default = "published_viscosity")]
-    pub viscosity: f64,
+    pub viscosity: NotNegative,
     /// Kernel.
     #[serde(default = "cubic_spline")]
     pub kernel: String,
@@ -144,11 +146,12 @@ impl Nodal {
     /// Smoothing length in spacings, with the default of the order.
     pub fn smoothing_length(&self) -> f64 {
         // Widths at which each order was studied and found stable on regular and disordered clouds.
-        self.smoothing.unwrap_or(match self.order {
+        let usual = match self.order.get() {
             1 => 1.2,
             2 => 1.3,
             _ => 1.5,
-        })
+        };
+        self.smoothing.map_or(usual, |smoothing| smoothing.get())
     }
 
     /// Whether gradients are corrected for a consistent divergence.
@@ -161,7 +164,8 @@ impl StrongForm {
     /// Smoothing length in spacings, with the default of the divergence.
     pub fn smoothing_length(&self) -> f64 {
         // Of the paper, and the width up to which a march damps what grows at edges.
-        self.smoothing.unwrap_or(if self.divergence == Divergence::Sum { 1.2 } else { 0.85 })
+        let usual = if self.divergence == Divergence::Sum { 1.2 } else { 0.85 };
+        self.smoothing.map_or(usual, |smoothing| smoothing.get())
     }
 
     /// Name of the curvature measure, with the default of the divergence.
@@ -182,13 +186,13 @@ fn stretch_corrected() -> String {
     STRETCH_CORRECTED.into()
 }
 
-fn first() -> usize {
-    1
+fn first() -> Order {
+    Order::usual(1)
 }
 
 /// Coefficient of the artificial viscosity of \[lin2013\].
-fn published_viscosity() -> f64 {
-    1.0
+fn published_viscosity() -> NotNegative {
+    NotNegative::usual(1.0)
 }
 
 impl<'de> Deserialize<'de> for Reach {

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::mesh::Mesh;
+use crate::scene::bounded::{Angle, Displaced, Grading, Polar, Positive};
 
 /// Shape of the mid-surface. Parameters `u`, `v` run along it; `u0` names the edge at the least `u`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -26,13 +27,13 @@ pub enum Geometry {
 #[serde(deny_unknown_fields)]
 pub struct Plate {
     /// Extent along x and y \[L\].
-    pub lengths: [f64; 2],
+    pub lengths: [Positive; 2],
     /// A lattice: particles along u and v, those on the edges included.
     pub particles: Option<[usize; 2]>,
     /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v; 1 is uniform.
-    pub grading: Option<[f64; 2]>,
+    pub grading: Option<[Grading; 2]>,
     /// Particles scattered at random, in place of the lattice.
     pub scattered: Option<Scattered>,
 }
@@ -42,17 +43,17 @@ pub struct Plate {
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
     /// Radius \[L\].
-    pub radius: f64,
+    pub radius: Positive,
     /// First and last angle \[degrees\], 0 at the crown +z.
     pub angles: [f64; 2],
     /// Length along y \[L\].
-    pub length: f64,
+    pub length: Positive,
     /// A lattice: particles along u and v, those on the edges included.
     pub particles: Option<[usize; 2]>,
     /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v; 1 is uniform.
-    pub grading: Option<[f64; 2]>,
+    pub grading: Option<[Grading; 2]>,
     /// Particles scattered at random, in place of the lattice.
     pub scattered: Option<Scattered>,
 }
@@ -62,9 +63,9 @@ pub struct Cylinder {
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Radius \[L\].
-    pub radius: f64,
+    pub radius: Positive,
     /// First and last polar angle \[degrees\]; the poles themselves are excluded.
-    pub polar: [f64; 2],
+    pub polar: [Polar; 2],
     /// First and last azimuth \[degrees\].
     pub azimuth: [f64; 2],
     /// A lattice: particles along u and v, those on the edges included.
@@ -72,7 +73,7 @@ pub struct Sphere {
     /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v; 1 is uniform.
-    pub grading: Option<[f64; 2]>,
+    pub grading: Option<[Grading; 2]>,
     /// Particles scattered at random, in place of the lattice.
     pub scattered: Option<Scattered>,
 }
@@ -84,17 +85,17 @@ pub struct Sphere {
 #[serde(deny_unknown_fields)]
 pub struct Twisted {
     /// Length along x \[L\].
-    pub length: f64,
+    pub length: Positive,
     /// Width across \[L\].
-    pub width: f64,
+    pub width: Positive,
     /// Angle from root to tip, right-handed about +x \[degrees\].
-    pub twist: f64,
+    pub twist: Angle,
     /// A lattice: particles along u and v, those on the edges included.
     pub particles: Option<[usize; 2]>,
     /// Moves the particles of the lattice at random in the surface.
     pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v; 1 is uniform.
-    pub grading: Option<[f64; 2]>,
+    pub grading: Option<[Grading; 2]>,
     /// Particles scattered at random, in place of the lattice.
     pub scattered: Option<Scattered>,
 }
@@ -104,7 +105,7 @@ pub struct Twisted {
 #[serde(deny_unknown_fields)]
 pub struct Disorder {
     /// Greatest displacement along u and v, in spacings.
-    pub fraction: f64,
+    pub fraction: Displaced,
     /// Seed of the random numbers: the same seed gives the same cloud everywhere.
     pub seed: u64,
 }
@@ -114,7 +115,7 @@ pub struct Disorder {
 #[serde(deny_unknown_fields)]
 pub struct Scattered {
     /// Distance between particles on the edges, and inside about the side of the square that each stands for \[L\].
-    pub spacing: f64,
+    pub spacing: Positive,
     /// Seed of the random numbers: the same seed gives the same cloud everywhere.
     pub seed: u64,
 }
@@ -126,7 +127,7 @@ pub struct Orientation {
     /// Axis; its length does not matter.
     pub axis: [f64; 3],
     /// Angle \[degrees\].
-    pub degrees: f64,
+    pub degrees: Angle,
 }
 
 /// Where a shape stands: its origin and the directions to which its x and y axes are turned.
@@ -200,7 +201,7 @@ pub struct Placing {
     /// Disorder of the lattice.
     pub disorder: Option<Disorder>,
     /// Last over first spacing of the lattice along u and v.
-    pub grading: Option<[f64; 2]>,
+    pub grading: Option<[Grading; 2]>,
     /// How particles are scattered in place of a lattice.
     pub scattered: Option<Scattered>,
 }

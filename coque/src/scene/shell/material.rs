@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::{Angle, Positive, ThroughThickness};
+
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -33,8 +35,8 @@ impl Material {
     /// Mass per volume \[F T²/L⁴\], where the scene gives it.
     pub fn density(&self) -> Option<f64> {
         match self {
-            Self::Elastic(material) => Some(material.density),
-            Self::Orthotropic(material) => Some(material.density),
+            Self::Elastic(material) => Some(material.density.get()),
+            Self::Orthotropic(material) => Some(material.density.get()),
             Self::File(_) => None,
         }
     }
@@ -45,11 +47,11 @@ impl Material {
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Elastic {
     /// Young's modulus \[F/L²\].
-    pub young: f64,
+    pub young: Positive,
     /// Poisson's ratio \[–\].
     pub poisson: f64,
     /// Mass per volume \[F T²/L⁴\].
-    pub density: f64,
+    pub density: Positive,
 }
 
 /// Orthotropic linear elasticity, alike in all directions across the fibre as far as plane stress asks.
@@ -57,17 +59,17 @@ pub struct Elastic {
 #[serde(deny_unknown_fields)]
 pub struct Orthotropic {
     /// Young's modulus E_L along the fibre \[F/L²\].
-    pub young_along: f64,
+    pub young_along: Positive,
     /// Young's modulus E_T across the fibre \[F/L²\].
-    pub young_across: f64,
+    pub young_across: Positive,
     /// Major Poisson's ratio ν_LT: contraction across the fibre under stress along it \[–\].
     pub poisson: f64,
     /// Shear modulus G_LT in the planes that hold the fibre \[F/L²\].
-    pub shear: f64,
+    pub shear: Positive,
     /// Shear modulus G_TT in the plane across the fibre \[F/L²\]; as `shear` without.
-    pub shear_across: Option<f64>,
+    pub shear_across: Option<Positive>,
     /// Mass per volume \[F T²/L⁴\].
-    pub density: f64,
+    pub density: Positive,
 }
 
 /// Sections.
@@ -86,8 +88,8 @@ impl Section {
     /// Thickness of the whole section \[L\], where the scene gives it.
     pub fn thickness(&self) -> Option<f64> {
         match self {
-            Self::Homogeneous(section) => Some(section.thickness),
-            Self::Layered(section) => Some(section.plies.iter().map(|ply| ply.thickness).sum()),
+            Self::Homogeneous(section) => Some(section.thickness.get()),
+            Self::Layered(section) => Some(section.plies.iter().map(|ply| ply.thickness.get()).sum()),
             Self::File(_) => None,
         }
     }
@@ -103,9 +105,9 @@ impl Section {
 #[serde(deny_unknown_fields)]
 pub struct Homogeneous {
     /// Thickness \[L\].
-    pub thickness: f64,
+    pub thickness: Positive,
     /// Gauss points through the thickness; closed form without.
-    pub gauss_points: Option<usize>,
+    pub gauss_points: Option<ThroughThickness>,
     /// How the thickness goes with the place; the same everywhere without.
     pub taper: Option<Taper>,
     /// Thickness from a table, in units of `thickness`; in place of a taper.
@@ -150,9 +152,9 @@ pub struct Layered {
 #[serde(deny_unknown_fields)]
 pub struct Ply {
     /// Thickness \[L\].
-    pub thickness: f64,
+    pub thickness: Positive,
     /// Angle of the fibre from the axis, positive about the normal \[degrees\].
-    pub angle: f64,
+    pub angle: Angle,
 }
 
 /// A material with a section that suits it.

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::Positive;
+
 /// Triangles and quadrangles, or points, from a file; particles at its nodes.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -11,12 +13,12 @@ pub struct Mesh {
     pub file: String,
     /// Factor on all lengths of the file, such as 0.001 from mm to m.
     #[serde(default = "unscaled")]
-    pub scale: f64,
+    pub scale: Positive,
     /// Whether to turn the normals to the other side.
     #[serde(default)]
     pub flip: bool,
 }
 
-fn unscaled() -> f64 {
-    1.0
+fn unscaled() -> Positive {
+    Positive::usual(1.0)
 }

@@ -5,6 +5,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::material::{Material, Section};
+use crate::scene::bounded::{NotNegative, Positive};
 use crate::scene::per_axis::PerAxis;
 
 /// Cells of a shell with something of their own; what a part leaves out is that of the shell.
@@ -74,7 +75,7 @@ pub struct LumpedMass {
     /// Particle set, which shares it equally.
     pub on: String,
     /// The whole mass \[F T²/L\].
-    pub mass: f64,
+    pub mass: Positive,
 }
 
 /// An edge that hangs on the cells of another sheet, whose particles may stand elsewhere: it goes where they go and turns with them.
@@ -100,7 +101,7 @@ pub struct RigidBody {
     pub at: Option<[f64; 3]>,
     /// Mass at the reference point beside that of the particles \[F T²/L\]; it weighs under gravity on all.
     #[serde(default)]
-    pub mass: f64,
+    pub mass: NotNegative,
     /// Moments of inertia of that mass about the reference point, along x, y and z or one for all \[F T² L\].
     pub inertia: Option<PerAxis>,
     /// Off-diagonal terms xy, yz, zx of the same tensor, `−∫xy dm` and so on \[F T² L\].

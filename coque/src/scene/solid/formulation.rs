@@ -1,9 +1,11 @@
 //! How a solid is carried: by bonds, or by shape functions on its nodes.
 
+pub use peridynamics::{Correction, Influence};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::galerkin::Galerkin;
+use crate::scene::bounded::Horizon;
 
 /// Formulations of solids.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -25,7 +27,7 @@ pub enum SolidFormulation {
 pub struct Bonds {
     /// Horizon over the greatest spacing of nodes \[–\].
     #[serde(default = "usual_horizon")]
-    pub horizon: f64,
+    pub horizon: Horizon,
     /// What acts across the plane of a block of two lengths, which must give it.
     pub plane: Option<Plane>,
     /// How much a bond counts by its length.
@@ -42,7 +44,7 @@ pub struct Bonds {
 pub struct TwoSheets {
     /// Horizon over the greatest spacing of nodes \[–\].
     #[serde(default = "horizon_of_sheets")]
-    pub horizon: f64,
+    pub horizon: Horizon,
     /// How much a bond counts by its length.
     #[serde(default = "inverse")]
     pub influence: Influence,
@@ -58,34 +60,6 @@ pub enum Plane {
     Stress,
     /// No strain: a slice of a long body.
     Strain,
-}
-
-/// How much a bond counts by its length r.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Influence {
-    /// All bonds alike.
-    Constant,
-    /// As 1/r.
-    Inverse,
-    /// Falling along a straight line to zero at the reach of a family.
-    Linear,
-}
-
-/// What corrects the moduli of nodes whose family is a lattice's, or cut by a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Correction {
-    /// Weights for which the energy of the six unit strains is exact at every node.
-    #[default]
-    Even,
-    /// Weights of `even`, changed as little as makes uniform strains balance the tractions on faces at every node: loaded ends, layers in
-    /// bending and clamped edges are right. For nodes on the edges of a block without cut-outs and disorder.
-    Balanced,
-    /// One factor a bond, from the energies of unit strains along the axes.
-    EnergyFactor,
-    /// Nothing.
-    None,
 }
 
 impl SolidFormulation {
@@ -110,8 +84,8 @@ impl SolidFormulation {
     /// Horizon over the greatest spacing of nodes \[–\]; zero without bonds.
     pub fn horizon(&self) -> f64 {
         match self {
-            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon,
-            Self::TwoSheets(sheets) => sheets.horizon,
+            Self::BondBased(bonds) | Self::StateBased(bonds) => bonds.horizon.get(),
+            Self::TwoSheets(sheets) => sheets.horizon.get(),
             Self::Galerkin(_) => 0.0,
         }
     }
@@ -169,13 +143,13 @@ impl SolidFormulation {
 }
 
 /// The fraction keeps nodes at three spacings inside.
-fn usual_horizon() -> f64 {
-    3.015
+fn usual_horizon() -> Horizon {
+    Horizon::usual(3.015)
 }
 
 /// Eight neighbours: larger horizons are worse on plates.
-fn horizon_of_sheets() -> f64 {
-    1.5
+fn horizon_of_sheets() -> Horizon {
+    Horizon::usual(1.5)
 }
 
 fn linear() -> Influence {

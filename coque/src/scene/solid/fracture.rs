@@ -3,12 +3,14 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::{Near, Positive, Shortening};
+
 /// When bonds break: exactly one of `energy` and `stretch` is given.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fracture {
     /// Energy that a unit area of crack takes \[F/L\].
-    pub energy: Option<f64>,
+    pub energy: Option<Positive>,
     /// What of a bond is held against its share of that energy; left out, its stretch.
     pub by: Option<BondMeasure>,
     /// Stretches of a bond at which it breaks.
@@ -31,9 +33,9 @@ pub enum BondMeasure {
 #[serde(deny_unknown_fields)]
 pub struct Stretches {
     /// Greatest stretch \[–\].
-    pub tension: f64,
+    pub tension: Positive,
     /// Least stretch, between -1 and 0 \[–\]; left out, bonds do not break in compression.
-    pub compression: Option<f64>,
+    pub compression: Option<Shortening>,
 }
 
 /// A crack that is there at the start: it breaks every bond that it cuts. In a plane it goes `from` one point `to` another, in
@@ -57,7 +59,7 @@ pub struct Crack {
 pub struct Contact {
     /// Distance at which they begin to, over the spacing \[–\].
     #[serde(default = "usual_distance")]
-    pub distance: f64,
+    pub distance: Near,
     /// Planes that no node passes.
     #[serde(default)]
     pub walls: Vec<Wall>,
@@ -74,6 +76,6 @@ pub struct Wall {
 }
 
 /// A little less than the distance at which neighbours stand at rest.
-fn usual_distance() -> f64 {
-    0.9
+fn usual_distance() -> Near {
+    Near::usual(0.9)
 }

@@ -2,7 +2,10 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+pub use solid_kinematics::{Tangent as GalerkinTangent, Update as GalerkinUpdate};
+pub use sr_galerkin::Essential as GalerkinEssential;
 
+use crate::scene::bounded::GaussPoints;
 use crate::scene::per_axis::PerAxis;
 
 /// Options of the element-free Galerkin method.
@@ -30,7 +33,7 @@ pub struct Galerkin {
     pub tangent: GalerkinTangent,
     /// Gauss points along an edge of a cell, 1 to 4.
     #[serde(default = "three")]
-    pub gauss: usize,
+    pub gauss: GaussPoints,
     /// How supports are imposed.
     #[serde(default)]
     pub essential: GalerkinEssential,
@@ -100,39 +103,6 @@ pub enum GalerkinLaw {
     Literal,
     /// St Venant's: Green's strain from rest, without history.
     StVenant,
-}
-
-/// Where in a step strain and rotation of an increment are taken.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum GalerkinUpdate {
-    /// In its middle: second order in the step.
-    #[default]
-    Midpoint,
-    /// At its start, the decomposition to the letter: first order.
-    StepStart,
-}
-
-/// Derivative that Newton's method iterates with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum GalerkinTangent {
-    /// That of the rate equation, symmetric; a step that it does not find is made again with the other.
-    #[default]
-    Continuum,
-    /// That of the update over the step.
-    Consistent,
-}
-
-/// How supports are imposed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum GalerkinEssential {
-    /// Displacements of nodes have the prescribed values.
-    #[default]
-    Collocation,
-    /// Nodal parameters have them, as in the source: displacements leak.
-    Direct,
 }
 
 /// Radii that bases ask for, over the spacings.
@@ -218,6 +188,6 @@ fn csrbf2() -> String {
     "csrbf2".into()
 }
 
-fn three() -> usize {
-    3
+fn three() -> GaussPoints {
+    GaussPoints::usual(3)
 }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::bounded::{BlockGrading, Displaced, Positive};
 use crate::scene::per_axis::PerAxis;
 
 /// The nodes of a solid: exactly one of `block` and `arc` is given.
@@ -24,7 +25,7 @@ pub struct SolidGeometry {
 pub struct Block {
     /// Edges along x, y and, in space, z \[L\].
     #[schemars(length(min = 2, max = 3))]
-    pub lengths: Vec<f64>,
+    pub lengths: Vec<Positive>,
     /// Distance between nodes, one for all axes or one for each \[L\]; the nearest that divides the lengths is taken.
     pub spacing: PerAxis,
     /// The corner of least coordinates \[L\]; left out, the origin.
@@ -32,12 +33,12 @@ pub struct Block {
     pub origin: Option<Vec<f64>>,
     /// Thickness across the plane of a block of two lengths \[L\], by which forces, masses and energies are multiplied; left out, they are those of
     /// a unit of depth. A plate of two sheets must give it.
-    pub thickness: Option<f64>,
+    pub thickness: Option<Positive>,
     /// Where the nodes stand; left out, `centres`, of a plate of two sheets `edges`.
     pub nodes: Option<NodePlaces>,
     /// Last over first spacing along each axis; 1 is even.
     #[schemars(length(min = 2, max = 3))]
-    pub grading: Option<Vec<f64>>,
+    pub grading: Option<Vec<BlockGrading>>,
     /// Moves nodes at random.
     pub disorder: Option<NodeDisorder>,
 }
@@ -48,13 +49,13 @@ pub struct Block {
 #[serde(deny_unknown_fields)]
 pub struct Arc {
     /// Radius of the middle surface \[L\].
-    pub radius: f64,
+    pub radius: Positive,
     /// First and last angle \[degrees\], 0 at the crown +z, growing towards +x.
     pub angles: [f64; 2],
     /// Length along y \[L\].
-    pub length: f64,
+    pub length: Positive,
     /// Thickness, half of it to either side of the middle surface \[L\].
-    pub thickness: f64,
+    pub thickness: Positive,
     /// Cells along the arc, along y and across; nodes stand at their corners.
     pub cells: [usize; 3],
 }
@@ -74,7 +75,7 @@ pub enum NodePlaces {
 #[serde(deny_unknown_fields)]
 pub struct NodeDisorder {
     /// Greatest displacement along each axis, in spacings.
-    pub fraction: f64,
+    pub fraction: Displaced,
     /// Seed of the random numbers: the same seed gives the same block everywhere.
     pub seed: u64,
 }
@@ -101,7 +102,7 @@ pub struct Ball {
     #[schemars(length(min = 2, max = 3))]
     pub centre: Vec<f64>,
     /// Radius \[L\].
-    pub radius: f64,
+    pub radius: Positive,
 }
 
 /// A cylinder without ends.
@@ -113,7 +114,7 @@ pub struct RoundHole {
     /// Its axis; the length does not matter.
     pub axis: [f64; 3],
     /// Radius \[L\].
-    pub radius: f64,
+    pub radius: Positive,
 }
 
 /// A box along the axes.

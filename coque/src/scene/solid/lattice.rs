@@ -17,23 +17,22 @@ impl SolidScene {
 
     fn lattice_of(&self, block: &Block) -> BlockLattice {
         let Block { lengths, spacing, origin, thickness, nodes, grading, disorder } = block;
-        let or = |list: &Option<Vec<f64>>, axis: usize, default: f64| {
-            list.as_ref().and_then(|list| list.get(axis)).copied().unwrap_or(default)
-        };
-        let across = thickness.unwrap_or(1.0);
+        let origin = |axis: usize| origin.as_ref().and_then(|list| list.get(axis)).copied().unwrap_or(0.0);
+        let grading = |axis: usize| grading.as_ref().and_then(|list| list.get(axis)).map_or(1.0, |g| g.get());
+        let across = thickness.map_or(1.0, |thickness| thickness.get());
         let on_faces = self.has_directors() || self.galerkin().is_some();
         let usual = if on_faces { NodePlaces::Edges } else { NodePlaces::Centres };
         BlockLattice {
             dimensions: lengths.len(),
-            lengths: [0, 1, 2].map(|axis| lengths.get(axis).copied().unwrap_or(across)),
+            lengths: [0, 1, 2].map(|axis| lengths.get(axis).map_or(across, |length| length.get())),
             spacing: [0, 1, 2].map(|axis| spacing.along(axis)),
-            origin: Vec3::from([0, 1, 2].map(|axis| or(origin, axis, 0.0))),
+            origin: Vec3::from([0, 1, 2].map(origin)),
             nodes: match nodes.unwrap_or(usual) {
                 NodePlaces::Centres => sph_core::NodePlaces::Centres,
                 NodePlaces::Edges => sph_core::NodePlaces::Edges,
             },
-            grading: [0, 1, 2].map(|axis| or(grading, axis, 1.0)),
-            disorder: disorder.map_or(0.0, |disorder| disorder.fraction),
+            grading: [0, 1, 2].map(grading),
+            disorder: disorder.map_or(0.0, |disorder| disorder.fraction.get()),
             seed: disorder.map_or(0, |disorder| disorder.seed),
         }
     }
@@ -43,11 +42,11 @@ impl Arc {
     /// The straight block that is bent to it.
     fn straight(&self) -> BlockLattice {
         let [first, last] = self.angles.map(f64::to_radians);
-        let lengths = [self.radius * (last - first), self.length, self.thickness];
+        let lengths = [self.radius.get() * (last - first), self.length.get(), self.thickness.get()];
         BlockLattice {
             lengths,
             spacing: [0, 1, 2].map(|axis| lengths[axis] / self.cells[axis] as f64),
-            origin: Vec3::new(self.radius * first, 0.0, -0.5 * self.thickness),
+            origin: Vec3::new(self.radius.get() * first, 0.0, -0.5 * self.thickness.get()),
             nodes: sph_core::NodePlaces::Edges,
             ..empty()
         }
@@ -55,7 +54,7 @@ impl Arc {
 
     /// The place of a point of the straight block.
     pub(crate) fn bent(&self, x: &Vec3) -> Vec3 {
-        let (angle, radius) = (x.x / self.radius, self.radius + x.z);
+        let (angle, radius) = (x.x / self.radius.get(), self.radius.get() + x.z);
         Vec3::new(radius * libm::sin(angle), x.y, radius * libm::cos(angle))
     }
 }

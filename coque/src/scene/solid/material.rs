@@ -2,7 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use solid_kinematics::Orthotropic;
 
+use crate::scene::bounded::Positive;
 use crate::scene::shell::material::Elastic;
 
 /// Materials of solids.
@@ -20,15 +22,23 @@ pub enum SolidMaterial {
 #[serde(deny_unknown_fields)]
 pub struct OrthotropicSolid {
     /// Young's moduli along the three material axes \[F/L²\].
-    pub young: [f64; 3],
+    pub young: [Positive; 3],
     /// Poisson's ratios ν₁₂, ν₂₃, ν₁₃: contraction along the second axis under stress along the first \[–\].
     pub poisson: [f64; 3],
     /// Shear moduli G₁₂, G₂₃, G₁₃ \[F/L²\].
-    pub shear: [f64; 3],
+    pub shear: [Positive; 3],
     /// Density \[F T²/L⁴\].
-    pub density: f64,
+    pub density: Positive,
     /// First and second material axis, perpendicular; their length does not matter. Left out, x and y.
     pub axes: Option<[[f64; 3]; 2]>,
+}
+
+impl OrthotropicSolid {
+    /// Its constants, for the moduli.
+    pub(crate) fn constants(&self) -> Orthotropic {
+        let [young, shear] = [self.young, self.shear].map(|list| list.map(Positive::get));
+        Orthotropic { young, poisson: self.poisson, shear }
+    }
 }
 
 impl SolidMaterial {
@@ -43,8 +53,8 @@ impl SolidMaterial {
     /// Density \[F T²/L⁴\].
     pub fn density(&self) -> f64 {
         match self {
-            Self::Elastic(elastic) => elastic.density,
-            Self::Orthotropic(orthotropic) => orthotropic.density,
+            Self::Elastic(elastic) => elastic.density.get(),
+            Self::Orthotropic(orthotropic) => orthotropic.density.get(),
         }
     }
 }

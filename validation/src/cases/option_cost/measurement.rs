@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use coque::{
-    Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, SceneError, render,
+    Checked, Checkpoints, FieldFiles, FieldSink, Model, Origin, Rendering, RunOptions, Scene, SceneError,
+    render,
 };
 use explicit_dynamics::{Dynamics, Event, March, Transient};
 use nalgebra::Rotation3;
@@ -159,7 +160,7 @@ pub fn shell(row: &Row) -> Result<Shell, String> {
     scene(row).and_then(|scene| scene.build_shell(row.threads)).map_err(|error| shown(&error))
 }
 
-fn scene(row: &Row) -> Result<Scene, SceneError> {
+fn scene(row: &Row) -> Result<Checked, SceneError> {
     Scene::with_overrides(SCENE, row.name, &row.set)
 }
 
@@ -183,7 +184,7 @@ fn run(model: Model, row: &Row, watch: &mut Stopwatch) -> Result<(), String> {
     let mut files = files.transpose().map_err(|error| error.to_string())?;
     let mut checkpoints = output.checkpoint_every.map(|every| {
         let origin = Origin::new(SCENE, row.name.into(), row.set.clone(), row.threads);
-        Checkpoints::new(&folder.0, origin, every)
+        Checkpoints::new(&folder.0, origin, every.get())
     });
     let options = RunOptions {
         progress: watch,

@@ -7,7 +7,7 @@ use sph_core::{Cloud, Vec3};
 use sph_shell::{LoadShare, Shell};
 
 use super::sheet::{Sheet, neighbours};
-use crate::scene::Scene;
+use crate::scene::body_in_scene::ShellInScene;
 
 /// Turn between neighbouring points \[rad\] above which normals tell of a fold and not of a curvature.
 const FOLDED: f64 = 0.5;
@@ -16,7 +16,7 @@ const FOLDED: f64 = 0.5;
 pub(crate) struct Look<'a> {
     pub(crate) shell: &'a Shell,
     /// The scene it was built from, if there is one.
-    pub(crate) scene: Option<&'a Scene>,
+    pub(crate) scene: Option<&'a ShellInScene<'a>>,
     /// How the scene is turned.
     pub(crate) turn: Rotation3<f64>,
     /// Cells and their turns; no cells where strains are sampled at points of a file.

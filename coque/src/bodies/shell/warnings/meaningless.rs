@@ -6,6 +6,7 @@ use super::folded::overlaps;
 use super::look::Look;
 use super::plural;
 use crate::scene::Material;
+use crate::scene::body_in_scene::{OnSet, ShellInScene};
 
 /// Part of a load that acts on free degrees of freedom below which it does no work: round-off of the directions that supports hold.
 const NO_WORK: f64 = 1e-9;
@@ -49,12 +50,12 @@ pub(super) fn held_load(look: &Look<'_>) -> Option<String> {
 
 /// Names a load of the scene by its key, or by its number where there is no scene.
 fn of_loads(look: &Look<'_>, first: usize, count: usize) -> String {
-    let kinds = |scene: &crate::Scene| -> Vec<String> {
-        let named = |(i, load): (usize, &crate::scene::Load)| {
-            let on = load.on.clone();
-            load.kinds().iter().map(|(word, _)| format!("`loads[{i}].{word}` on {on}")).collect::<Vec<_>>()
+    let kinds = |scene: &ShellInScene<'_>| -> Vec<String> {
+        let named = |load: &OnSet<'_, crate::scene::Load>| {
+            let (path, on) = (&load.path, load.on);
+            load.kinds().iter().map(|(word, _)| format!("`{path}.{word}` on {on}")).collect::<Vec<_>>()
         };
-        scene.loads.iter().enumerate().flat_map(named).collect()
+        scene.loads.iter().flat_map(named).collect()
     };
     let name = look.scene.and_then(|scene| kinds(scene).into_iter().nth(first));
     let name = name.unwrap_or_else(|| format!("load {}", first + 1));
@@ -66,12 +67,13 @@ pub(super) fn far_nearest(look: &Look<'_>) -> Option<String> {
     let scene = look.scene?;
     let cloud = &look.shell.reference().cloud;
     let bound = FAR * look.spacing + look.thickness;
-    let far = |(name, region): (&String, &crate::scene::Region)| {
+    let far = |region: &crate::scene::Region| {
         let point = look.turn * Vec3::from(region.nearest?) - look.shell.reference().origin;
         let least = cloud.positions.iter().map(|x| (x - point).norm_squared()).reduce(f64::min)?.sqrt();
-        (least > bound).then_some((name.clone(), least))
+        (least > bound).then_some(least)
     };
-    let (name, distance) = scene.sets.iter().filter_map(far).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let all = scene.sets.iter().filter_map(|(name, region)| Some((name, far(region)?)));
+    let (name, distance) = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(format!(
         "`sets.{name}`: the nearest particle is {:.1} spacings away from its point (spacing {:.3e}; beyond {FAR} another \
          place was meant): move the point onto the shell",
@@ -86,7 +88,7 @@ pub(super) fn far_nearest(look: &Look<'_>) -> Option<String> {
 pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
     let t = look.thickness;
     let beam = look.scene.is_some_and(
-        |scene| matches!(&scene.shell().material, Material::Elastic(material) if material.poisson == 0.0),
+        |scene| matches!(&scene.shell.material, Material::Elastic(material) if material.poisson == 0.0),
     );
     let extents = look.extents();
     // A strip between two mirrors is as wide as one likes, and one mirror doubles it.
@@ -115,9 +117,9 @@ pub(super) fn too_thick(look: &Look<'_>) -> Option<String> {
 }
 
 /// Mirror planes across the shorter direction of a lattice: a slice of plane strain lies between two, or all of it in one.
-fn mirrors(look: &Look<'_>, scene: &crate::Scene) -> usize {
+fn mirrors(look: &Look<'_>, scene: &ShellInScene<'_>) -> usize {
     let Some(across) = look.across_the_lattice() else { return 0 };
-    let planes = scene.supports.iter().filter_map(|support| Some((&support.on, support.symmetry?)));
+    let planes = scene.supports.iter().filter_map(|support| Some((support.on, support.symmetry?)));
     let facing = planes.filter(|(_, plane)| {
         let normal = look.turn * Vec3::from(plane.normal).normalize();
         normal.dot(&across).abs() > 1.0 - 1e-6

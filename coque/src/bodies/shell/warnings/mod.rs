@@ -21,7 +21,7 @@ use sph_core::{Cell, Cloud};
 use sph_shell::{ChordLoss, Shell};
 
 use crate::bodies::Shape;
-use crate::scene::Scene;
+use crate::scene::body_in_scene::ShellInScene;
 use crate::warning::{Warning, WarningKind};
 use look::Look;
 pub(crate) use patterns::among_preloaded_modes;
@@ -65,7 +65,7 @@ pub fn warnings(shell: &Shell) -> Vec<Warning> {
 }
 
 /// What is doubtful about the shell of a scene, turned by `turn`.
-pub(crate) fn warnings_of(scene: &Scene, turn: Rotation3<f64>, shell: &Shell) -> Vec<Warning> {
+pub(crate) fn warnings_of(scene: &ShellInScene<'_>, turn: Rotation3<f64>, shell: &Shell) -> Vec<Warning> {
     found(&Look { scene: Some(scene), turn, ..Look::at(shell) })
 }
 

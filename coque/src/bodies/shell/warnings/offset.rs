@@ -37,7 +37,7 @@ pub(super) fn scaled(look: &Look<'_>) -> Option<String> {
 /// has `k² = 4πm/A` (Weyl), of a strip of length L `k = mπ/L`; the lesser counts. Of parts their share of the area times e² does.
 pub(super) fn inertia(look: &Look<'_>) -> Option<String> {
     let modes = match &look.scene?.analysis {
-        Analysis::Modal(modal) => modal.modes,
+        Analysis::Modal(modal) => modal.modes.get(),
         Analysis::Explicit(_) => 1,
         _ => return None,
     };

@@ -28,7 +28,7 @@ const EVEN: f64 = 0.02;
 /// The m-th mode of a sheet of area A has `k² = 4πm/A` (Weyl) and `ρ t ω² = N k² + D k⁴`. Where patterns are lower, they are among the modes.
 pub(super) fn among_modes(look: &Look<'_>) -> Option<String> {
     let Analysis::Modal(modal) = &look.scene?.analysis else { return None };
-    reported(look, modal.modes)
+    reported(look, modal.modes.get())
 }
 
 /// The same of the state that a preload left.

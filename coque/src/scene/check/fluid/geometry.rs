@@ -1,6 +1,7 @@
 //! Checks of where a fluid is at the start.
 
-use super::Checked;
+use crate::scene::bounded::Positive;
+use crate::scene::error::Verdict;
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::geometry::FluidGeometry;
 use crate::scene::scope::Scope;
@@ -11,10 +12,9 @@ const MOST_PARTICLES: f64 = 1e7;
 const WHOLE: f64 = 1e-3;
 
 impl FluidScene {
-    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Verdict {
         let (word, spacing) = (self.geometry.word(), self.geometry.spacing());
         let at = |key: &str| format!("geometry.{word}.{key}");
-        s.positive(&at("spacing"), spacing)?;
         if let FluidGeometry::Blocks(blocks) = &self.geometry
             && blocks.parts.is_empty()
         {
@@ -24,14 +24,18 @@ impl FluidScene {
         match self.geometry.rings() {
             Some(rings) => {
                 s.sized_all(&at("centre"), &rings.centre)?;
-                s.not_negative(&at("inner"), rings.inner)?;
                 let outer = if word == "disc" { "radius" } else { "outer" };
-                s.positive(&at(outer), rings.outer)?;
-                if rings.outer <= rings.inner {
+                if rings.outer.get() <= rings.inner.get() {
                     let bound = format!("greater than the inner radius {}", rings.inner);
                     return Err(s.value(&at(outer), rings.outer, &bound, "swap the two radii"));
                 }
-                whole(&at(outer), "the width of the rings", rings.outer - rings.inner, spacing, s)?;
+                whole(
+                    &at(outer),
+                    "the width of the rings",
+                    rings.outer.get() - rings.inner.get(),
+                    spacing,
+                    s,
+                )?;
             }
             None => self.check_boxes(spacing, s)?,
         }
@@ -44,7 +48,7 @@ impl FluidScene {
         Err(s.value(&at("spacing"), value, &bound, "use a wider spacing"))
     }
 
-    fn check_boxes(&self, spacing: f64, s: &Scope<'_>) -> Checked {
+    fn check_boxes(&self, spacing: f64, s: &Scope<'_>) -> Verdict {
         let dimensions = self.dimensions();
         for (path, lengths, origin) in self.geometry.boxes() {
             if !(2..=3).contains(&lengths.len()) || lengths.len() != dimensions {
@@ -54,8 +58,7 @@ impl FluidScene {
             }
             for (i, &length) in lengths.iter().enumerate() {
                 let path = format!("{path}.lengths[{i}]");
-                s.positive(&path, length)?;
-                whole(&path, "it", length, spacing, s)?;
+                whole(&path, "it", length.get(), spacing, s)?;
             }
             if let Some(origin) = origin {
                 s.as_many(&format!("{path}.origin"), origin, dimensions, &format!("{path}.lengths"))?;
@@ -73,8 +76,8 @@ impl FluidScene {
             }
             None => {
                 let boxes = self.geometry.boxes();
-                let count = |(_, lengths, _): &(String, &[f64], _)| {
-                    lengths.iter().map(|l| l / spacing).product::<f64>()
+                let count = |(_, lengths, _): &(String, &[Positive], _)| {
+                    lengths.iter().map(|l| l.get() / spacing).product::<f64>()
                 };
                 boxes.iter().map(count).sum()
             }
@@ -83,7 +86,7 @@ impl FluidScene {
 }
 
 /// A length that rows of particles fill.
-fn whole(path: &str, what: &str, length: f64, spacing: f64, s: &Scope<'_>) -> Checked {
+fn whole(path: &str, what: &str, length: f64, spacing: f64, s: &Scope<'_>) -> Verdict {
     let rows = length / spacing;
     let nearest = libm::round(rows);
     if (rows - nearest).abs() <= WHOLE && nearest >= 1.0 {

@@ -1,75 +1,59 @@
 //! The least speed of sound: from the height that a fluid may fall and the velocity with which it sets out.
 
-use super::Checked;
+use crate::scene::body_in_scene::gravity_on;
+use crate::scene::error::Verdict;
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::geometry::Extent;
 use crate::scene::problem::{BodyScene, Scene};
-use crate::scene::single_body::Owner;
 use crate::scene::walls::WallGeometry;
 use sph_core::Vec3;
 
 /// Least ratio of the speed of sound to the greatest speed of the flow: densities then change by two percent.
 const LEAST: f64 = 7.0;
 
-impl Scene {
-    /// Gravity on a body \[L/T²\]: the sum of what is said of it.
-    pub(crate) fn gravity_on(&self, name: &str) -> Vec3 {
-        let on = |(i, load): (usize, &crate::scene::loads::Load)| match self
-            .owner(&format!("loads[{i}].on"), &load.on)
-        {
-            Ok(Owner::Every) => load.gravity,
-            Ok(Owner::Of(body, _)) if body == name => load.gravity,
-            _ => None,
-        };
-        let all = self.loads.iter().enumerate().filter_map(on);
-        all.fold(Vec3::zeros(), |sum, gravity| sum + Vec3::from(gravity.acceleration))
+/// Refuses a speed of sound below seven times the speed that the fluid reaches falling freely.
+pub(in crate::scene::check) fn check_sound_speed(scene: &Scene) -> Verdict {
+    let Some((name, fluid)) = scene.fluid() else { return Ok(()) };
+    let (fall, start) = (greatest_fall(scene, name, fluid), fluid.greatest_velocity());
+    let speed = fall.max(start);
+    let sound = fluid.liquid().sound_speed;
+    if sound.get() >= LEAST * speed {
+        return Ok(());
     }
+    let from = match fall >= start {
+        true => format!("√(2gH) = {fall:.4} of falling over its height"),
+        false => format!("{start:.4} at the start"),
+    };
+    let bound = format!("at least {:.4}, {LEAST} times the speed {from}", LEAST * speed);
+    let repair = format!("{:.4}, ten times that speed, keeps densities within one percent", 10.0 * speed);
+    let s = scene.source.body(name, "fluid");
+    Err(s.value("material.liquid.sound_speed", sound, &bound, &repair))
+}
 
-    /// Refuses a speed of sound below seven times the speed that the fluid reaches falling freely.
-    pub(in crate::scene::check) fn check_sound_speed(&self) -> Checked {
-        let Some((name, fluid)) = self.fluid() else { return Ok(()) };
-        let (fall, start) = (self.greatest_fall(name, fluid), fluid.greatest_velocity());
-        let speed = fall.max(start);
-        let sound = fluid.liquid().sound_speed;
-        if sound >= LEAST * speed {
-            return Ok(());
-        }
-        let from = match fall >= start {
-            true => format!("√(2gH) = {fall:.4} of falling over its height"),
-            false => format!("{start:.4} at the start"),
-        };
-        let bound = format!("at least {:.4}, {LEAST} times the speed {from}", LEAST * speed);
-        let repair = format!("{:.4}, ten times that speed, keeps densities within one percent", 10.0 * speed);
-        let s = self.source.body(name, "fluid");
-        Err(s.value("material.liquid.sound_speed", sound, &bound, &repair))
+/// Speed of a fall from the highest place of the fluid to its lowest, or to the lowest of walls.
+fn greatest_fall(scene: &Scene, name: &str, fluid: &FluidScene) -> f64 {
+    let gravity = gravity_on(scene, name);
+    let g = gravity.norm();
+    if g == 0.0 {
+        return 0.0;
     }
-
-    /// Speed of a fall from the highest place of the fluid to its lowest, or to the lowest of walls.
-    fn greatest_fall(&self, name: &str, fluid: &FluidScene) -> f64 {
-        let gravity = self.gravity_on(name);
-        let g = gravity.norm();
-        if g == 0.0 {
-            return 0.0;
-        }
-        let down = gravity / g;
-        let depths = |extent: &Extent| {
-            let least: f64 = (0..3).map(|i| down[i] * extent.least[i]).sum();
-            let along = |i: usize| down[i] * extent.lengths[i];
-            [
-                least + (0..3).map(|i| along(i).min(0.0)).sum::<f64>(),
-                least + (0..3).map(|i| along(i).max(0.0)).sum::<f64>(),
-            ]
-        };
-        let fluids: Vec<[f64; 2]> = fluid.geometry.extents().iter().map(depths).collect();
-        let top = fluids.iter().map(|depth| depth[0]).fold(f64::INFINITY, f64::min);
-        let walls = self.bodies.values().filter_map(|body| match body {
-            BodyScene::Walls(walls) => Some(walls.geometry.depth(&down)),
-            _ => None,
-        });
-        let bottom =
-            fluids.iter().map(|depth| depth[1]).chain(walls.flatten()).fold(f64::NEG_INFINITY, f64::max);
-        (2.0 * g * (bottom - top).max(0.0)).sqrt()
-    }
+    let down = gravity / g;
+    let depths = |extent: &Extent| {
+        let least: f64 = (0..3).map(|i| down[i] * extent.least[i]).sum();
+        let along = |i: usize| down[i] * extent.lengths[i];
+        [
+            least + (0..3).map(|i| along(i).min(0.0)).sum::<f64>(),
+            least + (0..3).map(|i| along(i).max(0.0)).sum::<f64>(),
+        ]
+    };
+    let fluids: Vec<[f64; 2]> = fluid.geometry.extents().iter().map(depths).collect();
+    let top = fluids.iter().map(|depth| depth[0]).fold(f64::INFINITY, f64::min);
+    let walls = scene.bodies.values().filter_map(|body| match body {
+        BodyScene::Walls(walls) => Some(walls.geometry.depth(&down)),
+        _ => None,
+    });
+    let bottom = fluids.iter().map(|depth| depth[1]).chain(walls.flatten()).fold(f64::NEG_INFINITY, f64::max);
+    (2.0 * g * (bottom - top).max(0.0)).sqrt()
 }
 
 impl FluidScene {

@@ -1,16 +1,17 @@
 //! Checks of walls: their shape and their motion.
 
-use super::Checked;
-use crate::scene::amplitude::Amplitude;
-use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
+use explicit_dynamics::Amplitude;
+
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::check::amplitude::check_amplitude;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::sets::OF_WALLS;
 use crate::scene::walls::{Basin, Obstacle, WallGeometry, WallsScene};
 
 impl WallsScene {
     /// Refuses the first of its own keys that is out of bounds.
-    pub(in crate::scene::check) fn check(&self, scene: &Scene, s: &Scope<'_>) -> Checked {
+    pub(in crate::scene::check) fn check(&self, scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
         match &self.geometry {
             WallGeometry::Basin(basin) => check_basin(basin, s)?,
             WallGeometry::Block(block) => check_obstacle(block, s)?,
@@ -32,7 +33,6 @@ impl WallsScene {
             }
             WallGeometry::Surface(surface) => {
                 s.sized_all("geometry.surface.inside", &surface.inside)?;
-                s.positive("geometry.surface.scale", surface.scale)?;
             }
         }
         self.check_motion(scene, s)
@@ -49,7 +49,7 @@ impl WallsScene {
             WallGeometry::Basin(basin) => {
                 faces(basin.min.iter().zip(&basin.max).map(|(a, b)| b - a).collect())
             }
-            WallGeometry::Block(block) => faces(block.lengths.clone()),
+            WallGeometry::Block(block) => faces(block.lengths.iter().map(|length| length.get()).collect()),
             WallGeometry::Polyline(line) => {
                 let length = |pair: &[[f64; 2]]| {
                     ((pair[1][0] - pair[0][0]).powi(2) + (pair[1][1] - pair[0][1]).powi(2)).sqrt()
@@ -60,7 +60,7 @@ impl WallsScene {
         }
     }
 
-    fn check_motion(&self, scene: &Scene, s: &Scope<'_>) -> Checked {
+    fn check_motion(&self, scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
         let Some(motion) = &self.motion else { return Ok(()) };
         let plane = self.geometry.dimensions() == 2;
         if motion.translation.is_none() && motion.rotation.is_none() {
@@ -86,8 +86,8 @@ impl WallsScene {
 }
 
 /// A course of a wall: like that of a prescribed motion it starts at zero.
-fn check_course(scene: &Scene, s: &Scope<'_>, path: &str, amplitude: &Amplitude) -> Checked {
-    scene.check_amplitude(&s.path(path), amplitude)?;
+fn check_course(scene: &BodyInScene<'_>, s: &Scope<'_>, path: &str, amplitude: &Amplitude) -> Verdict {
+    check_amplitude(scene, &s.path(path), amplitude)?;
     let starts_at_zero = match amplitude {
         Amplitude::Constant => false,
         Amplitude::Table(points) => points[0][1] == 0.0 && points[0][0] >= 0.0,
@@ -100,7 +100,7 @@ fn check_course(scene: &Scene, s: &Scope<'_>, path: &str, amplitude: &Amplitude)
     Err(SceneError::Choice(s.fault(path, "a sudden motion", "a course in time that starts at zero", repair)))
 }
 
-fn check_basin(basin: &Basin, s: &Scope<'_>) -> Checked {
+fn check_basin(basin: &Basin, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("geometry.basin.{key}");
     let dimensions = basin.min.len();
     if !(2..=3).contains(&dimensions) {
@@ -127,16 +127,13 @@ fn check_basin(basin: &Basin, s: &Scope<'_>) -> Checked {
     Ok(())
 }
 
-fn check_obstacle(block: &Obstacle, s: &Scope<'_>) -> Checked {
+fn check_obstacle(block: &Obstacle, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("geometry.block.{key}");
     let dimensions = block.lengths.len();
     if !(2..=3).contains(&dimensions) {
         let value = format!("a list of {dimensions} numbers");
         let repair = "two lengths make plane walls, three walls in space";
         return Err(s.value(&at("lengths"), value, "a list of 2 or 3", repair));
-    }
-    for (i, &length) in block.lengths.iter().enumerate() {
-        s.positive(&at(&format!("lengths[{i}]")), length)?;
     }
     block.origin.as_ref().map_or(Ok(()), |origin| s.coordinates(&at("origin"), origin, dimensions))
 }

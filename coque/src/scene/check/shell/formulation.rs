@@ -1,16 +1,11 @@
 //! Checks of the particle method.
 
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::formulation::{Formulation, Reach};
 
-type Checked = Result<(), SceneError>;
-
-pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Checked {
+pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("formulation.{}.{key}", formulation.word());
-    // Below the least a stencil cannot hold its neighbours; beyond the greatest it smears every curvature.
-    let smoothing = [0.6, 3.0];
-    let repair = "in units of the particle spacing; 1.2 to 1.5 is usual";
     match formulation {
         Formulation::StressPoint(f) => match f.support {
             Reach::Cell if f.kernel.is_some() => {
@@ -26,14 +21,7 @@ pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Che
                 "in units of the distance to the fourth nearest particle; 1.4 is usual, or \"cell\"",
             )?,
         },
-        Formulation::Nodal(f) => {
-            s.within(&at("order"), f.order as f64, [1.0, 3.0], "orders 1, 2 and 3 exist")?;
-            s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
-        }
-        Formulation::StrongForm(f) => {
-            s.within(&at("smoothing"), f.smoothing_length(), smoothing, repair)?;
-            s.not_negative(&at("viscosity"), f.viscosity)?;
-        }
+        Formulation::Nodal(_) | Formulation::StrongForm(_) => {}
     }
     let measures = shell_kinematics::strain_measures().map(|m| m.name());
     s.word(&at("curvature"), formulation.curvature(), &measures)?;

@@ -1,15 +1,13 @@
 //! Checks of material and section, and whether they go together.
 
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::Geometry;
 use crate::scene::shell::material::{Elastic, Layered, Material, MaterialSection, Orthotropic, Section};
 
-type Checked = Result<(), SceneError>;
-
 impl ShellScene {
-    pub(super) fn check_material(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         match &self.material {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
             Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
@@ -20,7 +18,7 @@ impl ShellScene {
     }
 
     /// What stands in a file wants one.
-    fn check_of_file(&self, path: &str, s: &Scope<'_>) -> Checked {
+    fn check_of_file(&self, path: &str, s: &Scope<'_>) -> Verdict {
         if self.geometry.mesh().is_some() {
             return Ok(());
         }
@@ -29,40 +27,24 @@ impl ShellScene {
         Err(SceneError::Choice(s.fault(path, "that of a file", bound, repair)))
     }
 
-    fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Checked {
-        s.positive("material.elastic.young", elastic.young)?;
-        s.positive("material.elastic.density", elastic.density)?;
+    fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Verdict {
         let repair =
             "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
         s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)
     }
 
-    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Checked {
+    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Verdict {
         let at = |key: &str| format!("material.orthotropic.{key}");
-        for (key, value) in [
-            ("young_along", material.young_along),
-            ("young_across", material.young_across),
-            ("shear", material.shear),
-            ("shear_across", material.shear_across.unwrap_or(material.shear)),
-            ("density", material.density),
-        ] {
-            s.positive(&at(key), value)?;
-        }
-        let bound = (material.young_along / material.young_across).sqrt();
+        let bound = (*material.young_along / *material.young_across).sqrt();
         let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
                       the fibre under stress along it";
         s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
     }
 
-    fn check_section(&self, s: &Scope<'_>) -> Checked {
+    fn check_section(&self, s: &Scope<'_>) -> Verdict {
         let total = self.section.thickness().unwrap_or_default();
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
-                s.positive("section.homogeneous.thickness", section.thickness)?;
-                if let Some(points) = section.gauss_points {
-                    let repair = "one point carries no bending; leave it out for the closed form";
-                    s.within("section.homogeneous.gauss_points", points as f64, [2.0, 5.0], repair)?;
-                }
                 if section.taper.is_some() && section.table.is_some() {
                     let (found, bound) = ("a taper and a table", "one of them");
                     let repair = "write all of the thickness into the table, or remove it";
@@ -87,10 +69,10 @@ impl ShellScene {
         };
         let radius = match &self.geometry {
             Geometry::Plate(_) | Geometry::Mesh(_) => f64::INFINITY,
-            Geometry::Cylinder(cylinder) => cylinder.radius,
-            Geometry::Sphere(sphere) => sphere.radius,
+            Geometry::Cylinder(cylinder) => *cylinder.radius,
+            Geometry::Sphere(sphere) => *sphere.radius,
             // On the centre line the curvatures are ± twist / length.
-            Geometry::Twisted(strip) => strip.length / strip.twist.to_radians().abs(),
+            Geometry::Twisted(strip) => *strip.length / strip.twist.to_radians().abs(),
         };
         if total >= radius {
             let bound = format!("less than the radius {radius} of the surface");
@@ -100,17 +82,11 @@ impl ShellScene {
         Ok(())
     }
 
-    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Checked {
+    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Verdict {
         s.direction("section.layered.axis", section.axis)?;
         if section.plies.is_empty() {
             let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";
             return Err(s.value("section.layered.plies", "empty", "a list of plies", repair));
-        }
-        for (i, ply) in section.plies.iter().enumerate() {
-            let at = |key: &str| format!("section.layered.plies[{i}].{key}");
-            s.positive(&at("thickness"), ply.thickness)?;
-            let repair = "in degrees from the axis; give the angle within one turn";
-            s.within(&at("angle"), ply.angle, [-360.0, 360.0], repair)?;
         }
         Ok(())
     }

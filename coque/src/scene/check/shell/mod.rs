@@ -8,6 +8,8 @@ mod parts;
 mod placed;
 mod rigid;
 
+pub(super) use self::parts::check_parts;
+pub(super) use self::placed::check_wetting;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;

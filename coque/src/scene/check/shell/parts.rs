@@ -1,14 +1,15 @@
 //! Checks of parts: what each has of its own, and whether strains are sampled in cells.
 
-use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
+use super::initial_stress::check_initial_stress;
+use super::rigid::check_rigid;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::check::sets::check_set_name;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
 use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
-
-type Checked = Result<(), SceneError>;
 
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
@@ -53,7 +54,7 @@ impl ShellScene {
 }
 
 /// A part has the curvature of its cells for itself; stencils tie particles across its border.
-fn check_formulation_of_part(formulation: &PartFormulation, own: &Scope<'_>) -> Checked {
+fn check_formulation_of_part(formulation: &PartFormulation, own: &Scope<'_>) -> Verdict {
     if let Some(key) = formulation.of_whole_shell() {
         let bound = "none in a part: it makes the neighbours of a particle, which has one list of them on both sides of a border";
         let repair =
@@ -66,73 +67,70 @@ fn check_formulation_of_part(formulation: &PartFormulation, own: &Scope<'_>) -> 
     own.word("formulation.stress-point.curvature", curvature, &measures)
 }
 
-impl Scene {
-    /// Refuses masses that are none, parts without anything of their own, numbers out of bounds, and parts where there are no cells or a fluid.
-    pub(in crate::scene::check) fn check_parts(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
-        for (i, LumpedMass { on, mass }) in shell.masses.iter().enumerate() {
-            let own = s.below(&format!("masses[{i}]"));
-            self.check_set_name(&own.path("on"), on)?;
-            own.positive("mass", *mass)?;
-        }
-        self.check_ties(shell, s)?;
-        self.check_rigid(shell, s)?;
-        self.check_initial_stress(shell, s)?;
-        if !shell.has_parts() {
-            return Ok(());
-        }
-        let refuse = |found: &str, bound: &str, repair: &str| {
-            Err(SceneError::Choice(s.fault(shell.key_of_parts(), found, bound, repair)))
-        };
-        let several = "sections of their own in cells";
-        if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
-            let bound = "none but where strains are sampled in cells";
-            return refuse(several, bound, "use [formulation.stress-point] without `support`, the default");
-        }
-        if self.source.is_part() {
-            return refuse(several, "none in a fluid", "give the shell one material and one thickness");
-        }
-        for (i, part) in shell.parts.iter().enumerate() {
-            let own = s.below(&format!("parts[{i}]"));
-            self.check_set_name(&own.path("on"), &part.on)?;
-            if let Some(formulation) = &part.formulation {
-                check_formulation_of_part(formulation, &own)?;
-            }
-            let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
-            let nothing = part.material.is_none() && part.section.is_none() && curvature.is_none();
-            if nothing && part.offset == 0.0 {
-                let repair = "give the part a material, a section, an offset or a formulation, or remove it";
-                let (path, bound) =
-                    (format!("parts[{i}]"), "`material`, `section`, `offset` or `formulation`");
-                return Err(SceneError::Choice(s.fault(&path, "nothing of its own", bound, repair)));
-            }
-            own.sized("offset", part.offset)?;
-            shell.in_part(i).check_material(&own)?;
-        }
-        Ok(())
+/// Refuses masses that are none, parts without anything of their own, numbers out of bounds, and parts where there are no cells or a fluid.
+pub(in crate::scene::check) fn check_parts(
+    scene: &BodyInScene<'_>,
+    shell: &ShellScene,
+    s: &Scope<'_>,
+) -> Verdict {
+    for (i, LumpedMass { on, .. }) in shell.masses.iter().enumerate() {
+        let own = s.below(&format!("masses[{i}]"));
+        check_set_name(scene, &own.path("on"), on)?;
     }
+    check_ties(scene, shell, s)?;
+    check_rigid(scene, shell, s)?;
+    check_initial_stress(scene, shell, s)?;
+    if !shell.has_parts() {
+        return Ok(());
+    }
+    let refuse = |found: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(shell.key_of_parts(), found, bound, repair)))
+    };
+    let several = "sections of their own in cells";
+    if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
+        let bound = "none but where strains are sampled in cells";
+        return refuse(several, bound, "use [formulation.stress-point] without `support`, the default");
+    }
+    if scene.coupled {
+        return refuse(several, "none in a fluid", "give the shell one material and one thickness");
+    }
+    for (i, part) in shell.parts.iter().enumerate() {
+        let own = s.below(&format!("parts[{i}]"));
+        check_set_name(scene, &own.path("on"), &part.on)?;
+        if let Some(formulation) = &part.formulation {
+            check_formulation_of_part(formulation, &own)?;
+        }
+        let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
+        let nothing = part.material.is_none() && part.section.is_none() && curvature.is_none();
+        if nothing && part.offset == 0.0 {
+            let repair = "give the part a material, a section, an offset or a formulation, or remove it";
+            let (path, bound) = (format!("parts[{i}]"), "`material`, `section`, `offset` or `formulation`");
+            return Err(SceneError::Choice(s.fault(&path, "nothing of its own", bound, repair)));
+        }
+        own.sized("offset", part.offset)?;
+        shell.in_part(i).check_material(&own)?;
+    }
+    Ok(())
+}
 
-    /// Refuses ties of names that are no sets, where there are no cells, and in a fluid.
-    fn check_ties(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
-        for (i, ShellTie { edge, to }) in shell.ties.iter().enumerate() {
-            let own = s.below(&format!("ties[{i}]"));
-            self.check_set_name(&own.path("edge"), edge)?;
-            self.check_set_name(&own.path("to"), to)?;
-        }
-        if shell.ties.is_empty() {
-            return Ok(());
-        }
-        let refuse =
-            |bound: &str, repair: &str| Err(SceneError::Choice(s.fault("ties[0]", "a tie", bound, repair)));
-        if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
-            let bound = "none but where strains are sampled in cells";
-            return refuse(bound, "use [formulation.stress-point] without `support`, the default");
-        }
-        if self.source.is_part() {
-            return refuse(
-                "none in a fluid",
-                "mesh the shell so that its sheets share nodes where they meet",
-            );
-        }
-        Ok(())
+/// Refuses ties of names that are no sets, where there are no cells, and in a fluid.
+fn check_ties(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+    for (i, ShellTie { edge, to }) in shell.ties.iter().enumerate() {
+        let own = s.below(&format!("ties[{i}]"));
+        check_set_name(scene, &own.path("edge"), edge)?;
+        check_set_name(scene, &own.path("to"), to)?;
     }
+    if shell.ties.is_empty() {
+        return Ok(());
+    }
+    let refuse =
+        |bound: &str, repair: &str| Err(SceneError::Choice(s.fault("ties[0]", "a tie", bound, repair)));
+    if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
+        let bound = "none but where strains are sampled in cells";
+        return refuse(bound, "use [formulation.stress-point] without `support`, the default");
+    }
+    if scene.coupled {
+        return refuse("none in a fluid", "mesh the shell so that its sheets share nodes where they meet");
+    }
+    Ok(())
 }

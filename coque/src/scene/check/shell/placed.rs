@@ -1,7 +1,7 @@
 //! Checks of where a shell stands in space, and of which faces a fluid wets.
 
-use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use sph_core::Vec3;
@@ -9,10 +9,8 @@ use sph_core::Vec3;
 /// Greatest cosine between directions at right angles: rounding of decimal numbers.
 const UPRIGHT: f64 = 1e-6;
 
-type Checked = Result<(), SceneError>;
-
 impl ShellScene {
-    pub(super) fn check_placed(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_placed(&self, s: &Scope<'_>) -> Verdict {
         let Some(placed) = self.placed else { return Ok(()) };
         s.sized_all("placed.origin", &placed.origin)?;
         s.direction("placed.u", placed.u)?;
@@ -36,19 +34,21 @@ impl ShellScene {
     }
 }
 
-impl Scene {
-    /// Refuses wet faces where nothing wets them, and a turned frame beside other bodies.
-    pub(in crate::scene::check) fn check_wetting(&self, shell: &ShellScene, s: &Scope<'_>) -> Checked {
-        let together = self.source.is_part();
-        if shell.wet.is_some() && !together {
-            let repair = "remove it, or add a fluid, as in [bodies.water.fluid]";
-            return Err(SceneError::Choice(s.fault("wet", "wet faces", "none without a fluid", repair)));
-        }
-        if shell.orientation.is_some() && together {
-            let repair = "use placed = { origin = […], u = […], v = […] }, which moves the shape alone";
-            let bound = "none beside other bodies: gravity and probes would turn with it";
-            return Err(SceneError::Choice(s.fault("orientation", "a rotation", bound, repair)));
-        }
-        Ok(())
+/// Refuses wet faces where nothing wets them, and a turned frame beside other bodies.
+pub(in crate::scene::check) fn check_wetting(
+    scene: &BodyInScene<'_>,
+    shell: &ShellScene,
+    s: &Scope<'_>,
+) -> Verdict {
+    let together = scene.coupled;
+    if shell.wet.is_some() && !together {
+        let repair = "remove it, or add a fluid, as in [bodies.water.fluid]";
+        return Err(SceneError::Choice(s.fault("wet", "wet faces", "none without a fluid", repair)));
     }
+    if shell.orientation.is_some() && together {
+        let repair = "use placed = { origin = […], u = […], v = […] }, which moves the shape alone";
+        let bound = "none beside other bodies: gravity and probes would turn with it";
+        return Err(SceneError::Choice(s.fault("orientation", "a rotation", bound, repair)));
+    }
+    Ok(())
 }

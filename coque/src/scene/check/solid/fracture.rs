@@ -2,8 +2,7 @@
 
 use sph_core::Vec3;
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 use crate::scene::solid::fracture::{Contact, Crack, Fracture};
@@ -12,7 +11,7 @@ use crate::scene::solid::fracture::{Contact, Crack, Fracture};
 const FLAT: f64 = 1e-6;
 
 impl SolidScene {
-    pub(super) fn check_fracture(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_fracture(&self, s: &Scope<'_>) -> Verdict {
         if let Some(fracture) = &self.fracture {
             check_limits(fracture, s)?;
         } else if !self.unbreakable.is_empty() {
@@ -26,7 +25,7 @@ impl SolidScene {
         self.contact.as_ref().map_or(Ok(()), |contact| self.check_contact(contact, s))
     }
 
-    fn check_crack(&self, at: &str, crack: &Crack, s: &Scope<'_>) -> Checked {
+    fn check_crack(&self, at: &str, crack: &Crack, s: &Scope<'_>) -> Verdict {
         let Crack { from, to, corners } = crack;
         let segment = from.is_some() || to.is_some();
         if self.dimensions() == 2 {
@@ -58,14 +57,12 @@ impl SolidScene {
         Err(s.value(&format!("{at}.corners"), value, bound, "put them in order, or give two cracks"))
     }
 
-    fn check_contact(&self, contact: &Contact, s: &Scope<'_>) -> Checked {
+    fn check_contact(&self, contact: &Contact, s: &Scope<'_>) -> Verdict {
         if self.has_directors() {
             let repair = "remove it, or use three lengths for a block in space";
             let bound = "none of a plate of two sheets";
             return Err(SceneError::Choice(s.fault("contact", "contact", bound, repair)));
         }
-        let repair = "in units of the spacing; beyond 1 neighbours at rest would repel";
-        s.within("contact.distance", contact.distance, [0.1, 1.0], repair)?;
         for (i, wall) in contact.walls.iter().enumerate() {
             let at = |key: &str| format!("contact.walls[{i}].{key}");
             s.sized_all(&at("point"), &wall.point)?;
@@ -76,24 +73,17 @@ impl SolidScene {
     }
 }
 
-fn check_limits(fracture: &Fracture, s: &Scope<'_>) -> Checked {
+fn check_limits(fracture: &Fracture, s: &Scope<'_>) -> Verdict {
     let mut alternatives = Vec::new();
     alternatives.extend(fracture.energy.map(|_| "energy"));
     alternatives.extend(fracture.stretch.map(|_| "stretch"));
     s.exactly_one("fracture", "limit", &alternatives, &["energy", "stretch"])?;
-    if let Some(energy) = fracture.energy {
-        s.positive("fracture.energy", energy)?;
-    }
-    let Some(stretch) = fracture.stretch else { return Ok(()) };
-    if fracture.by.is_some() {
+    if fracture.stretch.is_some() && fracture.by.is_some() {
         let repair = "remove `by`: `stretch` says what is measured";
         let fault = s.fault("fracture.by", "a measure", "none beside `stretch`", repair);
         return Err(SceneError::Choice(fault));
     }
-    s.positive("fracture.stretch.tension", stretch.tension)?;
-    let Some(compression) = stretch.compression else { return Ok(()) };
-    let repair = "it is negative, as in -0.1; leave it out and bonds do not break in compression";
-    s.between("fracture.stretch.compression", compression, [-1.0, 0.0], repair)
+    Ok(())
 }
 
 /// What of a crack is given, in words.

@@ -1,7 +1,6 @@
 //! Checks of the nodes of a solid.
 
-use super::Checked;
-use crate::scene::error::SceneError;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::per_axis::PerAxis;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
@@ -11,7 +10,7 @@ use crate::scene::solid::geometry::{Block, CutOut};
 const MOST_NODES: f64 = 1e7;
 
 impl SolidScene {
-    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check_geometry(&self, s: &Scope<'_>) -> Verdict {
         let mut given = Vec::new();
         given.extend(self.geometry.block.as_ref().map(|_| "block"));
         given.extend(self.geometry.arc.map(|_| "arc"));
@@ -25,7 +24,7 @@ impl SolidScene {
             .try_for_each(|(at, cut_out)| check_cut_out(&at, cut_out, self.dimensions(), s))
     }
 
-    fn check_block(&self, block: &Block, s: &Scope<'_>) -> Checked {
+    fn check_block(&self, block: &Block, s: &Scope<'_>) -> Verdict {
         let at = |key: &str| format!("geometry.block.{key}");
         let dimensions = block.lengths.len();
         if !(2..=3).contains(&dimensions) {
@@ -33,30 +32,20 @@ impl SolidScene {
             let repair = "two lengths make a plane block, three one in space";
             return Err(s.value(&at("lengths"), value, "a list of 2 or 3", repair));
         }
-        for (i, &length) in block.lengths.iter().enumerate() {
-            s.positive(&at(&format!("lengths[{i}]")), length)?;
-        }
         check_spacing(block, s)?;
         if let Some(origin) = &block.origin {
             s.coordinates(&at("origin"), origin, dimensions)?;
         }
         self.check_thickness(block, s)?;
-        for (i, &ratio) in block.grading.iter().flatten().enumerate() {
-            let repair = "it is the last spacing over the first: 1 is even, 3 and 0.3 are strong";
-            s.within(&at(&format!("grading[{i}]")), ratio, [0.001, 1000.0], repair)?;
+        let grading = block.grading.iter().flatten().map(|ratio| ratio.get());
+        match block.grading {
+            None => Ok(()),
+            Some(_) => s.coordinates(&at("grading"), &Vec::from_iter(grading), dimensions),
         }
-        if let Some(grading) = &block.grading {
-            s.coordinates(&at("grading"), grading, dimensions)?;
-        }
-        if let Some(disorder) = block.disorder {
-            let repair = "beyond half a spacing neighbours would change places";
-            s.within(&at("disorder.fraction"), disorder.fraction, [0.0, 0.49], repair)?;
-        }
-        Ok(())
     }
 
     /// Part of a thick cylinder, whose inner face has a radius too.
-    fn check_arc(&self, s: &Scope<'_>) -> Checked {
+    fn check_arc(&self, s: &Scope<'_>) -> Verdict {
         let Some(arc) = &self.geometry.arc else { return Ok(()) };
         let at = |key: &str| format!("geometry.arc.{key}");
         if self.galerkin().is_none() {
@@ -64,26 +53,23 @@ impl SolidScene {
             let bound = "a block where bonds carry the solid";
             return Err(SceneError::Choice(s.fault("geometry.arc", "an arc", bound, repair)));
         }
-        s.positive(&at("radius"), arc.radius)?;
         s.range(&at("angles"), arc.angles, 360.0)?;
-        s.positive(&at("length"), arc.length)?;
-        s.positive(&at("thickness"), arc.thickness)?;
-        if arc.thickness >= 2.0 * arc.radius {
-            let bound = "less than twice the radius: the inner face has one too";
-            return Err(s.value(&at("thickness"), arc.thickness, bound, "use a thinner arc, or a block"));
-        }
         for (i, &cells) in arc.cells.iter().enumerate() {
             let repair =
                 "two across and as many along as make them about as long as the arc is thick are a start";
             s.within(&at(&format!("cells[{i}]")), cells as f64, [1.0, 1000.0], repair)?;
         }
+        if *arc.thickness >= 2.0 * *arc.radius {
+            let bound = "less than twice the radius: the inner face has one too";
+            return Err(s.value(&at("thickness"), arc.thickness, bound, "use a thinner arc, or a block"));
+        }
         Ok(())
     }
 
-    fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Checked {
+    fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Verdict {
         let path = "geometry.block.thickness";
         match block.thickness {
-            Some(thickness) if block.lengths.len() == 2 => s.positive(path, thickness),
+            Some(_) if block.lengths.len() == 2 => Ok(()),
             Some(_) => {
                 let repair = "remove it, or give two lengths for a plane block";
                 let bound = "none beside three lengths";
@@ -99,7 +85,7 @@ impl SolidScene {
     }
 
     /// Bonds must leave every line and plane.
-    fn check_layers(&self, s: &Scope<'_>) -> Checked {
+    fn check_layers(&self, s: &Scope<'_>) -> Verdict {
         let lattice = self.lattice();
         // Lengths and spacings were checked before.
         let Ok(cells) = lattice.cells() else { return Ok(()) };
@@ -116,7 +102,7 @@ impl SolidScene {
     }
 }
 
-fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
+fn check_spacing(block: &Block, s: &Scope<'_>) -> Verdict {
     let path = "geometry.block.spacing";
     match &block.spacing {
         PerAxis::Same(spacing) => s.positive(path, *spacing)?,
@@ -128,7 +114,7 @@ fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
         }
     }
     let nodes: f64 =
-        block.lengths.iter().enumerate().map(|(i, l)| (l / block.spacing.along(i)).max(1.0)).product();
+        block.lengths.iter().enumerate().map(|(i, l)| (l.get() / block.spacing.along(i)).max(1.0)).product();
     if nodes <= MOST_NODES {
         return Ok(());
     }
@@ -136,17 +122,13 @@ fn check_spacing(block: &Block, s: &Scope<'_>) -> Checked {
     Err(s.value(path, format!("one that asks for {nodes:.3e} nodes"), &bound, "use a wider spacing"))
 }
 
-fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Checked {
+fn check_cut_out(at: &str, cut_out: &CutOut, dimensions: usize, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("{at}.{key}");
     match cut_out {
-        CutOut::Ball(ball) => {
-            s.coordinates(&at("centre"), &ball.centre, dimensions)?;
-            s.positive(&at("radius"), ball.radius)
-        }
+        CutOut::Ball(ball) => s.coordinates(&at("centre"), &ball.centre, dimensions),
         CutOut::Cylinder(cylinder) => {
             s.sized_all(&at("point"), &cylinder.point)?;
-            s.direction(&at("axis"), cylinder.axis)?;
-            s.positive(&at("radius"), cylinder.radius)
+            s.direction(&at("axis"), cylinder.axis)
         }
         CutOut::Box(cuboid) => {
             s.coordinates(&at("min"), &cuboid.min, dimensions)?;

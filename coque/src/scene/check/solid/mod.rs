@@ -6,17 +6,17 @@ mod galerkin;
 mod geometry;
 mod material;
 
+pub(super) use self::conditions::{check_face, check_solid_load, check_solid_support, check_traction};
 use crate::scene::analysis::Analysis;
-use crate::scene::error::SceneError;
-use crate::scene::problem::Scene;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::check::sets::check_set_name;
+use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 
-type Checked = Result<(), SceneError>;
-
 impl SolidScene {
     /// Refuses the first of its own keys that is out of bounds.
-    pub(super) fn check(&self, s: &Scope<'_>) -> Checked {
+    pub(super) fn check(&self, s: &Scope<'_>) -> Verdict {
         self.check_geometry(s)?;
         if let Some(galerkin) = self.galerkin() {
             return self.check_galerkin(galerkin, s);
@@ -27,33 +27,32 @@ impl SolidScene {
     }
 }
 
-impl Scene {
-    /// Refuses what does not go with a solid.
-    pub(super) fn check_solid(&self, solid: &SolidScene) -> Checked {
-        let s = &self.body_scope();
-        if solid.galerkin().is_some() && matches!(self.analysis, Analysis::Explicit(_)) {
-            let bound = format!("none in {}: it has no motion in time", self.analysis.kind().name);
-            let repair = "use [analysis.static], linear, arc-length, relaxation, modal or buckling, or bonds";
-            let fault = s.fault("formulation.galerkin", "a Galerkin solid", &bound, repair);
-            return Err(SceneError::Choice(fault));
-        }
-        for (i, set) in solid.unbreakable.iter().enumerate() {
-            self.check_set_name(&s.path(&format!("unbreakable[{i}]")), set)?;
-        }
-        if self.output.fields.is_some_and(|fields| fields.extruded) {
-            let fault = self.scope().fault(
-                "output.fields.extruded",
-                "a shell with its thickness",
-                "none of a solid",
-                "remove it: a solid is written as it is",
-            );
-            return Err(SceneError::Choice(fault));
-        }
-        if solid.contact.is_some() && !matches!(self.analysis, Analysis::Explicit(_)) {
-            let bound = format!("none in {}: it is not in the tangent", self.analysis.kind().name);
-            let repair = "remove it, or use [analysis.explicit]";
-            return Err(SceneError::Choice(s.fault("contact", "contact", &bound, repair)));
-        }
-        self.check_solid_velocity(solid)
+/// Refuses what does not go with a solid.
+pub(super) fn check_solid(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdict {
+    let s = &scene.body_scope();
+    if solid.galerkin().is_some() && matches!(scene.analysis, Analysis::Explicit(_)) {
+        let bound = format!("none in {}: it has no motion in time", scene.analysis.kind().name);
+        let repair = "use [analysis.static], linear, arc-length, relaxation, modal or buckling, or bonds";
+        let fault = s.fault("formulation.galerkin", "a Galerkin solid", &bound, repair);
+        return Err(SceneError::Choice(fault));
     }
+    for (i, set) in solid.unbreakable.iter().enumerate() {
+        check_set_name(scene, &s.path(&format!("unbreakable[{i}]")), set)?;
+    }
+    // Of several bodies the shells have a thickness to be written: that there is one is seen to of them together.
+    if scene.scene.bodies.len() == 1 && scene.output.fields.is_some_and(|fields| fields.extruded) {
+        let fault = scene.scope().fault(
+            "output.fields.extruded",
+            "a shell with its thickness",
+            "none of a solid",
+            "remove it: a solid is written as it is",
+        );
+        return Err(SceneError::Choice(fault));
+    }
+    if solid.contact.is_some() && !matches!(scene.analysis, Analysis::Explicit(_)) {
+        let bound = format!("none in {}: it is not in the tangent", scene.analysis.kind().name);
+        let repair = "remove it, or use [analysis.explicit]";
+        return Err(SceneError::Choice(s.fault("contact", "contact", &bound, repair)));
+    }
+    conditions::check_solid_velocity(scene, solid)
 }

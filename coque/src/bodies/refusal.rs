@@ -1,0 +1,70 @@
+//! What all kinds of bodies refuse, and the words of refusals from the layers below.
+
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::SceneError;
+use crate::scene::source::Source;
+use crate::scene::{Analysis, BodyScene};
+
+/// Refusal of a body of another kind than a program asks for.
+pub(super) fn not_a(scene: &BodyInScene<'_>, wanted: &str) -> SceneError {
+    let path = scene.body_scope().path("");
+    let word = scene.body.word();
+    let repair = format!("give a scene with a {wanted}, or build it as the {word} that it is");
+    let (path, wanted) = (path.trim_end_matches('.'), format!("a {wanted}"));
+    SceneError::Choice(scene.source.fault(path, &format!("a {word}"), &wanted, &repair))
+}
+
+/// Refuses a body of which nothing can move, and more modes than dofs.
+pub(super) fn refuse_dof(scene: &BodyInScene<'_>, dofs: usize) -> Result<(), SceneError> {
+    if dofs == 0 {
+        let (found, bound) = ("no freedom of any particle", "at least one that is not held");
+        let repair = "take out a support, or let it name fewer particles";
+        return Err(SceneError::Choice(scene.source.fault("supports", found, bound, repair)));
+    }
+    let (path, modes) = match scene.analysis {
+        Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
+        Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
+        _ => return Ok(()),
+    };
+    if modes.get() <= dofs {
+        return Ok(());
+    }
+    let bound = format!("at most {dofs}, the degrees of freedom that no support holds");
+    Err(scene.source.value(path, modes, &bound, "the lowest few modes are usual; or use more particles"))
+}
+
+/// Refuses supports that leave rigid motions free, where an answer needs them held; a run in real time and vibration do not.
+pub(super) fn refuse_free_motion(
+    scene: &BodyInScene<'_>,
+    free: impl FnOnce() -> Vec<String>,
+) -> Result<(), SceneError> {
+    let kind = scene.analysis.kind();
+    if kind.floats && !scene.has_preload() {
+        return Ok(());
+    }
+    let free = free();
+    if free.is_empty() {
+        return Ok(());
+    }
+    let path = scene.supports.first().map_or("supports", |first| &first.path);
+    let bound = format!("every rigid motion must be held in {}", kind.name);
+    let repair = match scene.body {
+        BodyScene::Shell(_) => {
+            "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line"
+        }
+        _ => "hold it: clamp a face, add a symmetry plane, or hold nodes out of line",
+    };
+    let value = format!("{} free to move: {}", scene.body.word(), free.join(", "));
+    Err(SceneError::FreeMotion(scene.source.fault(path, &value, &bound, repair)))
+}
+
+/// Messages from below end with their repair, after the last semicolon.
+pub(super) fn model_error(source: &Source, path: &str, message: &str) -> SceneError {
+    let (value, repair) = message.rsplit_once("; ").unwrap_or((message, "change this part of the scene"));
+    SceneError::Model(source.fault(path, value, "", repair))
+}
+
+/// The same for a key of the body.
+pub(super) fn body_error(scene: &BodyInScene<'_>, path: &str, message: &str) -> SceneError {
+    model_error(scene.source, &scene.body_scope().path(path), message)
+}
