@@ -104,6 +104,7 @@
 //! | an answer that is far off and says nothing fails | `an_answer_far_off_must_carry_a_warning` (src/judge/asked.rs) |
 //! | a known miss may neither grow nor vanish | `a_known_miss_may_neither_grow_nor_vanish` (src/judge/asked.rs) |
 //! | what is asked is measured | `what_is_asked_is_measured_and_what_is_known_is_asked` (src/cases/mod.rs) |
+//! | the list says in a line what each case is compared with | `the_list_says_in_a_line_what_each_case_proves` (src/cases/mod.rs) |
 //! | cases and their runs can be distinguished | `cases_and_their_runs_can_be_distinguished_apart` (src/cases/mod.rs) |
 //! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/judge/measure.rs) |
 

@@ -52,7 +52,7 @@ struct Cli {
 
 const HELP: &str = "\
 Examples:
-  validate --list                      what there is
+  validate --list                      what there is, and what it is compared with
   validate --quick                     what every commit has to pass
   validate --full                      with the runs that take from ten seconds to ten minutes
   validate --hard                      the survival table
@@ -72,16 +72,7 @@ Exit codes: 0 every tolerance kept, 1 a tolerance missed, 2 not judged (unknown 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     if cli.list {
-        for case in cli.all() {
-            let of = |effort| case.variants.iter().filter(|variant| variant.effort == effort).count();
-            let (quick, full, heavy) = (of(Effort::Quick), of(Effort::Full), of(Effort::Heavy));
-            println!(
-                "{:<22} {} ({} runs, {quick} quick, {full} full, {heavy} heavy)",
-                case.name,
-                case.title,
-                case.variants.len()
-            );
-        }
+        print!("{}", tables::list(&cli.all()));
         return ExitCode::SUCCESS;
     }
     match carry_out(&cli) {

@@ -35,58 +35,20 @@ struct Growing {
 
 const SQUARES: [usize; 4] = [32, 100, 316, 1000];
 
+#[rustfmt::skip] // a table
 static MODELS: [Growing; 6] = [
-    Growing {
-        model: "shell, step",
-        scene: SHELL,
-        key: PARTICLES,
-        value: particles,
-        edges: &SQUARES,
-        colour: BLUE,
-    },
-    Growing {
-        model: "shell, linear answer",
-        scene: SHELL_LINEAR,
-        key: PARTICLES,
-        value: particles,
-        edges: &[32, 100, 200],
-        colour: SKY,
-    },
-    Growing {
-        model: "bonds, step",
-        scene: BONDS,
-        key: "bodies.plate.solid.geometry.block.spacing",
-        value: spacing,
-        edges: &SQUARES,
-        colour: VERMILION,
-    },
-    Growing {
-        model: "state-based, step",
-        scene: STATES,
-        key: "bodies.plate.solid.geometry.block.spacing",
-        value: spacing,
-        edges: &SQUARES,
-        colour: ORANGE,
-    },
-    Growing {
-        model: "fluid, step",
-        scene: FLUID,
-        key: "bodies.water.fluid.geometry.block.spacing",
-        value: spacing,
-        edges: &SQUARES,
-        colour: GREEN,
-    },
-    Growing {
-        model: "Galerkin, linear answer",
-        scene: GALERKIN,
-        key: "bodies.bar.solid.geometry.block.spacing",
-        value: spacing,
-        edges: &[6, 9, 13],
-        colour: PURPLE,
-    },
+    Growing { model: "shell, step", scene: SHELL, key: PARTICLES, value: particles, edges: &SQUARES, colour: BLUE },
+    Growing { model: "shell, linear answer", scene: SHELL_LINEAR, key: PARTICLES, value: particles, edges: &[32, 100, 200], colour: SKY },
+    Growing { model: "bonds, step", scene: BONDS, key: OF_PLATE, value: spacing, edges: &SQUARES, colour: VERMILION },
+    Growing { model: "state-based, step", scene: STATES, key: OF_PLATE, value: spacing, edges: &SQUARES, colour: ORANGE },
+    Growing { model: "fluid, step", scene: FLUID, key: OF_WATER, value: spacing, edges: &SQUARES, colour: GREEN },
+    Growing { model: "Galerkin, linear answer", scene: GALERKIN, key: OF_BAR, value: spacing, edges: &[6, 9, 13], colour: PURPLE },
 ];
 
 const PARTICLES: &str = "geometry.plate.particles";
+const OF_PLATE: &str = "bodies.plate.solid.geometry.block.spacing";
+const OF_WATER: &str = "bodies.water.fluid.geometry.block.spacing";
+const OF_BAR: &str = "bodies.bar.solid.geometry.block.spacing";
 
 const SHELL: &str = r#"
 title = "A free plate"
@@ -277,24 +239,15 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
             series,
         }))
     };
+    let (time, memory) = ("processor time [µs]", "memory [bytes]");
     Ok(vec![
-        chart(
-            "Time of a particle",
-            "Of a step, or of the whole answer without time.",
-            COST,
-            "processor time [µs]",
-        )?,
+        chart("Time of a particle", "Of a step, or of the whole answer without time.", COST, time)?,
         chart(
             "Set-up of a particle",
             "From the text of the scene to a model that can be run.",
             SET_UP,
-            "processor time [µs]",
+            time,
         )?,
-        chart(
-            "Memory of a particle",
-            "Held between two steps, as the allocator counts it.",
-            BYTES,
-            "memory [bytes]",
-        )?,
+        chart("Memory of a particle", "Held between two steps, as the allocator counts it.", BYTES, memory)?,
     ])
 }

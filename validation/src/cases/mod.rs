@@ -59,6 +59,18 @@ mod tests {
     }
 
     #[test]
+    fn the_list_says_in_a_line_what_each_case_proves() {
+        let cases: Vec<Case> = usual().into_iter().chain(hard()).collect();
+        let list = crate::tables::list(&cases);
+        assert_eq!(list.lines().count(), cases.len(), "{list}");
+        for (line, Case { name, title, citation, headline, .. }) in list.lines().zip(&cases) {
+            let said = [Some(*title), Some(*citation), headline.map(|headline| headline.metric)];
+            let whole = said.into_iter().flatten().all(|word| !word.trim().is_empty() && line.contains(word));
+            assert!(whole && line.starts_with(name), "{name} does not say what it proves: {line}");
+        }
+    }
+
+    #[test]
     fn what_is_asked_is_measured_and_what_is_known_is_asked() {
         for case in usual().into_iter().chain(hard()) {
             for Variant { method, grid, off, asked, known, .. } in &case.variants {

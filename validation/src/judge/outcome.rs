@@ -1,7 +1,7 @@
 //! What a run left behind, whoever solved it: particles in time, particles without time, finite elements.
 
 use benchmarks_ref::fe_shell::cases::Solved;
-use coque::{Column, CriticalSummary, Curve, Ended, Shape, Warning};
+use coque::{Column, CriticalSummary, Curve, Ended, FluidFigures, Shape, Warning};
 
 /// Who found the answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,6 +54,10 @@ pub struct Outcome {
     pub stable_step: f64,
     /// Load levels at which the motion had not died.
     pub unsettled: usize,
+    /// Greatest error of the energy balance of a march over the energy turned over \[%\]; zero without time.
+    pub balance: f64,
+    /// Figures of a fluid at the end, if a scene has one.
+    pub fluid: Option<FluidFigures>,
     /// Critical points met on a path without time.
     pub critical: Vec<CriticalSummary>,
     /// Why it did not reach its end.
@@ -85,6 +89,8 @@ impl From<coque::Outcome> for Outcome {
             particle_steps_per_second: summary.particle_steps_per_second,
             stable_step: summary.record.stable_step,
             unsettled: summary.record.levels.iter().filter(|level| !level.settled).count(),
+            balance: summary.record.balance.map_or(0.0, |balance| 100.0 * balance.share().abs()),
+            fluid: summary.record.fluid,
             critical: summary.record.critical,
             failure: match run.ended {
                 Ended::Done => None,

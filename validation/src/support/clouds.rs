@@ -72,12 +72,18 @@ impl Shape {
     }
 }
 
-/// The hemisphere with a hole, a quarter.
-pub const HEMISPHERE: Shape = Shape {
-    name: "hemisphere",
-    scene: scenes::HEMISPHERE,
-    geometry: "sphere",
-    keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]",
-    counts: [21, 21],
-    spacing: 0.61,
-};
+/// The square plate, the hemisphere with a hole and the hinged panel (a quarter of both), the strip of the ring, the open cylinder.
+#[rustfmt::skip] // a table
+mod shapes {
+    use super::{scenes, Shape};
+
+    pub const PLATE: Shape = Shape { name: "plate", scene: scenes::PLATE, geometry: "plate", keys: "lengths = [1.0, 1.0]", counts: [21, 21], spacing: 0.05 };
+    pub const HEMISPHERE: Shape = Shape { name: "hemisphere", scene: scenes::HEMISPHERE, geometry: "sphere",
+        keys: "radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 90.0]", counts: [21, 21], spacing: 0.61 };
+    pub const PANEL: Shape = Shape { name: "panel", scene: scenes::PANEL, geometry: "cylinder",
+        keys: "radius = 2540.0, angles = [0.0, 5.729577951308232], length = 254.0", counts: [21, 21], spacing: 12.7 };
+    pub const STRIP: Shape = Shape { name: "ring", scene: scenes::RING, geometry: "plate", keys: "lengths = [10.0, 1.0]", counts: [50, 3], spacing: 0.22 };
+    pub const CYLINDER: Shape = Shape { name: "open cylinder", scene: scenes::OPEN_CYLINDER, geometry: "cylinder",
+        keys: "radius = 4.953, angles = [0.0, 90.0], length = 5.175", counts: [25, 17], spacing: 0.33 };
+}
+pub use shapes::{CYLINDER, HEMISPHERE, PANEL, PLATE, STRIP};

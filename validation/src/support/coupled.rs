@@ -3,12 +3,15 @@
 use std::error::Error;
 
 use explicit_dynamics::{Amplitude, BoundaryState, March, Record, Transient, TwoClocks, Wetted};
-use fluid_sph::{Fluid, Formulation, Liquid, Parts, Start, Structure, Wall};
+use fluid_sph::{Fluid, Formulation, Parts, Structure, Wall};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Vec3};
 use sph_shell::{
     AppliedLoad, Gravity, Reach, Shell, ShellBuilder, Sides, Support, Supported, SymmetryPlane, Wetting,
 };
+
+use super::fluids;
+pub use super::fluids::{DENSITY as WATER, GRAVITY};
 
 /// A fluid and structures of one kind.
 pub type Coupled<S> = TwoClocks<Fluid, S>;
@@ -17,10 +20,6 @@ pub type Coupled<S> = TwoClocks<Fluid, S>;
 /// 3.015 spacings (case strip-bending). Moduli of solids are raised by it.
 const BENDING: [(usize, f64); 6] = [(3, 0.639), (4, 0.721), (5, 0.790), (8, 0.894), (10, 0.926), (20, 0.976)];
 
-/// Gravity \[m/s²\].
-pub const GRAVITY: f64 = 9.81;
-/// Density of water \[kg/m³\].
-pub const WATER: f64 = 1000.0;
 /// Rows of particles behind a wall and below a wet face: those that a kernel of 1.55 spacings reaches from a face, half a spacing before the first.
 pub const ROWS: usize = 3;
 
@@ -114,27 +113,13 @@ pub fn wetting(spacing: f64, sides: Sides, free: &[usize]) -> Wetting {
 
 /// Particles in the middles of square cells between two corners, in whole numbers of cells.
 pub fn fill(min: [f64; 2], max: [f64; 2], spacing: f64) -> Vec<Vec3> {
-    let count = |k: usize| ((max[k] - min[k]) / spacing).round().max(0.0) as usize;
-    let at = |k: usize, i: usize| min[k] + (i as f64 + 0.5) * spacing;
-    (0..count(0)).flat_map(|i| (0..count(1)).map(move |j| Vec3::new(at(0, i), at(1, j), 0.0))).collect()
+    fluids::filled([min[0], min[1], 0.0], [max[0], max[1], 0.0], 2, spacing)
 }
 
 /// Water at rest under gravity in a plane, the default method; no structure yet.
 pub fn water(spacing: f64, positions: Vec<Vec3>, sound_speed: f64, walls: Vec<Vec<Vec3>>) -> Parts {
-    Parts {
-        dimensions: 2,
-        spacing,
-        positions,
-        velocities: Vec::new(),
-        liquid: Liquid { density: WATER, sound_speed },
-        formulation: Formulation::default(),
-        gravity: -Vec3::y() * GRAVITY,
-        start: Start::Hydrostatic,
-        walls: walls.into_iter().map(|points| Wall { points, motion: None }).collect(),
-        structures: Vec::new(),
-        domain: None,
-        threads: 1,
-    }
+    let walls = walls.into_iter().map(|points| Wall { points, motion: None }).collect();
+    Parts { walls, ..fluids::water(2, spacing, positions, sound_speed, Formulation::default()) }
 }
 
 /// What a fluid knows of a structure.

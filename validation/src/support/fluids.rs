@@ -55,6 +55,17 @@ pub fn apart(of: &Formulation) -> String {
     words.into_iter().map(|word| format!(", {word}")).collect()
 }
 
+/// A formulation as a scene says it.
+pub fn said(of: &Formulation) -> String {
+    let method = if of.scheme == Scheme::PredictorCorrector { "source" } else { "kick-drift-kick" };
+    let walls = if of.walls == WallRule::Dynamic { "dynamic" } else { "extrapolated" };
+    let Formulation { smoothing, viscosity, density_diffusion, xsph, confined, .. } = of;
+    format!(
+        "{{ weakly-compressible = {{ method = \"{method}\", walls = \"{walls}\", smoothing = {smoothing}, viscosity = {viscosity}, \
+         density_diffusion = {density_diffusion}, xsph = {xsph}, confined = {confined} }} }}"
+    )
+}
+
 /// Rows of wall that the kernel reaches.
 pub fn rows(formulation: &Formulation) -> usize {
     (2.0 * formulation.smoothing).round() as usize

@@ -17,3 +17,4 @@ pub mod stopwatch;
 pub mod strip;
 pub mod studies;
 pub mod table;
+pub mod watched;

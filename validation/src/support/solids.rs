@@ -17,6 +17,31 @@ pub fn formulation(space: Space, law: Law, correction: Correction) -> Formulatio
     Formulation { space, law, horizon: 3.015, volumes, influence, correction }
 }
 
+/// A formulation with partial volumes as a scene says it.
+pub fn said(of: &Formulation) -> String {
+    let law = if of.law == Law::BondBased { "bond-based" } else { "state-based" };
+    let plane = match of.space {
+        Space::Solid => "",
+        Space::PlaneStress => "plane = \"stress\", ",
+        Space::PlaneStrain => "plane = \"strain\", ",
+    };
+    let correction = match of.correction {
+        Correction::None => "none",
+        Correction::Even => "even",
+        Correction::Balanced => "balanced",
+        Correction::EnergyFactor => "energy-factor",
+    };
+    let influence = match of.influence {
+        Influence::Constant => "constant",
+        Influence::Inverse => "inverse",
+        Influence::Linear => "linear",
+    };
+    let horizon = of.horizon;
+    format!(
+        "{{ {law} = {{ {plane}horizon = {horizon}, influence = \"{influence}\", correction = \"{correction}\" }} }}"
+    )
+}
+
 /// A box of nodes at the centres of equal cells; of two dimensions where `lengths[2]` is a thickness.
 pub fn lattice(dimensions: usize, origin: Vec3, lengths: [f64; 3], spacing: f64) -> BlockLattice {
     BlockLattice {

@@ -1,12 +1,12 @@
 //! source-settings: the gate and the baffle of bonds with what their source says, one change at a time.
 
+use super::baffle::{SCENE as BAFFLE, when};
 use super::measure::peak;
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::methods::PAIRWISE;
 use crate::{JudgeError, Metric};
 
 pub const GATE: &str = include_str!("../../../../scenes/gate-bonds.toml");
-const BAFFLE: &str = include_str!("../../../../scenes/baffle.toml");
 
 /// Pairwise bonds, whose Poisson's ratio is a quarter in plane strain.
 const PAIRS: &str = "{ bond-based = { horizon = 3.015, plane = \"strain\", correction = \"even\" } }";
@@ -116,7 +116,7 @@ fn baffle(name: &'static str, changes: &'static [Change]) -> Variant {
         Variant::scene(PAIRWISE, BAFFLE, name).set(TRANSIENT, "{ duration = 1.2, record_every = 0.01 }");
     measured(changed(variant, "baffle.solid.formulation.bond-based", changes)).judged(move |run, _| {
         let pieces = run.last("pieces")?;
-        let through = when_more(run, "pieces", 1.5)?;
+        let through = when(run, "pieces", 1.5)?;
         let asked = Metric::at_least("pieces at the end", pieces, "-", 2.0);
         let mut metrics = vec![
             match changes {
@@ -141,12 +141,6 @@ fn figures(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let most = run.column("density")?.into_iter().fold(0.0, f64::max);
     let off = Metric::error(DENSITY, Some(100.0 * (most / 1000.0 - 1.0)), "% above rest");
     Ok(vec![off.shown("weakly compressible is meant to stay near 1 %")])
-}
-
-/// The first time at which a column is more than a value \[s\].
-fn when_more(run: &Run, column: &str, more: f64) -> Result<Option<f64>, JudgeError> {
-    let pairs = run.column("time")?.into_iter().zip(run.column(column)?);
-    Ok(pairs.into_iter().find(|(_, value)| *value > more).map(|(time, _)| time))
 }
 
 /// Greatest growth of kinetic, stored and dissipated energy over the work of loads and supports, from the first record on \[J/m\].

@@ -1,41 +1,35 @@
 //! dam-break-front: a column twice as high as wide falls on a dry bed; how far its front is, against two experiments.
 
-use std::error::Error;
+use std::ops::ControlFlow::Continue;
 
 use benchmarks_ref::reference;
-use fluid_sph::{Fluid, Formulation, Parts};
+use coque::Sheet;
+use fluid_sph::Formulation;
 
 use crate::figures::{
     Axis, BLACK, BLUE, Chart, Figure, GREEN, GREY, Line, Mark, ORANGE, SKY, Series, VERMILION,
 };
-use crate::judge::{Case, Headline, Outcome, Peer, Peers, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Peer, Peers, Run, Runs, Variant};
 use crate::support::fluids::{
-    CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, basin, between, domain, filled, formulation, march,
-    published, water,
+    CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, between, formulation, published, said,
 };
-use crate::support::marched::in_time;
-use crate::support::studies::{SHOWN, figure};
+use crate::support::studies::SHOWN;
+use crate::support::watched::watched;
 use crate::{JudgeError, Metric};
 
-/// Width of the column \[m\], and its height.
-const COLUMN: [f64; 3] = [1.0, 2.0, 0.0];
-/// The basin: the front gets to 4.3 in the time of the run.
-const BASIN: [f64; 3] = [6.0, 3.0, 0.0];
+const SCENE: &str = include_str!("../../../../scenes/dam-break.toml");
+/// Width of the column \[m\]; it is twice as high.
+const WIDTH: f64 = 0.146;
 /// Times T = t √(2g/L) at which fronts are held against each other.
 const TIMES: [f64; 5] = [1.0, 1.5, 2.0, 2.5, 3.0];
 const UNTIL: f64 = 3.2;
 /// Particles among which the noise of pressures is measured.
 const SAMPLES: usize = 400;
 
-const TIME: &str = "T";
-const FRONT: &str = "Z";
 const AHEAD: &str = "most ahead of the band";
 const BEHIND: &str = "most behind the band";
 const NOISE: &str = "noise of pressures";
 const DENSITY_ERROR: &str = "density error";
-const TAKEN: &str = "taken by friction";
-const DIFFUSED: &str = "taken by diffusion";
-const BALANCE: &str = "balance";
 
 /// The column, and where its front has to be.
 pub fn case() -> Case {
@@ -84,13 +78,53 @@ fn columns() -> Vec<(Column, bool)> {
 
 fn variants() -> Vec<Variant> {
     let variant = |(column, quick): (Column, bool)| {
-        let run = move || column.run().map_err(|e| e.to_string());
-        Variant::study(column.method, &column.grid(), run)
+        let scene = falling(column.method, column.high, &column.formulation, UNTIL)
+            .named(column.grid())
             .quick_if(quick)
-            .full_if(column.high > 50)
-            .judged(move |run, _| column.judged(run))
+            .full_if(column.high > 50);
+        let noisy = watched(scene, &[(NOISE, "-")], move |march| {
+            let time = march.stands_at().time / second();
+            let asked = (1..=3).any(|whole| (time - f64::from(whole)).abs() < 0.02);
+            let sheet = march.sheet(false).map_err(|error| error.to_string())?;
+            Ok(Continue(vec![if asked { rms_noise(&sheet, &column)? / head() } else { 0.0 }]))
+        });
+        noisy.judged(move |run, _| column.judged(run))
     };
     columns().into_iter().map(variant).collect()
+}
+
+/// The scene with so many particles a height, up to a time T, in a basin of six widths: the front gets to 4.3 in T = 3.2.
+pub fn falling(method: &str, high: usize, formulation: &Formulation, until: f64) -> Variant {
+    let [long, tall] = [6.0, 3.0].map(|widths| widths * WIDTH);
+    let march = format!("{{ duration = {}, record_every = {} }}", until * second(), 0.05 * second());
+    Variant::scene(method, SCENE, format!("H/Δx {high}"))
+        .set("bodies.water.fluid.geometry.block.spacing", 2.0 * WIDTH / high as f64)
+        .set("bodies.water.fluid.material.liquid.sound_speed", 20.0 * (GRAVITY * 2.0 * WIDTH).sqrt())
+        .set("bodies.water.fluid.formulation", said(formulation))
+        .set("bodies.tank.walls.geometry.basin.max", format!("[{long}, {tall}]"))
+        .set("analysis.explicit.transient", march)
+        .unsettled()
+}
+
+/// The front of a run, as Z over T: a particle ends half a spacing before its place.
+pub fn front(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
+    let place = |x: f64| (x + 0.5 * run.outcome.spacing) / WIDTH;
+    Ok(run
+        .column("time")?
+        .into_iter()
+        .map(|t| t / second())
+        .zip(run.column("front")?.into_iter().map(place))
+        .collect())
+}
+
+/// The time T = 1 \[s\].
+fn second() -> f64 {
+    (0.5 * WIDTH / GRAVITY).sqrt()
+}
+
+/// Pressure of water as deep as the column is high \[Pa\].
+fn head() -> f64 {
+    DENSITY * GRAVITY * 2.0 * WIDTH
 }
 
 /// A set of data with its name: fronts over times.
@@ -98,8 +132,8 @@ type Fronts = (&'static str, Vec<(f64, f64)>);
 
 /// The three sets of data.
 fn experiments() -> Result<[Fronts; 3], JudgeError> {
-    let scale = (2.0 * GRAVITY / COLUMN[0]).sqrt();
-    // The last set is of a column of these measures, in seconds and metres.
+    let scale = (2.0 * GRAVITY).sqrt();
+    // The last set is of a column of one metre, in seconds and metres.
     let third = published("dambreak_koshizuka_oka_exp_b", [0, 1])?;
     Ok([
         ("Martin and Moyce, a = 57 mm", published("dambreak_martin_moyce_a225", [0, 1])?),
@@ -137,51 +171,8 @@ impl Column {
         format!("H/Δx {}{named}", self.high)
     }
 
-    fn run(&self) -> Result<Outcome, Box<dyn Error>> {
-        let dx = COLUMN[1] / self.high as f64;
-        let sound = 20.0 * (GRAVITY * COLUMN[1]).sqrt();
-        let positions = filled([0.0; 3], COLUMN, 2, dx);
-        let parts = water(2, dx, positions, sound, self.formulation);
-        let wall = basin(BASIN, 2, dx, &self.formulation)?;
-        let mut fluid = Fluid::new(Parts { walls: vec![wall], domain: Some(domain(BASIN, 2, dx)), ..parts })?;
-        let start = fluid.energies().potential;
-        let second = (2.0 * GRAVITY / COLUMN[0]).sqrt().recip();
-        let head = DENSITY * GRAVITY * COLUMN[1];
-        let mut rows = Vec::new();
-        let (mut noise, mut noises) = (0.0, 0.0_f64);
-        let marched = march(&mut fluid, UNTIL * second, 0.05 * second, |fluid, record| {
-            let time = record.at.time / second;
-            if (1..=3).any(|whole| (time - f64::from(whole)).abs() < 0.02) {
-                noise += rms_noise(fluid) / head;
-                noises += 1.0;
-            }
-            let front = fluid.positions().iter().map(|place| place.x).fold(0.0, f64::max) + 0.5 * dx;
-            let energies = fluid.energies();
-            rows.push(vec![
-                time,
-                front / COLUMN[0],
-                noise / noises.max(1.0),
-                100.0 * fluid.greatest_density_error(),
-                100.0 * energies.viscous / start,
-                100.0 * energies.diffusion / start,
-            ]);
-        });
-        let balance = marched.balanced.percent();
-        rows.iter_mut().for_each(|row| row.push(balance));
-        let columns = [
-            (TIME, "-"),
-            (FRONT, "-"),
-            (NOISE, "-"),
-            (DENSITY_ERROR, "%"),
-            (TAKEN, "%"),
-            (DIFFUSED, "%"),
-            (BALANCE, "%"),
-        ];
-        Ok(Outcome { curve: in_time(&columns, rows), ..marched.outcome(&mut fluid) })
-    }
-
     fn judged(&self, run: &Run) -> Result<Vec<Metric>, JudgeError> {
-        let path = path(run)?;
+        let path = front(run)?;
         let (mut ahead, mut behind) = (Some(0.0_f64), Some(0.0_f64));
         let mut metrics = Vec::new();
         for (time, [low, high]) in TIMES.into_iter().zip(bands()?) {
@@ -193,7 +184,11 @@ impl Column {
             );
         }
         let (ahead, behind) = (Metric::error(AHEAD, ahead, "%"), Metric::error(BEHIND, behind, "%"));
-        let [noise, density] = [figure(run, NOISE, "-")?, figure(run, DENSITY_ERROR, "%")?];
+        let figures = run.outcome.fluid.clone().unwrap_or_default();
+        let noise = Metric::error(NOISE, Some(run.column(NOISE)?.iter().sum::<f64>() / 3.0), "-");
+        let density = Metric::error(DENSITY_ERROR, Some(100.0 * figures.greatest_density_error), "%");
+        // The middle of the column lies a width over the bed.
+        let taken = |energy: f64| Some(100.0 * energy / (figures.mass * GRAVITY * WIDTH));
         let viscosity = self.formulation.viscosity;
         let ahead = match (self.method, self.high >= 50) {
             (PUBLISHED, _) => ahead.near(5.81, "its α = 0.1 brakes, its walls less than extrapolated ones"),
@@ -219,28 +214,39 @@ impl Column {
             ]
         });
         metrics.extend([
-            figure(run, TAKEN, "%")?.shown("of the potential energy at the start; with walls that rub"),
-            figure(run, DIFFUSED, "%")?.shown("of the potential energy at the start"),
-            figure(run, BALANCE, "%")?.within(3.0, "asked: what is left of the ledger of a flow that breaks"),
+            Metric::error("taken by friction", taken(figures.viscous), "%")
+                .shown("of the potential energy at the start; with walls that rub"),
+            Metric::error("taken by diffusion", taken(figures.diffusion), "%")
+                .shown("of the potential energy at the start"),
+            Metric::error("balance", Some(run.outcome.balance), "%")
+                .within(3.0, "asked: what is left of the ledger of a flow that breaks"),
         ]);
         Ok(metrics)
     }
 }
 
-/// Differences of pressures from the mean about their particles, rms over some of these \[F/L²\].
-fn rms_noise(fluid: &Fluid) -> f64 {
-    let stride = fluid.len().div_ceil(SAMPLES);
-    let pressures = fluid.pressures();
-    let off =
-        |(place, pressure): (&sph_core::Vec3, &f64)| fluid.pressure_at(*place).map(|mean| pressure - mean);
-    let differences: Vec<f64> =
-        fluid.positions().iter().zip(&pressures).step_by(stride).filter_map(off).collect();
-    (differences.iter().map(|off| off * off).sum::<f64>() / differences.len().max(1) as f64).sqrt()
-}
-
-/// Fronts over times.
-fn path(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
-    Ok(run.column(TIME)?.into_iter().zip(run.column(FRONT)?).collect())
+/// Differences of pressures from the mean about their particles by Wendland's kernel, rms over some of these \[F/L²\].
+fn rms_noise(sheet: &Sheet, column: &Column) -> Result<f64, String> {
+    let field = |name: &str| sheet.point_data.get(name).map(|array| &array.numbers).ok_or("a fluid has it");
+    let states =
+        field("pressure")?.iter().zip(field("density")?).map(|(&pressure, &density)| [pressure, density]);
+    // Walls have no density.
+    let fluid: Vec<_> = sheet.points.iter().zip(states).filter(|(_, state)| state[1].is_finite()).collect();
+    let reach = 4.0 * column.formulation.smoothing * WIDTH / column.high as f64;
+    let off = |(at, [pressure, _]): &(&[f64; 3], [f64; 2])| {
+        let (mut weights, mut mean) = (0.0, 0.0);
+        for (place, [pressure, density]) in &fluid {
+            let [dx, dy] = [0, 1].map(|k| at[k] - place[k]);
+            let part = libm::hypot(dx, dy) / reach;
+            if part < 1.0 {
+                let weight = (1.0 - part).powi(4) * (4.0 * part + 1.0);
+                (weights, mean) = (weights + weight, mean + weight * (pressure - density * GRAVITY * dy));
+            }
+        }
+        pressure - mean / weights
+    };
+    let seen: Vec<f64> = fluid.iter().step_by(fluid.len().div_ceil(SAMPLES)).map(off).collect();
+    Ok((seen.iter().map(|off| off * off).sum::<f64>() / seen.len() as f64).sqrt())
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
@@ -254,7 +260,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
     for (number, run) in runs.iter().enumerate() {
         let label = format!("{}, {}", run.variant.method, run.variant.grid);
         let line = if number < looks.len() { Line::Solid } else { Line::Dashed };
-        series.push(Series::line(&label, path(run)?, looks[number % looks.len()], line));
+        series.push(Series::line(&label, front(run)?, looks[number % looks.len()], line));
     }
     Ok(vec![Figure::Chart(Chart {
         title: "Front of the column".into(),

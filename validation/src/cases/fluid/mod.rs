@@ -2,7 +2,7 @@
 
 mod basin;
 mod couette;
-mod dam_break;
+pub mod dam_break;
 mod drop;
 mod obstacle;
 mod speed;

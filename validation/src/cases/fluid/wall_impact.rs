@@ -1,24 +1,18 @@
 //! wall-impact: a dam break hits a wall; when, and with what pressure, against an experiment.
 
-use std::error::Error;
-
-use fluid_sph::{Fluid, Formulation, Parts};
-use sph_core::Vec3;
+use fluid_sph::Formulation;
 
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREEN, Line, Mark, ORANGE, SKY, Series, VERMILION};
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Run, Runs, Variant};
 use crate::support::fluids::{
-    CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, basin, domain, filled, formulation, march, mean,
-    published, water,
+    CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, formulation, mean, published, said,
 };
-use crate::support::marched::in_time;
-use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
 
-/// Height of the column \[m\].
+const SCENE: &str = include_str!("../../../../scenes/dam-break.toml");
+/// Height of the column, which is twice as wide, and place of the wall \[m\].
 const HEIGHT: f64 = 0.3;
-const COLUMN: [f64; 3] = [0.6, HEIGHT, 0.0];
-const BASIN: [f64; 3] = [1.61, 0.6, 0.0];
+const WALL: f64 = 1.61;
 /// Probes with their height over the bed \[m\] and their data.
 const PROBES: [(&str, f64, &str); 3] = [
     ("P1", 0.003, "dambreak_lobovsky_p1"),
@@ -34,10 +28,7 @@ const ARRIVED: f64 = 0.15;
 const WINDOW: f64 = 2e-3;
 const RECORDS: usize = 4;
 
-const TIME: &str = "T";
 const ARRIVAL: &str = "arrival";
-const DENSITY_ERROR: &str = "density error";
-const BALANCE: &str = "balance";
 
 /// The wall, and what is measured on it.
 pub fn case() -> Case {
@@ -70,8 +61,8 @@ fn variants() -> Vec<Variant> {
     .into_iter()
     .map(|(method, high, formulation, quick)| {
         let named = if method == PUBLISHED { String::new() } else { apart(&formulation) };
-        let run = move || hit(high, formulation).map_err(|e| e.to_string());
-        Variant::study(method, &format!("H/Δx {high}{named}"), run)
+        hit(method, high, &formulation)
+            .named(format!("H/Δx {high}{named}"))
             .quick_if(quick)
             .full_if(high > 30 || (high > 15 && method != KICKS))
             .judged(move |run, _| judged(high, &formulation, run))
@@ -79,39 +70,38 @@ fn variants() -> Vec<Variant> {
     .collect()
 }
 
-fn hit(high: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Error>> {
+fn hit(method: &str, high: usize, formulation: &Formulation) -> Variant {
     let dx = HEIGHT / high as f64;
-    let sound = 20.0 * (GRAVITY * HEIGHT).sqrt();
-    let parts = water(2, dx, filled([0.0; 3], COLUMN, 2, dx), sound, formulation);
-    let wall = basin(BASIN, 2, dx, &formulation)?;
-    let mut fluid = Fluid::new(Parts { walls: vec![wall], domain: Some(domain(BASIN, 2, dx)), ..parts })?;
-    let head = DENSITY * GRAVITY * HEIGHT;
-    let second = (HEIGHT / GRAVITY).sqrt();
-    let mut rows: Vec<Vec<f64>> = Vec::new();
-    let mut window = Vec::new();
-    let marched = march(&mut fluid, UNTIL * second, WINDOW / RECORDS as f64, |fluid, record| {
-        let read = |&(_, height, _): &(&str, f64, &str)| {
-            // As a wall feels it, which does not pull.
-            fluid.pressure_at(Vec3::new(BASIN[0], height, 0.0)).unwrap_or(0.0).max(0.0) / head
-        };
-        window.push(PROBES.each_ref().map(read));
-        if window.len() == RECORDS {
-            let time = (record.at.time - 0.5 * WINDOW) / second;
-            let mean = |probe: usize| window.iter().map(|row| row[probe]).sum::<f64>() / RECORDS as f64;
-            rows.push(vec![time, mean(0), mean(1), mean(2), 100.0 * fluid.greatest_density_error()]);
-            window.clear();
-        }
-    });
-    let balance = marched.balanced.percent();
-    rows.iter_mut().for_each(|row| row.push(balance));
-    let [p1, p3, p4] = PROBES.map(|probe| probe.0);
-    let columns = [(TIME, "-"), (p1, "-"), (p3, "-"), (p4, "-"), (DENSITY_ERROR, "%"), (BALANCE, "%")];
-    Ok(Outcome { curve: in_time(&columns, rows), ..marched.outcome(&mut fluid) })
+    let water = format!("{{ lengths = [{}, {HEIGHT}], spacing = {dx} }}", 2.0 * HEIGHT);
+    let march = format!("{{ duration = {}, record_every = {} }}", UNTIL * second(), WINDOW / RECORDS as f64);
+    let scene = Variant::scene(method, SCENE, "")
+        .set("bodies.water.fluid.geometry.block", water)
+        .set("bodies.water.fluid.material.liquid.sound_speed", 20.0 * (GRAVITY * HEIGHT).sqrt())
+        .set("bodies.water.fluid.formulation", said(formulation))
+        .set("bodies.tank.walls.geometry.basin.max", format!("[{WALL}, {}]", 2.0 * HEIGHT))
+        .set("analysis.explicit.transient", march)
+        .unsettled();
+    PROBES.iter().fold(scene, |scene, (name, height, _)| {
+        let at =
+            format!("name = \"{name}\", of = \"pressure\", on = \"water.all\", at = [{WALL}, {height}, 0.0]");
+        scene.set("curve[+]", format!("{{ {at} }}"))
+    })
 }
 
-/// Pressures at a probe over times.
+/// The time T = 1 \[s\].
+fn second() -> f64 {
+    (HEIGHT / GRAVITY).sqrt()
+}
+
+/// Means of the pressure at a probe over the window, over times; as a wall feels it, which does not pull.
 fn pressures(run: &Run, probe: &str) -> Result<Vec<(f64, f64)>, JudgeError> {
-    Ok(run.column(TIME)?.into_iter().zip(run.column(probe)?).collect())
+    let (times, read) = (run.column("time")?, run.column(probe)?);
+    let head = DENSITY * GRAVITY * HEIGHT;
+    let mean = |(times, read): (&[f64], &[f64])| {
+        let sum: f64 = read.iter().map(|pressure| pressure.max(0.0) / head).sum();
+        ((times[RECORDS - 1] - 0.5 * WINDOW) / second(), sum / RECORDS as f64)
+    };
+    Ok(times.chunks_exact(RECORDS).zip(read.chunks_exact(RECORDS)).map(mean).collect())
 }
 
 /// When a pressure first is that of water that has arrived.
@@ -157,9 +147,12 @@ fn judged(high: usize, formulation: &Formulation, run: &Run) -> Result<Vec<Metri
             );
         }
     }
+    let denser = run.outcome.fluid.as_ref().map(|fluid| 100.0 * fluid.greatest_density_error);
     metrics.extend([
-        figure(run, DENSITY_ERROR, "%")?.shown("where the front hits the wall; the speed of sound sets it"),
-        figure(run, BALANCE, "%")?.shown("the ledger of a flow that breaks on a wall"),
+        Metric::error("density error", denser, "%")
+            .shown("where the front hits the wall; the speed of sound sets it"),
+        Metric::error("balance", Some(run.outcome.balance), "%")
+            .shown("the ledger of a flow that breaks on a wall"),
     ]);
     Ok(metrics)
 }

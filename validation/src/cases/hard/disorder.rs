@@ -8,9 +8,9 @@ use crate::cases::shell::{hemisphere, open_cylinder, panel, plate};
 use crate::judge::{Case, Headline, LOST, MET, Run, Runs, Variant};
 use crate::methods::{CELL, NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::metric_names::ERROR;
-use crate::support::clouds::{Cloud, HEMISPHERE, Shape};
+use crate::support::clouds::{CYLINDER, Cloud, HEMISPHERE, PANEL, PLATE, STRIP, Shape};
+use crate::support::strip;
 use crate::support::studies::{off, or_refused};
-use crate::support::{scenes, strip};
 
 const JITTER: Cloud = Cloud::Jitter(0.25, 1);
 /// All the ways in which particles are placed.
@@ -60,39 +60,7 @@ const PLATES: [Plate; 4] = [
     ] },
 ];
 
-const PLATE: Shape = Shape {
-    name: "plate",
-    scene: scenes::PLATE,
-    geometry: "plate",
-    keys: "lengths = [1.0, 1.0]",
-    counts: [21, 21],
-    spacing: 0.05,
-};
-const PANEL: Shape = Shape {
-    name: "panel",
-    scene: scenes::PANEL,
-    geometry: "cylinder",
-    keys: "radius = 2540.0, angles = [0.0, 5.729577951308232], length = 254.0",
-    counts: [21, 21],
-    spacing: 12.7,
-};
-const RING: Shape = Shape {
-    name: "half ring",
-    scene: scenes::RING,
-    geometry: "plate",
-    keys: "lengths = [10.0, 0.5]",
-    counts: [50, 3],
-    spacing: 0.22,
-};
-const STRIP: Shape = Shape { name: "ring", keys: "lengths = [10.0, 1.0]", ..RING };
-const CYLINDER: Shape = Shape {
-    name: "open cylinder",
-    scene: scenes::OPEN_CYLINDER,
-    geometry: "cylinder",
-    keys: "radius = 4.953, angles = [0.0, 90.0], length = 5.175",
-    counts: [25, 17],
-    spacing: 0.33,
-};
+const RING: Shape = Shape { name: "half ring", keys: "lengths = [10.0, 0.5]", ..STRIP };
 
 /// The scenes, their references, and how far the two may differ.
 pub fn case() -> Case {

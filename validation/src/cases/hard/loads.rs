@@ -10,8 +10,7 @@ use crate::cases::shell::plate;
 use crate::judge::{Case, Headline, MET, Run, Runs, Variant};
 use crate::methods::{CELL, ELEMENTS, NODAL_2, NODAL_3, STATIC, WIDE_14};
 use crate::metric_names::ERROR;
-use crate::support::clouds::{Cloud, Shape};
-use crate::support::scenes;
+use crate::support::clouds::{self, Cloud, Shape};
 use crate::support::sheets::{Sheet, shell};
 use crate::support::studies::{finding, off, or_refused};
 use crate::{JudgeError, Metric, Outcome};
@@ -61,14 +60,7 @@ polar = [5.0, 90.0]
 azimuth = [0.0, 90.0]
 particles = [17, 17]
 "#;
-const PLATE: Shape = Shape {
-    name: "twist",
-    scene: scenes::PLATE,
-    geometry: "plate",
-    keys: "lengths = [1.0, 1.0]",
-    counts: [21, 21],
-    spacing: 0.05,
-};
+const PLATE: Shape = Shape { name: "twist", ..clouds::PLATE };
 
 /// The scenes, their references, and how far the two may differ.
 pub fn case() -> Case {
@@ -109,22 +101,11 @@ fn variants() -> Vec<Variant> {
 
 /// Tube and sphere under a pressure that follows; times radius over E t it is 0.1 of both.
 fn followers() -> Vec<Variant> {
-    let tube = Shape {
-        name: "tube",
-        scene: TUBE,
-        geometry: "cylinder",
-        keys: "radius = 1.0, angles = [0.0, 90.0], length = 0.4",
-        counts: [17, 5],
-        spacing: 0.1,
-    };
-    let cap = Shape {
-        name: "cap",
-        scene: CAP,
-        geometry: "sphere",
-        keys: "radius = 1.0, polar = [5.0, 90.0], azimuth = [0.0, 90.0]",
-        counts: [17, 17],
-        spacing: 0.09,
-    };
+    #[rustfmt::skip] // a table
+    let [tube, cap] = [
+        Shape { name: "tube", scene: TUBE, geometry: "cylinder", keys: "radius = 1.0, angles = [0.0, 90.0], length = 0.4", counts: [17, 5], spacing: 0.1 },
+        Shape { name: "cap", scene: CAP, geometry: "sphere", keys: "radius = 1.0, polar = [5.0, 90.0], azimuth = [0.0, 90.0]", counts: [17, 17], spacing: 0.09 },
+    ];
     let stretched = (1.0 + 2.0 * 0.91 * 0.1_f64).sqrt();
     let tube = |method, cloud| {
         let variant = tube.on(method, cloud).off(over(stretched));

@@ -3,27 +3,12 @@
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::methods::{STATIC, STRONG_12, STRONG_085};
 use crate::metric_names::ERROR;
-use crate::support::clouds::{Cloud, Shape};
-use crate::support::scenes;
+use crate::support::clouds::{self, Cloud, Shape};
 use crate::support::studies::{off, or_refused};
 use crate::{JudgeError, Metric};
 
-const PANEL: Shape = Shape {
-    name: "panel",
-    scene: scenes::PANEL,
-    geometry: "cylinder",
-    keys: "radius = 2540.0, angles = [0.0, 5.729577951308232], length = 254.0",
-    counts: [11, 11],
-    spacing: 25.4,
-};
-const RING: Shape = Shape {
-    name: "ring",
-    scene: scenes::RING,
-    geometry: "plate",
-    keys: "lengths = [10.0, 1.0]",
-    counts: [25, 3],
-    spacing: 0.4,
-};
+const PANEL: Shape = Shape { counts: [11, 11], spacing: 25.4, ..clouds::PANEL };
+const RING: Shape = Shape { counts: [25, 3], spacing: 0.4, ..clouds::STRIP };
 /// Shape, what is compared, the period of the marching analysis, and the clouds: scattered particles stand in no rows, and the strip is
 /// held along one.
 const PROBLEMS: [(&Shape, &str, &str, &[Cloud]); 2] =

@@ -1,32 +1,29 @@
 //! crack-branching: a notched glass plate 100 × 40 mm under sudden tension; its crack runs and branches.
 
-use std::error::Error;
-use std::ops::ControlFlow;
-use std::time::Instant;
+use std::ops::ControlFlow::{Break, Continue};
 
 use benchmarks_ref::waves::rayleigh_in_plane_stress;
-use explicit_dynamics::Amplitude;
-use peridynamics::{AppliedLoad, Correction, Crack, Criterion, Elastic, Formulation, Fracture, Law, Parts};
-use peridynamics::{Solid, Space};
+use coque::Body;
+use coque::scene::Measured;
+use peridynamics::{Correction, Formulation, Law, Space};
 use sph_core::Vec3;
 
 use super::measure::{bands, greatest_speed, length, mean_speed, speeds, tip};
 use crate::figures::{Axis, Chart, Colour, Figure, GREY, Line, SKY, Series, VERMILION};
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
-use crate::support::marched::{Balanced, fracture_energy, in_time, march, marched, method};
+use crate::support::marched::method;
 use crate::support::misses::{Miss, between};
-use crate::support::solids::{formulation, lattice, nodes, parts};
+use crate::support::solids::{formulation, said};
 use crate::support::studies::figure;
+use crate::support::watched::watched;
 use crate::{JudgeError, Metric};
 
+const SCENE: &str = include_str!("../../../../scenes/crack-branching.toml");
 /// Energy of a unit area of crack \[J/m²\].
 const ENERGY: f64 = 135.0;
-/// Traction on the long edges \[Pa\].
-const TENSION: f64 = 12e6;
 const NOTCH: f64 = 0.05;
 const SIZE: [f64; 2] = [0.1, 0.04];
-const THICKNESS: f64 = 1e-3;
 /// Time over which a speed is taken \[µs\].
 const WINDOW: f64 = 3.0;
 
@@ -35,7 +32,6 @@ const BRANCH: &str = "branch";
 const BRANCHES: &str = "branches";
 const SPENT: &str = "energy of broken bonds over the input";
 const SKEW: &str = "asymmetry";
-const BALANCE: &str = "balance";
 const SPEED: &str = "mean speed over c_R";
 
 /// Why the mean speed is below that of published answers.
@@ -91,9 +87,8 @@ fn variants() -> Vec<Variant> {
     .into_iter()
     .map(|(law, horizon, spacing, correction, by_work)| {
         let plate = Plate { law, horizon, spacing, correction, by_work };
-        let run = move || plate.run().map_err(|e| e.to_string());
-        let variant = Variant::study(method(plate.law), &plate.grid(), run);
-        variant
+        plate
+            .variant()
             .quick_if(spacing == 1.0 && law == StateBased)
             .full_if(spacing < 0.5)
             .judged(move |run, _| judged(&plate, run))
@@ -108,77 +103,42 @@ impl Plate {
         format!("{} mm, δ/Δx {}{corrected}{criterion}", self.spacing, self.horizon)
     }
 
-    fn material(&self) -> Elastic {
-        let poisson = if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.22 };
-        Elastic { young: 72e9, poisson, density: 2440.0 }
+    fn poisson(&self) -> f64 {
+        if self.law == Law::BondBased { 1.0 / 3.0 } else { 0.22 }
     }
 
     /// Speed of surface waves \[m/s\].
     fn rayleigh(&self) -> f64 {
-        let Elastic { young, poisson, density } = self.material();
-        rayleigh_in_plane_stress(young, poisson, density)
+        rayleigh_in_plane_stress(72e9, self.poisson(), 2440.0)
     }
 
-    fn body(&self) -> Result<Solid, Box<dyn Error>> {
-        let (dx, middle) = (1e-3 * self.spacing, 0.5 * SIZE[1]);
-        let block = lattice(2, Vec3::zeros(), [SIZE[0], SIZE[1], THICKNESS], dx).block()?;
-        let edge = self.horizon * dx;
-        let pull = TENSION * dx * THICKNESS;
-        let forces = (0..block.len())
-            .filter_map(|node| {
-                let y = block.positions[node].y;
-                let sign = if y < dx { -1.0 } else { 1.0 };
-                (y < dx || y > SIZE[1] - dx).then_some((node as u32, Vec3::y() * (sign * pull)))
-            })
-            .collect();
-        let unbreakable = nodes(&block, |x| x.y < edge || x.y > SIZE[1] - edge);
-        let criterion =
-            if self.by_work { Criterion::EnergyByWork(ENERGY) } else { Criterion::EnergyByStretch(ENERGY) };
-        let bonds = Formulation {
-            horizon: self.horizon,
-            ..formulation(Space::PlaneStress, self.law, self.correction)
-        };
-        Ok(Solid::new(Parts {
-            fracture: Some(Fracture { criterion, unbreakable }),
-            cracks: vec![Crack::Segment([Vec3::new(-dx, middle, 0.0), Vec3::new(NOTCH, middle, 0.0)])],
-            loads: vec![AppliedLoad { forces, amplitude: Amplitude::Constant }],
-            ..parts(block, self.material(), bonds)
-        })?)
-    }
-
-    fn run(&self) -> Result<Outcome, Box<dyn Error>> {
-        let started = Instant::now();
+    fn variant(&self) -> Variant {
         let dx = 1e-3 * self.spacing;
         let edge = self.horizon * dx;
-        let mut body = self.body()?;
-        let inside = |x: &Vec3| x.y > edge && x.y < SIZE[1] - edge && x.x < SIZE[0] - edge;
-        let mut balanced = Balanced::default();
-        let mut rows = Vec::new();
-        let steps = march(&mut body, 6e-5, 5e-7, |body, record| {
-            balanced.see(record);
-            let tip = tip(body, inside).unwrap_or(NOTCH).max(NOTCH);
-            let mut row = vec![1e6 * record.at.time, 1e3 * tip];
-            row.extend(crack(body, dx, inside));
-            row.push(balanced.percent());
-            rows.push(row);
-            if tip > SIZE[0] - edge - dx { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })?;
-        let columns = [
-            ("time", "µs"),
-            (TIP, "mm"),
-            (BRANCH, "mm"),
-            (BRANCHES, "-"),
-            (SPENT, "-"),
-            (SKEW, "Δx"),
-            (BALANCE, "%"),
-        ];
-        Ok(Outcome { curve: in_time(&columns, rows), ..marched(&body, steps, started, &[]) })
+        let by = if self.by_work { "work" } else { "stretch" };
+        let bonds = formulation(Space::PlaneStress, self.law, self.correction);
+        let bonds = said(&Formulation { horizon: self.horizon, ..bonds });
+        let scene = Variant::scene(method(self.law), SCENE, self.grid())
+            .set("bodies.glass.solid.geometry.block.spacing", dx)
+            .set("bodies.glass.solid.material.elastic.poisson", self.poisson())
+            .set("bodies.glass.solid.formulation", bonds)
+            .set("bodies.glass.solid.fracture", format!("{{ energy = {ENERGY}, by = \"{by}\" }}"))
+            .set("sets.lower.layer.depth", edge)
+            .set("sets.upper.layer.depth", edge)
+            .set("analysis.explicit.transient.duration", 6e-5);
+        let columns = [(TIP, "mm"), (BRANCH, "mm"), (BRANCHES, "-"), (SPENT, "-"), (SKEW, "Δx")];
+        watched(scene, &columns, move |march| {
+            let inside = |x: &Vec3| x.y > edge && x.y < SIZE[1] - edge && x.x < SIZE[0] - edge;
+            let tip = tip(march.body(), inside).unwrap_or(NOTCH).max(NOTCH);
+            let row = [vec![1e3 * tip], crack(march.body(), dx, inside).into()].concat();
+            Ok(if tip > SIZE[0] - edge - dx { Break(row) } else { Continue(row) })
+        })
     }
 }
 
 /// Where the crack branches \[mm\], zero where it does not; how many branches reach farthest; energy of broken bonds over
 /// that of the crack's length; how far its two sides are from symmetric, in spacings.
-fn crack(body: &Solid, dx: f64, inside: impl Fn(&Vec3) -> bool) -> [f64; 4] {
+fn crack(body: &dyn Body, dx: f64, inside: impl Fn(&Vec3) -> bool) -> [f64; 4] {
     let bands = bands(body, dx, |x| inside(x) && x.x > NOTCH);
     let Some(&(last, _)) = bands.last() else { return [0.0, 1.0, 0.0, 0.0] };
     let branch = bands.iter().find(|(_, bands)| bands.len() > 1).map(|(x, _)| *x);
@@ -190,14 +150,16 @@ fn crack(body: &Solid, dx: f64, inside: impl Fn(&Vec3) -> bool) -> [f64; 4] {
     let joint: Vec<_> =
         top.iter().copied().filter(|(x, _)| branch.is_none_or(|branch| *x <= branch)).collect();
     let total = length(&top) + length(&bottom) - length(&joint);
-    let spent = if total > 0.0 { fracture_energy(body) / (ENERGY * THICKNESS * total) } else { 0.0 };
+    let nodes = 0..body.configuration().rest.len();
+    let energy: f64 = nodes.map(|node| body.read(Measured::FractureEnergy, node, &Vec3::zeros())).sum();
+    let spent = if total > 0.0 { energy / (ENERGY * total) } else { 0.0 };
     let skew = top.iter().zip(&bottom).map(|(a, b)| (a.1 + b.1 - SIZE[1]).abs()).fold(0.0, f64::max);
     [1e3 * branch.unwrap_or(0.0), near_end.max().unwrap_or(1) as f64, spent, skew / dx]
 }
 
 /// The tip in time \[µs, mm\].
 fn path(run: &Run) -> Result<Vec<(f64, f64)>, JudgeError> {
-    Ok(run.column("time")?.into_iter().zip(run.column(TIP)?).collect())
+    Ok(run.column("time")?.into_iter().map(|time| 1e6 * time).zip(run.column(TIP)?).collect())
 }
 
 fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
@@ -232,7 +194,8 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared(SPENT, run.last(SPENT)?, "-", 1.0)
             .shown("a running crack damages more rows than it opens: asked only where it grows slowly"),
         figure(run, SKEW, "Δx")?.shown("how far the branches are from mirror images: rounding"),
-        figure(run, BALANCE, "%")?.near(0.2, "bonds that break are recorded in the middle of a step"),
+        Metric::error("balance", Some(run.outcome.balance), "%")
+            .near(0.2, "bonds that break are recorded in the middle of a step"),
     ]);
     Ok(metrics)
 }

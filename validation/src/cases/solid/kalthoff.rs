@@ -1,24 +1,22 @@
 //! kalthoff-winkler: a steel plate struck between two notches; it cracks at about 68° to them.
 
-use std::error::Error;
-use std::ops::ControlFlow;
-use std::time::Instant;
+use std::ops::ControlFlow::Continue;
 
-use explicit_dynamics::Amplitude;
-use peridynamics::{Correction, Crack, Criterion, Elastic, Formulation, Fracture, Law, Parts, Solid};
-use peridynamics::{Space, Support, Supported};
+use peridynamics::{Correction, Formulation, Law, Space};
 use sph_core::Vec3;
 
 use super::measure::direction;
 use crate::figures::{Axis, Chart, Figure, GREY, Line, Mark, SKY, Series, VERMILION};
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Run, Runs, Variant};
 use crate::methods::PAIRWISE;
-use crate::support::marched::{Balanced, fracture_energy, march, marched, method};
+use crate::support::marched::method;
 use crate::support::misses::between;
-use crate::support::solids::{formulation, lattice, nodes, parts};
+use crate::support::solids::{formulation, said};
 use crate::support::studies::figure;
+use crate::support::watched::watched;
 use crate::{JudgeError, Metric};
 
+const SCENE: &str = include_str!("../../../../scenes/kalthoff.toml");
 /// Energy of a unit area of crack \[J/m²\].
 const ENERGY: f64 = 22.2e3;
 const DURATION: f64 = 9e-5;
@@ -35,10 +33,6 @@ const ANGLE: &str = "angle by the farthest node";
 const OTHER: &str = "the same of the other notch";
 const FIT: &str = "angle by a line within 40 mm";
 const LENGTH: &str = "length";
-const DAMAGE: &str = "mean damage";
-const SPENT: &str = "energy of broken bonds";
-const FRAGMENTS: &str = "fragments";
-const BALANCE: &str = "balance";
 
 #[derive(Clone, Copy)]
 struct Plate {
@@ -88,9 +82,8 @@ fn variants() -> Vec<Variant> {
     .into_iter()
     .map(|(space, law, horizon, spacing, correction, by_work, speed)| {
         let plate = Plate { space, law, horizon, spacing, correction, by_work, speed };
-        let run = move || plate.run().map_err(|e| e.to_string());
-        let variant = Variant::study(method(law), &plate.grid(), run);
-        variant
+        plate
+            .variant()
             .quick_if((law, horizon, correction) == (BondBased, 3.015, Bare) && space == PlaneStress)
             .judged(move |run, _| judged(&plate, run))
     })
@@ -110,64 +103,50 @@ impl Plate {
         format!("{space}, {spacing} mm, δ/Δx {horizon}, {speed} m/s{corrected}{criterion}")
     }
 
-    fn body(&self) -> Result<Solid, Box<dyn Error>> {
+    fn variant(&self) -> Variant {
         let dx = 1e-3 * self.spacing;
-        let block = lattice(self.space.dimensions(), Vec3::zeros(), SIZE, dx).block()?;
-        let struck = nodes(&block, |x| x.x < dx && x.y > HEIGHTS[0] && x.y < HEIGHTS[1]);
+        let [depth, high, thick] = SIZE;
+        let solid = self.space == Space::Solid;
+        let block = if solid {
+            format!("{{ lengths = [{depth}, {high}, {thick}], spacing = {dx} }}")
+        } else {
+            format!("{{ lengths = [{depth}, {high}], thickness = {thick}, spacing = {dx} }}")
+        };
         let cracks = HEIGHTS.map(|y| {
-            let at = |x: f64, z: f64| Vec3::new(x, y, z);
-            match self.space {
-                Space::Solid => {
-                    Crack::Polygon(vec![at(-dx, -1.0), at(NOTCH, -1.0), at(NOTCH, 1.0), at(-dx, 1.0)])
-                }
-                _ => Crack::Segment([at(-dx, 0.0), at(NOTCH, 0.0)]),
+            if solid {
+                let corners =
+                    format!("[[0.0, {y}, -1.0], [{NOTCH}, {y}, -1.0], [{NOTCH}, {y}, 1.0], [0.0, {y}, 1.0]]");
+                format!("{{ corners = {corners} }}")
+            } else {
+                format!("{{ from = [0.0, {y}], to = [{NOTCH}, {y}] }}")
             }
         });
-        let criterion =
-            if self.by_work { Criterion::EnergyByWork(ENERGY) } else { Criterion::EnergyByStretch(ENERGY) };
-        let driven = Support::Moved {
-            direction: Vec3::x(),
-            by: self.speed * DURATION,
-            amplitude: Amplitude::Table(vec![[0.0, 0.0], [DURATION, 1.0]]),
-        };
         let poisson = if self.law == Law::BondBased { self.space.pairwise_poisson() } else { 0.3 };
-        let bonds =
-            Formulation { horizon: self.horizon, ..formulation(self.space, self.law, self.correction) };
-        Ok(Solid::new(Parts {
-            fracture: Some(Fracture { criterion, unbreakable: Vec::new() }),
-            cracks: cracks.to_vec(),
-            supports: vec![Supported { nodes: struck, support: driven }],
-            ..parts(block, Elastic { young: 190e9, poisson, density: 8000.0 }, bonds)
-        })?)
-    }
-
-    fn run(&self) -> Result<Outcome, Box<dyn Error>> {
-        let started = Instant::now();
-        let mut body = self.body()?;
-        let mut balanced = Balanced::default();
-        let steps = march(&mut body, DURATION, 5e-6, |_, record| {
-            balanced.see(record);
-            ControlFlow::Continue(())
-        })?;
-        let margin = 1e-3 * self.horizon * self.spacing;
-        let [below, above] = [0, 1].map(|side| {
-            let y = HEIGHTS[side];
-            let outward = |x: &Vec3| if side == 0 { y - x.y } else { x.y - y };
-            let zone = |x: &Vec3| outward(x) > 0.0 && x.x > NOTCH - margin && x.x < SIZE[0] - margin;
-            direction(&body, Vec3::new(NOTCH, y, 0.0), 0.04, zone)
-        });
-        let damage: f64 = (0..body.len()).map(|node| body.damage(node)).sum::<f64>() / body.len() as f64;
-        let figures = [
-            (ANGLE, "°", below[1]),
-            (OTHER, "°", above[1]),
-            (FIT, "°", below[2]),
-            (LENGTH, "mm", 1e3 * below[0]),
-            (DAMAGE, "%", 100.0 * damage),
-            (SPENT, "J", fracture_energy(&body)),
-            (FRAGMENTS, "-", body.fragments().len() as f64),
-            (BALANCE, "%", balanced.percent()),
-        ];
-        Ok(marched(&body, steps, started, &figures))
+        let by = if self.by_work { "work" } else { "stretch" };
+        let bonds = formulation(self.space, self.law, self.correction);
+        let bonds = said(&Formulation { horizon: self.horizon, ..bonds });
+        let struck = format!("{{ min = [0.0, {}, 0.0], max = [{dx}, {}, {thick}] }}", HEIGHTS[0], HEIGHTS[1]);
+        let scene = Variant::scene(method(self.law), SCENE, self.grid())
+            .set("bodies.plate.solid.geometry.block", block)
+            .set("bodies.plate.solid.cracks", format!("[{}]", cracks.join(", ")))
+            .set("bodies.plate.solid.material.elastic.poisson", poisson)
+            .set("bodies.plate.solid.formulation", bonds)
+            .set("bodies.plate.solid.fracture", format!("{{ energy = {ENERGY}, by = \"{by}\" }}"))
+            .set("sets.struck.box", struck)
+            .set("supports[0].moved.by", self.speed * DURATION)
+            .set("analysis.explicit.transient.record_every", 5e-6)
+            .set("curve[0].take", "\"mean\"")
+            .set("curve[+]", "{ name = \"pieces\", of = \"pieces\", on = \"all\" }");
+        let margin = self.horizon * dx;
+        watched(scene, &[(ANGLE, "°"), (OTHER, "°"), (FIT, "°"), (LENGTH, "mm")], move |march| {
+            let [below, above] = [0, 1].map(|side| {
+                let y = HEIGHTS[side];
+                let outward = |x: &Vec3| if side == 0 { y - x.y } else { x.y - y };
+                let zone = |x: &Vec3| outward(x) > 0.0 && x.x > NOTCH - margin && x.x < SIZE[0] - margin;
+                direction(march.body(), Vec3::new(NOTCH, y, 0.0), 0.04, zone)
+            });
+            Ok(Continue(vec![below[1], above[1], below[2], 1e3 * below[0]]))
+        })
     }
 }
 
@@ -191,10 +170,13 @@ fn judged(plate: &Plate, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     metrics.extend([
         figure(run, FIT, "°")?.shown("near the notch the cracks run flatter"),
         figure(run, LENGTH, "mm")?.shown("from the tip of a notch to the farthest damaged node"),
-        figure(run, DAMAGE, "%")?.shown("what part of all bonds broke, by volume"),
-        figure(run, SPENT, "J")?.shown("energy that the broken bonds held"),
-        figure(run, FRAGMENTS, "-")?.shown("pieces that no whole bond joins"),
-        figure(run, BALANCE, "%")?.near(0.9, "bonds that break are recorded in the middle of a step"),
+        Metric::error("mean damage", run.last("damage")?.map(|part| 100.0 * part), "%")
+            .shown("what part of all bonds broke, by volume"),
+        Metric::error("energy of broken bonds", run.last("broken")?, "J")
+            .shown("energy that the broken bonds held"),
+        Metric::error("fragments", run.last("pieces")?, "-").shown("pieces that no whole bond joins"),
+        Metric::error("balance", Some(run.outcome.balance), "%")
+            .near(0.9, "bonds that break are recorded in the middle of a step"),
     ]);
     Ok(metrics)
 }

@@ -1,26 +1,28 @@
 //! What is measured of cracks: tips, bands and directions by the damage of nodes, and speeds.
 
-use peridynamics::Solid;
+use coque::Body;
+use coque::scene::Measured;
 use sph_core::Vec3;
 
 /// Damage of a node beside a crack: a clean cut leaves about 0.4 in the first row.
 const CRACKED: f64 = 0.35;
 
 /// Cracked nodes at rest among those that `within` holds for.
-pub fn cracked(body: &Solid, within: impl Fn(&Vec3) -> bool) -> Vec<Vec3> {
-    let positions = &body.block().positions;
-    let is_cracked = |node: &usize| within(&positions[*node]) && body.damage(*node) > CRACKED;
-    (0..body.len()).filter(is_cracked).map(|node| positions[node]).collect()
+pub fn cracked(body: &dyn Body, within: impl Fn(&Vec3) -> bool) -> Vec<Vec3> {
+    let rest = body.configuration().rest;
+    let is_cracked =
+        |a: &usize| within(&rest[*a]) && body.read(Measured::Damage, *a, &Vec3::zeros()) > CRACKED;
+    (0..rest.len()).filter(is_cracked).map(|a| rest[a]).collect()
 }
 
 /// Greatest x of a cracked node; none where nothing is cracked.
-pub fn tip(body: &Solid, within: impl Fn(&Vec3) -> bool) -> Option<f64> {
+pub fn tip(body: &dyn Body, within: impl Fn(&Vec3) -> bool) -> Option<f64> {
     cracked(body, within).iter().map(|x| x.x).max_by(f64::total_cmp)
 }
 
 /// Of each column of a lattice from left to right: its x, and the heights of the bands of cracked nodes, ascending. A band
 /// ends where three whole nodes follow.
-pub fn bands(body: &Solid, spacing: f64, within: impl Fn(&Vec3) -> bool) -> Vec<(f64, Vec<f64>)> {
+pub fn bands(body: &dyn Body, spacing: f64, within: impl Fn(&Vec3) -> bool) -> Vec<(f64, Vec<f64>)> {
     let mut cracked = cracked(body, within);
     let column = |x: &Vec3| (x.x / spacing).round() as i64;
     cracked.sort_by(|a, b| column(a).cmp(&column(b)).then(a.y.total_cmp(&b.y)));
@@ -36,7 +38,7 @@ pub fn bands(body: &Solid, spacing: f64, within: impl Fn(&Vec3) -> bool) -> Vec<
 
 /// Farthest cracked node from a notch tip, as distance and angle to the x-axis in degrees, and the angle of the line
 /// through the tip that fits the cracked nodes up to `near` best.
-pub fn direction(body: &Solid, tip: Vec3, near: f64, within: impl Fn(&Vec3) -> bool) -> [f64; 3] {
+pub fn direction(body: &dyn Body, tip: Vec3, near: f64, within: impl Fn(&Vec3) -> bool) -> [f64; 3] {
     let from: Vec<Vec3> = cracked(body, within).iter().map(|x| x - tip).collect();
     let Some(far) = from.iter().max_by(|a, b| a.norm().total_cmp(&b.norm())) else { return [0.0; 3] };
     let degrees = |y: f64, x: f64| libm::atan2(y.abs(), x).to_degrees();

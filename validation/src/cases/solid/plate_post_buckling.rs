@@ -1,23 +1,16 @@
 //! plate-post-buckling: the same plate bent by a tenth of its thickness and shortened far beyond its critical force, by two
 //! peridynamic sheets, by the shell of particles, and by finite elements.
 
-use std::ops::ControlFlow;
-use std::time::Instant;
-
 use benchmarks_ref::fe_shell::cases::plate_shortened;
-use explicit_dynamics::Amplitude;
-use implicit_statics::{Control, Equilibrium, PathOptions, Start, follow};
-use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
-use sph_core::{EndWeights, Parametric, Side, Vec3, lattice};
-use sph_shell::{Formulation, Held, Moved, Parts, Reach, Shell, StaticShell, Support, Supported};
 
 use super::plate_stability::{FULL, PLATE};
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, Line, Mark, Series, VERMILION};
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Solver, Variant};
+use crate::judge::{Case, Headline, Run, Runs, Variant};
 use crate::methods::{ELEMENTS, SHEETS, STATIC};
 use crate::support::path::value_at;
 use crate::{JudgeError, Metric};
 
+const SHELL: &str = include_str!("../../../../scenes/plate-shortened.toml");
 /// Young's modulus \[N/mm²\], Poisson's ratio, lengths and thickness \[mm\], deflection at rest \[mm\].
 const YOUNG: f64 = 69000.0;
 const POISSON: f64 = 0.33;
@@ -58,12 +51,12 @@ fn variants() -> Vec<Variant> {
         let plate = Variant::scene(SHEETS, PLATE, format!("{spacing} mm"));
         plate.set("bodies.plate.solid.geometry.block.spacing", spacing)
     };
-    let near = |spacing: f64| sheets(spacing).set("analysis.static.levels", &near);
+    let near_of = |spacing: f64| sheets(spacing).set("analysis.static.levels", &near);
     vec![
-        Variant::study(STATIC, "31×21", || shell([31, 21])).quick().judged(compared),
+        shell().set("analysis.static.levels", &near).quick().judged(compared),
         Variant::elements(ELEMENTS, [31, 21], || plate_shortened(10, BENT, COMPARED, STEPS)).quick(),
-        near(10.0).quick().judged(|run, runs| Ok([knee(run)?, compared(run, runs)?].concat())),
-        near(5.0).judged(|run, runs| Ok([knee(run)?, compared(run, runs)?].concat())),
+        near_of(10.0).quick().judged(|run, runs| Ok([knee(run)?, compared(run, runs)?].concat())),
+        near_of(5.0).judged(|run, runs| Ok([knee(run)?, compared(run, runs)?].concat())),
         sheets(10.0).on("to the end").set("analysis.static.levels", far).judged(|run, _| jump(run)),
     ]
 }
@@ -158,68 +151,24 @@ fn jump(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     ])
 }
 
-/// The shell of particles: the same plate by levels of shortening.
-fn shell(counts: [usize; 2]) -> Result<Outcome, String> {
+/// The shell of particles: the same plate, bent at rest like its first buckling mode, which is one half-wave each way.
+fn shell() -> Variant {
     let [length, width] = LENGTHS;
-    let wave = |x: f64, over: f64| libm::sin(std::f64::consts::PI * x / over);
-    let surface = Parametric {
-        position: move |u: f64, v: f64| Vec3::new(u, v, BENT * wave(u, length) * wave(v, width)),
-        range: [[0.0, length], [0.0, width]],
+    let held = |side: &str, along: &str| {
+        format!("{{ on = \"{side}\", held = {{ displacement = [{along}[0.0, 0.0, 1.0]] }} }}")
     };
-    let cloud = lattice(&surface, counts, EndWeights::Trapezoid).map_err(|e| e.to_string())?;
-    let sides = cloud.sides.clone().ok_or("a lattice has sides")?;
-    let set = |side: Side| sides.edge(side).to_vec();
-    let held = |side: Side, displacement: &[Vec3]| Supported {
-        particles: set(side),
-        support: Box::new(Held { displacement: displacement.to_vec(), director: None }) as Box<dyn Support>,
-    };
-    let moved = Moved { direction: -Vec3::x(), by: 1.0, amplitude: Amplitude::Constant };
-    let supports = vec![
-        held(Side::U0, &[Vec3::x(), Vec3::z()]),
-        held(Side::U1, &[Vec3::z()]),
-        Supported { particles: set(Side::U1), support: Box::new(moved) },
-        held(Side::V0, &[Vec3::y(), Vec3::z()]),
-        held(Side::V1, &[Vec3::y(), Vec3::z()]),
-    ];
-    let material = Isotropic::new(YOUNG, POISSON).map_err(|e| e.to_string())?;
-    let shell = Shell::builder(Parts {
-        cloud,
-        section: Box::new(IsotropicSection::new(material, THICKNESS).map_err(|e| e.to_string())?),
-        strain: &StretchCorrected,
-        material_axis: None,
-        density: 2.7e-9,
-        formulation: Formulation::StressPoint(Reach::Cell),
-        supports,
-        loads: Vec::new(),
-        threads: 1,
-    })
-    .build()
-    .map_err(|e| e.to_string())?;
-    let started = Instant::now();
-    let (particles, spacing) = (shell.len(), shell.reference().cloud.spacing());
-    let mut system = StaticShell::new(shell);
-    let mut options = PathOptions::new(Control::Load { step: COMPARED / STEPS as f64, until: COMPARED });
-    options.largest = 1.0;
-    let mut rows = Vec::new();
-    let path = follow(&mut system, &Start::default(), &options, |point, system| {
-        system.evaluate(point.level());
-        let force: f64 = set(Side::U0).iter().map(|&a| system.shell().reaction(a as usize).x).sum();
-        rows.push(vec![point.level(), 1e-3 * force]);
-        ControlFlow::Continue(())
-    });
-    path.end.map_err(|e| e.to_string())?;
-    let iterations = path.points.iter().map(|point| point.converged.iterations as u64 + 1).sum();
-    let figures = [("shortening", "mm", 0.0), ("P", "kN", 0.0)];
-    let mut outcome = Outcome {
-        particles,
-        spacing,
-        dof: system.unknowns(),
-        steps: iterations,
-        wall_seconds: started.elapsed().as_secs_f64(),
-        ..Outcome::row(Solver::Static, &figures)
-    };
-    outcome.curve.rows = rows;
-    Ok(outcome)
+    let moved = format!("{{ on = \"u1\", moved = {{ direction = [-1.0, 0.0, 0.0], by = {FULL} }} }}");
+    let (x, y) = ("[1.0, 0.0, 0.0], ", "[0.0, 1.0, 0.0], ");
+    let supports = [held("u0", x), held("u1", ""), moved, held("v0", y), held("v1", y)];
+    Variant::new(STATIC, SHELL, "plate", [31, 21])
+        .set("geometry.plate.lengths", format!("[{length}, {width}]"))
+        .set("material.elastic", format!("{{ young = {YOUNG}, poisson = {POISSON}, density = 2.7e-9 }}"))
+        .set("section.homogeneous.thickness", THICKNESS)
+        .set("imperfection", format!("{{ amplitude = {BENT}, mode = 1 }}"))
+        .set("supports", format!("[{}]", supports.join(", ")))
+        .set("loads", "[]")
+        .set("curve[0].factor", 1e-3)
+        .set("curve[2].on", "\"all\"")
 }
 
 fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {

@@ -1,17 +1,15 @@
 //! light-structure: plates a tenth, once and ten times as dense as the water that they carry.
 
-use crate::cases::coupled::column::{Body, Column, WAY, exact};
+use crate::cases::coupled::column::{SOUND, WAY, exact, strip};
 use crate::cases::coupled::measure::mean_and_deviation;
-use crate::judge::{Case, Headline, Run, Variant};
-use crate::support::coupled::{GRAVITY, WATER};
-use crate::support::studies::figure;
+use crate::judge::{Case, Headline, Run};
+use crate::support::coupled::WATER;
 use crate::{JudgeError, Metric};
 
 const MEAN: &str = "mean of the deflection";
 const SWING: &str = "standard deviation";
 const LEFT: &str = "deviation of the last quarter over the second's";
 const NUMBER: &str = "ρ₀c₀Δt over the plate's mass";
-const BALANCE: &str = "missing energy";
 /// Densities of the plate over that of water, with spacings a thickness.
 const RUNS: [(f64, usize); 4] = [(0.1, 1), (1.0, 1), (10.0, 1), (10.0, 2)];
 /// Window in which the plate is watched \[s\].
@@ -35,10 +33,9 @@ pub fn case() -> Case {
         variants: RUNS
             .into_iter()
             .map(|(ratio, layers)| {
-                let column = Column { density: ratio * WATER, ..Column::published(Body::Shell, layers) };
-                let grid = format!("ρ_s/ρ₀ = {ratio}, {layers} across");
-                Variant::study("shell", &grid, move || column.study())
-                    .judged(move |run, _| judged(&column, run))
+                strip(layers, ratio * WATER, LATE[1])
+                    .named(format!("ρ_s/ρ₀ = {ratio}, {layers} across"))
+                    .judged(move |run, _| judged(ratio, layers, run))
             })
             .collect(),
         headline: Some(Headline::new(MEAN, 0.1)),
@@ -46,19 +43,18 @@ pub fn case() -> Case {
     }
 }
 
-fn judged(column: &Column, run: &Run) -> Result<Vec<Metric>, JudgeError> {
+fn judged(ratio: f64, layers: usize, run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let (times, ways) = (run.column("time")?, run.column(WAY)?);
     let late = mean_and_deviation(&times, &ways, LATE);
     let [early, last] = QUARTERS.map(|quarter| mean_and_deviation(&times, &ways, quarter));
     let left = early.zip(last).map(|(early, last)| last.1 / early.1);
-    let exact = exact(column.density);
+    let exact = exact(ratio * WATER);
     let steps = run.outcome.steps as f64;
-    let sound = 10.0 * (GRAVITY * 2.0).sqrt();
-    let number = WATER * sound * column.duration / (steps * column.density * 0.05);
+    let number = SOUND * LATE[1] / (steps * ratio * 0.05);
     let swing = Metric::error(SWING, late.map(|found| 100.0 * found.1 / found.0), "% of the mean");
     let left = Metric::error(LEFT, left, "-");
     // At one spacing a thickness the heavy plate still rings: what is judged is that it rings down.
-    let rings = column.density > 5.0 * WATER && column.layers == 1;
+    let rings = ratio > 5.0 && layers == 1;
     let (swing, left) = if rings {
         let slow = "the sound it sends out is six spacings long; see the run at two a thickness";
         (
@@ -75,6 +71,5 @@ fn judged(column: &Column, run: &Run) -> Result<Vec<Metric>, JudgeError> {
         swing,
         left,
         Metric::error(NUMBER, Some(number), "-").shown("no bound was met up to here"),
-        figure(run, BALANCE, "J/m")?.shown("the greater part is of the fluid"),
     ])
 }
