@@ -1,5 +1,7 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
 use sph_shell::{
@@ -36,7 +38,7 @@ impl Scene {
         threads: usize,
         wetting: Option<Wetting>,
     ) -> Result<BuiltBody<Shell>, SceneError> {
-        let ShellParts { mut shell, probes, driven, surface, turn, memory, said } =
+        let ShellParts { mut shell, probes, driven, surface, turn, memory, said, sets } =
             self.assemble(threads, wetting)?;
         let description = describe(self, &shell, surface.as_ref(), said);
         let mut warnings = warnings_of(self, turn, &shell);
@@ -51,7 +53,7 @@ impl Scene {
             checksum: Some(surface.checksum),
         });
         let judge = Some(Box::new(judge) as _);
-        Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge })
+        Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge, sets })
     }
 
     /// Builds the shell alone, for programs that march or solve it themselves.
@@ -147,7 +149,8 @@ impl Scene {
         self.refuse_dof(shell.dof())?;
         let surface = imported.map(|imported| imported.provenance());
         let (turn, said) = (builder.turn, sections.said);
-        Ok(ShellParts { shell, probes, driven, surface, turn, memory, said })
+        let sets = sets.into_members();
+        Ok(ShellParts { shell, probes, driven, surface, turn, memory, said, sets })
     }
 
     fn turn(&self) -> Rotation3<f64> {
@@ -171,6 +174,8 @@ pub(super) struct ShellParts {
     memory: Memory,
     /// Its parts, a line each.
     said: Vec<String>,
+    /// Its particles by name of their set.
+    sets: BTreeMap<String, Vec<u32>>,
 }
 
 pub(crate) struct Builder<'a> {

@@ -1,5 +1,7 @@
 //! From a scene to a solid ready to move: nodes, sets, supports, loads.
 
+use std::collections::BTreeMap;
+
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
@@ -21,6 +23,8 @@ struct SolidParts {
     /// The one node whose motion a force that is sought brings about.
     driven: Option<PrescribedPoint>,
     memory: Memory,
+    /// Its nodes by name of their set.
+    sets: BTreeMap<String, Vec<u32>>,
 }
 
 impl Scene {
@@ -44,14 +48,15 @@ impl Scene {
         threads: usize,
         wet: bool,
     ) -> Result<BuiltBody<Solid>, SceneError> {
-        let SolidParts { mut solid, probes, driven, memory } = self.assemble_solid(scene, threads)?;
+        let SolidParts { mut solid, probes, driven, memory, sets } = self.assemble_solid(scene, threads)?;
         if wet {
             solid.wet().map_err(|error| self.solid_refusal(scene, &error))?;
         }
         let description = describe(self, scene, &solid);
         let warnings = warnings_of(self, scene, &solid);
         let identity = Identity::default();
-        Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge: None })
+        let judge = None;
+        Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge, sets })
     }
 
     /// Builds the solid alone, for programs that march or solve it themselves.
@@ -105,7 +110,7 @@ impl Scene {
         set_out(scene, &mut solid);
         self.refuse_dof(solid.dof())?;
         self.refuse_pieces(&solid)?;
-        Ok(SolidParts { solid, probes, driven, memory })
+        Ok(SolidParts { solid, probes, driven, memory, sets: sets.into_members() })
     }
 
     /// The nodes of the block, holes cut.
