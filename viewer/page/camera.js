@@ -61,13 +61,14 @@ class Camera {
     return [this.canvas.width / 2 + this.zoom * dot(r, p), this.canvas.height / 2 - this.zoom * dot(u, p), dot(v, p)];
   }
 
-  /** Sees a box, given by its ends, as large as it fits. */
-  fit([low, high]) {
-    const [r, u] = this.axes(), { width, height } = this.canvas;
+  /** Sees a box, given by its ends, as large as it fits beside a strip at the right of the canvas. */
+  fit([low, high], strip) {
+    const [r, u] = this.axes(), { width, height } = this.canvas, free = Math.max(width - strip, width / 2);
     this.centre = low.map((x, k) => (x + high[k]) / 2);
     const half = low.map((x, k) => (high[k] - x) / 2);
     const reach = axis => axis.reduce((sum, x, k) => sum + Math.abs(x) * half[k], 0) || 1e-30;
-    this.zoom = 0.88 * Math.min(width / 2 / reach(r), height / 2 / reach(u));
+    this.zoom = 0.88 * Math.min(free / 2 / reach(r), height / 2 / reach(u));
+    this.move((free - width) / 2, 0);
     // Far enough for whatever is drawn larger later on.
     this.radius = 6 * (Math.hypot(...half) || 1);
   }

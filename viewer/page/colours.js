@@ -20,13 +20,11 @@ function ramp(name) {
   return out;
 }
 
-/** The map that suits a field: what breaks glows, what changes its sign has a middle. */
-function suited(choice) {
+/** The map that suits a field within a range: what breaks glows, what changes its sign has a middle. */
+function suited(choice, { low, high }) {
   if (choice.name === "damage") return "heat";
-  const { low, high } = choice.range;
   return low < 0 && high > 0 && Math.min(-low, high) > 0.05 * Math.max(-low, high) ? "cool–warm" : "viridis";
 }
 
 /** Colours of bodies without the field that is shown. */
-const PLAIN = [[0.66, 0.7, 0.75], [0.78, 0.7, 0.6], [0.6, 0.74, 0.68], [0.74, 0.66, 0.76]];
-const WALL = [0.72, 0.74, 0.77];
+const SHEETS = [0.78, 0.7, 0.6], PARTICLES = [0.5, 0.66, 0.85], WALLS = [0.72, 0.74, 0.77];

@@ -6,7 +6,8 @@ class Curve {
     const names = head.columns.map(column => column.name);
     const [x, y] = head.plot ?? [];
     this.fill(across, names, names.includes(x) ? x : names[0]);
-    this.fill(upward, names, names.includes(y) ? y : names[names.length - 1]);
+    const usual = names[0] === "mode" ? names.find(name => name === "frequency" || name === "level") : names[names.length - 1];
+    this.fill(upward, names, names.includes(y) ? y : usual);
     for (const select of [across, upward]) select.addEventListener("change", () => { this.draw(); chosen(); });
   }
 
@@ -61,10 +62,11 @@ class Curve {
       const room = high > low ? 0.04 * (high - low) : Math.abs(low) || 1;
       return [low - room, high + room];
     };
-    const [x0, x1] = ends("x"), [y0, y1] = ends("y"), left = 58, top = 8, right = width - 10, bottom = height - 36;
+    const [x0, x1] = ends("x"), [y0, y1] = ends("y"), top = 8, right = width - 10, bottom = height - 36;
+    pen.font = "11px system-ui, sans-serif";
+    const ticks = round(y0, y1, 5), left = 26 + Math.max(...ticks.map(y => pen.measureText(shown(y)).width));
     const px = x => left + (x - x0) / (x1 - x0) * (right - left), py = y => bottom - (y - y0) / (y1 - y0) * (bottom - top);
     Object.assign(this, { px, py });
-    pen.font = "11px system-ui, sans-serif";
     pen.lineWidth = 1;
     pen.fillStyle = "#5b6675";
     pen.textAlign = "center";
@@ -75,7 +77,7 @@ class Curve {
     }
     pen.textAlign = "right";
     pen.textBaseline = "middle";
-    for (const y of round(y0, y1, 5)) {
+    for (const y of ticks) {
       line(pen, left, py(y), right, py(y));
       pen.fillText(shown(y), left - 5, py(y));
     }

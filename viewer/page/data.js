@@ -91,7 +91,7 @@ class Track {
 function shown(x) {
   if (x === null || Number.isNaN(x)) return "–";
   const size = Math.abs(x);
-  if (size !== 0 && (size < 1e-3 || size >= 1e5)) return x.toExponential(3).replace("e+", "e");
+  if (size !== 0 && (size < 1e-3 || size >= 1e5)) return Number(x.toPrecision(4)).toExponential().replace("e+", "e");
   return String(Number(x.toPrecision(4)));
 }
 

@@ -37,6 +37,12 @@ function choicesOf(bodies) {
   return choices;
 }
 
+/** The range that suits a choice: numbers of particles have outliers that would leave all others one colour. */
+function suitedRange(choice, bodies) {
+  const { low, high, lower, upper } = choice.range, particles = [...choice.parts.keys()].every(body => !bodies[body].solid);
+  return particles && high - low > 2 * (upper - lower) ? "percentiles" : "all";
+}
+
 /** The choice that is shown first: the first one wanted that is not the same everywhere; on both faces where it has two. */
 function firstChoice(choices) {
   const varies = name => choices.has(name) && choices.get(name).range.high > choices.get(name).range.low;

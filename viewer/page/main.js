@@ -5,7 +5,7 @@ const FILM = 6000, LEAST = 40, MOST = 500;
 /** Part of the size of a body by which shapes without a size are drawn. */
 const SIZELESS = 0.15;
 
-const state = { frame: null, field: null, map: "", range: "all", low: null, high: null, only: false, scale: 1,
+const state = { frame: null, field: null, map: "", range: null, low: null, high: null, only: false, scale: 1,
   thick: true, edges: null, ghost: false, camera: null };
 const view = { shapes: [], choices: new Map(), swing: 1, playing: null, marked: null, probed: null, hand: null, seconds: null };
 
@@ -65,9 +65,12 @@ function mark(shape, points, size, colour) {
 
 /** The ends of the colours, as the range that is chosen has them. */
 function endsOf(choice) {
-  if (!choice) return { low: 0, high: 0 };
+  if (!choice) {
+    view.map = "viridis";
+    return { low: 0, high: 0 };
+  }
   let { low, high } = choice.range;
-  if (state.range === "hand" && state.low !== null && state.high !== null) return { low: state.low, high: state.high };
+  if (state.range === "hand" && state.low !== null && state.high !== null) [low, high] = [state.low, state.high];
   if (state.range === "percentiles") ({ lower: low, upper: high } = choice.range);
   if (state.range === "frame") {
     [low, high] = [Infinity, -Infinity];
@@ -78,8 +81,9 @@ function endsOf(choice) {
     }
     if (low > high) [low, high] = [0, 0];
   }
+  view.map = state.map || suited(choice, { low, high });
   // What changes its sign has its middle at zero.
-  if (view.map === "cool–warm" && low < 0 && high > 0) {
+  if (state.range !== "hand" && view.map === "cool–warm" && low < 0 && high > 0) {
     const most = Math.max(-low, high);
     [low, high] = [-most, most];
   }
@@ -97,11 +101,11 @@ async function refresh() {
     view.again = false;
     const choice = view.choices.get(state.field), frame = state.frame;
     for (const shape of view.shapes) await shape.update(frame, state.scale * view.swing, choice);
-    view.map = state.map || (choice ? suited(choice) : "viridis");
-    view.card.setColours(view.map);
+    if (choice) state.range ??= suitedRange(choice, view.shapes);
     view.ends = endsOf(choice);
-    if (!view.fitted) firstFit();
+    view.card.setColours(view.map);
     writeLegend(choice, view.map, view.ends);
+    if (!view.fitted) firstFit();
     controls();
     paint();
     view.first ??= performance.now();
@@ -143,7 +147,9 @@ function drawnBox() {
 
 function fit() {
   const whole = state.scale === 1 && !head.sizeless && head.half.some(x => x > 0);
-  view.camera.fit(whole ? [head.half.map(x => -x), head.half] : drawnBox());
+  // The legend takes its part of the canvas.
+  const legend = byId("legend").hidden ? 0 : (byId("legend").offsetWidth + 14) * (window.devicePixelRatio || 1);
+  view.camera.fit(whole ? [head.half.map(x => -x), head.half] : drawnBox(), legend);
 }
 
 function firstFit() {
@@ -224,7 +230,7 @@ function play() {
 function listen() {
   const on = (id, event, act) => byId(id).addEventListener(event, () => { act(byId(id)); refresh(); });
   const number = box => box.value === "" ? null : Number(box.value);
-  on("field", "change", box => { state.field = box.value; state.low = state.high = null; if (state.range === "hand") state.range = "all"; });
+  on("field", "change", box => { Object.assign(state, { field: box.value, range: null, low: null, high: null }); });
   on("map", "change", box => { state.map = box.value; });
   on("range", "change", box => { state.range = box.value; [state.low, state.high] = [view.ends.low, view.ends.high]; });
   for (const end of ["low", "high"]) {

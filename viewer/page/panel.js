@@ -34,7 +34,11 @@ function writeLegend(choice, map, { low, high }) {
   const ticks = byId("legend-ticks");
   ticks.replaceChildren();
   if (!(high > low)) element("span", shown(low), ticks);
-  else for (let k = 4; k >= 0; k--) element("span", shown(low + k / 4 * (high - low)), ticks);
+  else for (let k = 4; k >= 0; k--) {
+    // Beyond the ends the colours stay those of the ends.
+    const beyond = k === 4 && choice.range.high > high ? "≥ " : k === 0 && choice.range.low < low ? "≤ " : "";
+    element("span", beyond + shown(low + k / 4 * (high - low)), ticks);
+  }
 }
 
 /** Bodies that can be hidden; of one alone there is nothing to choose. */

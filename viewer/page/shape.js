@@ -174,7 +174,7 @@ class Shape {
   }
 
   plain() {
-    return this.part ? [0, 0, 0, 0] : [...(this.isWall() ? WALL : PLAIN[this.number % PLAIN.length]), 1];
+    return this.part ? [0, 0, 0, 0] : [...(this.isWall() ? WALLS : this.solid ? SHEETS : PARTICLES), 1];
   }
 
   isWall() {
