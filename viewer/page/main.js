@@ -41,6 +41,14 @@ function paint() {
   drawAxes(byId("axes"), camera);
 }
 
+/** Draws once before the screen is shown again, however often it is asked for. */
+function paintSoon() {
+  if (view.asked) return;
+  view.asked = requestAnimationFrame(() => { view.asked = null; paint(); });
+  clearTimeout(view.later);
+  view.later = setTimeout(remember, 300);
+}
+
 /** Marks particles, whatever lies before them. */
 function mark(shape, points, size, colour) {
   const { card, camera } = view, gl = card.gl, uniforms = card.use("discs");
@@ -303,11 +311,10 @@ async function begin() {
   byId("frame").max = last;
   byId("film").hidden = last === 0 && !head.sizeless;
   byId("thick-box").hidden = !head.bodies.some(body => body.shell);
-  for (const shape of view.shapes) await shape.load(view.card);
-  for (const shape of view.shapes) if (shape.solid) shape.setThick(state.thick);
+  for (const shape of view.shapes) await shape.load(view.card, state.thick);
   if (head.sizeless && !state.camera) state.scale = sizelessScale();
   view.camera = new Camera(byId("shape"), head.plane);
-  steer(byId("shape"), view.camera, () => { paint(); clearTimeout(view.later); view.later = setTimeout(remember, 300); }, probe);
+  steer(byId("shape"), view.camera, paintSoon, probe);
   writeBodies(view.shapes, refresh);
   writeSets(view.shapes, marked => { view.marked = marked; paint(); });
   listen();

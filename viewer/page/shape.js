@@ -16,7 +16,7 @@ class Shape {
     this.hidden = false;
   }
 
-  async load(card) {
+  async load(card, thick) {
     const [rest, faces, border, sizes] = await Promise.all([single(this.head.rest), whole(this.head.faces),
       whole(this.head.border), this.head.sizes ? single(this.head.sizes) : null]);
     Object.assign(this, { card, rest, faces, border, sizes, places: new Float32Array(rest) });
@@ -25,10 +25,10 @@ class Shape {
     this.buffers = Object.fromEntries(["place", "normal", "value", "size", "triangles", "edges", "outline", "rest", "ghost"].map(name => [name, card.buffer()]));
     card.put(this.buffers.rest, rest);
     if (this.solid) {
-      const ghost = border.length ? border : this.edgeCorners(0);
+      const ghost = border.length ? border : this.edgeCorners(1);
       this.ghostCount = ghost.length;
-      card.put(this.buffers.ghost, Uint32Array.from(ghost), true);
-      this.setThick(false);
+      card.put(this.buffers.ghost, ghost, true);
+      this.setThick(thick);
     } else {
       this.values = new Float32Array(this.rows);
       card.put(this.buffers.size, this.particleSizes());
@@ -41,15 +41,19 @@ class Shape {
     return new Float32Array(this.rows).fill(size);
   }
 
-  edgeCorners(from) {
-    const out = [], faces = this.faces;
-    for (let i = 0; i < faces.length; i += 4) {
-      for (let k = 0; k < 4; k++) {
-        const a = faces[i + k], b = faces[i + (k + 1) % 4];
-        if (a !== b) out.push(from + a, from + b);
+  /** Both ends of every edge of every face, of so many layers. */
+  edgeCorners(layers) {
+    const { faces, rows } = this, out = new Uint32Array(2 * layers * faces.length);
+    let end = 0;
+    for (let from = 0; from < layers * rows; from += rows) {
+      for (let i = 0; i < faces.length; i++) {
+        const next = i % 4 === 3 ? i - 3 : i + 1;
+        if (faces[i] === faces[next]) continue;
+        out[end++] = from + faces[i];
+        out[end++] = from + faces[next];
       }
     }
-    return out;
+    return out.subarray(0, end);
   }
 
   /** Lays out corners: of one layer, or of two with walls along the border between them. */
@@ -57,23 +61,25 @@ class Shape {
     this.thick = thick && this.head.shell;
     const { rows, faces, border } = this, layers = this.thick ? 2 : 1;
     const walls = this.thick ? border.length / 2 : 0, count = layers * rows + 4 * walls;
-    const triangles = [];
-    for (let layer = 0; layer < layers; layer++) {
+    const triangles = new Uint32Array(layers * faces.length / 4 * 6 + 6 * walls), outline = new Uint32Array(4 * walls);
+    let end = 0;
+    for (let from = 0; from < layers * rows; from += rows || 1) {
       for (let i = 0; i < faces.length; i += 4) {
-        const [a, b, c, d] = [0, 1, 2, 3].map(k => faces[i + k] + layer * rows);
-        triangles.push(a, b, c);
-        if (c !== d) triangles.push(a, c, d);
+        const a = from + faces[i], c = from + faces[i + 2];
+        triangles[end++] = a; triangles[end++] = from + faces[i + 1]; triangles[end++] = c;
+        if (faces[i + 2] === faces[i + 3]) continue;
+        triangles[end++] = a; triangles[end++] = c; triangles[end++] = from + faces[i + 3];
       }
     }
-    const outline = [];
     for (let w = 0; w < walls; w++) {
       const a = layers * rows + 4 * w;
-      triangles.push(a, a + 1, a + 2, a, a + 2, a + 3);
-      outline.push(a, a + 1, a + 2, a + 3);
+      triangles.set([a, a + 1, a + 2, a, a + 2, a + 3], end);
+      outline.set([a, a + 1, a + 2, a + 3], 4 * w);
+      end += 6;
     }
-    this.counts = { triangles: triangles.length, edges: 0, outline: this.thick ? outline.length : border.length };
-    this.card.put(this.buffers.triangles, Uint32Array.from(triangles), true);
-    this.card.put(this.buffers.outline, this.thick ? Uint32Array.from(outline) : border, true);
+    this.counts = { triangles: end, edges: 0, outline: this.thick ? outline.length : border.length };
+    this.card.put(this.buffers.triangles, triangles, true);
+    this.card.put(this.buffers.outline, this.thick ? outline : border, true);
     this.layout = { place: new Float32Array(3 * count), normal: new Float32Array(3 * count), value: new Float32Array(count) };
     this.values = new Float32Array(rows);
     this.below = new Float32Array(rows);
@@ -82,9 +88,9 @@ class Shape {
   /** Edges of all faces, of both layers; laid out when they are first drawn. */
   drawEdges(camera) {
     if (!this.counts.edges) {
-      const edges = this.thick ? this.edgeCorners(0).concat(this.edgeCorners(this.rows)) : this.edgeCorners(0);
+      const edges = this.edgeCorners(this.thick ? 2 : 1);
       this.counts.edges = edges.length;
-      this.card.put(this.buffers.edges, Uint32Array.from(edges), true);
+      this.card.put(this.buffers.edges, edges, true);
     }
     this.lines(camera, this.buffers.place, this.buffers.edges, this.counts.edges, [0.1, 0.13, 0.18, 0.35]);
   }
