@@ -7,7 +7,7 @@ const SIZELESS = 0.15;
 
 const state = { frame: null, field: null, map: "", range: null, low: null, high: null, only: false, scale: 1,
   thick: true, edges: null, ghost: false, camera: null };
-const view = { shapes: [], choices: new Map(), swing: 1, playing: null, marked: null, probed: null, hand: null, seconds: null };
+const view = { shapes: [], choices: new Map(), swing: 1, playing: null, marked: null, probed: null };
 
 /** The state behind the #, where there is one that can be read. */
 function remembered() {
@@ -250,7 +250,7 @@ function listen() {
   on("scale-slider", "input", box => { state.scale = 10 ** Number(box.value); });
   on("frame", "input", box => { state.frame = Number(box.value); });
   byId("play").addEventListener("click", play);
-  byId("save").addEventListener("click", () => { paint(); savePicture(byId("shape"), head.title); });
+  byId("save").addEventListener("click", () => { paint(); savePicture(byId("shape"), view.choices.get(state.field), head.frames[state.frame].label); });
   for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => look(button.dataset.view));
   byId("curve").addEventListener("click", event => {
     const row = view.curve.nearest(event.offsetX, event.offsetY);
@@ -259,7 +259,7 @@ function listen() {
     go(head.frames.reduce((best, frame, number) => away(frame) < away(head.frames[best]) ? number : best, 0));
   });
   document.addEventListener("keydown", event => {
-    if (/INPUT|SELECT/.test(event.target.tagName) && event.target.type !== "range") return;
+    if (/INPUT|SELECT|BUTTON|SUMMARY/.test(event.target.tagName) && event.target.id !== "frame") return;
     const acts = { " ": play, ArrowLeft: () => go(state.frame - 1), ArrowRight: () => go(state.frame + 1),
       Home: () => look("home"), f: () => look("fit"), x: () => look("x"), y: () => look("y"), z: () => look("z") };
     if (!acts[event.key] || event.ctrlKey || event.metaKey) return;

@@ -96,12 +96,26 @@ async function writeProbe(shape, row, frame) {
   }
 }
 
-/** Saves a canvas as a picture. */
-function savePicture(canvas, name) {
+/** Saves the shape as a picture, with its title, the place of the frame and the colours. */
+function savePicture(shape, choice, instant) {
+  const canvas = document.createElement("canvas"), pen = canvas.getContext("2d"), ratio = window.devicePixelRatio || 1;
+  [canvas.width, canvas.height] = [shape.width, shape.height];
+  pen.drawImage(shape, 0, 0);
+  pen.scale(ratio, ratio);
+  pen.fillStyle = "#1d2530";
+  pen.font = "15px system-ui, sans-serif";
+  pen.fillText(`${head.title}: ${instant}`, 14, 24);
+  if (choice) {
+    const left = shape.width / ratio - 150, bar = byId("legend-bar"), ticks = [...byId("legend-ticks").children];
+    pen.font = "12px system-ui, sans-serif";
+    pen.fillText(choice.name + unitOf(choice.unit), left, 48, 140);
+    pen.drawImage(bar, left, 58, 16, 200);
+    ticks.forEach((tick, k) => pen.fillText(tick.textContent, left + 24, 62 + 200 * k / Math.max(1, ticks.length - 1)));
+  }
   canvas.toBlob(blob => {
     const link = element("a", "");
     link.href = URL.createObjectURL(blob);
-    link.download = `${name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "shape"}.png`;
+    link.download = `${head.title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "shape"}.png`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }, "image/png");

@@ -59,10 +59,12 @@ impl Body {
         }
         let shell = thickness.is_some() && !faces.faces.is_empty();
         let particle = || SIZES.iter().find_map(|&(name, root)| Some((number(name)?, root)));
-        let sizes = match (thickness, particle()) {
-            (Some(thickness), _) => thickness.numbers.iter().map(|&t| t as f32).collect(),
-            (None, Some((array, root))) => array.numbers.iter().map(|v| libm::pow(*v, root) as f32).collect(),
-            (None, None) => Vec::new(),
+        let sizes = match (thickness, faces.faces.is_empty()) {
+            (Some(thickness), false) => thickness.numbers.iter().map(|&t| t as f32).collect(),
+            (None, false) => Vec::new(),
+            (_, true) => particle().map_or(Vec::new(), |(array, root)| {
+                array.numbers.iter().map(|v| libm::pow(*v, root) as f32).collect()
+            }),
         };
         let unit = motion.and_then(|array| array.unit.clone());
         let listed = |array: &Array| (1..=9).contains(&array.width);

@@ -2,7 +2,7 @@
 //!
 //! The crate knows shapes and names of arrays, no scene, no model, and no meaning of a number. Frames go in as
 //! [`mesh_io::Sheet`]s, one after the other, into the [`Body`] that they show; [`Show`] is all bodies with what is said
-//! beside them, and [`Show::page`] the text of the page.
+//! beside them, and [`page()`] makes the text.
 //!
 //! Numbers stand in the page as shares of their range over all frames, in 16 bits: the error is at most the range over
 //! 131068, beside the rounding to single precision. From the second frame on the difference to the frame before is
@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use mesh_io::{Sheet, Array};
-//! use viewer::{Body, Instant, Show};
+//! use viewer::{Body, Instant, Show, page};
 //!
 //! let moved = |by: f64| Sheet {
 //!     points: vec![[by, 0.0, 0.0], [1.0 + by, 0.0, 0.0], [by, 1.0, 0.0]],
@@ -22,7 +22,7 @@
 //! body.add(&moved(0.5))?;
 //! let instant = |along: f64| Instant { along, label: format!("time {along}"), row: None };
 //! let show = Show { title: "A plate".into(), frames: vec![instant(0.0), instant(1.0)], bodies: vec![body], ..Show::default() };
-//! assert!(show.page(30_000_000, 1)?.html.starts_with("<!DOCTYPE html>"));
+//! assert!(page(show, 30_000_000, 1)?.html.starts_with("<!DOCTYPE html>"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -46,5 +46,5 @@ mod show;
 mod track;
 
 pub use body::{Body, OtherShape};
-pub use page::{EncodeError, Written};
+pub use page::{EncodeError, Written, page};
 pub use show::{Column, Instant, Show};

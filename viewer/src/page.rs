@@ -46,7 +46,12 @@ pub struct Written {
     pub left_out: Vec<String>,
 }
 
-pub(crate) fn page(show: Show, most: usize, threads: usize) -> Result<Written, EncodeError> {
+/// The page, of at most so many bytes of numbers as far as leaving out can bring it; the same text for any number of
+/// threads.
+///
+/// # Errors
+/// [`EncodeError`] where threads cannot be had.
+pub fn page(show: Show, most: usize, threads: usize) -> Result<Written, EncodeError> {
     let refused = |error: &dyn std::fmt::Display| EncodeError(error.to_string());
     // Of its own: a run on one thread must not wake the pool of the whole process.
     let pool = ThreadPoolBuilder::new().num_threads(threads.max(1)).build().map_err(|e| refused(&e))?;
@@ -112,8 +117,8 @@ mod tests {
             bodies: vec![body],
             ..Show::default()
         };
-        let evil = show(EVIL, body).page(1 << 20, 1).unwrap().html;
-        let plain = show("plain", Body::new("plain", &sheet)).page(1 << 20, 1).unwrap().html;
+        let evil = page(show(EVIL, body), 1 << 20, 1).unwrap().html;
+        let plain = page(show("plain", Body::new("plain", &sheet)), 1 << 20, 1).unwrap().html;
         for tag in ["<script", "</script", "<img", "<!--"] {
             assert_eq!(evil.matches(tag).count(), plain.matches(tag).count(), "{tag}");
         }
@@ -137,7 +142,7 @@ mod tests {
         assert!(
             SCRIPTS.iter().chain(SHADERS.iter().map(|(_, text)| text)).all(|text| !text.contains("</script"))
         );
-        let html = Show::default().page(1 << 20, 1).unwrap().html;
+        let html = page(Show::default(), 1 << 20, 1).unwrap().html;
         assert!(!html.contains("{{"), "a place is not filled");
     }
 
@@ -153,6 +158,6 @@ mod tests {
             (0..5).for_each(|k| body.add(&sheet(f64::from(k))).unwrap());
             Show { bodies: vec![body], frames: vec![Default::default(); 5], ..Show::default() }
         };
-        assert_eq!(show().page(1 << 20, 1).unwrap().html, show().page(1 << 20, 4).unwrap().html);
+        assert_eq!(page(show(), 1 << 20, 1).unwrap().html, page(show(), 1 << 20, 4).unwrap().html);
     }
 }

@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use crate::body::Body;
-use crate::page::{self, EncodeError, Written};
 
 /// All that a page shows.
 #[derive(Clone, Debug, Default)]
@@ -52,15 +51,4 @@ pub struct Instant {
     pub label: String,
     /// Row of the curve that belongs to it.
     pub row: Option<usize>,
-}
-
-impl Show {
-    /// The page, of at most so many bytes of numbers as far as leaving out can bring it; the same text for any number of
-    /// threads.
-    ///
-    /// # Errors
-    /// [`EncodeError`] where threads cannot be had.
-    pub fn page(self, most: usize, threads: usize) -> Result<Written, EncodeError> {
-        page::page(self, most, threads)
-    }
 }

@@ -19,20 +19,26 @@ const WANTED: [&str; 6] =
 /// Reads the folder of a run, ended or under way; without frames there are words and the curve.
 pub fn show(folder: &Path) -> Result<Show, String> {
     let summary = read_summary(folder);
-    // A run that has only begun has no curve yet.
-    let curve = read_curve(folder).unwrap_or_default();
+    let scene = read_text(&folder.join(SCENE_COPY)).unwrap_or_default();
+    let keys: toml::Table = scene.parse().unwrap_or_default();
+    // A run that has only begun has no curve yet, but its scene.
+    let curve = read_curve(folder)
+        .or_else(|error| if scene.is_empty() { Err(error) } else { Ok(Curve::default()) })?;
     let (bodies, places) = bodies(folder)?;
     let along = Along::of(&curve, &places);
     let words = |at: f64| along.words(at).unwrap_or_else(|| format!("at {}", short(at)));
     let frames =
         places.iter().map(|&at| Instant { along: at, label: words(at), row: along.row(at) }).collect();
     let sizeless = along.are_modes();
+    // What was replaced stands in the summary alone.
+    let own_title =
+        keys.get("title").filter(|_| summary.is_none()).and_then(toml::Value::as_str).map(String::from);
     Ok(Show {
-        title: title(folder, summary.as_ref()),
+        title: own_title.unwrap_or_else(|| title(folder, summary.as_ref())),
         facts: facts(summary.as_ref()),
         warnings: warnings(summary.as_ref()),
-        scene: read_text(&folder.join(SCENE_COPY)).unwrap_or_default(),
-        plot: plot(folder),
+        plot: plot(&keys),
+        scene,
         frames,
         sizeless,
         bodies,
@@ -69,8 +75,7 @@ fn warnings(summary: Option<&Value>) -> Vec<String> {
 }
 
 /// The columns that the scene plots.
-fn plot(folder: &Path) -> Option<[String; 2]> {
-    let scene: toml::Table = read_text(&folder.join(SCENE_COPY)).ok()?.parse().ok()?;
+fn plot(scene: &toml::Table) -> Option<[String; 2]> {
     let plot = scene.get("output")?.get("plot")?;
     let column = |key: &str| Some(plot.get(key)?.as_str()?.to_owned());
     Some([column("x")?, column("y")?])
@@ -78,20 +83,19 @@ fn plot(folder: &Path) -> Option<[String; 2]> {
 
 /// All bodies over their frames, and where the frames stand.
 fn bodies(folder: &Path) -> Result<(Vec<Body>, Vec<f64>), String> {
-    let mut series: Vec<(String, Vec<(f64, PathBuf)>, Sheet)> = Vec::new();
+    let mut all = Vec::new();
     for list in frame_lists(folder) {
         let frames = listed(&list).map_err(|e| format!("{e}\n"))?;
         let Some((_, first)) = frames.first() else { continue };
         let name = list.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let first = Sheet::read(first).map_err(|e| format!("{e}\n"))?;
-        series.push((name, frames, first));
+        all.push(Series { name, frames, first });
     }
-    let all: BTreeMap<String, usize> =
-        series.iter().map(|(name, _, sheet)| (name.clone(), sheet.points.len())).collect();
-    series.retain(|(name, _, sheet)| !is_another_form(name, sheet.points.len(), &all));
+    let sizes: BTreeMap<String, usize> = all.iter().map(|s| (s.name.clone(), s.first.points.len())).collect();
+    all.retain(|s| !is_another_form(&s.name, s.first.points.len(), &sizes));
     // Bodies write their frames one after the other: the last frame of a run under way is there for some of them only.
-    let count = series.iter().map(|(_, frames, _)| frames.len()).min().unwrap_or_default();
-    let numbers: usize = series.iter().map(|(_, _, sheet)| numbers(sheet)).sum();
+    let count = all.iter().map(|s| s.frames.len()).min().unwrap_or_default();
+    let numbers: usize = all.iter().map(|s| numbers(&s.first)).sum();
     let keep = (MOST_NUMBERS / numbers.max(1)).clamp(2, count.max(2));
     let kept: Vec<usize> = match count > keep {
         true => (0..keep).map(|i| i * (count - 1) / (keep - 1)).collect(),
@@ -99,7 +103,7 @@ fn bodies(folder: &Path) -> Result<(Vec<Body>, Vec<f64>), String> {
     };
     let mut sets = sets(folder);
     let mut bodies = Vec::new();
-    for (name, frames, first) in &series {
+    for Series { name, frames, first } in &all {
         let mut body = Body::new(name, first);
         for &number in &kept {
             let sheet = Sheet::read(&frames[number].1).map_err(|e| format!("{e}\n"))?;
@@ -108,9 +112,16 @@ fn bodies(folder: &Path) -> Result<(Vec<Body>, Vec<f64>), String> {
         body.sets = sets.remove(name).unwrap_or_default();
         bodies.push(body);
     }
-    let places =
-        series.first().map_or(Vec::new(), |(_, frames, _)| kept.iter().map(|&k| frames[k].0).collect());
+    let places = all.first().map_or(Vec::new(), |s| kept.iter().map(|&k| s.frames[k].0).collect());
     Ok((bodies, places))
+}
+
+/// Frames that a list names, and the first of them.
+struct Series {
+    name: String,
+    /// Where each stands, and its file.
+    frames: Vec<(f64, PathBuf)>,
+    first: Sheet,
 }
 
 /// Numbers of a frame.

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use coque::write_whole;
+use viewer::{Show, page};
 
 use super::frames::show;
 use super::results::{VIEW, is_held};
@@ -58,7 +59,7 @@ pub fn carry_out(view: &View, stop: &Arc<Stop>) -> Result<(), Refused> {
         return Err(format!("{} is no folder; {repair}\n", view.folder.display()).into());
     }
     let threads = available_parallelism().map_or(1, usize::from);
-    let write = |reload: Option<u16>| write(&view.folder, view.size, threads, reload);
+    let write = |reload: Option<u16>| write(show(&view.folder)?, &view.folder, view.size, threads, reload);
     let Some(every) = view.follow else {
         let page = write(None)?;
         say(&page.display().to_string());
@@ -89,13 +90,18 @@ pub fn carry_out(view: &View, stop: &Arc<Stop>) -> Result<(), Refused> {
     }
 }
 
-/// Writes the page of a folder; gives where it is.
-fn write(folder: &Path, size: u16, threads: usize, reload: Option<u16>) -> Result<PathBuf, String> {
-    let mut shown = show(folder)?;
+/// Writes what a page shows into a folder; gives where it is.
+fn write(
+    mut shown: Show,
+    folder: &Path,
+    size: u16,
+    threads: usize,
+    reload: Option<u16>,
+) -> Result<PathBuf, String> {
     shown.reload = reload.map(f64::from);
-    let page = shown.page(usize::from(size) * 1_000_000, threads).map_err(|e| format!("{e}\n"))?;
+    let made = page(shown, usize::from(size) * 1_000_000, threads).map_err(|e| format!("{e}\n"))?;
     let path = folder.join(VIEW);
-    let written = write_whole(&path, |to| to.write_all(page.html.as_bytes()));
+    let written = write_whole(&path, |to| to.write_all(made.html.as_bytes()));
     written.map_err(|e| format!("cannot write {}: {e}\n", path.display()))?;
     Ok(path)
 }
@@ -142,7 +148,7 @@ impl Follower {
     pub fn end(self) -> Result<(), String> {
         drop(self.over);
         let opened = self.thread.join().unwrap_or_default();
-        let page = write(&self.folder, SIZE, 1, None)?;
+        let page = write(show(&self.folder)?, &self.folder, SIZE, 1, None)?;
         say(&page.display().to_string());
         if !opened {
             open(&page);
@@ -158,8 +164,8 @@ fn follow(folder: &Path, ended: &Receiver<()>) -> bool {
     while ended.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
         pause = Duration::from_secs(FOLLOW.into());
         // Until there are frames nothing is to be seen; what cannot be written is reported at the end.
-        let shapes = show(folder).is_ok_and(|shown| !shown.frames.is_empty());
-        if let (true, Ok(page)) = (shapes, write(folder, SIZE, 1, Some(FOLLOW))) {
+        let shown = show(folder).ok().filter(|shown| !shown.frames.is_empty());
+        if let Some(Ok(page)) = shown.map(|shown| write(shown, folder, SIZE, 1, Some(FOLLOW))) {
             if !opened {
                 open(&page);
             }
