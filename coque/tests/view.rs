@@ -10,7 +10,9 @@ mod browser;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -93,6 +95,29 @@ fn a_run_can_be_shown_at_once_and_a_folder_without_frames_has_its_curve() {
     let refused = command(&["view", "no-such-folder"]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("run a scene first"));
+}
+
+#[test]
+fn a_page_loads_itself_again_until_its_run_has_ended() {
+    let folder = viewed("followed", "scenes/ring.toml", &["analysis.static.levels=2", "output.fields={}"]);
+    assert_eq!(head(&folder)["reload"], Value::Null);
+    // A run holds its folder by a lock; here the test does.
+    let lock = fs::File::create(folder.join("coque.lock")).unwrap();
+    lock.lock().unwrap();
+    let mut following = Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(["view", "--no-open", "--follow=1"])
+        .arg(&folder)
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    while head(&folder)["reload"].is_null() {
+        assert!(following.try_wait().unwrap().is_none(), "it ended while the run went on");
+        sleep(Duration::from_millis(50));
+    }
+    assert_eq!(head(&folder)["reload"], 1.0);
+    drop(lock);
+    assert!(following.wait().unwrap().success());
+    assert_eq!(head(&folder)["reload"], Value::Null);
 }
 
 #[test]

@@ -25,7 +25,7 @@ pub struct View {
     #[arg(long)]
     no_open: bool,
     /// While the run goes on, write the page anew every so many seconds; it loads itself again and stays as it was left.
-    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "5", value_parser = clap::value_parser!(u16).range(1..=3600))]
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, require_equals = true, default_missing_value = "5", value_parser = clap::value_parser!(u16).range(1..=3600))]
     follow: Option<u16>,
     /// Most megabytes of the page; beyond them it holds fewer frames, then fewer fields, and says so.
     #[arg(long, value_name = "MB", default_value_t = 30, value_parser = clap::value_parser!(u16).range(1..=1000))]
@@ -36,7 +36,7 @@ pub const HELP: &str = "\
 Examples:
   coque view out/ring               writes out/ring/view.html and opens it
   coque view out/ring --no-open     writes it only
-  coque view out/gate --follow      while the run goes on: written anew every 5 s, the page loads itself again
+  coque view out/gate --follow      while the run goes on: written anew every 5 s (--follow=20), the page loads itself again
   coque run scenes/ring.toml --view     runs, with frames even if the scene asks for none, and shows them on the way
 
 The page is one file, without a server and without anything fetched: it can be sent as it is. It shows shells with their thickness and
