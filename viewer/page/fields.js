@@ -28,7 +28,7 @@ function choicesOf(bodies) {
   for (const [name, top] of [...choices]) {
     const bottom = choices.get(name.replace("_top", "_bottom"));
     if (!name.includes("_top") || !bottom) continue;
-    const both = name.replace("_top", "") + " (each face its own)";
+    const both = name.replace("_top", "") + " (both faces)";
     for (const [body, part] of top.parts) {
       const below = bottom.parts.get(body);
       if (below && bodies[body].head.shell) add(both, top.unit, united(top.range, bottom.range), body, { ...part, below });
@@ -47,7 +47,7 @@ function suitedRange(choice, bodies) {
 function firstChoice(choices) {
   const varies = name => choices.has(name) && choices.get(name).range.high > choices.get(name).range.low;
   for (const name of head.wanted) {
-    const both = name.replace("_top", "") + " (each face its own)";
+    const both = name.replace("_top", "") + " (both faces)";
     if (name.includes("_top") && varies(both)) return both;
     if (varies(name)) return name;
   }

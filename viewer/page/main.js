@@ -204,7 +204,9 @@ async function probe(x, y) {
       part.track.fill(await part.track.frame(k), part.component, one, NaN);
       values.push(one[row]);
     }
-    view.curve.probe({ name: `${state.field} at particle ${row}`, unit: view.choices.get(state.field).unit, values });
+    // Of a choice on both faces the upper one.
+    const name = part.below ? part.track.head.name : state.field;
+    view.curve.probe({ name: `${name} at ${row}`, unit: view.choices.get(state.field).unit, values });
   }
   paint();
 }

@@ -83,7 +83,7 @@ async function writeProbe(shape, row, frame) {
     const shares = await track.frame(frame), { name, unit, width, components, lengths } = track.head;
     const numbers = Array.from({ length: width }, (_, k) => track.value(shares, row, k));
     const words = components.length ? numbers.map((x, k) => `${components[k]}: ${shown(x)}`) : numbers.map(shown);
-    if (lengths) words.push(`|·| ${shown(Math.hypot(...numbers))}`);
+    if (lengths) words.push(`length ${shown(Math.hypot(...numbers))}`);
     lines.push([name + unitOf(unit), words.join(", ")]);
   }
   box.replaceChildren();
