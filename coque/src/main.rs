@@ -131,7 +131,8 @@ Examples:
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
-  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
+                 sets.json has particles by the name of their set
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
   view.html      the run in the browser, with --view or by `coque view DIR`
   scene.toml     a copy of the scene; what --set replaced stands at its end

@@ -132,12 +132,7 @@ fn a_dam_break_takes_little_room_and_is_seen_straight() {
 /// A short run of each kind: scene, what is replaced, and the field that is shown first.
 const KINDS: [(&str, &str, &[&str], &str); 9] = [
     ("shell", "scenes/ring.toml", &["analysis.static.levels=4", STRESSES], "von_mises (both faces)"),
-    (
-        "mesh",
-        "scenes/open-cylinder.toml",
-        &["analysis.static.levels=4", STRESSES],
-        "von_mises (both faces)",
-    ),
+    ("mesh", "scenes/open-cylinder.toml", &["analysis.static.levels=4", STRESSES], "von_mises (both faces)"),
     ("linear", "scenes/plate.toml", &["output.fields={}"], "displacement"),
     ("modes", "scenes/plate-buckling.toml", &["output.fields={}"], "displacement"),
     ("galerkin", "scenes/thick-ring-solid.toml", &[STRESSES], "von_mises"),

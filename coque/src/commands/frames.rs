@@ -144,3 +144,29 @@ fn sets(folder: &Path) -> BTreeMap<String, BTreeMap<String, Vec<u32>>> {
     let text = read_text(&folder.join("fields").join(coque::SETS)).ok();
     text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_is_shown_once_whatever_else_is_written_of_it() {
+        let all: BTreeMap<String, usize> =
+            [("gate", 82), ("shell", 250), ("block", 189)].map(|(name, n)| (name.into(), n)).into();
+        let shown = |name: &str, points: usize| !is_another_form(name, points, &all);
+        assert!(!shown("gate-solid", 164) && !shown("solid", 500) && !shown("block-points", 1000));
+        // Bodies that are only called so.
+        assert!(
+            shown("gate-solid", 400) && shown("solid", 400) && shown("rim-points", 1000) && shown("gate", 82)
+        );
+    }
+
+    #[test]
+    fn a_summary_says_more_than_a_run_under_way() {
+        let summary = serde_json::json!({ "kind": "shell", "particles": 250, "ended": "done", "wall_seconds": 2.0_f64 });
+        assert_eq!(facts(Some(&summary)), ["shell", "250 particles", "2 s", "done"]);
+        assert!(facts(None)[0].starts_with("under way"));
+        let warned = serde_json::json!({ "warnings": [{ "kind": "slow-sound", "message": "slow" }] });
+        assert_eq!(warnings(Some(&warned)), ["slow"]);
+    }
+}
