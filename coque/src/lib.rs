@@ -166,7 +166,7 @@ pub use bodies::{
     LoadResultants, Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, State,
     StateArray, StaticBody, TangentCost, Task,
 };
-pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, Written};
+pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
     read_text, rows, write_whole,

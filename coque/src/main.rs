@@ -7,6 +7,8 @@ mod commands {
     pub mod accuracy;
     pub mod bar;
     pub mod check;
+    pub mod folder;
+    pub mod frames;
     pub mod mesh;
     pub mod plot;
     pub mod results;
@@ -15,6 +17,7 @@ mod commands {
     pub mod stop;
     pub mod sweep;
     pub mod templates;
+    pub mod view;
 }
 
 use std::path::{Path, PathBuf};
@@ -26,7 +29,8 @@ use commands::bar::Bar;
 use commands::results::{CURVE, ResultFolder};
 use commands::stderr::{Refused, say};
 use commands::stop::{Stop, outlive_file_limits};
-use commands::{check, mesh, plot, resume, sweep, templates};
+use commands::view::Follower;
+use commands::{check, mesh, plot, resume, sweep, templates, view};
 use coque::{
     Checked, Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model,
     Origin, Outcome, RunOptions, Scene, Task, Warning, Written, read_text,
@@ -54,6 +58,9 @@ enum Command {
     /// Read a surface and print what was found: sizes, boundary, sets, quality.
     #[command(after_help = mesh::HELP)]
     Mesh(mesh::Mesh),
+    /// Show a run in the browser: shapes that turn, fields, frames, the curve, in one file.
+    #[command(after_help = view::HELP)]
+    View(view::View),
     /// Draw the last frame of a run with [output.fields] as SVG.
     Plot(plot::Plot),
     /// Go on with a run that was interrupted or killed, to the same bits.
@@ -89,12 +96,16 @@ struct Run {
     /// Replace a value of the scene; may be given several times.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
     replaced: Vec<(String, String)>,
+    /// Show the run in the browser, on the way and at its end; a scene without [output.fields] gets them, with stresses.
+    #[arg(long)]
+    view: bool,
 }
 
 const START: &str = "\
 Start here:
-  coque run scenes/ring.toml        results in out/ring
-  coque plot out/ring               the deformed shape, if the scene has [output.fields]
+  coque run scenes/ring.toml --view     results in out/ring, shown in the browser
+  coque view out/gate               the same of a run that is there, if its scene has [output.fields]
+  coque plot out/gate               its last frame as a picture for a paper
   coque new plate                   a commented scene to start from: plate.toml
   coque check plate.toml            what it models, what it leaves out, what a run will cost
   coque check plate.toml --accuracy 0.5%    which lattice and analysis that takes
@@ -120,8 +131,10 @@ Examples:
 Results, in DIR:
   curve.csv      one row per load level or record; the first row names columns with units
   curve.svg      the plot that [output] asks for
-  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
+                 sets.json has particles by the name of their set
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
+  view.html      the run in the browser, with --view or by `coque view DIR`
   scene.toml     a copy of the scene; what --set replaced stands at its end
   checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
 
@@ -161,6 +174,7 @@ fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
     match command {
         Command::Run(run) => carry_out(&run, stop),
         Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
+        Command::View(view) => view::carry_out(&view, stop).map(|()| DONE),
         Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
         Command::Resume(resume) => resume::carry_out(&resume, stop),
         Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
@@ -173,17 +187,27 @@ fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
 
 /// Reads, builds, runs, writes; the error is ready to print.
 fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
-    let (scene, text) = read_scene(&run.scene, &run.replaced)?;
+    let mut replaced = run.replaced.clone();
+    let (mut scene, text) = read_scene(&run.scene, &replaced)?;
+    if run.view && scene.output.fields.is_none() {
+        replaced.push(("output.fields".into(), "{ stresses = true }".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
     let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
     let folder = ResultFolder::take(&out)?;
     stop.begin();
-    let text = folder.begin(&run.scene, text, &run.replaced)?;
+    let text = folder.begin(&run.scene, text, &replaced)?;
     // Another folder may be the present one when the run goes on.
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
-    let origin = Origin::new(&text, file, run.replaced.clone(), run.threads.into());
-    launch(model, &folder, origin, None, stop)
+    let origin = Origin::new(&text, file, replaced, run.threads.into());
+    let follower = run.view.then(|| Follower::begin(&out));
+    let code = launch(model, &folder, origin, None, stop);
+    let shown = follower.map_or(Ok(()), Follower::end);
+    let code = code?;
+    shown?;
+    Ok(code)
 }
 
 /// Reads a scene, and its text; errors underline it.
@@ -262,8 +286,9 @@ fn fields(
     let files = match from {
         None => FieldFiles::create_all(&folder, &bodies, wanted),
         Some(checkpoint) => FieldFiles::go_on_all(&folder, &bodies, wanted, checkpoint.frames()),
-    };
-    files.map(Some)
+    }?;
+    FieldFiles::write_sets(&folder, &model.sets)?;
+    Ok(Some(files))
 }
 
 fn default_out(scene: &Path) -> PathBuf {

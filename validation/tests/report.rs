@@ -1,17 +1,18 @@
 //! The report as a browser shows it: every drawing is there, nothing is wider than a screen of 1280 pixels.
 //!
 //! Without a browser on the path (`chromium`, `google-chrome`, `chrome`) only the text of the pages is looked at, and the
-//! test says so.
+//! test says so; where CI is set it fails.
+
+#[path = "../../coque/tests/common/browser.rs"]
+mod browser;
 
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use validation::report::{Page, pages};
 use validation::{Effort, Selection, Variant, cases, judge};
 
-const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 /// Cases with a picture, with curves and with tables, each of less than a second.
 const CASES: [&str; 3] = ["cantilever-end-shear", "strip-bending", "hemisphere"];
 
@@ -42,20 +43,10 @@ fn between<'a>(text: &'a str, start: &'a str, end: char) -> impl Iterator<Item =
     text.split(start).skip(1).filter_map(move |rest| rest.split(end).next())
 }
 
-fn browser() -> Option<&'static str> {
-    BROWSERS
-        .into_iter()
-        .find(|name| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success()))
-}
-
 fn title(browser: &str, page: &Page, folder: &Path) -> Result<String, Box<dyn Error>> {
     let file = folder.join(page.file);
     fs::write(&file, page.html.replacen("</body>", LOOK, 1))?;
-    let profile = format!("--user-data-dir={}", folder.join("profile").display());
-    let flags = ["--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,900", "--dump-dom"];
-    let seen =
-        Command::new(browser).args(flags).arg(profile).arg(format!("file://{}", file.display())).output()?;
-    let dom = String::from_utf8_lossy(&seen.stdout).into_owned();
+    let (dom, _) = browser::opened(browser, &["--disable-gpu", "--window-size=1280,900"], &file, "");
     let title = between(&dom, "<title>", '<').next().unwrap_or_default().to_owned();
     Ok(title)
 }
@@ -69,10 +60,7 @@ fn every_drawing_is_shown_and_nothing_is_wider_than_the_screen() -> Result<(), B
     for target in between(first, "href='#", '\'') {
         assert_eq!(first.matches(&format!("id='{target}'")).count(), 1, "{target}");
     }
-    let Some(browser) = browser() else {
-        eprintln!("SKIPPED: none of {} is on the path; the pages were read, not seen", BROWSERS.join(", "));
-        return Ok(());
-    };
+    let Some(browser) = browser::browser("the pages were read, not seen") else { return Ok(()) };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
     fs::create_dir_all(&folder)?;
     for page in &pages {

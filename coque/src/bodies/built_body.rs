@@ -1,5 +1,7 @@
 //! A body with what is known of it, before it is made ready for its analysis or put beside others.
 
+use std::collections::BTreeMap;
+
 use super::body::{Description, PrescribedPoint, Ready};
 use super::memory::Memory;
 use super::model::{Identity, Model, ShapeJudge, Task};
@@ -25,21 +27,24 @@ pub(super) struct BuiltBody<B> {
     pub warnings: Vec<Warning>,
     /// Who looks for warnings in the shapes that it took.
     pub judge: Option<ShapeJudge>,
+    /// Its particles by name of their set.
+    pub sets: BTreeMap<String, Vec<u32>>,
 }
 
 impl<B> BuiltBody<B> {
     /// The same with another body in its place.
     pub fn map<T>(self, body: impl FnOnce(B) -> T) -> BuiltBody<T> {
-        let Self { body: own, description, memory, identity, probes, driven, warnings, judge } = self;
-        BuiltBody { body: body(own), description, memory, identity, probes, driven, warnings, judge }
+        let Self { body: own, description, memory, identity, probes, driven, warnings, judge, sets } = self;
+        BuiltBody { body: body(own), description, memory, identity, probes, driven, warnings, judge, sets }
     }
 }
 
 impl BuiltBody<Ready> {
     /// The body with what its scene asks of it.
     pub fn model(self, scene: &Scene, threads: usize) -> Model {
-        let Self { body, description, memory, identity, probes, driven, warnings, judge } = self;
+        let Self { body, description, memory, identity, probes, driven, warnings, judge, sets } = self;
         let (task, threads) = (Task::of(scene), threads.max(1));
-        Model { task, body, description, memory, identity, probes, driven, threads, warnings, judge }
+        let sets = [(description.kind.to_string(), sets)].into();
+        Model { task, body, description, memory, identity, probes, driven, threads, warnings, judge, sets }
     }
 }

@@ -1,5 +1,6 @@
 //! A body with what is asked of it, ready to run.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use sph_core::Cell;
@@ -44,6 +45,8 @@ pub struct Model {
     pub description: Description,
     /// What a run will need, and what there is.
     pub memory: Memory,
+    /// Particles by name of their set, of each body that has sets; a body alone in its scene goes by its kind.
+    pub sets: BTreeMap<String, BTreeMap<String, Vec<u32>>>,
     pub(crate) identity: Identity,
     pub(crate) probes: Vec<Probe>,
     /// The prescribed motion whose force is sought, in analyses without time.
@@ -79,6 +82,7 @@ impl Model {
             threads: 1,
             warnings: Vec::new(),
             judge: None,
+            sets: BTreeMap::new(),
         }
     }
 

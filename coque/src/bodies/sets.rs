@@ -39,6 +39,11 @@ impl Sets {
         Ok(Self { members })
     }
 
+    /// All sets by name.
+    pub(crate) fn into_members(self) -> BTreeMap<String, Vec<u32>> {
+        self.members
+    }
+
     /// Particles of the set that the scene names at `path`.
     pub(crate) fn at(&self, scene: &ShellInScene<'_>, path: &str, name: &str) -> Result<&[u32], SceneError> {
         self.members.get(name).map(Vec::as_slice).ok_or_else(|| {

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use coque::{
-    Curve, Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, read_text, strip,
-    together, write_whole,
+    Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, strip, together, write_whole,
 };
 
+use super::folder::{Along, frame_lists, read_curve, read_summary, short, title};
 use super::stderr::{Refused, say};
 
 #[derive(Args)]
@@ -100,39 +100,9 @@ pub fn carry_out(plot: &Plot) -> Result<(), Refused> {
 fn curve(plot: &Plot, x: &str, y: &str) -> Result<PathBuf, String> {
     let curve = read_curve(&plot.folder)?;
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("curve.svg"));
-    plot_svg(&curve, x, y, &scene(&plot.folder).0, &out).map_err(|e| format!("{e}\n"))?;
+    plot_svg(&curve, x, y, &title(&plot.folder, read_summary(&plot.folder).as_ref()), &out)
+        .map_err(|e| format!("{e}\n"))?;
     Ok(out)
-}
-
-fn read_curve(folder: &Path) -> Result<Curve, String> {
-    let file = folder.join("curve.csv");
-    let wrong = |error: &dyn std::fmt::Display| format!("cannot read {}: {error}\n", file.display());
-    let text = read_text(&file).map_err(|e| wrong(&e))?;
-    text.parse().map_err(|e| wrong(&e))
-}
-
-/// What a frame shows, in words: a mode with its frequency or level, a point of a path with its level, a time, a level.
-fn instant(analysis: &str, curve: &Curve, along: f64) -> Option<String> {
-    let said = |name: &str, value: f64| {
-        let column = curve.columns.iter().find(|column| column.name == name)?;
-        let unit = if column.unit == "-" { String::new() } else { format!(" {}", column.unit) };
-        Some(format!("{name} {}{unit}", short(value)))
-    };
-    let first = curve.columns.first()?;
-    let at = curve.rows.iter().position(|row| row[0] == along);
-    let of = |name: &str, row: usize| said(name, *curve.column(name)?.get(row)?);
-    match analysis {
-        "modal" => Some(format!("mode {along}, {}", of("frequency", at?)?)),
-        "buckling" => Some(format!("mode {along}, {}", of("level", at?)?)),
-        "arc-length" => Some(format!("point {along}, {}", of("level", along as usize)?)),
-        "transient" => said(&first.name, along),
-        _ => said("level", along),
-    }
-}
-
-/// A number with five digits.
-fn short(x: f64) -> f64 {
-    format!("{x:.4e}").parse().unwrap_or(x)
 }
 
 fn shape(plot: &Plot) -> Result<PathBuf, String> {
@@ -155,12 +125,14 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
         }
         range = Some(ends);
     }
-    let ((scene, analysis), curve) = (scene(&plot.folder), read_curve(&plot.folder).ok());
+    let scene = title(&plot.folder, read_summary(&plot.folder).as_ref());
+    let curve = read_curve(&plot.folder).unwrap_or_default();
+    let places: Vec<f64> = series[0].iter().map(|(along, _)| *along).collect();
+    let places = Along::of(&curve, &places);
     let mut pictures = Vec::new();
     for (sheet, number, along) in &drawn {
-        let instant = curve.as_ref().and_then(|curve| instant(&analysis, curve, *along));
-        let title =
-            format!("{scene}: {}", instant.unwrap_or_else(|| format!("frame {number} at {}", short(*along))));
+        let instant = places.words(*along).unwrap_or_else(|| format!("frame {number} at {}", short(*along)));
+        let title = format!("{scene}: {instant}");
         let (view, mirror, scale) = (plot.view, &plot.mirror.0[..], plot.scale);
         let wanted = Picture { field, view, mirror, scale, range, title: &title };
         pictures.push(picture_svg(sheet, &wanted).map_err(|e| format!("{e}\n"))?);
@@ -213,12 +185,7 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
     if let Some(body) = &plot.body {
         return Ok(vec![of(&format!("{body}.pvd"))]);
     }
-    let entries = std::fs::read_dir(plot.folder.join("fields")).into_iter().flatten().flatten();
-    let mut all: Vec<PathBuf> = entries
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|ending| ending == "pvd"))
-        .collect();
-    all.sort();
+    let all = frame_lists(&plot.folder);
     let [shell, solid] = ["shell.pvd", "solid.pvd"].map(of);
     // Beside the list of a lone shell that of a solid is the same shell with its thickness.
     if all.is_empty() || all == [shell.clone(), solid] {
@@ -234,20 +201,4 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
 
 fn unread(error: ReadError) -> String {
     format!("{error}; run the scene again with [output.fields]\n")
-}
-
-/// Title and analysis of the scene that ran into a folder, `transient` for a march that settles at no levels; without a
-/// summary, the folder's name.
-fn scene(folder: &Path) -> (String, String) {
-    let summary = read_text(&folder.join("summary.json")).ok();
-    let summary = summary.and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok());
-    let word = |key: &str| Some(summary.as_ref()?[key].as_str()?.to_owned());
-    let name = || folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned();
-    let settles =
-        || summary.as_ref().and_then(|summary| summary["levels"].as_array()).is_some_and(|x| !x.is_empty());
-    let analysis = match word("analysis") {
-        Some(word) if word == "explicit" && !settles() => "transient".into(),
-        word => word.unwrap_or_default(),
-    };
-    (word("title").unwrap_or_else(name), analysis)
 }

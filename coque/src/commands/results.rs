@@ -5,7 +5,8 @@ use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use coque::{
-    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, Task, Whole, listed, plot_svg, write_whole,
+    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, SETS, Task, Whole, listed, plot_svg,
+    write_whole,
 };
 
 use super::stderr::say;
@@ -17,11 +18,13 @@ pub const TABLE: &str = "sweep.csv";
 const PICTURE: &str = "curve.svg";
 const SUMMARY: &str = "summary.json";
 const FIELDS: &str = "fields";
+/// The page of the frames.
+pub const VIEW: &str = "view.html";
 /// Locked while a run is under way; the system frees it however the run ends.
 const LOCK: &str = "coque.lock";
 
 /// What a run writes, but for the copy of its scene and its frames.
-const WRITTEN: [&str; 6] = [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, TABLE];
+const WRITTEN: [&str; 7] = [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, TABLE, VIEW];
 
 /// The folder of a run, held until this is dropped.
 pub struct ResultFolder {
@@ -73,6 +76,7 @@ impl ResultFolder {
             for name in [FieldFiles::LONE.to_string()].into_iter().chain(bodies(&fields)) {
                 FieldFiles::clear(&fields, &name).map_err(|error| format!("{error}\n"))?;
             }
+            let _ = fs::remove_file(fields.join(SETS));
             // What else is there keeps it.
             let _ = fs::remove_dir(&fields);
         }
@@ -129,6 +133,12 @@ impl ResultFolder {
         }
         if refused.is_empty() { Ok(()) } else { Err(refused) }
     }
+}
+
+/// Whether a run holds a folder.
+pub fn is_held(folder: &Path) -> bool {
+    let lock = OpenOptions::new().read(true).open(folder.join(LOCK));
+    lock.is_ok_and(|lock| matches!(lock.try_lock_shared(), Err(TryLockError::WouldBlock)))
 }
 
 /// Bodies of which an earlier run listed frames: lists that name files of their own name.

@@ -1,13 +1,18 @@
 //! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and beside it the body with its thickness, or its
 //! quadrature points.
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::io::{self, Write};
 use std::path::Path;
 
-use mesh_io::{FieldError, Series};
+use mesh_io::{FieldError, Series, write_whole};
 
 use super::{FieldSink, Frame, Part};
 use crate::scene::Fields;
+
+/// Sets of particles, beside the frames: body, set, numbers of its particles.
+pub const SETS: &str = "sets.json";
 
 /// A body whose frames are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +58,27 @@ impl FieldFiles {
             (surface, further(wanted, body, extruded, points))
         };
         Ok(Self { stresses: wanted.stresses, bodies: bodies.iter().map(body).collect() })
+    }
+
+    /// Writes the sets of all bodies beside the frames, those of all particles apart.
+    ///
+    /// # Errors
+    /// [`FieldError`] for what the system refuses.
+    pub fn write_sets(
+        folder: &Path,
+        sets: &BTreeMap<String, BTreeMap<String, Vec<u32>>>,
+    ) -> Result<(), FieldError> {
+        let path = folder.join(SETS);
+        let chosen: BTreeMap<&str, BTreeMap<&str, &[u32]>> = sets
+            .iter()
+            .map(|(body, sets)| {
+                let some = sets.iter().filter(|(name, _)| *name != "all");
+                (body.as_str(), some.map(|(name, particles)| (name.as_str(), &particles[..])).collect())
+            })
+            .collect();
+        let text = serde_json::to_vec(&chosen).map_err(io::Error::from);
+        let written = text.and_then(|text| write_whole(&path, |to| to.write_all(&text)));
+        written.map_err(|error| FieldError { path: path.display().to_string(), reason: error.to_string() })
     }
 
     /// Takes out the frames that an earlier run left in a folder, and their lists; whatever else is there stays.

@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 use explicit_dynamics::Instant;
 use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
-pub use files::{FieldFiles, Written};
+pub use files::{FieldFiles, SETS, Written};
 
 use crate::bodies::{Body, FieldRequest, FieldSource, Part, State, Task};
 use crate::results::picture::together;

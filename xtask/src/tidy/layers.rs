@@ -17,6 +17,9 @@ const LEAVES: &[&str] =
 const FILES: &[&str] = &["mesh-io"];
 const SPACE: &str = "sph-core";
 
+/// The crate that shows files, and the one of ours that it may use.
+const VIEW: &str = "viewer";
+
 /// Crates that join leaves into a model of a body; none sees another.
 const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
 
@@ -78,7 +81,7 @@ fn line(text: &str, name: &str) -> usize {
 pub fn check(packages: &[Package]) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in packages {
-        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH]]
+        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH, VIEW]]
             .iter()
             .any(|layer| layer.contains(&package.name.as_str()))
         {
@@ -126,6 +129,10 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
         let repair = "hand over plain arrays; what they mean belongs to the crates above";
         return Some((format!("{user} uses {used}; of ours it may use {SPACE} alone"), repair));
     }
+    if user == VIEW && !FILES.contains(&used) {
+        let repair = "hand over frames and words; what they mean belongs to the crates above";
+        return Some((format!("{user} uses {used}; of ours it may use {} alone", FILES[0]), repair));
+    }
     if MODELS.contains(&user) && !LEAVES.contains(&used) {
         let repair = "let the two meet above both, or move what they share down into a leaf";
         return Some((format!("the model {user} uses {used}, which is no leaf"), repair));
@@ -158,7 +165,8 @@ mod tests {
                 &["lanes", "sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"],
             ),
             using("mesh-io", &["sph-core"]),
-            using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io"]),
+            using("viewer", &["mesh-io"]),
+            using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io", "viewer"]),
             using("benchmarks-ref", &["implicit-statics"]),
             using("validation", &["coque", "benchmarks-ref"]),
             using("xtask", &[]),

@@ -61,8 +61,9 @@ pub(in crate::bodies) fn coupled_model(
     warnings.extend(pulling(&parts::formulation(wanted), !wets.is_empty()));
     warnings.extend(unseen);
     warnings.extend(soft(&fluid, &walls));
-    let mut made = Vec::new();
-    for (name, wet) in wets {
+    let (mut made, mut sets) = (Vec::new(), BTreeMap::new());
+    for (name, mut wet) in wets {
+        sets.insert(name.to_string(), std::mem::take(&mut wet.made.sets));
         let own = wet.made.warnings.iter();
         warnings.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
         made.push((name, wet.made));
@@ -107,8 +108,9 @@ pub(in crate::bodies) fn coupled_model(
         driven: None,
         warnings,
         judge: Some(Box::new(judge)),
+        sets: BTreeMap::new(),
     };
-    Ok(made.model(scene, threads))
+    Ok(Model { sets, ..made.model(scene, threads) })
 }
 
 /// The rows of all walls.

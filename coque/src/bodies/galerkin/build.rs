@@ -1,5 +1,7 @@
 //! From a scene to a Galerkin solid ready to be solved: nodes, cells, sets, supports, loads.
 
+use std::collections::BTreeMap;
+
 use sph_core::Support;
 use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
 
@@ -47,6 +49,8 @@ struct GalerkinParts {
     memory: Memory,
     /// By what the support was widened so that nodes determine the basis everywhere.
     widened: f64,
+    /// Its nodes by name of their set.
+    sets: BTreeMap<String, Vec<u32>>,
 }
 
 /// Builds a Galerkin solid with what is asked of it.
@@ -56,14 +60,14 @@ pub(in crate::bodies) fn galerkin_model(
     options: &scene::Galerkin,
     threads: usize,
 ) -> Result<Model, SceneError> {
-    let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened } =
+    let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets } =
         galerkin(scene, solid, options, threads)?;
     let body = GalerkinSolid::new(galerkin, &places, supports);
     refuse_dof(scene, body.dof())?;
     let description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
     let warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
     let (identity, judge) = (Identity::default(), None);
-    let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge };
+    let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets };
     Ok(made.map(|body| Ready::Static(Box::new(body))).model(scene.scene, threads))
 }
 
@@ -126,7 +130,8 @@ fn galerkin(
     }
     let sought = driven.map(|point| (point.particle, point.direction));
     let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
-    Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened })
+    let sets = sets.into_members();
+    Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets })
 }
 
 /// Refuses a support that was asked for and is too narrow by a factor.

@@ -1,5 +1,7 @@
 //! From a scene to a shell ready to move: particles, sets, supports, loads.
 
+use std::collections::BTreeMap;
+
 use explicit_dynamics::Amplitude;
 use nalgebra::Rotation3;
 use sph_core::{Cell, Cloud, EndWeights, Vec3};
@@ -52,7 +54,7 @@ pub(in crate::bodies) fn shell_made(
     threads: usize,
     wetting: Option<Wetting>,
 ) -> Result<BuiltBody<Shell>, SceneError> {
-    let ShellParts { mut shell, probes, driven, surface, turn, memory, said } =
+    let ShellParts { mut shell, probes, driven, surface, turn, memory, said, sets } =
         assemble(scene, threads, wetting)?;
     let description = describe(scene, &shell, surface.as_ref(), said);
     let mut warnings = warnings_of(scene, turn, &shell);
@@ -67,7 +69,7 @@ pub(in crate::bodies) fn shell_made(
         checksum: Some(surface.checksum),
     });
     let judge = Some(Box::new(judge) as _);
-    Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge })
+    Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge, sets })
 }
 
 pub(super) fn assemble(
@@ -152,7 +154,8 @@ pub(super) fn assemble(
     refuse_dof(scene, shell.dof())?;
     let surface = imported.map(|imported| imported.provenance());
     let (turn, said) = (builder.turn, sections.said);
-    Ok(ShellParts { shell, probes, driven, surface, turn, memory, said })
+    let sets = sets.into_members();
+    Ok(ShellParts { shell, probes, driven, surface, turn, memory, said, sets })
 }
 
 fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
@@ -175,6 +178,8 @@ pub(super) struct ShellParts {
     memory: Memory,
     /// Its parts, a line each.
     said: Vec<String>,
+    /// Its particles by name of their set.
+    sets: BTreeMap<String, Vec<u32>>,
 }
 
 pub(crate) struct Builder<'a> {

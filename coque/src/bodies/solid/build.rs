@@ -1,5 +1,7 @@
 //! From a scene to a solid ready to move: nodes, sets, supports, loads.
 
+use std::collections::BTreeMap;
+
 use explicit_dynamics::Amplitude;
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
@@ -38,6 +40,8 @@ struct SolidParts {
     /// The one node whose motion a force that is sought brings about.
     driven: Option<PrescribedPoint>,
     memory: Memory,
+    /// Its nodes by name of their set.
+    sets: BTreeMap<String, Vec<u32>>,
 }
 
 /// Builds a solid with what is asked of it.
@@ -60,14 +64,15 @@ pub(in crate::bodies) fn solid_made(
     threads: usize,
     wet: bool,
 ) -> Result<BuiltBody<Solid>, SceneError> {
-    let SolidParts { mut solid, probes, driven, memory } = assemble_solid(scene, wanted, threads)?;
+    let SolidParts { mut solid, probes, driven, memory, sets } = assemble_solid(scene, wanted, threads)?;
     if wet {
         solid.wet().map_err(|error| solid_refusal(scene, wanted, &error))?;
     }
     let description = describe(scene, wanted, &solid);
     let warnings = warnings_of(scene, wanted, &solid);
     let identity = Identity::default();
-    Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge: None })
+    let judge = None;
+    Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge, sets })
 }
 
 fn assemble_solid(
@@ -113,7 +118,7 @@ fn assemble_solid(
     set_out(wanted, &mut solid);
     refuse_dof(scene, solid.dof())?;
     refuse_pieces(scene, &solid)?;
-    Ok(SolidParts { solid, probes, driven, memory })
+    Ok(SolidParts { solid, probes, driven, memory, sets: sets.into_members() })
 }
 
 /// The nodes of the block, holes cut.

@@ -48,6 +48,11 @@ impl<'a> NodeSets<'a> {
         Ok(out)
     }
 
+    /// All sets by name.
+    pub fn into_members(self) -> BTreeMap<String, Vec<u32>> {
+        self.members
+    }
+
     /// The scene that names them.
     pub fn scene(&self) -> &'a BodyInScene<'a> {
         self.scene
