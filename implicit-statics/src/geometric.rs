@@ -25,7 +25,8 @@ const TRIALS: usize = 8;
 #[cfg_attr(
     feature = "scene",
     derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema),
-    serde(rename_all = "kebab-case")
+    serde(rename_all = "kebab-case"),
+    schemars(description = "What a linearised buckling analysis holds of the state before buckling.")
 )]
 pub enum Prebuckling {
     /// The linear response as it is: the change of shape as well as the stresses, in directions that turn along.

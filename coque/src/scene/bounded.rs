@@ -68,8 +68,8 @@ impl Number for usize {
 #[error("{value} must be {bound}; {repair}")]
 pub struct OutOfBounds {
     value: f64,
-    bound: String,
-    repair: &'static str,
+    pub(super) bound: String,
+    pub(super) repair: &'static str,
 }
 
 /// Bounds of numbers.
@@ -265,6 +265,8 @@ bounds! {
     NotNegative: f64, Range::NotNegative, "leave it out for zero";
     /// An angle within one turn either way \[degrees\].
     Angle: f64, Range::Within(-360.0, 360.0), "give the angle within one turn";
+    /// The same of the fibre of a ply, from the axis of the section \[degrees\].
+    PlyAngle: f64, Range::Within(-360.0, 360.0), "in degrees from the axis; give the angle within one turn";
     /// An angle from a pole \[degrees\].
     Polar: f64, Range::Between(0.0, 180.0), "leave a small hole at the pole, such as 1 degree";
     /// Share of the stable step \[–\].

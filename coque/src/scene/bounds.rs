@@ -1,6 +1,6 @@
 //! Bounds on single numbers and vectors of a scene, each with its repair.
 
-use super::bounded::{GREATEST, LEAST};
+use super::bounded::{Bound, Bounded, GREATEST, LEAST, NotNegative, OutOfBounds, Positive};
 use super::error::{SceneError, Verdict};
 use super::scope::Scope;
 use super::source::suggest;
@@ -8,10 +8,7 @@ use super::source::suggest;
 impl Scope<'_> {
     /// Positive, and of a size that arithmetic can hold.
     pub(crate) fn positive(&self, path: &str, x: f64) -> Verdict {
-        if x > 0.0 {
-            return self.sized(path, x);
-        }
-        Err(self.value(path, x, "positive", "give a number above zero"))
+        self.keeps(path, x, Positive::new(x))
     }
 
     /// Zero, or of a size that arithmetic can hold.
@@ -30,10 +27,11 @@ impl Scope<'_> {
 
     /// Not below zero.
     pub(crate) fn not_negative(&self, path: &str, x: f64) -> Verdict {
-        if x >= 0.0 {
-            return self.sized(path, x);
-        }
-        Err(self.value(path, x, "zero or positive", "leave it out for zero"))
+        self.keeps(path, x, NotNegative::new(x))
+    }
+
+    fn keeps<B: Bound>(&self, path: &str, x: f64, number: Result<Bounded<B>, OutOfBounds>) -> Verdict {
+        number.map(drop).map_err(|refused| self.value(path, x, &refused.bound, refused.repair))
     }
 
     /// Strictly between two numbers.

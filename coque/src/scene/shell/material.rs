@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::bounded::{Angle, Positive, ThroughThickness};
+use crate::scene::bounded::{PlyAngle, Positive, ThroughThickness};
 
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -154,7 +154,7 @@ pub struct Ply {
     /// Thickness \[L\].
     pub thickness: Positive,
     /// Angle of the fibre from the axis, positive about the normal \[degrees\].
-    pub angle: Angle,
+    pub angle: PlyAngle,
 }
 
 /// A material with a section that suits it.

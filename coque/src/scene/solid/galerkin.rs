@@ -28,7 +28,7 @@ pub struct Galerkin {
     pub law: GalerkinLaw,
     /// Where in a step strain and rotation of an increment are taken; left out, `midpoint`.
     pub update: Option<GalerkinUpdate>,
-    /// Derivative that Newton's method iterates with.
+    /// Derivative that Newton's method iterates with; a step that `continuum` does not find is made again with the other.
     #[serde(default)]
     pub tangent: GalerkinTangent,
     /// Gauss points along an edge of a cell, 1 to 4.
