@@ -91,7 +91,8 @@ impl<'a> Along<'a> {
 fn row_of(curve: &Curve, column: Option<usize>, along: f64) -> Option<usize> {
     match column {
         Some(column) => curve.rows.iter().position(|row| row[column] == along),
-        None => Some(along as usize).filter(|&row| row < curve.rows.len()),
+        // A place between two whole numbers is no number of a row.
+        None => Some(along as usize).filter(|&row| row < curve.rows.len() && row as f64 == along),
     }
 }
 
