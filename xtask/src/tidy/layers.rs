@@ -21,7 +21,7 @@ const SPACE: &str = "sph-core";
 const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
 
 /// Crates above the models.
-const ABOVE: &[&str] = &["coque", "validation"];
+const ABOVE: &[&str] = &["coque", "coque-python", "validation"];
 
 /// The truth, the only crate that may read it, and the only one of ours that its own shell may use.
 const TRUTH: &str = "benchmarks-ref";
@@ -159,6 +159,7 @@ mod tests {
             ),
             using("mesh-io", &["sph-core"]),
             using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io"]),
+            using("coque-python", &["coque"]),
             using("benchmarks-ref", &["implicit-statics"]),
             using("validation", &["coque", "benchmarks-ref"]),
             using("xtask", &[]),
