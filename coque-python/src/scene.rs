@@ -117,12 +117,12 @@ impl Scene {
     }
 
     /// Runs it: curve, summary, warnings, how it ended; `frames`, `said`, and `raised`, what ended it from outside.
-    #[pyo3(signature = (threads, told, fields, out))]
+    #[pyo3(signature = (threads, listener, fields, out))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         threads: usize,
-        told: Option<&Bound<'py, PyAny>>,
+        listener: Option<&Bound<'py, PyAny>>,
         fields: Option<bool>,
         out: Option<PathBuf>,
     ) -> PyResult<Bound<'py, PyDict>> {
@@ -130,7 +130,7 @@ impl Scene {
         let (scene, text, origin, replaced) = (scene.clone(), text.clone(), origin.clone(), replaced.clone());
         let wanted = Wanted { threads, fields, out };
         let work = move |watch: &mut Watch| ran(&scene, text, &origin, replaced, wanted, watch);
-        let (ran, raised) = watched(py, told, work)?;
+        let (ran, raised) = watched(py, listener, work)?;
         let ran = match (ran, raised.as_ref()) {
             (Ok(ran), _) => ran,
             // Nothing was found that could be kept.

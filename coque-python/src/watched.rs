@@ -56,15 +56,15 @@ impl Progress for Watch {
     }
 }
 
-/// What the work gave, and what a signal or `told` raised on the way, which ended it in good order.
+/// What the work gave, and what a signal or `listener` raised on the way, which ended it in good order.
 ///
-/// `told` is called with `(done, time, level, steps, kinetic, internal)`; it ends the work by `False`.
+/// `listener` is called with `(done, time, level, steps, kinetic, internal)`; it ends the work by `False`.
 ///
 /// # Errors
 /// `coque.CoqueError` where there is no thread to be had, and for a panic of the work.
 pub fn watched<T: Send + 'static>(
     py: Python<'_>,
-    told: Option<&Bound<'_, PyAny>>,
+    listener: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&mut Watch) -> T + Send + 'static,
 ) -> PyResult<(T, Option<PyErr>)> {
     let shared = Arc::new(Shared::default());
@@ -86,7 +86,7 @@ pub fn watched<T: Send + 'static>(
             }
             Err(RecvTimeoutError::Timeout) => {}
         }
-        let asked = py.check_signals().and_then(|()| tell(told, &shared));
+        let asked = py.check_signals().and_then(|()| tell(listener, &shared));
         match asked {
             Ok(ControlFlow::Continue(())) => {}
             Ok(ControlFlow::Break(())) => shared.stop.store(true, Ordering::Relaxed),
@@ -99,11 +99,11 @@ pub fn watched<T: Send + 'static>(
 }
 
 /// Hands news on.
-fn tell(told: Option<&Bound<'_, PyAny>>, shared: &Shared) -> PyResult<ControlFlow<()>> {
+fn tell(listener: Option<&Bound<'_, PyAny>>, shared: &Shared) -> PyResult<ControlFlow<()>> {
     let news = shared.news.lock().unwrap_or_else(PoisonError::into_inner).take();
-    let (Some(told), Some(news)) = (told, news) else { return Ok(ControlFlow::Continue(())) };
+    let (Some(listener), Some(news)) = (listener, news) else { return Ok(ControlFlow::Continue(())) };
     let ProgressReport { done, time, level, steps, kinetic, internal } = news;
-    let answer = told.call1((done, time, level, steps, kinetic, internal))?;
+    let answer = listener.call1((done, time, level, steps, kinetic, internal))?;
     let ends = answer.extract::<bool>().is_ok_and(|goes_on| !goes_on);
     Ok(if ends { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
 }

@@ -1,6 +1,6 @@
 //! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
 
-use crate::{cargo, python, tidy, validate};
+use crate::{cargo, package, python, tidy, validate};
 use std::time::{Duration, Instant};
 
 /// How far the validation goes.
@@ -27,6 +27,8 @@ enum Action {
     Tidy,
     /// The environment of [`python`]; skipped where it cannot be made.
     Python,
+    /// The tests of the package; skipped where there is no such environment.
+    Package,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -119,6 +121,7 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "pages", action: Action::Cargo(pages) },
         Step { name: "python", action: Action::Python },
         Step { name: "tests", action: Action::Cargo(words(tests)) },
+        Step { name: "python package", action: Action::Package },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
     if depth == Depth::Full {
@@ -139,6 +142,10 @@ impl Action {
                 Ok(()) => Ok(true),
                 Err(why) => return Outcome::Skipped(format!("{why}; fields are not read back by meshio")),
             },
+            Self::Package => match python::program() {
+                Ok(_) => package::test(),
+                Err(why) => return Outcome::Skipped(format!("{why}; the package for Python is not tested")),
+            },
         };
         match result {
             Ok(true) => Outcome::Passed,
@@ -156,6 +163,7 @@ impl Action {
             Self::Cargo(words) | Self::IfInstalled(_, words) => cargo::spelled(words),
             Self::Tidy => "cargo xtask tidy".to_owned(),
             Self::Python => "cargo xtask python".to_owned(),
+            Self::Package => "cargo xtask package".to_owned(),
         }
     }
 }
@@ -193,6 +201,7 @@ mod tests {
                 "cargo doc --workspace --no-deps --config 'build.rustdocflags = [\"-D\", \"warnings\"]'",
                 "cargo xtask python",
                 "cargo nextest run --workspace",
+                "cargo xtask package",
                 "cargo test --doc --workspace",
             ]
         );

@@ -2,10 +2,12 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Optional, TypedDict, Union
+from typing import Any, Optional, TypedDict, Union, final
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = ["Scene", "Simulation", "frames_listed", "read_frame", "schema"]
 
 _Curve = tuple[list[tuple[str, str]], NDArray[np.float64]]
 _Field = tuple[str, str, Optional[str], list[str], NDArray[Any]]
@@ -19,6 +21,7 @@ class _Body(TypedDict):
 
 _Frame = tuple[float, float, float, dict[str, _Body]]
 
+@final
 class Scene:
     def __new__(cls, text: str, origin: str, replaced: list[tuple[str, str]]) -> Scene: ...
     @property
@@ -29,12 +32,13 @@ class Scene:
     def run(
         self,
         threads: int,
-        told: Optional[Callable[[float, float, float, int, float, float], Any]],
+        listener: Optional[Callable[[float, float, float, int, float, float], Any]],
         fields: Optional[bool],
         out: Optional[Union[str, Path]],
     ) -> dict[str, Any]: ...
     def simulation(self, threads: int) -> Simulation: ...
 
+@final
 class Simulation:
     def advance(self, records: bool) -> tuple[str, float, float]: ...
     def frame(self, stresses: bool) -> _Frame: ...

@@ -139,29 +139,29 @@ class Scene:
         """
         if on_fail not in ("raise", "return"):
             raise ValueError(f'on_fail is {on_fail!r}; it must be "raise" or "return"')
-        result = self._run(threads, _told(progress), fields, out, on_fail)
+        result = self._run(threads, _listener(progress), fields, out, on_fail)
         result._warn(stacklevel=2)
         return result
 
     def _run(
         self,
         threads: int,
-        told: Optional[Callable[[Progress], Any]],
+        listener: Optional[Callable[[Progress], Any]],
         fields: Optional[bool],
         out: Union[str, PathLike[str], None],
         on_fail: str,
     ) -> Result:
         def tell(*news: Any) -> Any:
-            return told(Progress(*news)) if told else None
+            return listener(Progress(*news)) if listener else None
 
         if threads < 1:
             raise ValueError(f"threads is {threads}; it must be at least 1")
         folder = None if out is None else fspath(out)
         try:
-            found = self._scene.run(threads, tell if told else None, fields, folder)
+            found = self._scene.run(threads, tell if listener else None, fields, folder)
         finally:
-            if isinstance(told, _Line):
-                told.close()
+            if isinstance(listener, _Line):
+                listener.close()
         result = Result._of(found)
         raised: Optional[BaseException] = found["raised"]
         if isinstance(raised, KeyboardInterrupt):
@@ -201,7 +201,7 @@ class _Line:
             print(f"\r{'':<{self._width}}\r", end="", file=sys.stderr, flush=True)
 
 
-def _told(progress: Union[bool, Callable[[Progress], Any]]) -> Optional[Callable[[Progress], Any]]:
+def _listener(progress: Union[bool, Callable[[Progress], Any]]) -> Optional[Callable[[Progress], Any]]:
     if callable(progress):
         return progress
     return _Line() if progress else None
