@@ -1,11 +1,15 @@
 //! A checked scene: what may be asked of it, and its run.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use coque::mesh::Arrays;
 use coque::{
     Checked, FieldSink, GrowingCurve, Kept, Model, Origin, Outcome, ResultFolder, RunOptions, SceneError,
     listed, schema_text,
 };
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -16,6 +20,9 @@ use crate::steps::Simulation;
 use crate::watched::{Watch, watched};
 
 type Replaced = Vec<(String, String)>;
+type Sets<'py> = BTreeMap<String, PyReadonlyArray1<'py, u32>>;
+/// Points, faces, sets of points, sets of faces.
+type Mesh<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, u32>, Sets<'py>, Sets<'py>);
 
 /// A scene that has passed every check that needs no particles.
 #[pyclass(frozen)]
@@ -71,10 +78,21 @@ struct Ran {
 
 #[pymethods]
 impl Scene {
-    /// Reads and checks a text in which some values are replaced.
+    /// Reads and checks a text in which some values are replaced; `meshes` are those that it calls by name.
     #[new]
-    fn new(py: Python<'_>, text: String, origin: String, replaced: Replaced) -> PyResult<Self> {
-        let scene = py.detach(|| coque::Scene::with_overrides(&text, &origin, &replaced));
+    fn new(
+        py: Python<'_>,
+        text: String,
+        origin: String,
+        replaced: Replaced,
+        meshes: BTreeMap<String, Mesh<'_>>,
+    ) -> PyResult<Self> {
+        let named = |(name, mesh)| Ok((name, Arc::new(arrays(&mesh)?)));
+        let surfaces = meshes.into_iter().map(named).collect::<PyResult<_>>()?;
+        let scene = py.detach(|| {
+            let scene = coque::Scene::with_overrides(&text, &origin, &replaced)?.into_scene();
+            coque::Scene { surfaces, ..scene }.check()
+        });
         let scene = scene.map_err(|error| refused(py, &error))?;
         Ok(Self { scene, text, origin, replaced })
     }
@@ -157,6 +175,22 @@ impl Scene {
         });
         begun.map_err(|error: SceneError| refused(py, &error))
     }
+}
+
+/// A mesh of NumPy's arrays.
+fn arrays((points, faces, sets, face_sets): &Mesh<'_>) -> PyResult<Arrays> {
+    let lists = |sets: &Sets<'_>| {
+        let list = |(name, numbers): (&String, &PyReadonlyArray1<'_, u32>)| {
+            Ok((name.clone(), numbers.as_slice()?.to_vec()))
+        };
+        sets.iter().map(list).collect::<PyResult<_>>()
+    };
+    Ok(Arrays {
+        points: points.as_slice()?.as_chunks().0.to_vec(),
+        faces: faces.as_slice()?.as_chunks().0.to_vec(),
+        sets: lists(sets)?,
+        face_sets: lists(face_sets)?,
+    })
 }
 
 /// Builds and runs; results go into a folder if there is one.

@@ -10,6 +10,7 @@ Every number has the unit of its scene; `docs/python.md` shows the rest.
 
 from ._coque import schema as _schema
 from ._errors import CoqueError, CoqueWarning, Diverged, Interrupted, NotSettled, SceneError
+from .mesh import Mesh
 from .result import Body, Curve, Frame, Result, load
 from .scene import Event, Progress, Scene, Steps, Sweep, sweep
 
@@ -22,6 +23,7 @@ __all__ = [
     "Event",
     "Frame",
     "Interrupted",
+    "Mesh",
     "NotSettled",
     "Progress",
     "Result",

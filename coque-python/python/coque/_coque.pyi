@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __all__ = ["Scene", "Simulation", "frames_listed", "read_frame", "schema"]
 
 _Curve = tuple[list[tuple[str, str]], NDArray[np.float64]]
+_Mesh = tuple[NDArray[np.float64], NDArray[np.uint32], dict[str, NDArray[np.uint32]], dict[str, NDArray[np.uint32]]]
 _Field = tuple[str, str, Optional[str], list[str], NDArray[Any]]
 
 class _Body(TypedDict):
@@ -23,7 +24,9 @@ _Frame = tuple[float, float, float, dict[str, _Body]]
 
 @final
 class Scene:
-    def __new__(cls, text: str, origin: str, replaced: list[tuple[str, str]]) -> Scene: ...
+    def __new__(
+        cls, text: str, origin: str, replaced: list[tuple[str, str]], meshes: dict[str, _Mesh]
+    ) -> Scene: ...
     @property
     def title(self) -> str: ...
     @property

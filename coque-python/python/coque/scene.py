@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import _coque, _toml
 from ._errors import CoqueError, Diverged, Interrupted
+from .mesh import Mesh
 from .result import Curve, Frame, Result, _warning
 
 if TYPE_CHECKING:
@@ -47,7 +48,8 @@ class Scene:
     """A scene that has passed every check that needs no particles; never changed.
 
     `Scene("ring.toml")` reads a file, `Scene(text)` a text of more than one line, `Scene(dict)` and `Scene(title=…, units=…)` take Python's
-    own values. `set` replaces values: `{"section.homogeneous.thickness": 0.2}`.
+    own values. `set` replaces values: `{"section.homogeneous.thickness": 0.2}`. `meshes` are those that `geometry.mesh.file` calls by their
+    names; whatever `Mesh.of` takes.
 
     Raises `SceneError` for the first thing that is wrong, `OSError` for a file that cannot be read.
     """
@@ -58,6 +60,7 @@ class Scene:
         /,
         *,
         set: Optional[Mapping[str, Any]] = None,
+        meshes: Optional[Mapping[str, Any]] = None,
         **keys: Unpack[SceneKeys],
     ) -> None:
         if (given is None) == (not keys):
@@ -70,20 +73,20 @@ class Scene:
             origin = fspath(given)
             text = Path(origin).read_bytes().decode("utf-8")
         replaced = [(path, _toml.value(value)) for path, value in (set or {}).items()]
-        self._take(text, origin, replaced)
+        self._take(text, origin, replaced, {name: Mesh.of(mesh) for name, mesh in (meshes or {}).items()})
 
-    def _take(self, text: str, origin: str, replaced: list[tuple[str, str]]) -> None:
-        self._text, self._origin, self._replaced = text, origin, replaced
-        self._scene = _coque.Scene(text, origin, replaced)
+    def _take(self, text: str, origin: str, replaced: list[tuple[str, str]], meshes: dict[str, Mesh]) -> None:
+        self._text, self._origin, self._replaced, self._meshes = text, origin, replaced, meshes
+        self._scene = _coque.Scene(text, origin, replaced, {name: mesh._arrays() for name, mesh in meshes.items()})
 
     @classmethod
-    def _made(cls, text: str, origin: str, replaced: list[tuple[str, str]]) -> Scene:
+    def _made(cls, text: str, origin: str, replaced: list[tuple[str, str]], meshes: dict[str, Mesh]) -> Scene:
         scene = cls.__new__(cls)
-        scene._take(text, origin, replaced)
+        scene._take(text, origin, replaced, meshes)
         return scene
 
     def __reduce__(self) -> Any:
-        return Scene._made, (self._text, self._origin, self._replaced)
+        return Scene._made, (self._text, self._origin, self._replaced, self._meshes)
 
     @property
     def text(self) -> str:
@@ -111,7 +114,7 @@ class Scene:
     def with_(self, changes: Mapping[str, Any]) -> Scene:
         """Another scene, in which some values are replaced."""
         more = [(path, _toml.value(value)) for path, value in changes.items()]
-        return Scene._made(self._text, self._origin, [*self._replaced, *more])
+        return Scene._made(self._text, self._origin, [*self._replaced, *more], self._meshes)
 
     def check(self, *, cost: bool = False, threads: int = 1) -> dict[str, Any]:
         """Builds it: `model` says what is modelled and left out, `warnings` what is doubtful; `cost`, if asked for, times a few steps."""
