@@ -159,7 +159,7 @@ mod run;
 pub mod scene;
 mod warning;
 
-pub use analyses::{Estimate, Event, RunOptions, Simulation};
+pub use analyses::{Estimate, Event, Kept, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
@@ -179,6 +179,7 @@ pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,
 };
+pub use run::folder::ResultFolder;
 pub use run::outcome::{Ended, Failure, Outcome};
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};

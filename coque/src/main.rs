@@ -11,7 +11,6 @@ mod commands {
     pub mod frames;
     pub mod mesh;
     pub mod plot;
-    pub mod results;
     pub mod resume;
     pub mod stderr;
     pub mod stop;
@@ -26,14 +25,12 @@ use std::sync::Arc;
 
 use clap::{Args, Parser, Subcommand};
 use commands::bar::Bar;
-use commands::results::{CURVE, ResultFolder};
 use commands::stderr::{Refused, say};
 use commands::stop::{Stop, outlive_file_limits};
 use commands::view::Follower;
 use commands::{check, mesh, plot, resume, sweep, templates, view};
 use coque::{
-    Checked, Checkpoint, Checkpoints, Ended, Failure, FieldError, FieldFiles, FieldSink, GrowingCurve, Model,
-    Origin, Outcome, RunOptions, Scene, Task, Warning, Written, read_text,
+    Checked, Checkpoint, Ended, GrowingCurve, Model, Origin, Outcome, ResultFolder, Scene, Warning, read_text,
 };
 
 const DONE: u8 = 0;
@@ -195,7 +192,7 @@ fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
     }
     let model = build(&scene, run.threads.into())?;
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
-    let folder = ResultFolder::take(&out)?;
+    let folder = take(&out)?;
     stop.begin();
     let text = folder.begin(&run.scene, text, &replaced)?;
     // Another folder may be the present one when the run goes on.
@@ -235,60 +232,29 @@ fn launch(
     stop: &Arc<Stop>,
 ) -> Result<u8, Refused> {
     let out = folder.path();
-    let task = model.task.clone();
     let described = model.describe();
-    say(&format!("{}: {} particles, {} degrees of freedom", task.title, described.particles, described.dof));
+    say(&format!(
+        "{}: {} particles, {} degrees of freedom",
+        model.task.title, described.particles, described.dof
+    ));
     let early = model.warnings().to_vec();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
-    let replaced = origin.replaced.clone();
-    let mut checkpoints =
-        task.output.checkpoint_every.map(|every| Checkpoints::new(out, origin, every.get()));
-    let mut files = fields(&task, &model, out, from.as_ref()).map_err(|e| format!("{e}\n"))?;
-    let curve = GrowingCurve::new(&out.join(CURVE));
+    let curve = GrowingCurve::new(&out.join(ResultFolder::CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
-    let options = RunOptions {
-        progress: &mut bar,
-        checkpoints: checkpoints.as_mut(),
-        fields: files.as_mut().map(|files| files as &mut dyn FieldSink),
-        from,
-    };
-    let mut outcome = model.run_with(options).map_err(|e| format!("{e}\n"))?;
+    let kept = model.run_into(folder, origin, from, &mut bar, None)?;
     bar.finish();
-    outcome.summary.replaced = replaced.into_iter().map(|(path, value)| format!("{path}={value}")).collect();
-    let written = folder.write(&task, &outcome);
-    // With more room on the disk a run can go on, or write its results, as well.
-    let stopped = matches!(outcome.ended, Ended::Interrupted { .. } | Ended::Diverged(Failure::Fields(_)));
-    let resumable = (stopped || written.is_err()) && checkpoints.is_some();
-    if !resumable && let Some(checkpoints) = checkpoints {
-        checkpoints.finish().map_err(|e| format!("{e}\n"))?;
-    }
-    let code = report(&outcome, &early, out, resumable);
-    written?;
+    let code = report(&kept.outcome, &early, out, kept.resumable);
+    kept.written?;
     Ok(code)
 }
 
-/// The files of the frames, if the scene asks for any: none yet, or those up to the checkpoint.
-fn fields(
-    task: &Task,
-    model: &Model,
-    out: &Path,
-    from: Option<&Checkpoint>,
-) -> Result<Option<FieldFiles>, FieldError> {
-    let Some(wanted) = &task.output.fields else { return Ok(None) };
-    let folder = out.join("fields");
-    let described = &model.description;
-    let of = |name| described.bodies.get(name).unwrap_or(described);
-    let written = |name| Written { name, shell: of(name).kind == "shell" };
-    let mut bodies: Vec<Written<'_>> = model.body.body().bodies().into_iter().map(written).collect();
-    if bodies.is_empty() {
-        bodies.push(written(described.kind));
+/// Takes the folder of a run for this program.
+fn take(path: &Path) -> Result<ResultFolder, String> {
+    let folder = ResultFolder::take(path)?;
+    if let Some(warning) = folder.warning() {
+        say(&format!("warning: {warning}"));
     }
-    let files = match from {
-        None => FieldFiles::create_all(&folder, &bodies, wanted),
-        Some(checkpoint) => FieldFiles::go_on_all(&folder, &bodies, wanted, checkpoint.frames()),
-    }?;
-    FieldFiles::write_sets(&folder, &model.sets)?;
-    Ok(Some(files))
+    Ok(folder)
 }
 
 fn default_out(scene: &Path) -> PathBuf {

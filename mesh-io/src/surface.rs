@@ -3,6 +3,7 @@
 //!
 //! [`parse`] lets the reader of the format take what stands in a file, and makes it a sound [`Surface`] or refuses it.
 
+mod arrays;
 mod boundary;
 mod error;
 mod formats;
@@ -30,6 +31,7 @@ use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
 
+pub use arrays::Arrays;
 pub use boundary::{HangingNode, Loop, boundary_edges, chains};
 pub use error::MeshError;
 pub use formats::{Format, parse, read, read_to_be_tied};
@@ -47,8 +49,8 @@ const MOST_NODES: usize = 10_000_000;
 pub struct Surface {
     /// Name of the file.
     pub file: String,
-    /// What the file was.
-    pub format: Format,
+    /// What the file was; none of arrays.
+    pub format: Option<Format>,
     /// Checksum of its bytes.
     pub checksum: u32,
     /// Positions of the nodes `[L]`.
@@ -126,7 +128,7 @@ impl fmt::Display for Cells {
 
 impl Surface {
     /// Checks what a reader found and makes it sound.
-    fn new(mut raw: Raw, format: Format, may_hang: bool) -> Result<Self, MeshError> {
+    fn new(mut raw: Raw, format: Option<Format>, may_hang: bool) -> Result<Self, MeshError> {
         if raw.positions.len() > MOST_NODES {
             let what = format!("{} nodes; at most {MOST_NODES} are allowed", raw.positions.len());
             return Err(MeshError::whole(what, "use a coarser mesh"));

@@ -62,6 +62,13 @@ pub fn metadata() -> Result<Value, String> {
     serde_json::from_slice(&output.stdout).map_err(|error| format!("{} is no JSON: {error}", spelled(&call)))
 }
 
+/// Where cargo puts what it builds.
+pub fn target() -> Result<PathBuf, String> {
+    let metadata = metadata()?;
+    let target = metadata["target_directory"].as_str().ok_or("cargo metadata names no target directory")?;
+    Ok(PathBuf::from(target))
+}
+
 /// Literal words as owned ones.
 pub fn words(literal: &[&str]) -> Vec<String> {
     literal.iter().map(|&word| word.to_owned()).collect()

@@ -1,4 +1,5 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · new-case · soak · gallery · book · aarch64`.
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · package · wheel · new-case · soak · gallery · book ·
+//! aarch64`.
 
 mod aarch64;
 mod bench;
@@ -6,6 +7,7 @@ mod book;
 mod cargo;
 mod gallery;
 mod new_case;
+mod package;
 mod pages;
 mod python;
 mod soak;
@@ -34,9 +36,10 @@ enum Task {
 
     /// Everything that CI runs, from a bare checkout; stops at the first failure
     ///
-    /// Steps: format, lints, tidy, Python, tests (the quick sets of cases, usual and hard, among them), documentation tests.
+    /// Steps: format, lints, tidy, Python, tests (the quick sets of cases, usual and hard, among them), the package for Python,
+    /// documentation tests.
     /// Each is timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
-    /// target/python with which the tests read fields back, where there is no Python 3.10 or no network. The last
+    /// target/python with which the package for Python is tested and fields are read back, where there is no Python 3.10 or no network. The last
     /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run.
     Test,
 
@@ -54,17 +57,27 @@ enum Task {
     /// Layers: leaves use no crate of ours, a model uses no model, only `validation` reads benchmarks-ref.
     /// Circles: in every folder of a crate the modules use each other without one.
     /// Sources: a `//!` line on top, at most 400 lines, no tabs, trailing blanks, ignored tests, numbers of issues or
-    /// paths of one machine; files and streams only in mesh-io, coque, validation and xtask.
+    /// paths of one machine; files and streams only in mesh-io, coque, coque-python, validation and xtask.
     /// Citations: every key in square brackets has its entry in references.bib.
     /// Links: those of Markdown pages lead to files and headings that are there; docs/SUMMARY.md lists every page of docs.
     /// Words: none that only those know who wrote the project.
     Tidy,
 
-    /// The environment in target/python with which the tests read fields back: meshio and numpy, locked by hashes
+    /// The environment in target/python with which the package is tested and fields are read back, locked by hashes
     ///
     /// Made anew when coque/tests/python/requirements.txt has changed; with uv if there is one, else with venv and pip.
     /// Without it the tests pass and say what they left out. `test` makes it too.
     Python,
+
+    /// Build the package for Python for development, run its tests, check its types; needs the environment of `python`
+    ///
+    /// The package lies in target/python/package: with it in PYTHONPATH the changed sources can be tried.
+    Package,
+
+    /// Build the wheel of the package for Python in release mode, into target/wheels, and say how large it is
+    ///
+    /// One wheel serves every Python from 3.9 on.
+    Wheel,
 
     /// Lay out a new benchmark: a scene, a case file, and the line that lists it
     ///
@@ -104,6 +117,10 @@ fn main() -> ExitCode {
         Task::Ci => test_all::run(test_all::Depth::Full),
         Task::Tidy => tidy::run(),
         Task::Python => python::make(),
+        Task::Package => {
+            package::test().and_then(|passed| if passed { Ok(()) } else { Err("the package fails".into()) })
+        }
+        Task::Wheel => package::wheel(),
         Task::NewCase(options) => new_case::run(&options),
         Task::Soak(options) => soak::run(&options),
         Task::Gallery(options) => gallery::run(&options),

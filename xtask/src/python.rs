@@ -50,15 +50,19 @@ fn calls(environment: &Path, list: &Path, uv: bool, interpreter: &str) -> [Vec<S
 }
 
 /// Beside what cargo builds, where the tests look for it.
-fn folder() -> Result<PathBuf, String> {
-    let metadata = cargo::metadata()?;
-    let target = metadata["target_directory"].as_str().ok_or("cargo metadata names no target directory")?;
-    Ok(Path::new(target).join("python"))
+pub fn folder() -> Result<PathBuf, String> {
+    Ok(cargo::target()?.join("python"))
+}
+
+/// Its interpreter.
+pub fn program() -> Result<PathBuf, String> {
+    let program = python_of(&folder()?);
+    if runs(&program) { Ok(program) } else { Err("there is no environment: cargo xtask python".to_owned()) }
 }
 
 fn interpreter() -> Result<&'static str, String> {
     let known = ["python3", "python"].into_iter().find(|program| cargo::has_program(program));
-    known.ok_or_else(|| "there is no Python 3; install it to have the fields read back by meshio".to_owned())
+    known.ok_or_else(|| "there is no Python 3; install it to have the package for Python tested, and fields read back by meshio".to_owned())
 }
 
 fn python_of(environment: &Path) -> PathBuf {
@@ -78,8 +82,10 @@ mod tests {
         let text = fs::read_to_string(cargo::root().join(LIST)).unwrap();
         let packages: Vec<&str> =
             text.lines().filter(|line| !line.starts_with('#') && line.contains("==")).collect();
-        assert!(packages.iter().any(|line| line.starts_with("meshio==")));
-        assert!(packages.iter().any(|line| line.starts_with("numpy==")));
+        for name in ["meshio", "numpy", "pytest", "mypy", "maturin"] {
+            let named = |line: &&str| line.starts_with(&format!("{name}=="));
+            assert!(packages.iter().any(named), "{name}");
+        }
         // Each package goes on to at least one line of hashes.
         assert!(packages.iter().all(|line| line.ends_with('\\')), "{packages:?}");
         assert!(text.matches("--hash=sha256:").count() >= packages.len());

@@ -1,6 +1,6 @@
 //! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
 
-use crate::{aarch64, cargo, python, tidy, validate};
+use crate::{aarch64, cargo, package, python, tidy, validate};
 use std::time::{Duration, Instant};
 
 /// How far the validation goes.
@@ -29,6 +29,8 @@ enum Action {
     Python,
     /// Another processor, [`aarch64`]; not run where its tools are missing.
     Aarch64,
+    /// The tests of the package; skipped where there is no such environment.
+    Package,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -125,6 +127,7 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "pages", action: Action::Cargo(pages) },
         Step { name: "python", action: Action::Python },
         Step { name: "tests", action: Action::Cargo(words(tests)) },
+        Step { name: "python package", action: Action::Package },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
     steps.push(Step { name: "aarch64", action: Action::Aarch64 });
@@ -150,6 +153,10 @@ impl Action {
                 Ok(tools) => tools.check().map(|()| true),
                 Err(why) => return Outcome::NotRun(why),
             },
+            Self::Package => match python::program() {
+                Ok(_) => package::test(),
+                Err(why) => return Outcome::Skipped(format!("{why}; the package for Python is not tested")),
+            },
         };
         match result {
             Ok(true) => Outcome::Passed,
@@ -168,6 +175,7 @@ impl Action {
             Self::Tidy => "cargo xtask tidy".to_owned(),
             Self::Python => "cargo xtask python".to_owned(),
             Self::Aarch64 => "cargo xtask aarch64".to_owned(),
+            Self::Package => "cargo xtask package".to_owned(),
         }
     }
 }
@@ -206,6 +214,7 @@ mod tests {
                 "cargo doc --workspace --no-deps --config 'build.rustdocflags = [\"-D\", \"warnings\"]'",
                 "cargo xtask python",
                 "cargo nextest run --workspace",
+                "cargo xtask package",
                 "cargo test --doc --workspace",
                 "cargo xtask aarch64",
             ]

@@ -5,6 +5,7 @@ mod breaking;
 mod course;
 mod criticality;
 mod estimate;
+mod kept;
 mod linear;
 mod march;
 mod modes;
@@ -16,6 +17,7 @@ mod simulation;
 mod stability;
 
 pub use estimate::Estimate;
+pub use kept::Kept;
 pub use simulation::{Event, Simulation};
 
 use crate::bodies::{Description, Model, Resultant, TangentCost};

@@ -187,8 +187,13 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// [`FieldError`] for a body that writes its fields out of their order; none is known.
     pub fn sheet(&self, stresses: bool) -> Result<Sheet, FieldError> {
+        self.frame().sheet(stresses)
+    }
+
+    /// The body as it is now, for whoever evaluates its fields.
+    pub fn frame(&self) -> Frame<'_> {
         let driven = self.model.driven.map(|driven| driven.particle);
-        Frame::present(self.body(), &self.model.task, driven, self.stands_at()).sheet(stresses)
+        Frame::present(self.body(), &self.model.task, driven, self.stands_at())
     }
 
     /// Time \[T\], zero without time, and the load level: the present one in time, else the last one found.

@@ -6,10 +6,9 @@ use std::sync::Arc;
 use clap::Args;
 use coque::{Checkpoint, CheckpointError, Scene, read_text};
 
-use super::results::ResultFolder;
 use super::stderr::Refused;
 use super::stop::Stop;
-use crate::{build, launch};
+use crate::{build, launch, take};
 
 #[derive(Args)]
 pub struct Resume {
@@ -37,7 +36,7 @@ Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another 
 pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let folder = &resume.folder;
     // A folder that is not there is not made.
-    let taken = folder.is_dir().then(|| ResultFolder::take(folder)).transpose()?;
+    let taken = folder.is_dir().then(|| take(folder)).transpose()?;
     let (checkpoint, text) = Checkpoint::read(folder).map_err(|error| match (&error, ended(folder)) {
         (CheckpointError::None(_), Some(how)) => format!(
             "the run in {} has ended already ({how}); to run it anew: coque run {}\n",
@@ -53,7 +52,7 @@ pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced);
     let scene = scene.map_err(|error| Refused::scene(&error))?;
     let model = build(&scene, origin.threads)?;
-    let taken = taken.map_or_else(|| ResultFolder::take(folder), Ok)?;
+    let taken = taken.map_or_else(|| take(folder), Ok)?;
     stop.begin();
     launch(model, &taken, origin, Some(checkpoint), stop)
 }

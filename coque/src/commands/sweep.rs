@@ -10,14 +10,13 @@ use std::time::Instant;
 
 use clap::Args;
 use coque::{
-    Column, Curve, Ended, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport, RunOptions,
-    Scene, Warning, read_text, write_whole,
+    Column, Curve, Ended, FieldFiles, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport,
+    ResultFolder, RunOptions, Scene, Warning, read_text, write_whole,
 };
 
-use super::results::{CURVE, ResultFolder, TABLE};
 use super::stderr::{Refused, say};
 use super::stop::Stop;
-use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, fields, replacement};
+use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, replacement, take};
 
 #[derive(Args)]
 pub struct Sweep {
@@ -88,7 +87,7 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let runs = combinations(&sweep.over)?;
     let stem = sweep.scene.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
-    let folder = ResultFolder::take(&out)?;
+    let folder = take(&out)?;
     stop.begin();
     folder.clear()?;
     clear_runs(&out)?;
@@ -121,7 +120,7 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
         }
     });
     let rows = rows.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let table = out.join(TABLE);
+    let table = out.join(ResultFolder::TABLE);
     write_whole(&table, |to| write_table(to, &sweep.over, &runs, &rows))
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
     let of = |code: u8| rows.iter().flatten().filter(|row| row.code == code).count();
@@ -191,7 +190,7 @@ fn clear_runs(out: &Path) -> Result<(), String> {
             ));
         }
         if entry.path().is_dir() {
-            ResultFolder::take(&entry.path())?.clear()?;
+            take(&entry.path())?.clear()?;
             // What else is there keeps it.
             let _ = fs::remove_dir(entry.path());
         }
@@ -201,16 +200,16 @@ fn clear_runs(out: &Path) -> Result<(), String> {
 
 /// Runs a model; its curve and its frames go into its folder.
 fn run(model: Model, out: &Path, stop: &Stop) -> Result<Outcome, String> {
-    let folder = ResultFolder::take(out)?;
-    let mut files = fields(&model.task, &model, out, None).map_err(|error| error.to_string())?;
+    let folder = take(out)?;
+    let mut files = FieldFiles::of_run(&model, out, 0).map_err(|error| error.to_string())?;
     let options = RunOptions {
-        progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(CURVE)) },
+        progress: &mut Watch { stop, curve: GrowingCurve::new(&out.join(ResultFolder::CURVE)) },
         checkpoints: None,
         fields: files.as_mut().map(|files| files as &mut dyn FieldSink),
         from: None,
     };
     let outcome = model.run_with(options).map_err(|error| error.to_string())?;
-    let file = folder.path().join(CURVE);
+    let file = folder.path().join(ResultFolder::CURVE);
     write_whole(&file, |to| outcome.curve.write_csv(to))
         .map_err(|error| format!("cannot write {}: {error}", file.display()))?;
     Ok(outcome)

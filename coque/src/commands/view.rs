@@ -9,11 +9,10 @@ use std::thread::{JoinHandle, available_parallelism, sleep, spawn};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use coque::write_whole;
+use coque::{ResultFolder, write_whole};
 use viewer::{Show, page};
 
 use super::frames::show;
-use super::results::{VIEW, is_held};
 use super::stderr::{Refused, say};
 use super::stop::Stop;
 
@@ -71,7 +70,7 @@ pub fn carry_out(view: &View, stop: &Arc<Stop>) -> Result<(), Refused> {
     stop.begin();
     let mut opened = false;
     loop {
-        let live = is_held(&view.folder) && !stop.asked();
+        let live = ResultFolder::is_held(&view.folder) && !stop.asked();
         let page = write(live.then_some(every))?;
         if !opened {
             say(&page.display().to_string());
@@ -100,7 +99,7 @@ fn write(
 ) -> Result<PathBuf, String> {
     shown.reload = reload.map(f64::from);
     let made = page(shown, usize::from(size) * 1_000_000, threads).map_err(|e| format!("{e}\n"))?;
-    let path = folder.join(VIEW);
+    let path = folder.join(ResultFolder::VIEW);
     let written = write_whole(&path, |to| to.write_all(made.html.as_bytes()));
     written.map_err(|e| format!("cannot write {}: {e}\n", path.display()))?;
     Ok(path)

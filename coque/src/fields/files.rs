@@ -9,6 +9,7 @@ use std::path::Path;
 use mesh_io::{FieldError, Series, write_whole};
 
 use super::{FieldSink, Frame, Part};
+use crate::bodies::Model;
 use crate::scene::Fields;
 
 /// Sets of particles, beside the frames: body, set, numbers of its particles.
@@ -36,6 +37,26 @@ pub struct FieldFiles {
 impl FieldFiles {
     /// The series of a shell that is alone in its scene; a lone solid is `solid`.
     pub const LONE: &'static str = "shell";
+
+    /// The frames that a scene asks for, in `fields/` of the folder of its run, after so many that an earlier sitting wrote; none if it asks
+    /// for none.
+    ///
+    /// # Errors
+    /// As [`FieldFiles::create`] and [`FieldFiles::go_on`].
+    pub fn of_run(model: &Model, folder: &Path, frames: u64) -> Result<Option<Self>, FieldError> {
+        let Some(wanted) = &model.task.output.fields else { return Ok(None) };
+        let described = &model.description;
+        let of = |name| described.bodies.get(name).unwrap_or(described);
+        let written = |name| Written { name, shell: of(name).kind == "shell" };
+        let mut bodies: Vec<Written<'_>> = model.body.body().bodies().into_iter().map(written).collect();
+        if bodies.is_empty() {
+            bodies.push(written(described.kind));
+        }
+        let folder = folder.join("fields");
+        let files = Self::go_on_all(&folder, &bodies, wanted, frames)?;
+        Self::write_sets(&folder, &model.sets)?;
+        Ok(Some(files))
+    }
 
     /// Makes the folder and takes out the frames that an earlier run left there of the body.
     ///

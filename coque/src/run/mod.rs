@@ -2,6 +2,7 @@
 
 mod active_run;
 pub(crate) mod checkpoint;
+pub(crate) mod folder;
 pub(crate) mod impulses;
 pub(crate) mod outcome;
 pub(crate) mod progress;

@@ -1,7 +1,9 @@
 //! The scene as a whole.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use mesh_io::surface::Arrays;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -53,6 +55,9 @@ pub struct Scene {
     /// Further results.
     #[serde(default)]
     pub output: Output,
+    /// Surfaces in memory, by the names under which `geometry.mesh.file` calls them; other names are files.
+    #[serde(skip)]
+    pub surfaces: BTreeMap<String, Arc<Arrays>>,
     /// The text the scene was read from.
     #[serde(skip, default = "Source::none")]
     pub source: Source,

@@ -134,9 +134,12 @@ impl Source {
     /// Turns what the TOML reader says into a refusal with a repair.
     pub(crate) fn refusal(&self, error: &toml::de::Error) -> SceneError {
         let message = error.message();
+        // What the scene as a whole lacks has an empty span at its beginning, where any key may stand.
+        let missing = message.starts_with("missing field");
+        let span = error.span().filter(|span| !(missing && span.is_empty()));
         // A span over the whole text says nothing.
-        let place = self.at(error.span().filter(|span| span.len() < self.text.trim().len()));
-        let key = error.span().and_then(|span| self.path_at(&span)).unwrap_or_default();
+        let place = self.at(span.clone().filter(|span| span.len() < self.text.trim().len()));
+        let key = span.and_then(|span| self.path_at(&span)).unwrap_or_default();
         let parent = key.rsplit_once('.').map_or("", |(parent, _)| parent).to_string();
         let mut quoted = message.split('`').skip(1).step_by(2);
         let word = quoted.next().unwrap_or_default().to_string();
@@ -151,7 +154,7 @@ impl Source {
                 false => SceneError::UnknownWord,
             };
             unknown(&word, &table, &known, place.clone(), kind)
-        } else if message.starts_with("missing field") {
+        } else if missing {
             let path = if key.is_empty() { word.clone() } else { format!("{key}.{word}") };
             let repair = format!("add `{word} = …`{}", within(&key));
             SceneError::Missing(fault(path, "nothing".into(), "given: it has no default".into(), repair))

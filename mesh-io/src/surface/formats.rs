@@ -129,6 +129,6 @@ fn parse_as(name: &str, format: Format, bytes: &[u8], may_hang: bool) -> Result<
         Format::Csv => csv::parse(&text()),
     };
     let surface =
-        raw.and_then(|raw| Surface::new(raw, format, may_hang)).map_err(|error| error.named(name))?;
+        raw.and_then(|raw| Surface::new(raw, Some(format), may_hang)).map_err(|error| error.named(name))?;
     Ok(Surface { file: name.into(), checksum: crc32fast::hash(bytes), ..surface })
 }

@@ -6,7 +6,7 @@ use sph_core::Cloud;
 
 use super::error::{number, place};
 use super::raw::counted;
-use super::{MeshError, Quality, Surface, quality, side};
+use super::{Format, MeshError, Quality, Surface, quality, side};
 
 /// Sets that are listed one by one.
 const LISTED: usize = 24;
@@ -18,7 +18,7 @@ const LISTED: usize = 24;
 pub fn report(surface: &Surface, of_cloud: impl Fn(&Cloud) -> Vec<String>) -> Result<String, MeshError> {
     let (cloud, made) = surface.cloud(surface.node_normals())?;
     let figures = quality(surface);
-    let mut out = format!("{}: {}\n", surface.file, surface.format.name());
+    let mut out = format!("{}: {}\n", surface.file, surface.format.map_or("arrays", Format::name));
     let mut line = |key: &str, text: String| {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "  {key:<10} {text}");

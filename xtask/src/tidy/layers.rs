@@ -24,7 +24,7 @@ const VIEW: &str = "viewer";
 const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
 
 /// Crates above the models.
-const ABOVE: &[&str] = &["coque", "validation"];
+const ABOVE: &[&str] = &["coque", "coque-python", "validation"];
 
 /// The truth, the only crate that may read it, and the only one of ours that its own shell may use.
 const TRUTH: &str = "benchmarks-ref";
@@ -167,6 +167,7 @@ mod tests {
             using("mesh-io", &["sph-core"]),
             using("viewer", &["mesh-io"]),
             using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io", "viewer"]),
+            using("coque-python", &["coque"]),
             using("benchmarks-ref", &["implicit-statics"]),
             using("validation", &["coque", "benchmarks-ref"]),
             using("xtask", &[]),

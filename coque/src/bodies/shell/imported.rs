@@ -67,7 +67,12 @@ impl Imported {
         let refuse = |error: &MeshError| refuse(scene, error);
         let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
         let path = folder.join(file);
-        let surface = if scene.shell.ties.is_empty() { read(&path) } else { read_to_be_tied(&path) };
+        let tied = !scene.shell.ties.is_empty();
+        let surface = match scene.scene.surfaces.get(file) {
+            Some(arrays) => arrays.surface(file, tied),
+            None if tied => read_to_be_tied(&path),
+            None => read(&path),
+        };
         let surface = surface.map_err(|error| refuse(&error))?.scaled(scale.get());
         let surface = if *flip { surface.flipped() } else { surface };
         refuse_points(scene, &surface)?;

@@ -4,35 +4,44 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use coque::{
-    CHECKPOINT, CHECKPOINT_ROWS, FieldFiles, Outcome, SCENE_COPY, SETS, Task, Whole, listed, plot_svg,
-    write_whole,
-};
+use mesh_io::{Whole, listed, write_whole};
 
-use super::stderr::say;
+use super::checkpoint::{CHECKPOINT, CHECKPOINT_ROWS, SCENE_COPY};
+use super::outcome::Outcome;
+use crate::bodies::Task;
+use crate::fields::{FieldFiles, SETS};
+use crate::results::plot::plot_svg;
 
-/// The curve of a run.
-pub const CURVE: &str = "curve.csv";
-/// The table of a sweep.
-pub const TABLE: &str = "sweep.csv";
+const CURVE: &str = ResultFolder::CURVE;
+const SUMMARY: &str = ResultFolder::SUMMARY;
+const FIELDS: &str = ResultFolder::FIELDS;
 const PICTURE: &str = "curve.svg";
-const SUMMARY: &str = "summary.json";
-const FIELDS: &str = "fields";
-/// The page of the frames.
-pub const VIEW: &str = "view.html";
 /// Locked while a run is under way; the system frees it however the run ends.
 const LOCK: &str = "coque.lock";
 
 /// What a run writes, but for the copy of its scene and its frames.
-const WRITTEN: [&str; 7] = [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, TABLE, VIEW];
+const WRITTEN: [&str; 7] =
+    [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, ResultFolder::TABLE, ResultFolder::VIEW];
 
 /// The folder of a run, held until this is dropped.
 pub struct ResultFolder {
     path: PathBuf,
     lock: Option<File>,
+    warning: Option<String>,
 }
 
 impl ResultFolder {
+    /// The curve of a run.
+    pub const CURVE: &'static str = "curve.csv";
+    /// What a run was and what it cost.
+    pub const SUMMARY: &'static str = "summary.json";
+    /// The folder of its frames.
+    pub const FIELDS: &'static str = "fields";
+    /// The table of a sweep.
+    pub const TABLE: &'static str = "sweep.csv";
+    /// The page of the frames.
+    pub const VIEW: &'static str = "view.html";
+
     /// Makes the folder, looks for links that would lead out of it, and locks it.
     ///
     /// # Errors
@@ -51,7 +60,20 @@ impl ResultFolder {
                 ));
             }
         }
-        Ok(Self { path: path.into(), lock: locked(path)? })
+        let locked = locked(path)?;
+        let warning = locked.as_ref().err().cloned();
+        Ok(Self { path: path.into(), lock: locked.ok(), warning })
+    }
+
+    /// What is said of a folder that cannot be locked.
+    pub fn warning(&self) -> Option<&str> {
+        self.warning.as_deref()
+    }
+
+    /// Whether a run holds a folder.
+    pub fn is_held(folder: &Path) -> bool {
+        let lock = OpenOptions::new().read(true).open(folder.join(LOCK));
+        lock.is_ok_and(|lock| matches!(lock.try_lock_shared(), Err(TryLockError::WouldBlock)))
     }
 
     /// Where it is.
@@ -135,12 +157,6 @@ impl ResultFolder {
     }
 }
 
-/// Whether a run holds a folder.
-pub fn is_held(folder: &Path) -> bool {
-    let lock = OpenOptions::new().read(true).open(folder.join(LOCK));
-    lock.is_ok_and(|lock| matches!(lock.try_lock_shared(), Err(TryLockError::WouldBlock)))
-}
-
 /// Bodies of which an earlier run listed frames: lists that name files of their own name.
 fn bodies(fields: &Path) -> Vec<String> {
     let lists = fs::read_dir(fields).into_iter().flatten().flatten().map(|entry| entry.path());
@@ -166,8 +182,8 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Locks a folder; without a lock where its file system knows none.
-fn locked(folder: &Path) -> Result<Option<File>, String> {
+/// Locks a folder; a warning in place of the lock where its file system knows none.
+fn locked(folder: &Path) -> Result<Result<File, String>, String> {
     let path = folder.join(LOCK);
     let refused = |error: io::Error| format!("cannot write {}: {error}\n", path.display());
     loop {
@@ -179,7 +195,7 @@ fn locked(folder: &Path) -> Result<Option<File>, String> {
                 // For people: that it does not fit on the disk unlocks nothing.
                 let _ = file.set_len(0).and_then(|()| file.rewind());
                 let _ = writeln!(file, "process {}{}", std::process::id(), host());
-                return Ok(Some(file));
+                return Ok(Ok(file));
             }
             Err(TryLockError::WouldBlock) => {
                 let mut who = String::new();
@@ -192,9 +208,8 @@ fn locked(folder: &Path) -> Result<Option<File>, String> {
             }
             Err(TryLockError::Error(error)) => {
                 let shown = folder.display();
-                say(&format!("warning: {shown} cannot be locked ({error}): start no second run in it"));
                 let _ = fs::remove_file(&path);
-                return Ok(None);
+                return Ok(Err(format!("{shown} cannot be locked ({error}): start no second run in it")));
             }
         }
     }

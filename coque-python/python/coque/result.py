@@ -1,0 +1,231 @@
+"""What a run leaves behind: curve, frames, summary, warnings."""
+
+from __future__ import annotations
+
+import csv
+import json
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Optional, Union, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _coque
+from ._errors import CoqueError, CoqueWarning, NotSettled
+
+if TYPE_CHECKING:
+    import pandas
+    import pyvista
+
+
+class Curve(Mapping[str, NDArray[np.float64]]):
+    """Columns by name, a row per record: `curve["W_tip"]`."""
+
+    def __init__(self, columns: Sequence[tuple[str, str]], rows: NDArray[np.float64]) -> None:
+        self._rows = np.ascontiguousarray(rows, dtype=np.float64).reshape(-1, len(columns))
+        self._places = {name: place for place, (name, _) in enumerate(columns)}
+        self.units: dict[str, str] = dict(columns)
+        """Unit of each column; `-` without one."""
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns, in their order."""
+        return list(self._places)
+
+    @property
+    def rows(self) -> NDArray[np.float64]:
+        """All numbers, a row per record."""
+        return self._rows
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        if name not in self._places:
+            raise KeyError(f"the curve has no column {name!r}; it has {', '.join(self._places)}")
+        return self._rows[:, self._places[name]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._places)
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
+        return np.array(self._rows, dtype=dtype)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A table; units are in `attrs["units"]`."""
+        import pandas
+
+        table = pandas.DataFrame(self._rows, columns=self.names)
+        table.attrs["units"] = dict(self.units)
+        return table
+
+    def __repr__(self) -> str:
+        columns = ", ".join(f"{name} [{unit}]" for name, unit in self.units.items())
+        return f"Curve({len(self._rows)} rows: {columns})"
+
+
+class Body:
+    """The surface of one body in a frame: `body["moment"]` is a field."""
+
+    def __init__(self, drawn: _coque._Body) -> None:
+        self.points: NDArray[np.float64] = drawn["points"]
+        """Present positions, a row each."""
+        self.connectivity: NDArray[np.uint32] = drawn["corners"]
+        """Points of all cells, end to end."""
+        self.offsets: NDArray[np.uint32] = drawn["offsets"]
+        """Where each cell begins among them, and where the last one ends."""
+        self.types: NDArray[np.uint8] = drawn["types"]
+        """Kinds of the cells, by their numbers in VTK."""
+        self.point_data: dict[str, NDArray[Any]] = {}
+        """Fields at the points, a row each."""
+        self.cell_data: dict[str, NDArray[Any]] = {}
+        """Fields at the cells."""
+        self.units: dict[str, str] = {}
+        """Units of the fields; `-` without one."""
+        self.components: dict[str, list[str]] = {}
+        """Names of their components; empty for x, y, z and for single numbers."""
+        for at, name, unit, components, numbers in drawn["fields"]:
+            (self.point_data if at == "points" else self.cell_data)[name] = numbers
+            self.units[name] = unit or "-"
+            self.components[name] = components
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        for fields in (self.point_data, self.cell_data):
+            if name in fields:
+                return fields[name]
+        raise KeyError(f"the frame has no field {name!r}; it has {', '.join(self.units)}")
+
+    def to_pyvista(self) -> pyvista.UnstructuredGrid:
+        """The same for PyVista."""
+        import pyvista
+
+        begins, ends = self.offsets[:-1], self.offsets[1:]
+        cells = np.insert(self.connectivity.astype(np.int64), begins, ends - begins)
+        grid = pyvista.UnstructuredGrid(cells, self.types, self.points)
+        grid.point_data.update(self.point_data)
+        grid.cell_data.update(self.cell_data)
+        return grid
+
+    def __repr__(self) -> str:
+        return f"Body({len(self.points)} points, {len(self.types)} cells: {', '.join(self.units)})"
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A state worth showing; `frame.points` and `frame["moment"]` are those of the one body."""
+
+    along: float
+    """What a film runs along: time, load level, number of the point of a path or of the mode."""
+    level: Optional[float]
+    """Load level; frequency of a mode. None of a frame from a folder."""
+    time: Optional[float]
+    """Time; zero where there is none. None of a frame from a folder."""
+    bodies: dict[str, Body]
+    """Its bodies by name."""
+
+    @property
+    def body(self) -> Body:
+        """The one body."""
+        if len(self.bodies) != 1:
+            raise CoqueError(f"the frame has several bodies: name one of {', '.join(self.bodies)} in .bodies")
+        return next(iter(self.bodies.values()))
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Present positions of the one body."""
+        return self.body.points
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self.body[name]
+
+    @staticmethod
+    def _of(shown: _coque._Frame) -> Frame:
+        along, level, time, bodies = shown
+        return Frame(along, level, time, {name: Body(body) for name, body in bodies.items()})
+
+
+class _Files(Sequence[Frame]):
+    """Frames of a folder, each read when it is asked for."""
+
+    def __init__(self, frames: list[tuple[float, dict[str, Path]]]) -> None:
+        self._frames = frames
+
+    def __len__(self) -> int:
+        return len(self._frames)
+
+    @overload
+    def __getitem__(self, at: int) -> Frame: ...
+    @overload
+    def __getitem__(self, at: slice) -> _Files: ...
+    def __getitem__(self, at: Union[int, slice]) -> Union[Frame, _Files]:
+        if isinstance(at, slice):
+            return _Files(self._frames[at])
+        along, files = self._frames[at]
+        return Frame(along, None, None, {name: Body(_coque.read_frame(file)) for name, file in files.items()})
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a run leaves behind."""
+
+    curve: Curve
+    """A row per record."""
+    summary: dict[str, Any] = field(repr=False)
+    """What ran, what was found and what it cost: `summary.json`."""
+    ended: str
+    """`done`, `interrupted` or `diverged`; of what could not be done, such as frames without room on the disk, `refused`."""
+    message: str = field(repr=False)
+    """The same in words."""
+    warnings: list[CoqueWarning]
+    """What may be wrong with its numbers."""
+    frames: Sequence[Frame] = field(repr=False)
+    """States on the way: those of [output.fields], or those that `fields=True` asked for."""
+
+    @staticmethod
+    def _of(found: dict[str, Any]) -> Result:
+        said = [CoqueWarning(message) for message in found.get("said", [])]
+        return Result(
+            curve=Curve(*found["curve"]),
+            summary=json.loads(found["summary"]),
+            ended=found["ended"],
+            message=found["message"],
+            warnings=[*map(_warning, found["warnings"]), *said],
+            frames=[Frame._of(shown) for shown in found.get("frames", [])],
+        )
+
+    def _warn(self, stacklevel: int) -> None:
+        for warning in self.warnings:
+            warnings.warn(warning, stacklevel=stacklevel + 1)
+
+
+def _warning(said: tuple[str, str]) -> CoqueWarning:
+    word, message = said
+    return (NotSettled if word == "not-settled" else CoqueWarning)(message, word)
+
+
+def load(folder: Union[str, Path]) -> Result:
+    """What `coque run`, or `run(out=…)`, wrote into a folder. Frames are read when they are asked for."""
+    folder = Path(folder)
+    try:
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        with (folder / "curve.csv").open(encoding="utf-8", newline="") as file:
+            titles, *rows = csv.reader(file)
+        columns = [(name, unit.rstrip("]")) for name, _, unit in (title.rpartition(" [") for title in titles)]
+        numbers = np.array(rows, dtype=np.float64).reshape(-1, len(columns))
+        said = [_warning((one["kind"], one["message"])) for one in summary["warnings"]]
+        names = list(summary.get("bodies", {})) or [summary["kind"]]
+        ended = str(summary["ended"])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise CoqueError(f"{folder} holds no results of a run that has ended: {error}") from error
+    kind = "done" if ended == "done" else "interrupted" if ended.startswith("interrupted") else "diverged"
+    return Result(Curve(columns, numbers), summary, kind, ended, said, _files(folder / "fields", names))
+
+
+def _files(folder: Path, names: list[str]) -> _Files:
+    """Frames of which each body has one; a list that is missing has none."""
+    lists = {name: _coque.frames_listed(folder / f"{name}.pvd") for name in names if (folder / f"{name}.pvd").is_file()}
+    together = zip(*([(name, along, file) for along, file in frames] for name, frames in lists.items()))
+    return _Files([(of_all[0][1], {name: file for name, _, file in of_all}) for of_all in together])
