@@ -13,8 +13,7 @@ use super::folder::{Along, frame_lists, read_curve, read_summary, short, title};
 const MOST_NUMBERS: usize = 200_000_000;
 
 /// What is looked at first, where it is there: what breaks, what flows, how much a material bears.
-const WANTED: [&str; 6] =
-    ["damage", "pressure", "von_mises", "von_mises_top", "von_mises_bottom", "velocity"];
+const WANTED: [&str; 5] = ["damage", "pressure", "von_mises", "von_mises_top", "von_mises_bottom"];
 
 /// Reads the folder of a run, ended or under way; without frames there are words and the curve.
 pub fn show(folder: &Path) -> Result<Show, String> {
