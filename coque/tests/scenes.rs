@@ -59,8 +59,20 @@ fn in_the_long_form(text: &str) -> String {
 
 /// All that a scene says, exactly.
 fn said(scene: Checked) -> String {
-    let Scene { title, units, bodies, sets, supports, loads, analysis, coupling, curve, output, source: _ } =
-        scene.into_scene();
+    let Scene {
+        title,
+        units,
+        bodies,
+        sets,
+        supports,
+        loads,
+        analysis,
+        coupling,
+        curve,
+        output,
+        surfaces: _,
+        source: _,
+    } = scene.into_scene();
     format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }
 
