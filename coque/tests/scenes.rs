@@ -70,8 +70,8 @@ fn said(scene: Checked) -> String {
         coupling,
         curve,
         output,
-        surfaces: _,
         source: _,
+        surfaces: _,
     } = scene.into_scene();
     format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }
@@ -156,7 +156,7 @@ fn a_relaxation_has_defaults() {
     match set(&[("analysis.relaxation.levels", "4")]).unwrap().into_scene().analysis {
         Analysis::Relaxation(path) => {
             assert_eq!(
-                (path.levels.list().len(), path.tolerance, path.damping, path.iterations),
+                (path.levels.list().len(), path.tolerance.get(), path.damping, path.iterations.get()),
                 (4, 1e-6, RelaxationDamping::Kinetic, 100_000)
             );
         }
@@ -169,7 +169,7 @@ fn naming_another_alternative_drops_the_first() {
     let scene =
         set(&[("formulation.nodal.order", "3"), ("formulation.nodal.kernel", "wendland-c2")]).unwrap();
     match &scene.as_shell().unwrap().formulation {
-        Formulation::Nodal(nodal) => assert_eq!((nodal.order, nodal.smoothing_length()), (3, 1.5)),
+        Formulation::Nodal(nodal) => assert_eq!((nodal.order.get(), nodal.smoothing_length()), (3, 1.5)),
         other => panic!("{other:?}"),
     }
     let cylinder = "{ radius = 50.0, angles = [0.0, 10.0], length = 1.0, particles = [9, 3] }";
@@ -181,7 +181,7 @@ fn naming_another_alternative_drops_the_first() {
 fn a_last_override_wins() {
     let scene = set(&[("analysis.explicit.safety", "0.5"), ("analysis.explicit.safety", "0.6")]).unwrap();
     match scene.into_scene().analysis {
-        Analysis::Explicit(explicit) => assert_eq!(explicit.safety, 0.6),
+        Analysis::Explicit(explicit) => assert_eq!(explicit.safety.get(), 0.6),
         other => panic!("{other:?}"),
     }
 }
@@ -190,7 +190,7 @@ fn a_last_override_wins() {
 fn naming_another_analysis_drops_the_first() {
     let scene = set(&[("analysis.static.levels", "10"), ("analysis.static.iterations", "40")]).unwrap();
     match scene.into_scene().analysis {
-        Analysis::Static(path) => assert_eq!((path.levels.list().len(), path.iterations), (10, 40)),
+        Analysis::Static(path) => assert_eq!((path.levels.list().len(), path.iterations.get()), (10, 40)),
         other => panic!("{other:?}"),
     }
     let back = set(&[("analysis.modal.modes", "3"), ("analysis.explicit.transient.duration", "1.0")]);
