@@ -122,6 +122,8 @@ def test_a_run_that_diverges_keeps_what_it_found() -> None:
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_ctrl_c_raises_with_what_was_found(let_go: coque.Scene, threads: int) -> None:
+    # A shell in the background hands its programs down a signal that is ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(coque.Interrupted) as caught:

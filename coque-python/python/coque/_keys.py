@@ -39,9 +39,9 @@ if TYPE_CHECKING:
     Bonds = TypedDict("Bonds", {"correction": NotRequired["Correction"], "horizon": NotRequired[float], "influence": NotRequired["Influence"], "plane": NotRequired["Plane"]})
     Box3 = TypedDict("Box3", {"max": Sequence[float], "min": Sequence[float]})
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
-    Buckling = TypedDict("Buckling", {"modes": int, "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["LevelSign"]})
+    Buckling = TypedDict("Buckling", {"modes": int, "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
     Contact = TypedDict("Contact", {"distance": NotRequired[float], "walls": NotRequired[Sequence["Wall"]]})
-    Correction: TypeAlias = Union[Literal['even'], Literal['balanced'], Literal['energy-factor'], Literal['none']]
+    Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
     Couple = TypedDict("Couple", {"axis": "Axis", "moment": float})
     Coupling = TypedDict("Coupling", {"impedance": NotRequired[bool], "order": NotRequired["CouplingOrder"]})
     CouplingOrder: TypeAlias = Union[Literal['structure-first'], Literal['fluid-first']]
@@ -110,7 +110,6 @@ if TYPE_CHECKING:
     Layer = TypedDict("Layer", {"depth": float, "face": str})
     Layered = TypedDict("Layered", {"axis": Sequence[float], "plies": Sequence["Ply"]})
     Length: TypeAlias = Union[Literal['m'], Literal['cm'], Literal['mm'], Literal['in'], Literal['ft'], Literal['-']]
-    LevelSign: TypeAlias = Union[Literal['positive'], Literal['negative'], Literal['either']]
     Levels: TypeAlias = Union[int, Sequence[float]]
     LineSide: TypeAlias = Union[Literal['left'], Literal['right']]
     Linear = TypedDict("Linear", {"iterations": NotRequired[int], "solver": NotRequired["LinearSolver"]})
@@ -166,6 +165,7 @@ if TYPE_CHECKING:
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[float], "on": str, "section": NotRequired["Section"]})
     ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
     ShellTie = TypedDict("ShellTie", {"edge": str, "to": str})
+    Sign: TypeAlias = Union[Literal['positive'], Literal['negative'], Literal['either']]
     SolidFormulation_1 = TypedDict("SolidFormulation_1", {"bond-based": "Bonds"})
     SolidFormulation_2 = TypedDict("SolidFormulation_2", {"state-based": "Bonds"})
     SolidFormulation_3 = TypedDict("SolidFormulation_3", {"two-sheets": "TwoSheets"})
