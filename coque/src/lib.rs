@@ -41,6 +41,8 @@
 //! | led event by event | [`Simulation`], `analyses/simulation.rs`; how far an analysis has come: `analyses/course.rs` |
 //! | which lattice reaches an accuracy | [`accuracy`] |
 //! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
+//! | what the folder of a run shows, for pages and pictures | `shown/`; [`page_of`] |
+//! | the words of the command line | `commands/`; [`command_line`] |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
 //! # From words to the mechanics
@@ -151,12 +153,14 @@
 pub mod accuracy;
 mod analyses;
 mod bodies;
+mod commands;
 mod fields;
 pub mod mesh;
 mod plain;
 mod results;
 mod run;
 pub mod scene;
+mod shown;
 mod warning;
 
 pub use analyses::{Estimate, Event, Kept, RunOptions, Simulation};
@@ -166,6 +170,7 @@ pub use bodies::{
     LoadResultants, Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, State,
     StateArray, StaticBody, TangentCost, Task,
 };
+pub use commands::command_line;
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
@@ -192,4 +197,5 @@ pub use scene::schema::{schema, schema_text};
 pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
 pub use scene::{Checked, Scene};
+pub use shown::frames::page_of;
 pub use warning::{Warning, WarningKind};

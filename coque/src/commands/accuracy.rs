@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use coque::Checked;
-use coque::accuracy::{Asked, ClimbError, Forecast, Ladder, Needed};
+use crate::Checked;
+use crate::accuracy::{Asked, ClimbError, Forecast, Ladder, Needed};
 
 use super::bar::clock;
 use super::stderr::{Refused, print, say};

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use coque::{Curve, GrowingCurve, Progress, ProgressReport};
+use crate::{Curve, GrowingCurve, Progress, ProgressReport};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::stderr::say;

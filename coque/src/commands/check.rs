@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
+use crate::{Estimate, LoadResultants, Model, Quantity, Units, Warning};
 use clap::Args;
-use coque::{Estimate, LoadResultants, Model, Quantity, Units, Warning};
 
 use super::accuracy;
 use super::bar::clock;
+use super::run::{build, read_scene, replacement};
 use super::stderr::{Refused, print};
-use crate::{build, read_scene, replacement};
 
 #[derive(Args)]
 pub struct Check {

@@ -45,6 +45,6 @@ Exit codes: 0 sound, 2 refused.";
 
 /// Reads, checks, prints; the error is ready to print.
 pub fn carry_out(mesh: &Mesh) -> Result<(), Refused> {
-    let text = coque::mesh::read(&mesh.file).and_then(|surface| coque::mesh::report(&surface));
+    let text = crate::mesh::read(&mesh.file).and_then(|surface| crate::mesh::report(&surface));
     print(&text.map_err(|error| format!("{error}\n"))?)
 }

@@ -3,13 +3,13 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use coque::{
+use crate::{
     Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, strip, together, write_whole,
 };
+use clap::Args;
 
-use super::folder::{Along, frame_lists, read_curve, read_summary, short, title};
 use super::stderr::{Refused, say};
+use crate::shown::folder::{Along, frame_lists, read_curve, read_summary, short, title};
 
 #[derive(Args)]
 pub struct Plot {

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::{Checkpoint, CheckpointError, Scene, read_text};
 use clap::Args;
-use coque::{Checkpoint, CheckpointError, Scene, read_text};
 
+use super::run::{build, launch, take};
 use super::stderr::Refused;
 use super::stop::Stop;
-use crate::{build, launch, take};
 
 #[derive(Args)]
 pub struct Resume {
@@ -41,7 +41,7 @@ pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
         (CheckpointError::None(_), Some(how)) => format!(
             "the run in {} has ended already ({how}); to run it anew: coque run {}\n",
             folder.display(),
-            folder.join(coque::SCENE_COPY).display()
+            folder.join(crate::SCENE_COPY).display()
         ),
         _ => format!("{error}\n"),
     })?;

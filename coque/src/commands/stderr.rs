@@ -2,7 +2,7 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use coque::{Rendering, SceneError, plain_text, render};
+use crate::{Rendering, SceneError, plain_text, render};
 
 /// Why a command ends with nothing done, ready to print.
 pub struct Refused(String);

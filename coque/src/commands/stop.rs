@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
+use super::INTERRUPTED;
 use super::stderr::say;
-use crate::INTERRUPTED;
 
 /// Whether the end was asked for.
 ///

@@ -8,15 +8,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
-use clap::Args;
-use coque::{
+use crate::{
     Column, Curve, Ended, FieldFiles, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport,
     ResultFolder, RunOptions, Scene, Warning, read_text, write_whole,
 };
+use clap::Args;
 
+use super::run::{replacement, take};
 use super::stderr::{Refused, say};
 use super::stop::Stop;
-use crate::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED, replacement, take};
+use super::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED};
 
 #[derive(Args)]
 pub struct Sweep {

@@ -4,8 +4,8 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
 use clap::Args;
-use coque::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
 
 use super::stderr::{Refused, print};
 

@@ -8,13 +8,12 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{JoinHandle, available_parallelism, sleep, spawn};
 use std::time::{Duration, Instant};
 
+use crate::{ResultFolder, page_of, write_whole};
 use clap::Args;
-use coque::{ResultFolder, write_whole};
-use viewer::{Show, page};
 
-use super::frames::show;
 use super::stderr::{Refused, say};
 use super::stop::Stop;
+use crate::shown::folder::has_frames;
 
 #[derive(Args)]
 pub struct View {
@@ -58,7 +57,7 @@ pub fn carry_out(view: &View, stop: &Arc<Stop>) -> Result<(), Refused> {
         return Err(format!("{} is no folder; {repair}\n", view.folder.display()).into());
     }
     let threads = available_parallelism().map_or(1, usize::from);
-    let write = |reload: Option<u16>| write(show(&view.folder)?, &view.folder, view.size, threads, reload);
+    let write = |reload: Option<u16>| write(&view.folder, view.size, threads, reload);
     let Some(every) = view.follow else {
         let page = write(None)?;
         say(&page.display().to_string());
@@ -89,18 +88,11 @@ pub fn carry_out(view: &View, stop: &Arc<Stop>) -> Result<(), Refused> {
     }
 }
 
-/// Writes what a page shows into a folder; gives where it is.
-fn write(
-    mut shown: Show,
-    folder: &Path,
-    size: u16,
-    threads: usize,
-    reload: Option<u16>,
-) -> Result<PathBuf, String> {
-    shown.reload = reload.map(f64::from);
-    let made = page(shown, usize::from(size) * 1_000_000, threads).map_err(|e| format!("{e}\n"))?;
+/// Writes the page of a run into its folder; gives where it is.
+fn write(folder: &Path, size: u16, threads: usize, reload: Option<u16>) -> Result<PathBuf, String> {
+    let page = page_of(folder, usize::from(size) * 1_000_000, threads, reload.map(f64::from))?;
     let path = folder.join(ResultFolder::VIEW);
-    let written = write_whole(&path, |to| to.write_all(made.html.as_bytes()));
+    let written = write_whole(&path, |to| to.write_all(page.as_bytes()));
     written.map_err(|e| format!("cannot write {}: {e}\n", path.display()))?;
     Ok(path)
 }
@@ -147,7 +139,7 @@ impl Follower {
     pub fn end(self) -> Result<(), String> {
         drop(self.over);
         let opened = self.thread.join().unwrap_or_default();
-        let page = write(show(&self.folder)?, &self.folder, SIZE, 1, None)?;
+        let page = write(&self.folder, SIZE, 1, None)?;
         say(&page.display().to_string());
         if !opened {
             open(&page);
@@ -163,8 +155,10 @@ fn follow(folder: &Path, ended: &Receiver<()>) -> bool {
     while ended.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
         pause = Duration::from_secs(FOLLOW.into());
         // Until there are frames nothing is to be seen; what cannot be written is reported at the end.
-        let shown = show(folder).ok().filter(|shown| !shown.frames.is_empty());
-        if let Some(Ok(page)) = shown.map(|shown| write(shown, folder, SIZE, 1, Some(FOLLOW))) {
+        if !has_frames(folder) {
+            continue;
+        }
+        if let Ok(page) = write(folder, SIZE, 1, Some(FOLLOW)) {
             if !opened {
                 open(&page);
             }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use coque::{Curve, read_text};
+use crate::{Curve, listed, read_text};
 use serde_json::Value;
 
 /// Reads the curve.
@@ -33,6 +33,12 @@ pub fn frame_lists(folder: &Path) -> Vec<PathBuf> {
         .collect();
     all.sort();
     all
+}
+
+/// Whether every body of a run has a frame.
+pub fn has_frames(folder: &Path) -> bool {
+    let lists = frame_lists(folder);
+    !lists.is_empty() && lists.iter().all(|list| listed(list).is_ok_and(|frames| !frames.is_empty()))
 }
 
 /// What the frames of a run run along.

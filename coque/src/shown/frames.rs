@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use coque::{Curve, SCENE_COPY, Sheet, listed, read_text};
+use crate::{Curve, SCENE_COPY, Sheet, listed, read_text};
 use serde_json::Value;
 use viewer::{Body, Column, Instant, Show};
 
@@ -14,6 +14,18 @@ const MOST_NUMBERS: usize = 200_000_000;
 
 /// What is looked at first, where it is there: what breaks, what flows, how much a material bears.
 const WANTED: [&str; 5] = ["damage", "pressure", "von_mises", "von_mises_top", "von_mises_bottom"];
+
+/// The page of a run: one HTML text that a browser shows without a server.
+///
+/// `most` bounds its bytes: beyond them it holds fewer frames, then fewer fields, and says so. With `reload` the page
+/// loads itself again after so many seconds, as one of a run under way does.
+///
+/// # Errors
+/// What of the folder cannot be read, by file; a page that cannot be encoded.
+pub fn page_of(folder: &Path, most: usize, threads: usize, reload: Option<f64>) -> Result<String, String> {
+    let shown = Show { reload, ..show(folder)? };
+    Ok(viewer::page(shown, most, threads).map_err(|e| format!("{e}\n"))?.html)
+}
 
 /// Reads the folder of a run, ended or under way; without frames there are words and the curve.
 pub fn show(folder: &Path) -> Result<Show, String> {
@@ -47,7 +59,7 @@ pub fn show(folder: &Path) -> Result<Show, String> {
 }
 
 fn of_curve(curve: Curve) -> Show {
-    let column = |column: coque::Column| Column { name: column.name, unit: column.unit };
+    let column = |column: crate::Column| Column { name: column.name, unit: column.unit };
     Show { columns: curve.columns.into_iter().map(column).collect(), rows: curve.rows, ..Show::default() }
 }
 
@@ -127,7 +139,7 @@ struct Series {
 fn numbers(sheet: &Sheet) -> usize {
     let points = sheet.points.len();
     let widths =
-        |fields: &BTreeMap<String, coque::Array>| fields.values().map(|array| array.width).sum::<usize>();
+        |fields: &BTreeMap<String, crate::Array>| fields.values().map(|array| array.width).sum::<usize>();
     points * (3 + widths(&sheet.point_data) + widths(&sheet.cell_data))
 }
 
@@ -140,7 +152,7 @@ fn is_another_form(name: &str, points: usize, all: &BTreeMap<String, usize>) -> 
 
 /// Sets of particles by body, as the run wrote them beside its frames.
 fn sets(folder: &Path) -> BTreeMap<String, BTreeMap<String, Vec<u32>>> {
-    let text = read_text(&folder.join("fields").join(coque::SETS)).ok();
+    let text = read_text(&folder.join("fields").join(crate::SETS)).ok();
     text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
 }
 

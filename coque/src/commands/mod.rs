@@ -1,0 +1,124 @@
+//! The command `coque`: its words, and what each of them does.
+
+// A print that fails panics; `say` does not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
+mod accuracy;
+mod bar;
+mod check;
+mod mesh;
+mod plot;
+mod resume;
+mod run;
+mod stderr;
+mod stop;
+mod sweep;
+mod templates;
+mod view;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::{Parser, Subcommand};
+use stderr::Refused;
+use stop::{Stop, outlive_file_limits};
+
+const DONE: u8 = 0;
+const BAD_INPUT: u8 = 2;
+const DIVERGED: u8 = 3;
+const NOT_SETTLED: u8 = 4;
+const INTERRUPTED: u8 = 130;
+
+/// Simulates thin shells, solids that break, fluids that load both, and Galerkin solids, all by particles.
+#[derive(Parser)]
+#[command(name = "coque", version, after_help = START)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scene and write its curve.
+    #[command(after_help = run::HELP)]
+    Run(run::Run),
+    /// Read a surface and print what was found: sizes, boundary, sets, quality.
+    #[command(after_help = mesh::HELP)]
+    Mesh(mesh::Mesh),
+    /// Show a run in the browser: shapes that turn, fields, frames, the curve, in one file.
+    #[command(after_help = view::HELP)]
+    View(view::View),
+    /// Draw the last frame of a run with [output.fields] as SVG.
+    Plot(plot::Plot),
+    /// Go on with a run that was interrupted or killed, to the same bits.
+    #[command(after_help = resume::HELP)]
+    Resume(resume::Resume),
+    /// Run a scene for a list of values, or for every combination of several; one table out.
+    #[command(after_help = sweep::HELP)]
+    Sweep(sweep::Sweep),
+    /// Write a commented scene to start from.
+    #[command(after_help = templates::NEW_HELP)]
+    New(templates::New),
+    /// Validate a scene; print the model, what it leaves out and what a run will cost.
+    #[command(after_help = check::HELP)]
+    Check(check::Check),
+    /// Print what a scene may name: analyses, formulations, supports, loads, …, a line each.
+    #[command(after_help = templates::LIST_HELP)]
+    List(templates::List),
+    /// Print the JSON schema of scenes, for editors.
+    #[command(after_help = templates::SCHEMA_HELP)]
+    Schema(templates::Schema),
+}
+
+const START: &str = "\
+Start here:
+  coque run scenes/ring.toml --view     results in out/ring, shown in the browser
+  coque view out/gate               the same of a run that is there, if its scene has [output.fields]
+  coque plot out/gate               its last frame as a picture for a paper
+  coque new plate                   a commented scene to start from: plate.toml
+  coque check plate.toml            what it models, what it leaves out, what a run will cost
+  coque check plate.toml --accuracy 0.5%    which lattice and analysis that takes
+  coque list                        what a scene may name
+  coque run --help                  options, examples, where results are
+  coque mesh panel.msh              what a mesh holds, and what is wrong with it
+
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but a level did not settle, 130 interrupted.";
+
+/// Obeys the arguments of a command line, the first of which is the name of the program; what the command `coque` is.
+///
+/// Words for people go to the standard error, tables and texts that were asked for to the standard output.
+pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    // First of all: a signal for which nobody watches ends the program as it stands.
+    let stop = Stop::watch();
+    outlive_file_limits();
+    let command = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli.command,
+        Err(said) => {
+            let _ = said.print();
+            return ExitCode::from(if said.use_stderr() { BAD_INPUT } else { DONE });
+        }
+    };
+    match stop.map_err(Refused::from).and_then(|stop| obey(command, &stop)) {
+        Ok(code) => ExitCode::from(code),
+        Err(refused) => {
+            refused.say();
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
+
+fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
+    match command {
+        Command::Run(run) => run::carry_out(&run, stop),
+        Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
+        Command::View(view) => view::carry_out(&view, stop).map(|()| DONE),
+        Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
+        Command::Resume(resume) => resume::carry_out(&resume, stop),
+        Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
+        Command::New(new) => templates::new(&new).map(|()| DONE),
+        Command::Check(check) => check::carry_out(&check).map(|()| DONE),
+        Command::List(list) => templates::list(&list).map(|()| DONE),
+        Command::Schema(schema) => templates::schema(&schema).map(|()| DONE),
+    }
+}

@@ -1,0 +1,208 @@
+//! `coque run`: a scene, its run, its results; what building, running and reporting have in common for all commands.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::Args;
+
+use super::bar::Bar;
+use super::stderr::{Refused, say};
+use super::stop::Stop;
+use super::view::Follower;
+use super::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED};
+use crate::{
+    Checked, Checkpoint, Ended, GrowingCurve, Model, Origin, Outcome, ResultFolder, Scene, Warning, read_text,
+};
+
+#[derive(Args)]
+pub struct Run {
+    /// The scene, a TOML file; scenes/ has examples to start from.
+    scene: PathBuf,
+    /// Folder for the results [default: out/<name of the scene>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Threads; results are the same for any number.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: u16,
+    /// Replace a value of the scene; may be given several times.
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
+    replaced: Vec<(String, String)>,
+    /// Show the run in the browser, on the way and at its end; a scene without [output.fields] gets them, with stresses.
+    #[arg(long)]
+    view: bool,
+}
+
+pub const HELP: &str = "\
+Examples:
+  coque run scenes/ring.toml
+  coque run scenes/ring.toml --out out/coarse --set 'geometry.plate.particles=[25, 3]'
+  coque run scenes/ring.toml --set formulation.nodal.order=2
+  coque run scenes/ring.toml --set loads.0.couple.moment=31.4 --threads 2
+  coque run scenes/ring.toml --set 'loads[+]={ on = \"u1\", force = { total = [0, 0, 1] } }'     one load more
+  coque run scenes/ring.toml --set analysis.static.levels=8          the same without time
+  coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
+  coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
+  coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
+  coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
+
+Results, in DIR:
+  curve.csv      one row per load level or record; the first row names columns with units
+  curve.svg      the plot that [output] asks for
+  fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
+                 sets.json has particles by the name of their set
+  summary.json   method, particles, steps, speed, energies, how each level ended, critical points
+  view.html      the run in the browser, with --view or by `coque view DIR`
+  scene.toml     a copy of the scene; what --set replaced stands at its end
+  checkpoint.bin while the run is under way, if [output] checkpoint_every asks for it
+
+Rows of curve.csv are on the disk as they come, the other files once the run has ended; each replaces the old one whole.
+What an earlier run left in DIR under these names is taken out as a run begins; one run at a time holds DIR (coque.lock).
+Ctrl-C, SIGTERM or a terminal that goes (not under nohup) end the run in good order, with the results so far; a second
+one at once.
+A level that was left before the motion had died is no equilibrium: all is written, a warning tells what was missing, and
+the last line on stderr is `not settled: ` with the levels. Other warnings are printed as `warning: `; summary.json has
+each with a word for scripts.
+
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged (the curve so far is kept), 4 done but a level did
+not settle, 130 interrupted (the curve so far is kept).";
+
+pub fn replacement(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((path, value)) if !path.trim().is_empty() => Ok((path.trim().into(), value.trim().into())),
+        _ => Err("write path.to.key=value, such as material.elastic.young=2.1e11".into()),
+    }
+}
+
+/// Reads, builds, runs, writes; the error is ready to print.
+pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
+    let mut replaced = run.replaced.clone();
+    let (mut scene, text) = read_scene(&run.scene, &replaced)?;
+    if run.view && scene.output.fields.is_none() {
+        replaced.push(("output.fields".into(), "{ stresses = true }".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
+    let model = build(&scene, run.threads.into())?;
+    let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
+    let folder = take(&out)?;
+    stop.begin();
+    let text = folder.begin(&run.scene, text, &replaced)?;
+    // Another folder may be the present one when the run goes on.
+    let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
+    let file = file.display().to_string();
+    let origin = Origin::new(&text, file, replaced, run.threads.into());
+    let follower = run.view.then(|| Follower::begin(&out));
+    let code = launch(model, &folder, origin, None, stop);
+    let shown = follower.map_or(Ok(()), Follower::end);
+    let code = code?;
+    shown?;
+    Ok(code)
+}
+
+/// Reads a scene, and its text; errors underline it.
+pub fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Checked, String), Refused> {
+    let file = path.display().to_string();
+    let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
+    Ok((scene, text))
+}
+
+pub fn build(scene: &Checked, threads: usize) -> Result<Model, Refused> {
+    let model = scene.build(threads).map_err(|e| Refused::scene(&e))?;
+    if let Some(warning) = model.memory.warning() {
+        say(&format!("warning: {warning}"));
+    }
+    Ok(model)
+}
+
+/// Runs from the start or from a checkpoint, writes the results, and gives the exit code.
+pub fn launch(
+    model: Model,
+    folder: &ResultFolder,
+    origin: Origin,
+    from: Option<Checkpoint>,
+    stop: &Arc<Stop>,
+) -> Result<u8, Refused> {
+    let out = folder.path();
+    let described = model.describe();
+    say(&format!(
+        "{}: {} particles, {} degrees of freedom",
+        model.task.title, described.particles, described.dof
+    ));
+    let early = model.warnings().to_vec();
+    early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
+    let curve = GrowingCurve::new(&out.join(ResultFolder::CURVE));
+    let mut bar = Bar::new(described.particles, stop.clone(), curve);
+    let kept = model.run_into(folder, origin, from, &mut bar, None)?;
+    bar.finish();
+    let code = report(&kept.outcome, &early, out, kept.resumable);
+    kept.written?;
+    Ok(code)
+}
+
+/// Takes the folder of a run for this program.
+pub fn take(path: &Path) -> Result<ResultFolder, String> {
+    let folder = ResultFolder::take(path)?;
+    if let Some(warning) = folder.warning() {
+        say(&format!("warning: {warning}"));
+    }
+    Ok(folder)
+}
+
+fn default_out(scene: &Path) -> PathBuf {
+    Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
+}
+
+/// Tells what came out and gives the exit code; warnings printed early are not repeated.
+fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> u8 {
+    let summary = &outcome.summary;
+    for warning in summary.record.warnings.iter().filter(|warning| !early.contains(warning)) {
+        say(&format!("warning: {}", warning.message));
+    }
+    if let Some(counted) = summary.record.counted {
+        let from = counted.from.map_or("below zero".into(), |from| format!("{from:.4e}"));
+        say(&format!(
+            "{} modes from {from} to {:.4e} by inertia, all found; {} factorisations, {} solves",
+            counted.number, counted.to, counted.factorisations, counted.solves
+        ));
+    }
+    for critical in &summary.record.critical {
+        say(&format!("{} at {}", critical.kind, critical.place()));
+    }
+    let effort = match summary.analysis.as_str() {
+        "explicit" => format!(", {:.2e} particle-steps/s", summary.particle_steps_per_second),
+        "static" | "arc-length" => format!(", {} Newton iterations", summary.record.newton_iterations),
+        _ => summary.record.conjugate_gradients.as_ref().map_or_else(String::new, |took| {
+            format!(", {} iterations of conjugate gradients", took.iterations)
+        }),
+    };
+    say(&format!(
+        "{} steps in {:.2} s{effort}; results in {}",
+        summary.record.steps,
+        summary.record.wall_seconds,
+        out.display()
+    ));
+    match &outcome.ended {
+        Ended::Done => {
+            if resumable {
+                say(&format!("with more room: coque resume {}", out.display()));
+            }
+            let Some(short) = summary.record.falls_short() else { return DONE };
+            say(&short);
+            NOT_SETTLED
+        }
+        Ended::Diverged(error) => {
+            say(&format!("{error}\nthe curve so far is in {}", out.join("curve.csv").display()));
+            if resumable {
+                say(&format!("go on with: coque resume {}", out.display()));
+            }
+            if error.is_input() { BAD_INPUT } else { DIVERGED }
+        }
+        ended @ Ended::Interrupted { .. } => {
+            say(&format!("{ended}; the curve so far is in {}", out.join("curve.csv").display()));
+            if resumable {
+                say(&format!("go on with: coque resume {}", out.display()));
+            }
+            INTERRUPTED
+        }
+    }
+}
