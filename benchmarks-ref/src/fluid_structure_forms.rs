@@ -43,8 +43,7 @@ impl Strip {
 
     /// What shear adds to that, `q L²/(2 κ G t)` \[L\] with κ = 5/6: the thickness over the length, squared.
     pub fn cantilever_shear(&self, pressure: f64) -> f64 {
-        let shear = 5.0 / 6.0 * self.young / (2.0 * (1.0 + self.poisson)) * self.thickness;
-        pressure * self.length * self.length / (2.0 * shear)
+        pressure * self.length * self.length / (2.0 * self.shear_stiffness())
     }
 
     /// First frequency of a cantilever, `(β₁L)² √(D/(ρ t))/(2π L²)` \[1/T\]: without shear and rotary inertia.
@@ -56,6 +55,16 @@ impl Strip {
     /// Deflection in the middle of a strip with clamped ends under uniform pressure q, `q L⁴/(384 D)` \[L\]: small.
     pub fn clamped_middle(&self, pressure: f64) -> f64 {
         pressure * self.length.powi(4) / (384.0 * self.bending_stiffness())
+    }
+
+    /// What shear adds to that, `q L²/(8 κ G t)` \[L\] with κ = 5/6: `9.6/(1 − ν) · (t/L)²` of it.
+    pub fn clamped_shear(&self, pressure: f64) -> f64 {
+        pressure * self.length * self.length / (8.0 * self.shear_stiffness())
+    }
+
+    /// Shear stiffness of a unit width, `κ G t` \[F/L\] with κ = 5/6.
+    fn shear_stiffness(&self) -> f64 {
+        5.0 / 6.0 * self.young / (2.0 * (1.0 + self.poisson)) * self.thickness
     }
 
     /// The strip with clamped ends that do not come nearer, under uniform pressure \[F/L²\], deflected by its
@@ -235,6 +244,13 @@ mod tests {
             WATER_STRIP.clamped_middle(water),
             table.number(1, "value").unwrap(),
             max_relative = 1e-8
+        );
+        // The beam with shear: its clamped ends turn no section, so that shear is that of the load alone.
+        let part = 9.6 / (1.0 - WATER_STRIP.poisson) * WATER_STRIP.thickness.powi(2);
+        assert_relative_eq!(
+            WATER_STRIP.clamped_shear(water) / WATER_STRIP.clamped_middle(water),
+            part,
+            max_relative = 1e-12
         );
         let other = Strip { poisson: 0.3, ..WATER_STRIP };
         let levels = fluid_structure::water_on_strip().unwrap();

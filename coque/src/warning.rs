@@ -80,6 +80,8 @@ pub enum WarningKind {
     Compressed,
     /// A speed of sound too low for the speed that the fluid reached.
     SlowSound,
+    /// Water that ran, in a fluid whose artificial viscosity brakes thin fronts.
+    LateFront,
     /// A wall with gaps through which a fluid may leak.
     LeakyWall,
     /// Fluid beyond the closed sides of a basin.
@@ -155,6 +157,7 @@ impl WarningKind {
             Self::LoadedFace => "loaded-face",
             Self::Compressed => "compressed",
             Self::SlowSound => "slow-sound",
+            Self::LateFront => "late-front",
             Self::LeakyWall => "leaky-wall",
             Self::LostFluid => "lost-fluid",
             Self::StiffLattice => "stiff-lattice",
@@ -234,6 +237,7 @@ mod tests {
             WarningKind::LoadedFace,
             WarningKind::Compressed,
             WarningKind::SlowSound,
+            WarningKind::LateFront,
             WarningKind::LeakyWall,
             WarningKind::LostFluid,
             WarningKind::StiffLattice,

@@ -10,7 +10,7 @@ use common::fields::{Read, folder, listed, run};
 use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::{column, last};
 use coque::scene::Fields;
-use coque::{Ended, FieldFiles, Outcome, Scene, Silent, Written};
+use coque::{Ended, FieldFiles, Outcome, Scene, Silent, WarningKind, Written};
 
 /// Runs a scene after replacements of one text by another.
 fn ran(text: &str, replaced: &[(&str, &str)], threads: usize) -> Outcome {
@@ -48,6 +48,24 @@ fn still_water_presses_as_it_is_deep() {
     assert_eq!(figures.mass, 1000.0 * 0.1 * 0.2);
     assert!(figures.greatest_density_error < 0.01, "{figures:?}");
     assert!(outcome.summary.record.warnings.is_empty(), "{:?}", outcome.summary.record.warnings);
+}
+
+#[test]
+fn water_that_ran_is_warned_of_while_its_artificial_viscosity_brakes_it() {
+    let warned = |alpha: &str| {
+        let braked = format!("sound_speed = 20.0 }}\nformulation.weakly-compressible.viscosity = {alpha}");
+        let outcome =
+            ran(DAM, &[("duration = 0.05", "duration = 0.15"), ("sound_speed = 20.0 }", &braked)], 1);
+        let warnings = outcome.summary.record.warnings;
+        warnings.into_iter().find(|warning| warning.kind == WarningKind::LateFront)
+    };
+    // ν = α c₀ h/8 with h = 1.55 · .02: Re = √(10 · .2) · .2/.00155 = 182, so 16.5/182 + .85/√182 = 15 % late.
+    let message = warned("0.02").unwrap().message;
+    assert!(
+        message.contains("Reynolds number of 182") && message.contains("may come 15 % too late"),
+        "{message}"
+    );
+    assert_eq!(warned("1e-4"), None);
 }
 
 #[test]

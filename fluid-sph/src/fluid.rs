@@ -175,6 +175,11 @@ impl Fluid {
         self.mass
     }
 
+    /// Gravity g \[L/T²\], in the plane of a plane fluid.
+    pub fn gravity(&self) -> Vec3 {
+        self.gravity
+    }
+
     /// The liquid.
     pub fn liquid(&self) -> &Liquid {
         &self.liquid

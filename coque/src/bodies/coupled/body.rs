@@ -150,7 +150,7 @@ impl Body for Coupled {
         let mut all: Vec<_> =
             fluid.into_iter().map(|(name, numbers)| named(&self.layout.names[0], name, numbers)).collect();
         let mut clocks = self.clocks.state();
-        clocks.extend([self.speeds.greatest, self.speeds.fast]);
+        clocks.extend([self.speeds.greatest, self.speeds.fast, self.speeds.ran]);
         all.push(StateArray { name: OF_CLOCKS.into(), numbers: Cow::Owned(clocks) });
         all.push(StateArray { name: OF_WATCH.into(), numbers: Cow::Owned(self.watch.state()) });
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
@@ -190,7 +190,7 @@ impl Coupled {
             structure.set_state(part)?;
         }
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
-        let (clocks, &[greatest, fast]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
+        let (clocks, &[greatest, fast, ran]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
         if !self.clocks.set_state(clocks) {
             return Err(Mismatch);
         }
@@ -198,7 +198,7 @@ impl Coupled {
         if !self.watch.set_state(&watch.numbers) {
             return Err(Mismatch);
         }
-        self.speeds = Speeds { greatest, fast };
+        self.speeds = Speeds { greatest, fast, ran, ..self.speeds };
         Ok(())
     }
 }

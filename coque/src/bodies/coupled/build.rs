@@ -100,7 +100,8 @@ pub(in crate::bodies) fn coupled_model(
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;
     let basins = basins(scene, wanted.geometry.spacing());
-    let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds: Speeds::default(), watch };
+    let speeds = Speeds::of(clocks.fluid());
+    let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds, watch };
     let made = BuiltBody {
         body: Ready::Dynamic(Box::new(body)),
         description,

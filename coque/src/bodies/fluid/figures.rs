@@ -4,6 +4,7 @@ use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
 use sph_core::Vec3;
 
+use super::late;
 use crate::bodies::{Diagnostics, FluidFigures};
 use crate::warning::{Warning, WarningKind};
 
@@ -23,19 +24,31 @@ pub(in crate::bodies) struct Speeds {
     pub greatest: f64,
     /// Greatest share of the particles that were too fast for the speed of sound at a time \[–\].
     pub fast: f64,
+    /// Greatest share of the particles that ran faster than a wave on the water at rest at a time \[–\].
+    pub ran: f64,
+    /// Speed of that wave, √(gH) \[L/T\].
+    pub wave: f64,
 }
 
 impl Speeds {
+    /// Those of a fluid that has not moved yet.
+    pub fn of(fluid: &Fluid) -> Self {
+        Self { wave: late::wave(fluid), ..Self::default() }
+    }
+
     /// Looks at the particles.
     pub fn watch(&mut self, fluid: &Fluid) {
         let bound = (fluid.liquid().sound_speed / SLOW).powi(2);
-        let (mut greatest, mut fast) = (0.0_f64, 0_usize);
+        let wave = self.wave * self.wave;
+        let (mut greatest, mut fast, mut ran) = (0.0_f64, 0_usize, 0_usize);
         for square in fluid.velocities().iter().map(Vec3::norm_squared) {
             greatest = greatest.max(square);
             fast += usize::from(square > bound);
+            ran += usize::from(square > wave);
         }
         self.greatest = self.greatest.max(greatest.sqrt());
         self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
+        self.ran = self.ran.max(ran as f64 / fluid.len() as f64);
     }
 }
 
@@ -64,7 +77,8 @@ pub(in crate::bodies) fn found(
         shortened,
         added_mass: added_mass.to_vec(),
     };
-    let warnings = [dense(&figures), slow(fluid, speeds), gone(lost)].into_iter().flatten().collect();
+    let late = (speeds.ran > SPRAY).then(|| late::warning(fluid)).flatten();
+    let warnings = [dense(&figures), slow(fluid, speeds), late, gone(lost)].into_iter().flatten().collect();
     Diagnostics { fluid: Some(figures), warnings }
 }
 
