@@ -204,6 +204,7 @@ mod tests {
             WarningKind::NotSettled,
             WarningKind::Unstable,
             WarningKind::PassedCritical,
+            WarningKind::ChangedShape,
             WarningKind::NoPotential,
             WarningKind::FewerModes,
             WarningKind::StrongForm,

@@ -83,7 +83,7 @@ Start here:
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
 
-Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but a level did not settle, 130 interrupted.";
+Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but short of what was asked, 130 interrupted.";
 
 /// Obeys the arguments of a command line, the first of which is the name of the program; what the command `coque` is.
 ///
