@@ -9,6 +9,7 @@ use crate::conditions::constraints::Constraints;
 use crate::conditions::loads::AppliedLoad;
 use crate::conditions::springs::Springs;
 use crate::conditions::supports::Supported;
+use crate::conditions::tools::{Tool, Tools};
 use crate::dependents::Dependents;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
@@ -59,6 +60,7 @@ pub struct ShellBuilder {
     masses: Vec<(u32, f64)>,
     rigid: Vec<RigidSet>,
     springs: Springs,
+    tools: Vec<Tool>,
     stresses: Vec<InitialStress>,
     stress_case: LoadCase,
     wetting: Option<Wetting>,
@@ -75,6 +77,7 @@ impl Shell {
             masses: Vec::new(),
             rigid: Vec::new(),
             springs: Springs::default(),
+            tools: Vec::new(),
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
             wetting: None,
@@ -119,6 +122,11 @@ impl ShellBuilder {
         Self { springs: springs.into(), ..self }
     }
 
+    /// Rigid tools that the shell may touch.
+    pub fn tools(self, tools: Vec<Tool>) -> Self {
+        Self { tools, ..self }
+    }
+
     /// Stresses of the unstrained shell; those of one cell add up. They belong to the preload.
     pub fn stresses(self, stresses: Vec<InitialStress>) -> Self {
         Self { stresses, ..self }
@@ -143,12 +151,23 @@ impl ShellBuilder {
     /// cells in two regions; edges too far from their hosts, on too few of their cells, without particles of their own, with supports
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
-    /// director, or of one particle; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
+    /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
     /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
     /// strains are not sampled in cells, the last together with regions and stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {
-        let Self { parts, regions, origin, ties, masses, rigid, springs, stresses, stress_case, wetting } =
-            self;
+        let Self {
+            parts,
+            regions,
+            origin,
+            ties,
+            masses,
+            rigid,
+            springs,
+            tools,
+            stresses,
+            stress_case,
+            wetting,
+        } = self;
         let Parts {
             mut cloud,
             section,
@@ -202,12 +221,13 @@ impl ShellBuilder {
 
         let springs = springs.checked(&reference)?;
         junctions.check_springs(&springs.of_bodies)?;
+        let tools = Tools::new(tools, &reference, &material)?;
         material.stress(&stresses, &reference, &mut points)?;
         let surface =
             wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));
         let wetted = surface.transpose()?.map(Box::new);
         Ok(Shell {
-            loading: Loading::new(loads, springs, wetted, reference.cloud.len()),
+            loading: Loading::new(loads, springs, tools, wetted, reference.cloud.len()),
             motion: Moving::new(&reference),
             evaluation: Evaluation::new(&points, &reference, threads),
             dependents: Dependents { junctions, ties },

@@ -28,6 +28,23 @@ pub enum ShellError {
         /// What it must be.
         bound: f64,
     },
+    /// A tool of a shape without sense.
+    #[error(transparent)]
+    Tool(#[from] contact::ToolError),
+    /// A tool that pushes with no stiffness.
+    #[error("a tool has the stiffness {0}; it must be positive and finite")]
+    ToolStiffness(f64),
+    /// Tools on a shell that is particles alone.
+    #[error("tools touch cells, and the cloud has none; give it cells, or leave the tools out")]
+    ToolWithoutCells,
+    /// Tools on sections that do not lie in the middle of their particles.
+    #[error(
+        "tools reckon with half of the thickness on both sides of the particles, but the section of cell {cell} lies over or below them; give it no height"
+    )]
+    ToolOnOffset {
+        /// The first such cell.
+        cell: usize,
+    },
     /// Ties under a formulation that is not sampled at cells.
     #[error("ties hang particles on cells; use the formulation stress-point with the support cell")]
     TieOfWideStencils,

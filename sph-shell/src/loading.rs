@@ -6,6 +6,7 @@ use sph_core::Vec3;
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{AppliedLoad, Block, Body};
 use crate::conditions::springs::Springs;
+use crate::conditions::tools::Tools;
 use crate::dependents::Dependents;
 use crate::junction::group::{Group, Junctions};
 use crate::junction::springs::BodySprings;
@@ -14,12 +15,14 @@ use crate::packs::Row;
 use crate::reference::Reference;
 use crate::wetted::surface::Surface;
 
-/// Loads, springs and the wet surface, with their forces as last evaluated.
+/// Loads, springs, tools and the wet surface, with their forces as last evaluated.
 pub(crate) struct Loading {
     pub loads: Vec<AppliedLoad>,
     /// The load case that is under way.
     pub case: LoadCase,
     pub springs: Springs,
+    /// What the shell may touch.
+    pub tools: Tools,
     /// What a fluid wets.
     pub wetted: Option<Box<Surface>>,
     /// External forces; empty without loads.
@@ -28,21 +31,32 @@ pub(crate) struct Loading {
     pub spring_forces: Vec<Row>,
 }
 
+/// Which of the forces are summed.
+#[derive(Clone, Copy)]
+enum Part {
+    /// All of them at an instant.
+    Whole(Instant),
+    /// What a unit of level adds to them.
+    Rate { level: f64 },
+}
+
 impl Loading {
     /// What acts on so many particles.
     pub fn new(
         loads: Vec<AppliedLoad>,
         springs: Springs,
+        tools: Tools,
         wetted: Option<Box<Surface>>,
         particles: usize,
     ) -> Self {
         let rows = |wanted: bool| vec![[0.0; 6]; if wanted { particles } else { 0 }];
         Self {
-            external: rows(!loads.is_empty() || !springs.is_empty() || wetted.is_some()),
+            external: rows(!loads.is_empty() || !springs.is_empty() || !tools.is_empty() || wetted.is_some()),
             spring_forces: rows(springs.any_on_particles()),
             case: LoadCase::Loading,
             loads,
             springs,
+            tools,
             wetted,
         }
     }
@@ -76,21 +90,27 @@ impl Loading {
         motion: &mut Moving,
     ) {
         let under_way = self.case;
-        self.sum(true, |applied| applied.scale(at, under_way), reference, dependents, motion);
+        self.sum(Part::Whole(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
     }
 
-    /// Evaluates what a unit of level adds to the loads of the case that is under way.
-    pub fn evaluate_rate(&mut self, reference: &Reference, dependents: &mut Dependents, motion: &mut Moving) {
+    /// Evaluates what a unit of level adds at a level to the loads of the case that is under way.
+    pub fn evaluate_rate(
+        &mut self,
+        level: f64,
+        reference: &Reference,
+        dependents: &mut Dependents,
+        motion: &mut Moving,
+    ) {
         let (at, under_way) = (Instant { time: 0.0, level: 1.0 }, self.case);
         let scale = |applied: &AppliedLoad| {
             if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
         };
-        self.sum(false, scale, reference, dependents, motion);
+        self.sum(Part::Rate { level }, scale, reference, dependents, motion);
     }
 
     fn sum(
         &mut self,
-        springs: bool,
+        part: Part,
         scale: impl Fn(&AppliedLoad) -> f64,
         reference: &Reference,
         dependents: &mut Dependents,
@@ -100,8 +120,9 @@ impl Loading {
             return;
         }
         dependents.ties.put(&mut motion.state);
+        let springs = matches!(part, Part::Whole(_));
         self.evaluate_bodies(springs, &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, springs: own, wetted, external, spring_forces, .. } = self;
+        let Self { loads, case, springs: own, tools, wetted, external, spring_forces } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -114,6 +135,12 @@ impl Loading {
             own.forces(&body, spring_forces);
             for (sum, row) in external.iter_mut().zip(&*spring_forces) {
                 (0..6).for_each(|k| sum[k] += row[k]);
+            }
+        }
+        match part {
+            Part::Whole(at) => tools.add(at, *case, &motion.state, external),
+            Part::Rate { level } => {
+                tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }
         }
         dependents.ties.condense_external(&motion.state, external);
@@ -147,13 +174,14 @@ impl Loading {
         }
     }
 
-    /// The derivatives of all loads at a level and of the springs on particles, block by block.
+    /// The derivatives of all loads at a level, of the springs on particles and of what tools exert, block by block.
     pub fn stiffness(&self, level: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
         for applied in &self.loads {
             let scale = applied.scale(Instant { time: 0.0, level }, self.case);
             applied.load.stiffness(scale, body, put);
         }
         self.springs.stiffness(body, put);
+        self.tools.stiffness(Instant { time: 0.0, level }, self.case, body.state, put);
     }
 
     /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].
@@ -173,6 +201,7 @@ impl Loading {
     /// Bytes of the rows and of the wet surface.
     pub fn bytes(&self) -> usize {
         size_of::<Row>() * (self.external.len() + self.spring_forces.len())
+            + self.tools.bytes()
             + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
     }
 }

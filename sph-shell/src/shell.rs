@@ -1,5 +1,6 @@
 //! The shell: its motion, its forces, and what can be read from it.
 
+use contact::Touch;
 use explicit_dynamics::Instant;
 use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
@@ -12,6 +13,7 @@ use crate::control::pairs::PairControl;
 use crate::formulation::Formulation;
 use crate::junction::springs::BodySprings;
 use crate::packs::Row;
+use crate::points::bounds::BoundViolation;
 use crate::points::scheme::{Points, Scheme};
 use crate::points::strong_form::Sampling;
 use crate::points::sweep::Sweep;
@@ -303,12 +305,43 @@ impl Shell {
     }
 
     /// Evaluates what a unit of level adds to the loads of the case that is under way.
-    pub(crate) fn evaluate_load_rate(&mut self) {
+    pub(crate) fn evaluate_load_rate(&mut self, level: f64) {
         let Self { reference, dependents, motion, loading, .. } = self;
-        loading.evaluate_rate(reference, dependents, motion);
+        loading.evaluate_rate(level, reference, dependents, motion);
     }
 
-    /// The derivatives of all loads at a level and of the springs, block by block.
+    /// The first place where the shell is outside the range of its model, or in the middle of a tool.
+    pub(crate) fn bound_violation(&self) -> Option<BoundViolation> {
+        let depth = self.loading.tools.greatest_depth();
+        if depth >= 1.0 {
+            let (place, what) = ("the shell".into(), "depth in a tool over half of the thickness");
+            return Some(BoundViolation { place, what, value: depth, bound: "below one" });
+        }
+        self.points.first_bound_violation(&self.reference, &self.motion.state)
+    }
+
+    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
+    pub fn touch(&mut self, at: Instant) -> &[Touch] {
+        self.evaluate_external(at);
+        self.touches()
+    }
+
+    /// Force of all tools on a particle \[F\], for the forces last evaluated.
+    pub fn tool_force(&self, particle: usize) -> Vec3 {
+        self.loading.tools.force(particle)
+    }
+
+    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
+    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
+        self.loading.tools.stiffnesses()
+    }
+
+    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
+    pub fn touches(&self) -> &[Touch] {
+        self.loading.tools.touches()
+    }
+
+    /// The derivatives of all loads at a level, of the springs and of tools, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
         let body = self.dependents.loaded(&self.reference, &self.motion.state);
         self.loading.stiffness(level, &body, put);

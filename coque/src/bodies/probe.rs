@@ -141,7 +141,7 @@ fn usual(of: Measured) -> Quantity {
         Measured::Displacement | Measured::Position | Measured::Level | Measured::WetLength => {
             Quantity::Length
         }
-        Measured::Reaction | Measured::Force => Quantity::Force,
+        Measured::Reaction | Measured::ContactForce | Measured::Force => Quantity::Force,
         Measured::Rotation => Quantity::Angle,
         Measured::Director | Measured::Damage | Measured::Pieces => Quantity::Ratio,
         Measured::Velocity => Quantity::Speed,

@@ -28,6 +28,8 @@ pub struct AnalysisKind {
     pub wants_tangent: bool,
     /// Whether it goes on from a preload.
     pub preloads: bool,
+    /// Whether contacts open and close in it.
+    pub touches: bool,
 }
 
 /// Columns of marches.
@@ -52,6 +54,7 @@ const LEVELLED: AnalysisKind = AnalysisKind {
     seeks_force: true,
     wants_tangent: true,
     preloads: false,
+    touches: false,
 };
 
 /// What marches are.
@@ -61,6 +64,7 @@ const MARCH: AnalysisKind = AnalysisKind {
     wants_driver: false,
     seeks_force: false,
     wants_tangent: false,
+    touches: true,
     ..LEVELLED
 };
 
@@ -75,7 +79,14 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         ..MARCH
     },
     AnalysisKind { word: "linear", name: "a linear analysis", ..LEVELLED },
-    AnalysisKind { word: "static", name: "a static analysis", resumes: true, preloads: true, ..LEVELLED },
+    AnalysisKind {
+        word: "static",
+        name: "a static analysis",
+        resumes: true,
+        preloads: true,
+        touches: true,
+        ..LEVELLED
+    },
     AnalysisKind { word: "arc-length", name: "an arc-length analysis", preloads: true, ..LEVELLED },
     AnalysisKind {
         word: "relaxation",

@@ -185,7 +185,8 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn sole_motion(&self) -> Option<usize> {
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
-        let alone = self.loads.is_empty() && motions.next().is_none();
+        let touched = self.as_shell().is_some_and(|shell| !shell.tools.is_empty());
+        let alone = self.loads.is_empty() && motions.next().is_none() && !touched;
         first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 

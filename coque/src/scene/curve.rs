@@ -84,6 +84,7 @@ impl Take {
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
+            | Measured::ContactForce
             | Measured::FractureEnergy
             | Measured::Force
             | Measured::Moment
@@ -106,6 +107,8 @@ pub enum Measured {
     Position,
     /// Component of the force that the supports exert \[F\].
     Reaction,
+    /// Component of the force that its tools exert on a shell \[F\].
+    ContactForce,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -161,6 +164,7 @@ impl Measured {
             Self::Displacement => "displacement",
             Self::Position => "position",
             Self::Reaction => "reaction",
+            Self::ContactForce => "contact-force",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",

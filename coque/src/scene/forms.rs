@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 23] = [
+const WORDS: [&str; 24] = [
     "title",
     "units",
     "geometry",
@@ -22,6 +22,7 @@ const WORDS: [&str; 23] = [
     "masses",
     "ties",
     "rigid",
+    "tools",
     "initial_stress",
     "formulation",
     "velocity",

@@ -67,6 +67,7 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
+pub use shell::tools::{ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use shell::{ShellScene, WetFaces};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};

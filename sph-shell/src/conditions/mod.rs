@@ -12,5 +12,6 @@ pub(crate) mod resultants;
 pub(crate) mod spread;
 pub(crate) mod springs;
 pub(crate) mod supports;
+pub(crate) mod tools;
 pub(crate) mod turn;
 pub(crate) mod turned;

@@ -76,7 +76,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         // Loads of the case that is under way are proportional to the level.
         if self.moved.is_empty() {
-            self.shell.evaluate_load_rate();
+            self.shell.evaluate_load_rate(level);
             self.project(|a| self.shell.external_force(a), out);
         } else {
             let rows = self.level_rates(level);
@@ -267,10 +267,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
         let found = |BoundViolation { place, what, value, bound }| OutOfBounds { place, what, value, bound };
-        self.shell
-            .points
-            .first_bound_violation(&self.shell.reference, &self.shell.motion.state)
-            .map_or(Ok(()), |violation| Err(found(violation)))
+        self.shell.bound_violation().map_or(Ok(()), |violation| Err(found(violation)))
     }
 }
 

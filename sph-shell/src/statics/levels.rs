@@ -66,7 +66,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
     pub(super) fn level_rates(&mut self, level: f64) -> Vec<Row> {
         self.put(level);
-        self.shell.evaluate_load_rate();
+        self.shell.evaluate_load_rate(level);
         let rates = self.prescribed_rates(level);
         let mut rows: Vec<Row> = (0..self.shell.len()).map(|a| self.shell.external_force(a)).collect();
         self.shell.load_stiffness(level, &mut |a, b, block| {

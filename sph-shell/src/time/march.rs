@@ -166,8 +166,7 @@ impl Dynamics for Shell {
         if bounds == Bounds::Configuration {
             let found =
                 |BoundViolation { place, what, value, bound }| OutOfRange { place, what, value, bound };
-            let violation = self.points.first_bound_violation(&self.reference, &self.motion.state);
-            return violation.map_or(Ok(()), |violation| Err(found(violation).into()));
+            return self.bound_violation().map_or(Ok(()), |violation| Err(found(violation).into()));
         }
         let (particle, speed) = self.fastest();
         let bound = self.reference.sound_speed;

@@ -49,6 +49,11 @@ impl LinearisedDynamics for Shell {
             if !self.loading.spring_forces.is_empty() {
                 let body = self.dependents.loaded(&self.reference, &self.motion.state);
                 self.loading.springs.forces(&body, force);
+            }
+            if !self.loading.tools.is_empty() {
+                self.loading.tools.add_bounds(&self.motion.state, &home, force);
+            }
+            if !(self.loading.spring_forces.is_empty() && self.loading.tools.is_empty()) {
                 self.dependents.ties.condense(&self.motion.state, force, |_, _| ());
             }
             for (a, row) in force.iter_mut().enumerate() {

@@ -17,6 +17,9 @@ const LEAVES: &[&str] =
 const FILES: &[&str] = &["mesh-io"];
 const SPACE: &str = "sph-core";
 
+/// What joins surfaces that touch: it sees space alone, and models see it.
+const TOUCH: &str = "contact";
+
 /// The crate that shows files, and the one of ours that it may use.
 const VIEW: &str = "viewer";
 
@@ -81,7 +84,7 @@ fn line(text: &str, name: &str) -> usize {
 pub fn check(packages: &[Package]) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in packages {
-        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH, VIEW]]
+        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH, VIEW, TOUCH]]
             .iter()
             .any(|layer| layer.contains(&package.name.as_str()))
         {
@@ -125,7 +128,7 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
         let repair = "move the comparison to validation: a solver that can read the answer proves nothing";
         return Some((format!("{user} reads {TRUTH}, which only {JUDGE} may"), repair));
     }
-    if FILES.contains(&user) && used != SPACE {
+    if (FILES.contains(&user) || user == TOUCH) && used != SPACE {
         let repair = "hand over plain arrays; what they mean belongs to the crates above";
         return Some((format!("{user} uses {used}; of ours it may use {SPACE} alone"), repair));
     }
@@ -133,7 +136,7 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
         let repair = "hand over frames and words; what they mean belongs to the crates above";
         return Some((format!("{user} uses {used}; of ours it may use {} alone", FILES[0]), repair));
     }
-    if MODELS.contains(&user) && !LEAVES.contains(&used) {
+    if MODELS.contains(&user) && !LEAVES.contains(&used) && used != TOUCH {
         let repair = "let the two meet above both, or move what they share down into a leaf";
         return Some((format!("the model {user} uses {used}, which is no leaf"), repair));
     }
@@ -162,8 +165,16 @@ mod tests {
             using("shell-kinematics", &["lanes"]),
             using(
                 "sph-shell",
-                &["lanes", "sph-core", "shell-kinematics", "explicit-dynamics", "implicit-statics"],
+                &[
+                    "lanes",
+                    "sph-core",
+                    "shell-kinematics",
+                    "explicit-dynamics",
+                    "implicit-statics",
+                    "contact",
+                ],
             ),
+            using("contact", &["sph-core"]),
             using("mesh-io", &["sph-core"]),
             using("viewer", &["mesh-io"]),
             using("coque", &["sph-core", "sph-shell", "fluid-sph", "mesh-io", "viewer"]),

@@ -28,6 +28,7 @@ impl Body for Shell {
             Measured::Displacement => self.displacement(a).dot(along),
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
+            Measured::ContactForce => self.tool_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
             Measured::ReactionMoment => {
                 (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)

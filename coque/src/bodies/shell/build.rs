@@ -17,6 +17,7 @@ use super::imported::{Imported, Provenance};
 use super::places;
 use super::rigid::free_motions;
 use super::sections::Sections;
+use super::tools::stiffness;
 use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::memory::{check_memory, particles_asked};
 use crate::bodies::refusal::{not_a, refuse_dof, refuse_free_motion};
@@ -119,6 +120,7 @@ pub(super) fn assemble(
     let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
     let masses = builder.masses(&sets)?;
     let stresses = builder.stresses(&cells)?;
+    let tools = builder.tools(stiffness(&sections, &cloud));
     let parts = Parts {
         cloud,
         section: sections.base,
@@ -140,6 +142,7 @@ pub(super) fn assemble(
         .masses(masses)
         .rigid(rigid)
         .springs(springs)
+        .tools(tools)
         .stresses(stresses);
     if scene.stress_drives() {
         shell = shell.stress_by_level();
@@ -149,6 +152,7 @@ pub(super) fn assemble(
     }
     let mut shell = shell.build().map_err(|e| builder.refusal(&e))?;
     builder.refuse_stress_alone(&mut shell)?;
+    builder.refuse_in_tools(&mut shell)?;
     let probes = builder.probes(&sets, &cells, &shell)?;
     builder.set_out(&sets, &mut shell)?;
     refuse_dof(scene, shell.dof())?;

@@ -6,6 +6,7 @@ use mesh_io::surface::side;
 use sph_shell::Shell;
 
 use super::imported::Provenance;
+use super::tools;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Section};
@@ -22,7 +23,8 @@ pub(crate) fn describe(
     surface: Option<&Provenance>,
     parts: Vec<String>,
 ) -> Description {
-    let (modelled, left_out) = lists(scene, surface, parts);
+    let (mut modelled, left_out) = lists(scene, surface, parts);
+    modelled.extend(tools::described(&scene.shell.tools, shell));
     let dof = shell.dof();
     Description {
         kind: "shell",
@@ -81,8 +83,9 @@ fn lists(
         format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell.formulation.curvature()),
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
+    let contact = if scene.shell.tools.is_empty() { "contact" } else { "contact with itself" };
     let mut left_out: Vec<String> =
-        ["plasticity", "contact", "fracture", "change of thickness"].map(String::from).into();
+        ["plasticity", contact, "fracture", "change of thickness"].map(String::from).into();
     match &scene.shell.section {
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),

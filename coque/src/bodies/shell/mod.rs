@@ -22,5 +22,6 @@ mod sections;
 mod springs;
 mod stress;
 mod thickness;
+mod tools;
 mod velocity;
 pub(crate) mod warnings;

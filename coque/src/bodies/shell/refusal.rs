@@ -81,6 +81,10 @@ impl Builder<'_> {
                 let found = supports().find(|support| turning(support));
                 found.map_or("supports".into(), |support| support.at("spring.axis"))
             }
+            ShellError::Tool(_)
+            | ShellError::ToolStiffness(_)
+            | ShellError::ToolWithoutCells
+            | ShellError::ToolOnOffset { .. } => of_body("tools"),
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::WetFromAfar => of_body("geometry"),
             ShellError::NoSuchParticle { .. }

@@ -118,9 +118,9 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        BendingMoment, Damage, Density, Director, Displacement, Energy, Flux, Force, FractureEnergy, Level,
-        MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce,
-        StrainEnergy, Stress, Velocity, VonMises, WetLength,
+        BendingMoment, ContactForce, Damage, Density, Director, Displacement, Energy, Flux, Force,
+        FractureEnergy, Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment,
+        Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -138,6 +138,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
         known.extend([Rotation, Director]);
+    }
+    if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
+        known.push(ContactForce);
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);

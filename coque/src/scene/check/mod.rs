@@ -21,7 +21,7 @@ use self::fluid::check_velocity_of_fluid;
 use self::imperfection::check_imperfection;
 use self::preload::check_preload;
 use self::sets::{check_set_name, check_sets};
-use self::shell::{check_parts, check_wetting};
+use self::shell::{check_parts, check_tools, check_wetting};
 use self::solid::check_solid;
 use self::together::{check_coupling, check_kinds, check_together};
 
@@ -102,6 +102,7 @@ fn check_body(scene: &BodyInScene<'_>) -> Verdict {
         BodyScene::Shell(shell) => {
             shell.check(s)?;
             check_parts(scene, shell, s)?;
+            check_tools(scene, shell, s)?;
             check_wetting(scene, shell, s)?;
         }
         BodyScene::Solid(solid) => solid.check(s)?,

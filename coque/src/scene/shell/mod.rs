@@ -6,6 +6,7 @@ pub(crate) mod initial_stress;
 pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
+pub(crate) mod tools;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -15,6 +16,7 @@ use geometry::{Geometry, Orientation, Placed};
 use initial_stress::InitialStress;
 use material::{Material, Section};
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
+use tools::ToolScene;
 
 use super::imperfection::Imperfection;
 use super::velocity::Velocity;
@@ -43,6 +45,9 @@ pub struct ShellScene {
     /// Sets that move as one rigid body each.
     #[serde(default)]
     pub rigid: Vec<RigidBody>,
+    /// Rigid tools that it may touch.
+    #[serde(default)]
+    pub tools: Vec<ToolScene>,
     /// Stresses of cells before anything is strained.
     #[serde(default)]
     pub initial_stress: Vec<InitialStress>,
@@ -85,7 +90,7 @@ impl ShellScene {
     }
 
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 13] = [
+    pub(crate) const WORDS: [&'static str; 14] = [
         "geometry",
         "orientation",
         "material",
@@ -94,6 +99,7 @@ impl ShellScene {
         "masses",
         "ties",
         "rigid",
+        "tools",
         "initial_stress",
         "formulation",
         "placed",

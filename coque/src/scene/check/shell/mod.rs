@@ -7,9 +7,11 @@ mod material;
 mod parts;
 mod placed;
 mod rigid;
+mod tools;
 
 pub(super) use self::parts::check_parts;
 pub(super) use self::placed::check_wetting;
+pub(super) use self::tools::check_tools;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;

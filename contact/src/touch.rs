@@ -1,0 +1,127 @@
+//! A surface on a tool: energy, forces, tangent, and what is measured of them.
+
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+use crate::law::Law;
+use crate::surface::{Surface, Vertex};
+use crate::tool::{Gap, ToolShape};
+
+/// A surface and a tool that may touch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolContact {
+    /// The tool, checked.
+    pub tool: ToolShape,
+    /// The surface.
+    pub surface: Surface,
+    /// The law.
+    pub law: Law,
+    /// Stiffness κ of a unit of area \[F/L³\].
+    pub stiffness: f64,
+}
+
+/// What a surface and a tool do to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Energy \[F L\].
+    pub energy: f64,
+    /// Force on the surface \[F\].
+    pub force: Vec3,
+    /// Moment on the surface about zero \[F L\].
+    pub moment: Vec3,
+    /// Least gap between faces \[L\], negative where they are in each other.
+    pub least_gap: f64,
+    /// Greatest depth over the distance at which faces touch \[–\]; mid-surfaces come through at one.
+    pub greatest_depth: f64,
+    /// Area that touches \[L²\].
+    pub area: f64,
+}
+
+impl Touch {
+    /// Far from each other.
+    const NONE: Self = Self {
+        energy: 0.0,
+        force: Vec3::new(0.0, 0.0, 0.0),
+        moment: Vec3::new(0.0, 0.0, 0.0),
+        least_gap: f64::INFINITY,
+        greatest_depth: 0.0,
+        area: 0.0,
+    };
+}
+
+impl ToolContact {
+    /// Adds the forces on the particles, with the tool moved by a translation \[L\].
+    ///
+    /// `U = Σ κ A D² φ(s)` with `D = t/2` and `s = (D − g)/D`: the force on a vertex is `κ A D φ′ ∇g`.
+    pub fn forces(&self, moved: &Vec3, at: impl Fn(u32) -> Vec3, mut add: impl FnMut(u32, Vec3)) -> Touch {
+        let mut touch = Touch::NONE;
+        for vertex in self.surface.vertices() {
+            let (place, gap) = self.look(vertex, moved, &at);
+            touch.least_gap = touch.least_gap.min(gap.distance - vertex.half);
+            let depth = 1.0 - gap.distance / vertex.half;
+            if depth <= 0.0 {
+                continue;
+            }
+            let [energy, slope, _] = self.law.at(depth);
+            let stiff = self.stiffness * vertex.area * vertex.half;
+            let force = gap.normal * (stiff * slope);
+            touch.energy += stiff * vertex.half * energy;
+            touch.force += force;
+            touch.moment += place.cross(&force);
+            touch.greatest_depth = touch.greatest_depth.max(depth);
+            touch.area += vertex.area;
+            let share = force * vertex.share();
+            vertex.nodes().iter().for_each(|&a| add(a, share));
+        }
+        touch
+    }
+
+    /// Hands the derivatives of the force on a particle by the place of another to `put`: `−κ A φ″ ∇g∇gᵀ + κ A D φ′ ∇∇g` of a vertex,
+    /// a share for each of its particles. Pairs of particles of one cell only.
+    pub fn tangent(
+        &self,
+        moved: &Vec3,
+        at: impl Fn(u32) -> Vec3,
+        mut put: impl FnMut(u32, u32, &Matrix3<f64>),
+    ) {
+        for vertex in self.surface.vertices() {
+            let Some(change) = self.change(vertex, moved, &at) else { continue };
+            let share = change * (vertex.share() * vertex.share());
+            for &a in vertex.nodes() {
+                for &b in vertex.nodes() {
+                    put(a, b, &share);
+                }
+            }
+        }
+    }
+
+    /// Adds the derivatives of the forces on the particles where the tool moves at a rate \[L/·\].
+    pub fn rates(&self, moved: &Vec3, rate: &Vec3, at: impl Fn(u32) -> Vec3, mut add: impl FnMut(u32, Vec3)) {
+        for vertex in self.surface.vertices() {
+            let Some(change) = self.change(vertex, moved, &at) else { continue };
+            let share = change * rate * -vertex.share();
+            vertex.nodes().iter().for_each(|&a| add(a, share));
+        }
+    }
+
+    /// Greatest stiffness that contact adds at a vertex of the surface while depths stay out of the barrier, `κ A` \[F/L\].
+    pub fn bound(&self, vertex: &Vertex) -> f64 {
+        self.stiffness * vertex.area
+    }
+
+    /// Derivative of the force on a vertex by its place, where it touches.
+    fn change(&self, vertex: &Vertex, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> Option<Matrix3<f64>> {
+        let (_, Gap { distance, normal, curvature }) = self.look(vertex, moved, at);
+        let depth = 1.0 - distance / vertex.half;
+        (depth > 0.0).then(|| {
+            let [_, slope, second] = self.law.at(depth);
+            let stiff = self.stiffness * vertex.area;
+            curvature * (stiff * vertex.half * slope) - normal * normal.transpose() * (stiff * second)
+        })
+    }
+
+    fn look(&self, vertex: &Vertex, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> (Vec3, Gap) {
+        let place = vertex.place(at);
+        (place, self.tool.gap(&place, moved))
+    }
+}

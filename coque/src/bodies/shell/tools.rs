@@ -1,0 +1,102 @@
+//! Tools of a shell: their stiffness, and shells that stand in them at the start.
+
+use contact::{Law, ToolShape};
+use explicit_dynamics::Instant;
+use sph_core::{Cloud, Vec3};
+use sph_shell::{Shell, Tool};
+
+use super::build::Builder;
+use super::sections::Sections;
+use crate::scene::error::SceneError;
+use crate::scene::{Analysis, ToolScene};
+
+/// Depth over half of the thickness up to which a shell that stands on a tool counts as touching it, and no more.
+const TOUCHING: f64 = 1e-6;
+/// Rounding of the law in analyses in time.
+const ROUNDED: f64 = 0.05;
+
+/// Stiffness of contact of a unit of area of a shell \[F/L³\], before its factor: by its thinnest section and mean spacing.
+pub(super) fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
+    let cells = cloud.cells.len().max(1) as f64;
+    let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
+    let spacing = (area / cells).sqrt();
+    let all = std::iter::once(sections.base.scales())
+        .chain(sections.regions.iter().map(|region| region.section.scales()));
+    let of =
+        all.map(|scales| contact::stiffness(scales.membrane / scales.thickness, scales.thickness, spacing));
+    of.fold(f64::INFINITY, f64::min)
+}
+
+impl Builder<'_> {
+    /// The tools of the scene, whose contact has a stiffness times their own factors.
+    pub(super) fn tools(&self, stiffness: f64) -> Vec<Tool> {
+        let rounding = if matches!(self.scene.analysis, Analysis::Explicit(_)) { ROUNDED } else { 0.0 };
+        let tool = |tool: &ToolScene| {
+            let rounding = tool.rounding.map_or(rounding, |rounding| rounding.get());
+            Some(Tool {
+                shape: self.shape(tool)?,
+                moved: self.turned(tool.moved.unwrap_or_default()),
+                amplitude: tool.amplitude.clone().unwrap_or_default(),
+                law: Law::new(rounding)?,
+                stiffness: stiffness * tool.stiffness.map_or(1.0, |factor| factor.get()),
+            })
+        };
+        self.scene.shell.tools.iter().filter_map(tool).collect()
+    }
+
+    fn shape(&self, tool: &ToolScene) -> Option<ToolShape> {
+        let ToolScene { plane, sphere, cylinder, capsule, .. } = tool;
+        let plane = plane.map(|plane| ToolShape::Plane {
+            point: self.turned(plane.point),
+            normal: self.turned(plane.normal),
+        });
+        let sphere = sphere.map(|sphere| ToolShape::Sphere {
+            centre: self.turned(sphere.centre),
+            radius: sphere.radius.get(),
+        });
+        let cylinder = cylinder.map(|drum| ToolShape::Cylinder {
+            point: self.turned(drum.point),
+            axis: self.turned(drum.axis),
+            radius: drum.radius.get(),
+        });
+        let capsule = capsule.map(|capsule| ToolShape::Capsule {
+            ends: capsule.ends.map(|end| self.turned(end)),
+            radius: capsule.radius.get(),
+        });
+        plane.or(sphere).or(cylinder).or(capsule)
+    }
+
+    /// Refuses a shell that stands in a tool before anything moves.
+    pub(super) fn refuse_in_tools(&self, shell: &mut Shell) -> Result<(), SceneError> {
+        let half = 0.5 * shell.thickness();
+        let touches = shell.touch(Instant { time: 0.0, level: 0.0 });
+        for (i, (tool, touch)) in self.scene.shell.tools.iter().zip(touches).enumerate() {
+            if touch.greatest_depth > TOUCHING {
+                let value = format!("`{}`, {:.4e} deep in the shell", tool.name, -touch.least_gap);
+                let bound = format!(
+                    "off the face of the shell, half of its thickness ({half:.4e}) from its particles, or on it"
+                );
+                let repair = "move the tool away by that depth, and let `moved` bring it";
+                return Err(self.scene.body_scope().value(&format!("tools[{i}]"), value, &bound, repair));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What is modelled of the tools of a shell, a line each.
+pub(super) fn described(tools: &[ToolScene], shell: &Shell) -> Vec<String> {
+    let line = |(tool, stiffness): (&ToolScene, f64)| {
+        let shape = tool.given().first().copied().unwrap_or_default();
+        let moves = if tool.moved.is_some_and(|moved| Vec3::from(moved) != Vec3::zeros()) {
+            ", which moves"
+        } else {
+            ""
+        };
+        format!(
+            "contact with the {shape} `{}`{moves}, without friction, {stiffness:.3e} an area and depth",
+            tool.name
+        )
+    };
+    tools.iter().zip(shell.tool_stiffness()).map(line).collect()
+}

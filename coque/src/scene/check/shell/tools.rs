@@ -1,0 +1,72 @@
+//! Checks of tools: one shape each, names, vectors, and where there are none.
+
+use std::collections::BTreeSet;
+
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::check::amplitude::check_amplitude;
+use crate::scene::error::{SceneError, Verdict};
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+use crate::scene::shell::tools::ToolScene;
+
+/// Refuses tools without a shape or of several, of one name, without directions, in analyses that know no contact, and in fluids.
+pub(in crate::scene::check) fn check_tools(
+    scene: &BodyInScene<'_>,
+    shell: &ShellScene,
+    s: &Scope<'_>,
+) -> Verdict {
+    if shell.tools.is_empty() {
+        return Ok(());
+    }
+    let kind = scene.analysis.kind();
+    let refuse = |bound: String, repair: &str| {
+        Err(SceneError::Choice(s.fault("tools", "tools that the shell may touch", &bound, repair)))
+    };
+    if !kind.touches {
+        let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
+        return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
+    }
+    if scene.coupled {
+        return refuse("none in a fluid".into(), "leave them out");
+    }
+    let mut names = BTreeSet::new();
+    for (i, tool) in shell.tools.iter().enumerate() {
+        let own = s.below(&format!("tools[{i}]"));
+        if !names.insert(&tool.name) {
+            let value = format!("\"{}\"", tool.name);
+            return Err(own.value(
+                "name",
+                value,
+                "another name than that of the tools before it",
+                "rename it",
+            ));
+        }
+        own.exactly_one("", "shape", &tool.given(), &ToolScene::SHAPES)?;
+        check_shape(tool, &own)?;
+        own.sized_all("moved", &tool.moved.unwrap_or_default())?;
+        if let Some(amplitude) = &tool.amplitude {
+            check_amplitude(scene, &own.path("amplitude"), amplitude)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_shape(tool: &ToolScene, s: &Scope<'_>) -> Verdict {
+    if let Some(plane) = &tool.plane {
+        s.sized_all("plane.point", &plane.point)?;
+        s.direction("plane.normal", plane.normal)?;
+    }
+    if let Some(sphere) = &tool.sphere {
+        s.sized_all("sphere.centre", &sphere.centre)?;
+    }
+    if let Some(drum) = &tool.cylinder {
+        s.sized_all("cylinder.point", &drum.point)?;
+        s.direction("cylinder.axis", drum.axis)?;
+    }
+    if let Some(capsule) = &tool.capsule {
+        for (i, end) in capsule.ends.iter().enumerate() {
+            s.sized_all(&format!("capsule.ends[{i}]"), end)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,88 @@
+//! Rigid tools that a shell may touch.
+
+use explicit_dynamics::Amplitude;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::bounded::{Positive, Rounding};
+
+/// A rigid, smooth tool of one shape. It pushes on both faces of the shell, whose mid-surface stands half a thickness off it when they
+/// touch.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct ToolScene {
+    /// What it is called in messages and columns.
+    pub name: String,
+    /// A half space behind a plane.
+    pub plane: Option<ToolPlane>,
+    /// A ball.
+    pub sphere: Option<ToolSphere>,
+    /// A cylinder without ends.
+    pub cylinder: Option<ToolCylinder>,
+    /// A cylinder with round ends.
+    pub capsule: Option<ToolCapsule>,
+    /// How far it has moved at level one \[L\]; left out, it stands.
+    pub moved: Option<[f64; 3]>,
+    /// What of that a time brings, in transient runs.
+    pub amplitude: Option<Amplitude>,
+    /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, 2E/t, and of what shortens steps in time by
+    /// a tenth at most.
+    pub stiffness: Option<Positive>,
+    /// Depth over half of the thickness up to which the force sets in softly \[–\]; left out, .05 in time, where bodies bounce, and 0
+    /// without time.
+    pub rounding: Option<Rounding>,
+}
+
+/// A half space; shells are on the side of its normal.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolPlane {
+    /// A point of the plane \[L\].
+    pub point: [f64; 3],
+    /// Normal away from the tool; its length does not matter.
+    pub normal: [f64; 3],
+}
+
+/// A ball.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolSphere {
+    /// Its centre \[L\].
+    pub centre: [f64; 3],
+    /// Its radius \[L\].
+    pub radius: Positive,
+}
+
+/// A cylinder without ends.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolCylinder {
+    /// A point of its axis \[L\].
+    pub point: [f64; 3],
+    /// Direction of its axis; its length does not matter.
+    pub axis: [f64; 3],
+    /// Its radius \[L\].
+    pub radius: Positive,
+}
+
+/// A cylinder with round ends.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolCapsule {
+    /// Ends of its axis \[L\].
+    pub ends: [[f64; 3]; 2],
+    /// Its radius \[L\].
+    pub radius: Positive,
+}
+
+impl ToolScene {
+    /// Keys of the shapes.
+    pub(crate) const SHAPES: [&'static str; 4] = ["plane", "sphere", "cylinder", "capsule"];
+
+    /// Shapes that are given; a checked scene has exactly one.
+    pub(crate) fn given(&self) -> Vec<&'static str> {
+        let given =
+            [self.plane.is_some(), self.sphere.is_some(), self.cylinder.is_some(), self.capsule.is_some()];
+        Self::SHAPES.into_iter().zip(given).filter_map(|(word, given)| given.then_some(word)).collect()
+    }
+}

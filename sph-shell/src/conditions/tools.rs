@@ -1,0 +1,196 @@
+//! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
+
+use contact::{Law, Surface, ToolContact, ToolShape, Touch};
+use explicit_dynamics::{Amplitude, Instant};
+use sph_core::Vec3;
+
+use crate::conditions::case::LoadCase;
+use crate::conditions::loads::{Block, place_block};
+use crate::error::ShellError;
+use crate::material::Material;
+use crate::packs::Row;
+use crate::reference::Reference;
+
+/// A tool before the shell is built.
+///
+/// It pushes on both faces of the shell, whose particles lie in the middle of its thickness: the mid-surface stands half a thickness off the
+/// tool when they touch (crate `contact`). The loss of friction is none: tools are smooth.
+#[derive(Clone, Debug)]
+pub struct Tool {
+    /// Its shape and place at level zero, from zero.
+    pub shape: ToolShape,
+    /// How far it has moved at level one \[L\].
+    pub moved: Vec3,
+    /// What of that a time brings.
+    pub amplitude: Amplitude,
+    /// The law of contact.
+    pub law: Law,
+    /// Stiffness κ of a unit of area \[F/L³\]; [`contact::stiffness`] has one.
+    pub stiffness: f64,
+}
+
+/// A tool with the surface that it may touch.
+#[derive(Clone, Debug)]
+struct Touched {
+    contact: ToolContact,
+    moved: Vec3,
+    amplitude: Amplitude,
+}
+
+/// All tools of a shell.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tools {
+    tools: Vec<Touched>,
+    /// What each of them and the shell do to each other, for the forces last evaluated.
+    touches: Vec<Touch>,
+    /// Forces of all of them on each particle.
+    forces: Vec<Row>,
+    origin: Vec3,
+}
+
+impl Tools {
+    /// The tools of a shell.
+    ///
+    /// # Errors
+    /// [`ShellError`] for shapes without sense, a stiffness that is not positive, a shell without cells, sections over or below
+    /// their particles.
+    pub fn new(tools: Vec<Tool>, reference: &Reference, material: &Material) -> Result<Self, ShellError> {
+        if tools.is_empty() {
+            return Ok(Self::default());
+        }
+        let cloud = &reference.cloud;
+        if cloud.cells.is_empty() {
+            return Err(ShellError::ToolWithoutCells);
+        }
+        if let Some(cell) = (0..cloud.cells.len()).find(|&cell| material.at(cell).height != 0.0) {
+            return Err(ShellError::ToolOnOffset { cell });
+        }
+        let half = half_thickness(reference, material);
+        let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
+        let touched = |tool: Tool| {
+            let Tool { shape, moved, amplitude, law, stiffness } = tool;
+            if !(stiffness > 0.0 && stiffness.is_finite()) {
+                return Err(ShellError::ToolStiffness(stiffness));
+            }
+            let contact = ToolContact { tool: shape.checked()?, surface: surface.clone(), law, stiffness };
+            Ok(Touched { contact, moved, amplitude })
+        };
+        let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
+        Ok(Self { tools, touches: Vec::new(), forces: vec![[0.0; 6]; cloud.len()], origin: reference.origin })
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.tools.is_empty()
+    }
+
+    /// What each tool and the shell do to each other.
+    pub fn touches(&self) -> &[Touch] {
+        &self.touches
+    }
+
+    /// Adds the forces of all tools at an instant of a load case.
+    pub fn add(&mut self, at: Instant, under_way: LoadCase, state: &[Row], forces: &mut [Row]) {
+        let Self { tools, touches, forces: own, origin } = self;
+        touches.clear();
+        own.fill([0.0; 6]);
+        for tool in tools.iter() {
+            let moved = tool.moved_at(at, under_way) - *origin;
+            touches.push(tool.contact.forces(&moved, place(state), |a, force| push(own, a, &force)));
+        }
+        for (sum, row) in forces.iter_mut().zip(&*own) {
+            (0..3).for_each(|k| sum[k] += row[k]);
+        }
+    }
+
+    /// Force of all tools on a particle, for the forces last evaluated.
+    pub fn force(&self, particle: usize) -> Vec3 {
+        self.forces.get(particle).map_or_else(Vec3::zeros, |row| Vec3::new(row[0], row[1], row[2]))
+    }
+
+    /// Stiffness of each tool.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = f64> {
+        self.tools.iter().map(|tool| tool.contact.stiffness)
+    }
+
+    /// Adds what a unit of level adds to their forces, where it moves them.
+    pub fn add_rates(&self, at: Instant, under_way: LoadCase, state: &[Row], forces: &mut [Row]) {
+        if under_way != LoadCase::Loading {
+            return;
+        }
+        for tool in self.tools.iter().filter(|tool| tool.moved != Vec3::zeros()) {
+            let moved = tool.moved_at(at, under_way) - self.origin;
+            let rate = tool.moved * tool.amplitude.value(at.time);
+            tool.contact.rates(&moved, &rate, place(state), |a, force| push(forces, a, &force));
+        }
+    }
+
+    /// Hands the derivatives of their forces to `put`, as loads do theirs. All pairs of the particles of a cell share a block.
+    pub fn stiffness(
+        &self,
+        at: Instant,
+        under_way: LoadCase,
+        state: &[Row],
+        put: &mut dyn FnMut(u32, u32, &Block),
+    ) {
+        for tool in &self.tools {
+            let moved = tool.moved_at(at, under_way) - self.origin;
+            tool.contact.tangent(&moved, place(state), |a, b, change| put(a, b, &place_block(0, 0, change)));
+        }
+    }
+
+    /// Adds the forces that a small motion meets at most, as if all of the shell touched every tool: `−κ A u` at each vertex. What a
+    /// march does not touch yet it may touch within a step.
+    pub fn add_bounds(&self, state: &[Row], home: &[Row], forces: &mut [Row]) {
+        for tool in &self.tools {
+            for vertex in tool.contact.surface.vertices() {
+                let way = vertex.place(place(state)) - vertex.place(place(home));
+                let share = way * (-tool.contact.bound(vertex) * vertex.share());
+                vertex.nodes().iter().for_each(|&a| push(forces, a, &share));
+            }
+        }
+    }
+
+    /// The greatest depth of any vertex in a tool, for the forces last evaluated, over that at which mid-surfaces come through.
+    pub fn greatest_depth(&self) -> f64 {
+        self.touches.iter().fold(0.0, |deepest, touch| touch.greatest_depth.max(deepest))
+    }
+
+    /// Bytes that they hold.
+    pub fn bytes(&self) -> usize {
+        let of = |tool: &Touched| size_of_val(tool.contact.surface.vertices());
+        self.tools.iter().map(of).sum::<usize>() + size_of_val(&self.forces[..])
+    }
+}
+
+impl Touched {
+    /// How far it has moved at an instant; it stands while a preload is brought up.
+    fn moved_at(&self, at: Instant, under_way: LoadCase) -> Vec3 {
+        self.moved * (LoadCase::Loading.factor(under_way, at.level) * self.amplitude.value(at.time))
+    }
+}
+
+/// Half of the thickness at each particle: the mean over its cells by area.
+fn half_thickness(reference: &Reference, material: &Material) -> Vec<f64> {
+    let cloud = &reference.cloud;
+    let (mut volumes, mut areas) = (vec![0.0; cloud.len()], vec![0.0; cloud.len()]);
+    for (number, cell) in cloud.cells.iter().enumerate() {
+        let area = cell.geometry(&cloud.positions).area;
+        for &a in &cell.corners[..usize::from(cell.count)] {
+            volumes[a as usize] += area * material.at(number).thickness;
+            areas[a as usize] += area;
+        }
+    }
+    volumes.iter().zip(&areas).map(|(volume, area)| 0.5 * volume / area).collect()
+}
+
+fn place(state: &[Row]) -> impl Fn(u32) -> Vec3 {
+    |a| {
+        let row = &state[a as usize];
+        Vec3::new(row[0], row[1], row[2])
+    }
+}
+
+fn push(forces: &mut [Row], a: u32, force: &Vec3) {
+    (0..3).for_each(|k| forces[a as usize][k] += force[k]);
+}
